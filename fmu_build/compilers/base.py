@@ -1,0 +1,54 @@
+"""The interface that every Modelica compiler backend implements."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Literal, Protocol
+
+FmiVersion = Literal["2.0"]
+FmiType = Literal["me", "cs"]
+
+
+@dataclass(frozen=True, slots=True)
+class BuildRequest:
+    """What to build.
+
+    `model` is a qualified Modelica class name; `library` is the Modelica file or package folder that it
+    is looked up in (default: the PreloadedSprings library of this project); `output` is the folder that
+    receives ``<last part of the class name>.fmu``.
+    """
+
+    model: str
+    output: Path
+    library: Path | None = None
+    fmi_version: FmiVersion = "2.0"
+    fmi_types: Sequence[FmiType] = ("me", "cs")
+    platforms: Sequence[str] = field(default_factory=tuple)
+    """FMI 2 platform names such as ``linux64``; empty means the host's."""
+
+
+@dataclass(frozen=True, slots=True)
+class BuildResult:
+    """A finished FMU: where it is, which compiler made it, and what that compiler printed."""
+
+    path: Path
+    compiler: str
+    compiler_version: str
+    log: str
+    seconds: float
+
+
+class Compiler(Protocol):
+    """A Modelica compiler that can make FMUs."""
+
+    name: str
+
+    def version(self) -> str:
+        """The version of the installed compiler; raises `ToolchainError` where it is not installed."""
+        ...
+
+    def build(self, request: BuildRequest) -> BuildResult:
+        """Build the FMU or raise a `BuildError`; on an error, no file is left or replaced."""
+        ...

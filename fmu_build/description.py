@@ -1,0 +1,92 @@
+"""What a compiled model is, independent of the compiler that made it and of the FMI version."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Literal
+
+ValueType = Literal["Real", "Integer", "Boolean", "Enumeration"]
+Causality = Literal["parameter", "calculatedParameter", "input", "output", "local", "independent"]
+Variability = Literal["constant", "fixed", "tunable", "discrete", "continuous"]
+Initial = Literal["exact", "approx", "calculated"]
+DependencyKind = Literal["dependent", "constant", "fixed", "tunable", "discrete"]
+
+
+@dataclass(frozen=True, slots=True)
+class EnumerationType:
+    """A Modelica enumeration: its qualified name and its literals with their descriptions."""
+
+    name: str
+    literals: tuple[tuple[str, str], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Variable:
+    """One scalar variable; its value reference is its position in `ModelDescription.variables`."""
+
+    name: str
+    type: ValueType
+    causality: Causality
+    variability: Variability
+    initial: Initial | None
+    start: float | int | bool | None
+    description: str = ""
+    unit: str = ""
+    display_unit: str = ""
+    quantity: str = ""
+    minimum: float | None = None
+    maximum: float | None = None
+    nominal: float | None = None
+    derivative_of: int | None = None
+    """Value reference of the state that this variable is the time derivative of."""
+    reinit: bool = False
+    enumeration: EnumerationType | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Unknown:
+    """An entry of FMI's ModelStructure: value references of the unknown and of what it depends on."""
+
+    value_reference: int
+    dependencies: tuple[int, ...]
+    dependency_kinds: tuple[DependencyKind, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class DefaultExperiment:
+    """SI seconds; the `experiment` annotation of the Modelica class, with the runtime's defaults."""
+
+    start_time: float = 0.0
+    stop_time: float = 1.0
+    tolerance: float = 1e-8
+    step_size: float = 1e-3
+
+
+@dataclass(frozen=True, slots=True)
+class ModelDescription:
+    """Everything that modelDescription.xml says of a model, whatever the FMI version."""
+
+    model_name: str
+    """The qualified Modelica class, such as ``PreloadedSprings.Joystick.Joystick``."""
+    description: str
+    variables: tuple[Variable, ...]
+    outputs: tuple[Unknown, ...]
+    derivatives: tuple[Unknown, ...]
+    initial_unknowns: tuple[Unknown, ...]
+    number_of_event_indicators: int
+    default_experiment: DefaultExperiment = field(default_factory=DefaultExperiment)
+    documentation: str = ""
+    """The HTML of the class's Documentation annotation."""
+
+    @property
+    def identifier(self) -> str:
+        """The last part of the class name: the FMU's file name and FMI's modelIdentifier."""
+        return self.model_name.rpartition(".")[2]
+
+
+@dataclass(frozen=True, slots=True)
+class GeneratedModel:
+    """A model as C source on the runtime's `model.h`, with its description."""
+
+    description: ModelDescription
+    c_source: str

@@ -1,0 +1,161 @@
+/* model.h - the contract between one generated model and the runtime.
+ *
+ * The generator writes one C file that defines everything declared here; the rest of this
+ * folder is the same for every model and knows the model through this header alone.
+ *
+ * All values of an instance live in two arrays of double:
+ *   y   continuous variables: the states first, then the algebraic variables
+ *   p   everything that is constant between events: parameters, inputs, discrete variables,
+ *       pre() slots, condition and relation memories, clock ticks
+ * Integers, Booleans (0 or 1) and enumerations (1, 2, ...) are stored as doubles.
+ */
+#ifndef MODEL_H
+#define MODEL_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+typedef enum { STORE_STATE_OR_ALGEBRAIC /* y */, STORE_PARAMETER /* p */, STORE_DERIVATIVE, STORE_TIME } Store;
+typedef enum { TYPE_REAL, TYPE_INTEGER, TYPE_BOOLEAN } ValueType; /* enumerations are TYPE_INTEGER */
+typedef enum {
+    CAUSALITY_PARAMETER,
+    CAUSALITY_CALCULATED_PARAMETER,
+    CAUSALITY_INPUT,
+    CAUSALITY_OUTPUT,
+    CAUSALITY_LOCAL,
+    CAUSALITY_INDEPENDENT
+} Causality;
+typedef enum {
+    VARIABILITY_CONSTANT,
+    VARIABILITY_FIXED,
+    VARIABILITY_TUNABLE,
+    VARIABILITY_DISCRETE,
+    VARIABILITY_CONTINUOUS
+} Variability;
+typedef enum { INITIAL_EXACT, INITIAL_APPROX, INITIAL_CALCULATED, INITIAL_NONE } Initial;
+
+/* One variable as importers see it. Its value reference is its position in model.variables. */
+typedef struct {
+    const char *name;
+    ValueType type;
+    Store store;
+    size_t index; /* in y, p or the derivatives */
+    Causality causality;
+    Variability variability;
+    Initial initial;
+    double start;
+    double min, max; /* -INFINITY and INFINITY where the model gives none */
+} Variable;
+
+/* A system of algebraic equations that has to be solved by Newton's method. */
+typedef struct {
+    size_t size;
+    const size_t *unknowns; /* positions in y */
+    void (*residual)(double time, const double *y, const double *p, double *residual);
+    void (*jacobian)(double time, const double *y, const double *p, double *jacobian); /* row-major */
+} Block;
+
+/* The value at the entry of the event, kept in p for pre(): p[slot] = y or p [source]. */
+typedef struct {
+    size_t slot;
+    Store source_store;
+    size_t source;
+} PreBinding;
+
+/* relation memory p[memory] = 1 where the relation holds, that is where its root is negative,
+ * or where the root is exactly zero and holds_at_zero says so. */
+typedef struct {
+    size_t root;
+    size_t memory;
+    bool holds_at_zero;
+} Relation;
+
+/* What a discrete equation sets, and when:
+ * ASSIGN     in every pass of the event iteration,
+ * CONDITION  the memory from which edges are found: committed when a pass has settled,
+ * REINIT     a state: committed with the conditions,
+ * CLOCKED    only in the passes of an event at which clock number `clock` ticks. */
+typedef enum { DISCRETE_ASSIGN, DISCRETE_CONDITION, DISCRETE_REINIT, DISCRETE_CLOCKED } DiscreteKind;
+typedef struct {
+    DiscreteKind kind;
+    Store store;
+    size_t index;
+    size_t clock;
+} DiscreteTarget;
+
+/* Ticks at phase + n*period, n = 0, 1, ...; p[activation] is 1 during the event of a tick. */
+typedef struct {
+    size_t activation;
+    double period_numerator, period_denominator, phase_numerator, phase_denominator;
+} PeriodicClock;
+
+/* assert(), terminate() and warnings. */
+typedef enum { ACTION_ERROR, ACTION_WARNING, ACTION_TERMINATE } ActionKind;
+
+/* An unknown of the initial equations: y or p. */
+typedef struct {
+    Store store;
+    size_t index;
+} InitialUnknown;
+
+#define NO_SLOT ((size_t)-1)
+
+typedef struct {
+    const char *name;  /* the Modelica class */
+    const char *token; /* FMI 2: GUID, FMI 3: instantiation token */
+
+    size_t n_states, n_y, n_p;
+    const double *y_start, *p_start; /* before any start value is set */
+    const double *state_nominal;
+
+    size_t n_variables;
+    const Variable *variables;
+
+    size_t n_roots; /* zero crossings */
+    size_t n_relations;
+    const Relation *relations;
+
+    size_t n_pre;
+    const PreBinding *pre;
+    size_t n_discrete;
+    const DiscreteTarget *discrete;
+    size_t n_clocks;
+    const PeriodicClock *clocks;
+    size_t n_time_events; /* see model_time_events */
+    size_t n_actions;
+    const ActionKind *actions;
+    size_t initial_event_slot; /* p[slot] is 1 during initialisation, or NO_SLOT */
+
+    size_t n_initial_unknowns;
+    const InitialUnknown *initial_unknowns;
+} Model;
+
+extern const Model model;
+
+/* The functions below return true on success and false when a block has no solution at this point.
+ * They read the states y[0..n_states) and p; blocks take the old values in y as their first guess. */
+
+/* der = d(states)/dt. Computes what it needs; leaves the algebraic variables of y, blocks apart, as they were. */
+bool model_derivatives(double time, double *y, const double *p, double *der);
+/* All algebraic variables of y. */
+bool model_algebraics(double time, double *y, const double *p);
+/* root[0..n_roots) = lhs - rhs of each relation, the smaller side first for "<" and "<=". */
+bool model_roots(double time, double *y, const double *p, double *root);
+
+/* p: parameters that are computed from other parameters. */
+void model_dependent_parameters(double *p);
+/* y, p: start values that are computed from parameters; only in initialisation. */
+void model_start_values(double *y, double *p);
+/* residual[0..n_initial_unknowns) of the initial equations; the algebraic variables of y are up to date. */
+void model_initial_residual(double time, const double *y, const double *p, double *residual);
+
+/* value[0..n_discrete) = right-hand sides of the discrete equations; y's algebraic variables are up to date. */
+void model_discrete(double time, const double *y, const double *p, double *value);
+/* when[0..n_time_events) = the times of time events, +INFINITY for none. */
+void model_time_events(double time, const double *y, const double *p, double *when);
+/* active[0..n_actions): true where the action must be taken. */
+void model_actions(double time, const double *y, const double *p, bool *active);
+/* The message of one action, formatted into text[0..size). */
+void model_action_message(size_t action, double time, const double *y, const double *p, char *text, size_t size);
+
+#endif
