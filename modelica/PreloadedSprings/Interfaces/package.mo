@@ -1,0 +1,4 @@
+within PreloadedSprings;
+package Interfaces "Connectors and partial components"
+  extends PreloadedSprings.Icons.Package;
+end Interfaces;
