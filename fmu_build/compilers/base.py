@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Literal, Protocol
 
 FmiVersion = Literal["2.0"]
 FmiType = Literal["me", "cs"]
+
+
+def _tell_nobody(stage: str) -> None:
+    pass
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,6 +31,8 @@ class BuildRequest:
     fmi_types: Sequence[FmiType] = ("me", "cs")
     platforms: Sequence[str] = field(default_factory=tuple)
     """FMI 2 platform names such as ``linux64``; empty means the host's."""
+    on_stage: Callable[[str], None] = _tell_nobody
+    """Called with a short text, such as ``generating C``, when a stage of the build begins."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,0 +1,78 @@
+"""Modelica models as FMUs, with tools that pip installs.
+
+>>> from fmu_build import build_fmu
+>>> result = build_fmu("PreloadedSprings.Joystick.Joystick", "build/fmi2")  # doctest: +SKIP
+>>> result.path  # doctest: +SKIP
+PosixPath('build/fmi2/Joystick.fmu')
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from os import PathLike
+from pathlib import Path
+
+from fmu_build.compilers import compiler_names, get_compiler
+from fmu_build.compilers.base import BuildRequest, BuildResult, FmiType, FmiVersion
+from fmu_build.errors import (
+    BuildError,
+    ModelicaError,
+    ModelNotFoundError,
+    ToolchainError,
+    UnknownCompilerError,
+    UnsupportedModelError,
+)
+
+__all__ = [
+    "BuildError",
+    "BuildResult",
+    "ModelNotFoundError",
+    "ModelicaError",
+    "ToolchainError",
+    "UnknownCompilerError",
+    "UnsupportedModelError",
+    "build_fmu",
+    "compiler_names",
+]
+
+
+def build_fmu(
+    model: str,
+    output: str | PathLike[str],
+    *,
+    compiler: str = "rumoca",
+    library: str | PathLike[str] | None = None,
+    fmi_version: FmiVersion = "2.0",
+    fmi_types: Sequence[FmiType] = ("me", "cs"),
+    platforms: Sequence[str] = (),
+    on_stage: Callable[[str], None] | None = None,
+) -> BuildResult:
+    """Builds the FMU of a Modelica model.
+
+    Args:
+        model: qualified class name, such as ``PreloadedSprings.Joystick.Joystick``.
+        output: folder that receives ``<last part of the class name>.fmu``; made where it is missing.
+        compiler: name of the Modelica compiler; see `compiler_names`.
+        library: Modelica file or package folder with the model; the PreloadedSprings library by default.
+            A library of your own may use PreloadedSprings without naming it here.
+        fmi_version: the version of the FMI standard.
+        fmi_types: Model Exchange, Co-Simulation, or both in one FMU.
+        platforms: FMI 2 platform names such as ``linux64``; none means this machine's.
+        on_stage: called with a short text when a stage of the build begins.
+
+    Raises:
+        BuildError: one of its subclasses says what is wrong and where. The output folder is then as it
+            was before.
+    """
+    request = BuildRequest(
+        model=model,
+        output=Path(output),
+        library=None if library is None else Path(library),
+        fmi_version=fmi_version,
+        fmi_types=tuple(fmi_types),
+        platforms=tuple(platforms),
+    )
+    if on_stage is not None:
+        request = replace(request, on_stage=on_stage)
+    return get_compiler(compiler).build(request)

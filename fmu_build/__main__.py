@@ -1,0 +1,116 @@
+"""Command line: ``python -m fmu_build MODEL... --output DIR``."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+from typing import Annotated, NoReturn
+
+import typer
+from rich.console import Console
+from rich.markup import escape
+
+from fmu_build import BuildError, build_fmu, compiler_names
+from fmu_build.packaging.platforms import PLATFORMS
+
+_EXAMPLE = """
+Example:
+
+    python -m fmu_build PreloadedSprings.Joystick.Joystick --output build/fmi2
+"""
+_messages = Console(stderr=True, highlight=False, soft_wrap=True)
+
+
+def _known_compiler(name: str) -> str:
+    if name not in compiler_names():
+        raise typer.BadParameter(f"{name!r} is not one of {', '.join(compiler_names())}")
+    return name
+
+
+def _known_platforms(names: list[str]) -> list[str]:
+    for name in names:
+        if name not in PLATFORMS:
+            raise typer.BadParameter(f"{name!r} is not one of {', '.join(PLATFORMS)}")
+    return names
+
+
+def main(
+    models: Annotated[
+        list[str],
+        typer.Argument(metavar="MODEL", help="Qualified Modelica class names.", show_default=False),
+    ],
+    output: Annotated[
+        Path, typer.Option("--output", "-o", metavar="DIR", help="Folder that receives the .fmu files.")
+    ],
+    compiler: Annotated[
+        str,
+        typer.Option(callback=_known_compiler, help=f"Modelica compiler: {', '.join(compiler_names())}."),
+    ] = "rumoca",
+    library: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="PATH",
+            help="Modelica file or package folder with the models; PreloadedSprings if not given.",
+            show_default=False,
+        ),
+    ] = None,
+    platform: Annotated[
+        list[str] | None,
+        typer.Option(
+            callback=lambda names: _known_platforms(names or []),
+            metavar="NAME",
+            help=f"Platform to build for, repeatable: {', '.join(PLATFORMS)}; this machine's if not given.",
+            show_default=False,
+        ),
+    ] = None,
+    verbose: Annotated[bool, typer.Option("--verbose", "-v", help="Show what the compilers print.")] = False,
+) -> None:
+    """Build FMUs (FMI 2.0, Model Exchange and Co-Simulation) from Modelica models.
+
+    The paths of the finished FMUs are printed on standard output, everything else on standard error.
+    """
+    for model in models:
+        try:
+            result = build_fmu(
+                model,
+                output,
+                compiler=compiler,
+                library=library,
+                platforms=platform or (),
+                on_stage=_Progress(model),
+            )
+        except BuildError as error:
+            _fail(str(error))
+        except Exception as error:  # noqa: BLE001 - a fault of this program must not end in a traceback
+            if verbose:
+                _messages.print_exception()
+            hint = "" if verbose else " (--verbose shows where)"
+            _fail(f"{model}: internal error: {type(error).__name__}: {error}{hint}")
+        if verbose:
+            _messages.print(escape(result.log.rstrip()), style="dim")
+        _messages.print(f"{escape(model)}: done in {result.seconds:.1f} s")
+        typer.echo(result.path)
+
+
+class _Progress:
+    """Prints each stage of one model's build when it begins."""
+
+    def __init__(self, model: str) -> None:
+        self.model = model
+        self.start = time.perf_counter()
+
+    def __call__(self, stage: str) -> None:
+        seconds = time.perf_counter() - self.start
+        _messages.print(f"[dim]{seconds:5.1f} s[/dim]  {escape(self.model)}: {escape(stage)}")
+
+
+def _fail(message: str) -> NoReturn:
+    _messages.print(f"[bold red]error:[/bold red] {escape(message)}")
+    raise typer.Exit(1)
+
+
+app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode="markdown")
+app.command(epilog=_EXAMPLE)(main)
+
+if __name__ == "__main__":
+    app(prog_name="python -m fmu_build")

@@ -1,0 +1,89 @@
+"""The default backend: rumoca lowers the Modelica model, this project makes C and the FMU from it."""
+
+from __future__ import annotations
+
+import time
+from importlib import metadata
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from fmu_build.compilers.base import BuildRequest, BuildResult
+from fmu_build.compilers.library import (
+    DEFAULT_LIBRARY,
+    MODEL_KINDS,
+    ModelicaClass,
+    default_library,
+    entry_file,
+    mentions,
+    not_found,
+    read_classes,
+)
+from fmu_build.compilers.rumoca_errors import is_unknown_class, native_stderr, translated_errors
+from fmu_build.description import GeneratedModel
+from fmu_build.errors import ToolchainError
+from fmu_build.packaging import check_request, package_fmu
+
+if TYPE_CHECKING:
+    import rumoca
+
+
+class RumocaCompiler:
+    """Implements `fmu_build.compilers.base.Compiler`."""
+
+    name = "rumoca"
+
+    def version(self) -> str:
+        """The installed version; raises `ToolchainError` where rumoca is not installed."""
+        try:
+            return metadata.version("rumoca")
+        except metadata.PackageNotFoundError as error:
+            raise ToolchainError("the Modelica compiler is missing: pip install rumoca") from error
+
+    def build(self, request: BuildRequest) -> BuildResult:
+        """Builds the FMU; raises a `BuildError` and leaves every file as it was where that fails."""
+        start = time.perf_counter()
+        version = self.version()
+        check_request(request)
+        request.on_stage(f"compiling Modelica with rumoca {version}")
+        generated, log = _generate(request)
+        packaged = package_fmu(generated, request)
+        seconds = time.perf_counter() - start
+        return BuildResult(packaged.path, self.name, version, log + packaged.log, seconds)
+
+
+def _generate(request: BuildRequest) -> tuple[GeneratedModel, str]:
+    """The C model, and what rumoca printed on the way."""
+    from fmu_build.codegen import generate
+
+    library = request.library or default_library()
+    entry = entry_file(library)
+    classes = read_classes(library)
+    known = classes.get(request.model)
+    if known is not None and known.kind not in MODEL_KINDS:
+        raise not_found(request.model, library, classes)
+    file = entry if known is None else known.file
+    with native_stderr() as printed:
+        try:
+            with translated_errors(request.model, file):
+                model = _load(request.model, library, entry, classes)
+                request.on_stage("generating C")
+                generated = generate(model)
+        except Exception as error:
+            if known is None and is_unknown_class(error, request.model):
+                raise not_found(request.model, library, classes) from error
+            raise
+    return generated, printed()
+
+
+def _load(model: str, library: Path, entry: Path, classes: dict[str, ModelicaClass]) -> rumoca.Model:
+    import rumoca
+
+    roots = []
+    if DEFAULT_LIBRARY not in classes and mentions(library, DEFAULT_LIBRARY):
+        roots = [str(default_library())]
+    session = rumoca.Session(roots=roots)
+    if roots:
+        # rumoca reads a root only when the text that it is given mentions it, and package.mo of a package
+        # does not mention what its models use.
+        session.loads(f"model Import import {DEFAULT_LIBRARY}; end Import;", model="Import")
+    return session.load(str(entry), model=model)

@@ -1,0 +1,82 @@
+"""The shared libraries of an FMU, compiled with the C compiler that `pip install ziglang` brings."""
+
+from __future__ import annotations
+
+import importlib.util
+import os
+import shlex
+import subprocess
+import sys
+import tempfile
+from collections.abc import Mapping
+from importlib import metadata
+from pathlib import Path
+
+from fmu_build.errors import ToolchainError
+from fmu_build.packaging.platforms import Platform
+from fmu_build.packaging.sources import c_files
+
+# Floating point: no contraction to fused multiply-add and nothing of -ffast-math, so that every platform
+# computes alike. -s and the relative paths keep this machine's names out of the library.
+COMPILER_FLAGS = (
+    "-std=c11",
+    "-O2",
+    "-fno-math-errno",
+    "-ffp-contract=off",
+    "-fvisibility=hidden",
+    "-DNDEBUG",
+    "-Wall",
+    "-Wextra",
+)
+LINKER_FLAGS = ("-shared", "-fPIC", "-s")
+# Search paths of the user's own compilers, which clang would read too.
+_FOREIGN_PATHS = ("CPATH", "C_INCLUDE_PATH", "LIBRARY_PATH", "SDKROOT")
+
+
+def toolchain_version() -> str:
+    """Name and version of the C compiler; raises `ToolchainError` where it is not installed."""
+    if importlib.util.find_spec("ziglang") is None:
+        raise ToolchainError("the C compiler is missing: pip install ziglang")
+    return f"ziglang {metadata.version('ziglang')}"
+
+
+def compile_library(sources: Mapping[str, bytes], identifier: str, platform: Platform) -> tuple[bytes, str]:
+    """The library for one platform, and the compiler's command and output.
+
+    Raises `ToolchainError` with the compiler's output where it fails.
+    """
+    toolchain_version()
+    library = identifier + platform.extension
+    with tempfile.TemporaryDirectory(prefix="fmu_build-") as folder:
+        work = Path(folder)
+        for name, content in sources.items():
+            (work / name).write_bytes(content)
+        command = [sys.executable, "-m", "ziglang", *_arguments(c_files(sources), library, platform)]
+        environment = {name: value for name, value in os.environ.items() if name not in _FOREIGN_PATHS}
+        environment["ZIG_LOCAL_CACHE_DIR"] = str(work / ".zig-cache")
+        try:
+            done = subprocess.run(
+                command,
+                cwd=work,
+                env=environment,
+                capture_output=True,
+                text=True,
+                errors="replace",
+                check=False,
+            )
+        except OSError as error:
+            raise ToolchainError(f"cannot start the C compiler {command[0]}: {error.strerror}") from error
+        output = (done.stdout + done.stderr).replace(folder + os.sep, "")
+        log = f"$ {shlex.join(command[1:])}\n{output}"
+        if done.returncode != 0 or not (work / library).is_file():
+            raise ToolchainError(
+                f"the C compiler failed for {platform.name} with exit code {done.returncode}\n{log}".rstrip()
+            )
+        return (work / library).read_bytes(), log
+
+
+def _arguments(files: list[str], library: str, platform: Platform) -> list[str]:
+    target = ["-target", platform.target, "-mcpu=baseline"]
+    # Without its own install name, a macOS library would carry the path that it was linked at.
+    name = [f"-Wl,-install_name,@rpath/{library}"] if platform.extension == ".dylib" else []
+    return ["cc", *target, *COMPILER_FLAGS, *LINKER_FLAGS, *name, "-o", library, *files, "-lm"]

@@ -1,0 +1,62 @@
+"""The last look at a new FMU, before it takes its place."""
+
+from __future__ import annotations
+
+import signal
+import subprocess
+import sys
+import zipfile
+from collections.abc import Sequence
+from pathlib import Path
+
+from fmpy.validation import validate_fmu
+
+from fmu_build.compilers.base import FmiType
+from fmu_build.errors import BuildError
+
+_SECONDS_TO_LOAD = 300  # so that a library that hangs does not hang the build
+
+
+def check_fmu(path: Path, *, fmi_types: Sequence[FmiType], load: bool) -> str:
+    """Reads the archive again, validates it and, with `load`, instantiates it on this machine.
+
+    The library is loaded in a process of its own, because a faulty one can kill the process.
+    Returns what the checks printed; raises `BuildError` for any finding.
+    """
+    with zipfile.ZipFile(path) as archive:
+        damaged = archive.testzip()
+    if damaged is not None:
+        raise BuildError(f"the archive was damaged while it was written: {damaged} has a wrong checksum")
+    problems = validate_fmu(str(path))
+    if problems:
+        raise BuildError("internal error: the FMU is not valid:\n" + "\n".join(f"- {p}" for p in problems))
+    if not load:
+        return "The FMU has no binary for this machine; it was validated but not loaded.\n"
+    return _load(path, fmi_types)
+
+
+def _load(path: Path, fmi_types: Sequence[FmiType]) -> str:
+    script = Path(__file__).with_name("load_fmu.py")
+    # -P keeps the folder of the script, with its module names, out of the search path.
+    command = [sys.executable, "-P", str(script), str(path), *fmi_types]
+    try:
+        done = subprocess.run(
+            command, capture_output=True, text=True, errors="replace", timeout=_SECONDS_TO_LOAD, check=False
+        )
+    except subprocess.TimeoutExpired as error:
+        raise BuildError(f"the FMU did not load within {_SECONDS_TO_LOAD} s") from error
+    output = done.stdout + done.stderr
+    if done.returncode != 0:
+        raise BuildError(
+            f"the FMU does not load on this machine: {_reason(done.returncode)}\n{output}".rstrip()
+        )
+    return output
+
+
+def _reason(code: int) -> str:
+    if code >= 0:
+        return f"exit code {code}"
+    try:
+        return f"its process was killed by {signal.Signals(-code).name}"
+    except ValueError:
+        return f"its process was killed by signal {-code}"

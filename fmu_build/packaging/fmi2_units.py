@@ -1,0 +1,86 @@
+"""The UnitDefinitions of an FMI 2 model description."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from lxml import etree
+
+from fmu_build.description import Variable
+from fmu_build.errors import ModelicaError
+from fmu_build.packaging.units import BASE_UNITS, Unit, UnitError, conversion, parse_unit
+
+# Offered to importers beside what the model itself asks for.
+_USUAL_DISPLAY_UNITS = {
+    "rad": ("deg",),
+    "rad/s": ("deg/s", "rev/min"),
+    "rad/s2": ("deg/s2",),
+    "m": ("cm", "mm"),
+    "m/s": ("mm/s", "km/h"),
+    "s": ("ms",),
+    "kg": ("g",),
+    "kg.m2": ("kg.cm2", "g.cm2"),
+    "J": ("mJ",),
+    "N/m": ("N/mm",),
+    "N.m": ("N.mm", "N.cm"),
+    "N.m/rad": ("N.m/deg",),
+    "N.m.s/rad": ("N.m.s/deg",),
+    "K": ("degC",),
+    "Pa": ("kPa", "bar"),
+}
+
+
+def distinct_display_unit(variable: Variable) -> str:
+    """The variable's display unit, or "" where that is none or the unit itself."""
+    return "" if variable.display_unit == variable.unit else variable.display_unit
+
+
+def unit_definitions(variables: Iterable[Variable]) -> list[etree._Element]:
+    """At most one `UnitDefinitions` element with every unit of the variables, its base unit and display units.
+
+    Raises `ModelicaError` naming the variable whose unit or display unit is not a unit.
+    """
+    display_units: dict[str, set[str]] = {}
+    for variable in variables:
+        display_unit = distinct_display_unit(variable)
+        if display_unit and not variable.unit:
+            raise ModelicaError(f"variable {variable.name!r} has displayUnit {display_unit!r} but no unit")
+        if not variable.unit:
+            continue
+        known = display_units.setdefault(variable.unit, set(_USUAL_DISPLAY_UNITS.get(variable.unit, ())))
+        try:
+            parse_unit(variable.unit)
+            if display_unit:
+                conversion(variable.unit, display_unit)
+                known.add(display_unit)
+        except UnitError as error:
+            raise ModelicaError(f"variable {variable.name!r}: {error}") from error
+    if not display_units:
+        return []
+    definitions = etree.Element("UnitDefinitions")
+    for name in sorted(display_units):
+        definitions.append(_unit(name, sorted(display_units[name])))
+    return [definitions]
+
+
+def _unit(name: str, display_units: list[str]) -> etree._Element:
+    element = etree.Element("Unit", name=name)
+    element.append(_base_unit(parse_unit(name)))
+    for display_name in display_units:
+        factor, offset = conversion(name, display_name)
+        display = etree.SubElement(element, "DisplayUnit", name=display_name, factor=repr(factor))
+        if offset:
+            display.set("offset", repr(offset))
+    return element
+
+
+def _base_unit(unit: Unit) -> etree._Element:
+    element = etree.Element("BaseUnit")
+    for base, exponent in zip(BASE_UNITS, unit.exponents, strict=True):
+        if exponent:
+            element.set(base, str(exponent))
+    if unit.factor != 1:
+        element.set("factor", repr(float(unit.factor)))
+    if unit.offset:
+        element.set("offset", repr(float(unit.offset)))
+    return element
