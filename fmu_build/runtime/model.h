@@ -63,7 +63,8 @@ typedef struct {
 } PreBinding;
 
 /* relation memory p[memory] = 1 where the relation holds, that is where its root is negative,
- * or where the root is exactly zero and holds_at_zero says so. */
+ * or where the root is exactly zero and holds_at_zero says so. Roots from n_roots on are those of
+ * model_time_relations: they change at time events only and are not watched for zero crossings. */
 typedef struct {
     size_t root;
     size_t memory;
@@ -73,17 +74,15 @@ typedef struct {
 /* What a discrete equation sets, and when:
  * ASSIGN     in every pass of the event iteration,
  * CONDITION  the memory from which edges are found: committed when a pass has settled,
- * REINIT     a state: committed with the conditions,
- * CLOCKED    only in the passes of an event at which clock number `clock` ticks. */
-typedef enum { DISCRETE_ASSIGN, DISCRETE_CONDITION, DISCRETE_REINIT, DISCRETE_CLOCKED } DiscreteKind;
+ * REINIT     a state: committed with the conditions. */
+typedef enum { DISCRETE_ASSIGN, DISCRETE_CONDITION, DISCRETE_REINIT } DiscreteKind;
 typedef struct {
     DiscreteKind kind;
     Store store;
     size_t index;
-    size_t clock;
 } DiscreteTarget;
 
-/* Ticks at phase + n*period, n = 0, 1, ...; p[activation] is 1 during the event of a tick. */
+/* Ticks at phase + n*period, n = 0, 1, ...; p[activation] is 1 in the first pass of the event of a tick. */
 typedef struct {
     size_t activation;
     double period_numerator, period_denominator, phase_numerator, phase_denominator;
@@ -112,6 +111,7 @@ typedef struct {
     const Variable *variables;
 
     size_t n_roots; /* zero crossings */
+    size_t n_time_relations;
     size_t n_relations;
     const Relation *relations;
 
@@ -124,6 +124,7 @@ typedef struct {
     size_t n_time_events; /* see model_time_events */
     size_t n_actions;
     const ActionKind *actions;
+    bool actions_follow_states; /* some action can become due between events */
     size_t initial_event_slot; /* p[slot] is 1 during initialisation, or NO_SLOT */
 
     size_t n_initial_unknowns;
@@ -142,6 +143,9 @@ bool model_algebraics(double time, double *y, const double *p);
 /* root[0..n_roots) = lhs - rhs of each relation, the smaller side first for "<" and "<=". */
 bool model_roots(double time, double *y, const double *p, double *root);
 
+/* root[0..n_time_relations) = lhs - rhs of the relations that depend on time and p alone. */
+void model_time_relations(double time, const double *p, double *root);
+
 /* p: parameters that are computed from other parameters. */
 void model_dependent_parameters(double *p);
 /* y, p: start values that are computed from parameters; only in initialisation. */
@@ -151,8 +155,8 @@ void model_initial_residual(double time, const double *y, const double *p, doubl
 
 /* value[0..n_discrete) = right-hand sides of the discrete equations; y's algebraic variables are up to date. */
 void model_discrete(double time, const double *y, const double *p, double *value);
-/* when[0..n_time_events) = the times of time events, +INFINITY for none. */
-void model_time_events(double time, const double *y, const double *p, double *when);
+/* when[0..n_time_events) = the times of time events; past ones and NaN count as none. */
+void model_time_events(const double *p, double *when);
 /* active[0..n_actions): true where the action must be taken. */
 void model_actions(double time, const double *y, const double *p, bool *active);
 /* The message of one action, formatted into text[0..size). */

@@ -6,14 +6,15 @@
 
 typedef struct {
     double time;
-    double *y;              /* [model.n_y] */
-    double *p;              /* [model.n_p] */
-    double *clock_tick;     /* [model.n_clocks] number of the next tick of each periodic clock */
+    double *y;          /* [model.n_y] */
+    double *p;          /* [model.n_p] */
+    double *clock_tick; /* [model.n_clocks] number of the next tick of each periodic clock */
+    double *reported;   /* [model.n_actions] 1 where a warning was reported and its condition still holds */
 } Values;
 
-/* One allocation of values_size() bytes holds all arrays; values_bind points the arrays into it. */
-size_t values_count(void);                      /* doubles in the block */
+/* One block of values_count() doubles holds all arrays; values_bind points the arrays into it. */
+size_t values_count(void);
 void values_bind(Values *values, double *block);
-void values_reset(Values *values);              /* start values of the model, time 0 */
+void values_reset(Values *values); /* start values of the model, time 0 */
 
 #endif

@@ -1,0 +1,42 @@
+"""From a model that rumoca has compiled to C source on the runtime's model.h."""
+
+from __future__ import annotations
+
+import rumoca
+
+from fmu_build.codegen.annotations import default_experiment, documentation
+from fmu_build.codegen.c_model import write_model
+from fmu_build.codegen.equations import read_equations
+from fmu_build.codegen.functions import FunctionLibrary
+from fmu_build.codegen.lowered import lower
+from fmu_build.codegen.start_values import StartValues
+from fmu_build.codegen.structure import Structure
+from fmu_build.codegen.variables import VariableReader
+from fmu_build.description import GeneratedModel, ModelDescription
+
+__all__ = ["generate"]
+
+
+def generate(model: rumoca.Model) -> GeneratedModel:
+    """The C source and the description of a compiled model.
+
+    Raises `UnsupportedModelError`, naming construct and source line, for what cannot be carried faithfully.
+    """
+    lowered = lower(model)
+    functions = FunctionLibrary(lowered)
+    equations = read_equations(lowered, functions.name_of)
+    starts = StartValues(lowered)
+    variables = VariableReader(lowered, equations, starts).read()
+    structure = Structure(equations, variables)
+    description = ModelDescription(
+        model_name=lowered.name,
+        description=lowered.flat.get("model_description") or "",
+        variables=tuple(stored.variable for stored in variables),
+        outputs=structure.outputs(),
+        derivatives=structure.derivatives(),
+        initial_unknowns=structure.initial_unknowns(),
+        number_of_event_indicators=len(equations.relations.roots),
+        default_experiment=default_experiment(lowered),
+        documentation=documentation(lowered),
+    )
+    return GeneratedModel(description, write_model(lowered, equations, variables, starts, functions.sources()))

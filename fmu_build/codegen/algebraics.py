@@ -1,0 +1,121 @@
+"""Algebraic equations in the order in which they can be computed.
+
+rumoca gives residuals and the order of its blocks. Most residuals hold one unknown, and linearly: those are
+solved here, so that the C code assigns them. What is left are blocks for Newton's method.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from fmu_build.codegen import expression as ex
+from fmu_build.codegen.differentiate import NotDifferentiableError, partial
+from fmu_build.codegen.expression import ZERO, Expression, binary, negate
+from fmu_build.codegen.lowered import LoweredModel
+
+
+@dataclass(frozen=True, slots=True)
+class Assignment:
+    """``y[unknown] = value``"""
+
+    unknown: int
+    value: Expression
+
+    @property
+    def unknowns(self) -> tuple[int, ...]:
+        return (self.unknown,)
+
+    @property
+    def expressions(self) -> tuple[Expression, ...]:
+        return (self.value,)
+
+
+@dataclass(frozen=True, slots=True)
+class NewtonBlock:
+    """Residuals that vanish for the right ``y[unknowns]``, with their Jacobian, row by row."""
+
+    unknowns: tuple[int, ...]
+    residuals: tuple[Expression, ...]
+    jacobian: tuple[tuple[Expression, ...], ...]
+
+    @property
+    def expressions(self) -> tuple[Expression, ...]:
+        return self.residuals
+
+
+Step = Assignment | NewtonBlock
+
+
+def order(model: LoweredModel, rows: dict[int, Expression], plan: dict[str, Any]) -> tuple[Step, ...]:
+    """The algebraic equations `rows` (by row number), solved block by block as the plan orders them."""
+    steps: list[Step] = []
+    for block in plan["blocks"]:
+        unknowns = tuple(block["y_indices"])
+        residuals = tuple(rows[row] for row in block["rows"])
+        if len(unknowns) != len(residuals):
+            raise model.refuse(f"an algebraic block has {len(residuals)} equations for {len(unknowns)} unknowns")
+        steps.append(_solve(model, unknowns, residuals))
+    return tuple(steps)
+
+
+def _solve(model: LoweredModel, unknowns: tuple[int, ...], residuals: tuple[Expression, ...]) -> Step:
+    if len(unknowns) == 1:
+        value = isolate(residuals[0], ex.y(unknowns[0]))
+        if value is not None:
+            return Assignment(unknowns[0], value)
+    try:
+        jacobian = tuple(tuple(partial(r, ex.y(u)) for u in unknowns) for r in residuals)
+    except NotDifferentiableError as error:
+        names = model.solve["solve_layout"]["solver_maps"]["names"]
+        which = ", ".join(names[u] for u in unknowns)
+        raise model.refuse(f"the algebraic loop for {which} runs through a {error} without derivative") from error
+    return NewtonBlock(unknowns, residuals, jacobian)
+
+
+def isolate(residual: Expression, unknown: Expression) -> Expression | None:
+    """The value of `unknown` for which `residual` is zero, where it enters linearly; else None."""
+    value = _undo(residual, unknown, ZERO)
+    if value is not None:
+        return value
+    try:
+        slope = partial(residual, unknown)
+    except NotDifferentiableError:
+        return None
+    if slope == ZERO or unknown in ex.leaves(slope):
+        return None
+    return binary("Div", negate(ex.substitute(residual, {unknown: ZERO})), slope)
+
+
+def _undo(node: Expression, unknown: Expression, target: Expression) -> Expression | None:
+    """Solve ``node = target`` by undoing one operation after the other; the unknown must occur once."""
+    while node != unknown:
+        holders = [a for a in node.arguments if unknown in ex.leaves(a)]
+        if len(holders) != 1 or node.operator not in ("Add", "Sub", "Mul", "Neg"):
+            return None
+        inner = holders[0]
+        if node.operator == "Neg":
+            target = negate(target)
+        else:
+            a, b = node.arguments
+            other = b if inner is a else a
+            if node.operator == "Mul":
+                target = binary("Div", target, other)
+            elif node.operator == "Add":
+                target = binary("Sub", target, other)
+            else:
+                target = binary("Add", target, b) if inner is a else binary("Sub", a, target)
+        node = inner
+    return target
+
+
+def needed(steps: Sequence[Step], roots: Iterable[Expression]) -> tuple[Step, ...]:
+    """The steps, in order, that the expressions need directly or through other steps."""
+    wanted = {leaf.index for leaf in ex.leaves(*roots) if leaf.operator == "y"}
+    kept: list[Step] = []
+    for step in reversed(steps):
+        if wanted.intersection(step.unknowns):
+            kept.append(step)
+            wanted |= {leaf.index for leaf in ex.leaves(*step.expressions) if leaf.operator == "y"}
+    return tuple(reversed(kept))

@@ -1,0 +1,215 @@
+"""The C file of one model, on the runtime's model.h."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+
+from fmu_build.codegen import expression as ex
+from fmu_build.codegen.algebraics import NewtonBlock, Step, needed
+from fmu_build.codegen.c_function import FunctionBody
+from fmu_build.codegen.c_message import message_call
+from fmu_build.codegen.c_tables import tables
+from fmu_build.codegen.equations import Equations
+from fmu_build.codegen.expression import Expression, Slot
+from fmu_build.codegen.functions import FunctionSources
+from fmu_build.codegen.lowered import LoweredModel
+from fmu_build.codegen.names import slot_names
+from fmu_build.codegen.start_values import StartValues
+from fmu_build.codegen.variables import StoredVariable
+
+_SIGN = "static double sign(double a) { return (a > 0.0) - (a < 0.0); }"
+
+
+def write_model(
+    model: LoweredModel,
+    equations: Equations,
+    variables: Sequence[StoredVariable],
+    starts: StartValues,
+    functions: FunctionSources,
+) -> str:
+    """C11 source that defines everything that model.h declares."""
+    names = slot_names(model, equations)
+    code = _Code(equations, names, functions)
+    body = [*code.blocks(), *code.functions()]
+    uses_sign = any(re.search(r"\bsign\(", part) for part in (functions.source, *body))
+    parts = [
+        f"/* {model.name}: generated from Modelica; edit the Modelica source instead. */",
+        '#include "model.h"',
+        '#include "block.h"',
+        '#include "token.h"',
+        "",
+        "#include <math.h>",
+        "#include <stdio.h>",
+        "",
+        _enumeration(names, "y"),
+        _enumeration(names, "p"),
+        *([_SIGN, ""] if uses_sign else []),
+        *([functions.source] if functions.source else []),
+        *body,
+        tables(model, equations, variables, starts, names),
+    ]
+    return "\n".join(parts)
+
+
+def _enumeration(names: Mapping[Slot, str], store: str) -> str:
+    members = [name for (kind, _), name in sorted(names.items(), key=lambda item: item[0]) if kind == store]
+    if not members:
+        return ""
+    return "enum {\n" + "".join(f"    {name},\n" for name in members) + "};\n"
+
+
+class _Code:
+    """The functions of one model."""
+
+    def __init__(self, equations: Equations, names: Mapping[Slot, str], functions: FunctionSources) -> None:
+        self._equations = equations
+        self._names = names
+        self._result_counts = functions.result_counts
+        blocks = [step for step in equations.algebraics if isinstance(step, NewtonBlock)]
+        self._block_names = {block: f"block_{number}" for number, block in enumerate(blocks)}
+
+    def _body(self, expressions: Iterable[Expression]) -> FunctionBody:
+        return FunctionBody(self._names, self._result_counts, expressions)
+
+    def blocks(self) -> list[str]:
+        """Residual, Jacobian and table of each system that Newton's method solves."""
+        parts = []
+        for block, name in self._block_names.items():
+            signature = f"static void {name}_{{}}(double time, const double *y, const double *p, double *{{}})"
+            entries = [entry for row in block.jacobian for entry in row]
+            for what, values in (("residual", block.residuals), ("jacobian", entries)):
+                parts.append(_function(signature.format(what, what), self._stores(what, values)))
+            unknowns = ", ".join(self._names["y", index] for index in block.unknowns)
+            parts.append(
+                f"static const size_t {name}_unknowns[] = {{{unknowns}}};\n"
+                f"static const Block {name} = {{{len(block.unknowns)}, {name}_unknowns, "
+                f"{name}_residual, {name}_jacobian}};\n"
+            )
+        return parts
+
+    def functions(self) -> list[str]:
+        """The functions that model.h declares, in its order."""
+        e = self._equations
+        read_y = "double time, const double *y, const double *p"
+        return [
+            self._evaluation("model_derivatives", "double *der", e.derivatives, "der"),
+            self._algebraics(),
+            self._evaluation("model_roots", "double *root", e.relations.roots, "root"),
+            _function(
+                "void model_time_relations(double time, const double *p, double *root)",
+                self._stores("root", e.relations.time_roots),
+            ),
+            _function("void model_dependent_parameters(double *p)", self._dependent_parameters()),
+            _function("void model_start_values(double *y, double *p)", self._start_values()),
+            _function(
+                f"void model_initial_residual({read_y}, double *residual)",
+                self._stores("residual", e.initial_residuals),
+            ),
+            _function(
+                f"void model_discrete({read_y}, double *value)",
+                self._stores("value", [row.value for row in e.discrete]),
+            ),
+            _function(
+                "void model_time_events(const double *p, double *when)",
+                self._stores("when", e.relations.event_times),
+            ),
+            _function(
+                f"void model_actions({read_y}, bool *active)",
+                self._stores("active", [action.condition for action in e.actions], as_truth=True),
+            ),
+            _function(
+                f"void model_action_message(size_t action, {read_y}, char *text, size_t size)",
+                self._messages(),
+            ),
+        ]
+
+    def _stores(self, array: str, values: Sequence[Expression], as_truth: bool = False) -> list[str]:
+        body = self._body(values)
+        for number, value in enumerate(values):
+            text = body.value(value)
+            body.lines.append(f"{array}[{number}] = {f'({text}) != 0.0' if as_truth else text};")
+        return body.lines
+
+    def _evaluation(self, name: str, output: str, values: Sequence[Expression], array: str) -> str:
+        """A function of the states: the algebraic variables that it needs, then its values."""
+        steps = needed(self._equations.algebraics, values)
+        in_blocks = _read_by_blocks(steps)
+        body = self._body([*_parts(steps), *values])
+        body.steps(steps, self._block_names, stored=lambda unknown: unknown in in_blocks)
+        for number, value in enumerate(values):
+            text = body.value(value)
+            body.lines.append(f"{array}[{number}] = {text};")
+        body.lines.append("return true;")
+        return _function(f"bool {name}(double time, double *y, const double *p, {output})", body.lines)
+
+    def _algebraics(self) -> str:
+        steps = self._equations.algebraics
+        body = self._body(_parts(steps))
+        body.steps(steps, self._block_names, stored=lambda unknown: True)
+        body.lines.append("return true;")
+        return _function("bool model_algebraics(double time, double *y, const double *p)", body.lines)
+
+    def _dependent_parameters(self) -> list[str]:
+        """In the order of their dependence; later ones read the earlier ones from p."""
+        rows = _in_order(self._equations.dependent_parameters)
+        return self._sequence((("p", index), value) for index, value in rows)
+
+    def _start_values(self) -> list[str]:
+        return self._sequence(self._equations.start_values)
+
+    def _sequence(self, rows: Iterable[tuple[Slot, Expression]]) -> list[str]:
+        lines: list[str] = []
+        for slot, value in rows:
+            body = self._body([value])
+            text = body.value(value)
+            assignment = f"{slot[0]}[{self._names[slot]}] = {text};"
+            lines += ["{", *(f"    {line}" for line in (*body.lines, assignment)), "}"] if body.lines else [assignment]
+        return lines
+
+    def _messages(self) -> list[str]:
+        lines = ["switch (action) {"]
+        for number, action in enumerate(self._equations.actions):
+            call, body = message_call(action, self._body([part[1] for part in action.message if not isinstance(part, str)]))
+            lines += [f"case {number}: {{", *(f"    {line}" for line in (*body, call, "break;")), "}"]
+        return [*lines, "default:", "    text[0] = '\\0';", "}"] if self._equations.actions else ["if (size > 0) text[0] = '\\0';"]
+
+
+def _parts(steps: Iterable[Step]) -> list[Expression]:
+    return [e for step in steps if not isinstance(step, NewtonBlock) for e in step.expressions]
+
+
+def _read_by_blocks(steps: Iterable[Step]) -> set[int]:
+    blocks = [step for step in steps if isinstance(step, NewtonBlock)]
+    return {leaf.index for block in blocks for leaf in ex.leaves(*block.expressions) if leaf.operator == "y"}
+
+
+def _in_order(rows: Sequence[tuple[int, Expression]]) -> list[tuple[int, Expression]]:
+    """Computed parameters, each after those that it reads."""
+    values = dict(rows)
+    ordered: list[tuple[int, Expression]] = []
+    visited: set[int] = set()
+
+    def visit(index: int) -> None:
+        if index in visited or index not in values:
+            return
+        visited.add(index)
+        for leaf in sorted(leaf.index for leaf in ex.leaves(values[index]) if leaf.operator == "p"):
+            visit(leaf)
+        ordered.append((index, values[index]))
+
+    for index, _ in rows:
+        visit(index)
+    return ordered
+
+
+def _function(signature: str, lines: Sequence[str]) -> str:
+    """A C function; parameters that its lines do not name are marked as unused."""
+    names = [part.replace("*", " ").split()[-1] for part in signature[signature.index("(") + 1 : -1].split(",")]
+    text = "\n".join(lines)
+    unused = [f"(void){name};" for name in names if not _mentions(text, name)]
+    return "\n".join([signature, "{", *(f"    {line}" for line in (*unused, *lines)), "}", ""])
+
+
+def _mentions(text: str, name: str) -> bool:
+    return re.search(rf"\b{name}\b", text) is not None

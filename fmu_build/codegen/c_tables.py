@@ -1,0 +1,158 @@
+"""The constant tables of a model: `const Model model` and what it points to."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+
+from fmu_build.codegen import expression as ex
+from fmu_build.codegen.c_message import c_string
+from fmu_build.codegen.equations import Equations
+from fmu_build.codegen.expression import Slot
+from fmu_build.codegen.lowered import LoweredModel
+from fmu_build.codegen.start_values import StartValues
+from fmu_build.codegen.variables import StoredVariable
+from fmu_build.description import Variable
+
+_STORES = {
+    "y": "STORE_STATE_OR_ALGEBRAIC",
+    "p": "STORE_PARAMETER",
+    "derivative": "STORE_DERIVATIVE",
+    "time": "STORE_TIME",
+}
+_CAUSALITIES = {
+    "parameter": "CAUSALITY_PARAMETER",
+    "calculatedParameter": "CAUSALITY_CALCULATED_PARAMETER",
+    "input": "CAUSALITY_INPUT",
+    "output": "CAUSALITY_OUTPUT",
+    "local": "CAUSALITY_LOCAL",
+    "independent": "CAUSALITY_INDEPENDENT",
+}
+_TYPES = {"Real": "TYPE_REAL", "Integer": "TYPE_INTEGER", "Boolean": "TYPE_BOOLEAN", "Enumeration": "TYPE_INTEGER"}
+
+
+def tables(
+    model: LoweredModel,
+    equations: Equations,
+    variables: Sequence[StoredVariable],
+    starts: StartValues,
+    names: Mapping[Slot, str],
+) -> str:
+    """The definition of `model` with its tables."""
+    writer = _Tables(names)
+    e = equations
+    roots = {root: number for number, root in enumerate((*e.relations.roots, *e.relations.time_roots))}
+    nominals = {s.index: s.variable.nominal for s in variables if s.store == "y"}
+    writer.array("double", "y_start", [_number(starts.of(("y", i))) for i in range(e.n_y)])
+    writer.array("double", "p_start", [_number(starts.of(("p", i))) for i in range(e.n_p)])
+    writer.array("double", "state_nominal", [_number(nominals.get(i) or 1.0) for i in range(e.n_states)])
+    writer.array("Variable", "variables", [_variable(stored, names) for stored in variables])
+    writer.array(
+        "Relation",
+        "relations",
+        [
+            f"{{{roots[r.root]}, {names['p', r.memory]}, {_bool(r.holds_at_zero)}}}"
+            for r in (*e.relations.crossings, *e.relations.of_time)
+        ],
+    )
+    writer.array("PreBinding", "pre", [f"{{{names['p', i]}, {writer.place(source)}}}" for i, source in e.pre])
+    writer.array(
+        "DiscreteTarget",
+        "discrete",
+        [f"{{DISCRETE_{row.kind.upper()}, {writer.place(row.slot)}}}" for row in e.discrete],
+    )
+    writer.array(
+        "PeriodicClock",
+        "clocks",
+        [
+            f"{{{names['p', c.activation]}, " + ", ".join(f"{float(n)!r}" for n in (*c.period, *c.phase)) + "}"
+            for c in e.clocks
+        ],
+    )
+    writer.array("ActionKind", "actions", [f"ACTION_{action.kind.upper()}" for action in e.actions])
+    writer.array("InitialUnknown", "initial_unknowns", [f"{{{writer.place(slot)}}}" for slot in e.initial_unknowns])
+    initial_event = "NO_SLOT" if e.initial_event is None else names["p", e.initial_event]
+    counts = {
+        "n_states": e.n_states,
+        "n_y": e.n_y,
+        "n_p": e.n_p,
+        "n_variables": len(variables),
+        "n_roots": len(e.relations.roots),
+        "n_time_relations": len(e.relations.time_roots),
+        "n_relations": len(e.relations.crossings) + len(e.relations.of_time),
+        "n_pre": len(e.pre),
+        "n_discrete": len(e.discrete),
+        "n_clocks": len(e.clocks),
+        "n_time_events": len(e.relations.event_times),
+        "n_actions": len(e.actions),
+        "n_initial_unknowns": len(e.initial_unknowns),
+    }
+    fields = [
+        f".name = {c_string(model.name)}",
+        ".token = MODEL_TOKEN",
+        *(f".{field} = {count}" for field, count in counts.items()),
+        f".actions_follow_states = {_bool(_follow_states(e))}",
+        f".initial_event_slot = {initial_event}",
+        *(f".{name} = {name}" for name in writer.defined),
+    ]
+    return "\n".join([*writer.parts, "const Model model = {", *(f"    {field}," for field in fields), "};", ""])
+
+
+def _follow_states(equations: Equations) -> bool:
+    """Whether some action can become due without an event: its condition reads what changes between events."""
+    read = ex.leaves(*(action.condition for action in equations.actions))
+    return any(leaf.operator in ("y", "time") for leaf in read)
+
+
+class _Tables:
+    """Static arrays; an empty one is left out, its pointer stays null."""
+
+    def __init__(self, names: Mapping[Slot, str]) -> None:
+        self.parts: list[str] = []
+        self.defined: list[str] = []
+        self._names = names
+
+    def array(self, element: str, name: str, values: Sequence[str]) -> None:
+        if values:
+            self.parts += [f"static const {element} {name}[] = {{", *(f"    {value}," for value in values), "};", ""]
+            self.defined.append(name)
+
+    def place(self, slot: Slot) -> str:
+        return f"{_STORES[slot[0]]}, {self._names[slot]}"
+
+
+def _variable(stored: StoredVariable, names: Mapping[Slot, str]) -> str:
+    variable = stored.variable
+    index = str(stored.index)
+    if stored.store == "y" or stored.store == "p":
+        index = names[stored.store, stored.index]
+    fields = [
+        c_string(variable.name),
+        _TYPES[variable.type],
+        _STORES[stored.store],
+        index,
+        _CAUSALITIES[variable.causality],
+        f"VARIABILITY_{variable.variability.upper()}",
+        f"INITIAL_{(variable.initial or 'none').upper()}",
+        _number(float(variable.start or 0.0)),
+        *(_number(bound) for bound in _range(variable)),
+    ]
+    return "{" + ", ".join(fields) + "}"
+
+
+def _range(variable: Variable) -> tuple[float, float]:
+    low = -math.inf if variable.minimum is None else variable.minimum
+    high = math.inf if variable.maximum is None else variable.maximum
+    if variable.enumeration is not None:
+        low, high = max(low, 1.0), min(high, float(len(variable.enumeration.literals)))
+    return low, high
+
+
+def _number(value: float) -> str:
+    if math.isinf(value):
+        return "INFINITY" if value > 0 else "-INFINITY"
+    return repr(float(value))
+
+
+def _bool(value: bool) -> str:
+    return "true" if value else "false"

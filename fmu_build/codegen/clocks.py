@@ -1,0 +1,72 @@
+"""Periodic clocks, which ``sample()`` makes, and what they own."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from fmu_build.codegen.expression import Slot
+from fmu_build.codegen.lowered import LoweredModel
+
+
+@dataclass(frozen=True, slots=True)
+class Clock:
+    """A periodic clock: ``p[activation]`` is 1 in the first pass at its ticks; period and phase as (num, den)."""
+
+    activation: int
+    period: tuple[int, int]
+    phase: tuple[int, int]
+
+
+def periodic_clocks(model: LoweredModel) -> tuple[Clock, ...]:
+    """The clocks of the model; raises `UnsupportedModelError` for one that does not start at an absolute time."""
+    clocks = model.solve["clocks"]
+    result = []
+    for slot, schedule in zip(
+        clocks["activation_parameter_indices"], clocks["periodic_event_schedules"], strict=True
+    ):
+        if schedule["anchor"] != "absolute":
+            raise model.refuse(f"a clock anchored at {schedule['anchor']} is not supported")
+        period, phase = schedule["lattice"]["period"], schedule["lattice"]["phase"]
+        result.append(Clock(slot, (period["num"], period["den"]), (phase["num"], phase["den"])))
+    return tuple(result)
+
+
+def ticks_of_slots(model: LoweredModel) -> dict[Slot, int]:
+    """From the slot of a clocked variable, or of a state that is reinitialised, to the activation slot of its clock.
+
+    The Solve IR does not carry this; it is read from the DAE's clock ownerships and guarded actions.
+    """
+    activations = model.solve["clocks"]["activation_parameter_indices"]
+    bindings = model.solve["layout"]["bindings"]
+    systems = model.dae["systems"]
+    variables = {variable["id"]: variable for variable in model.dae["variables"]}
+
+    def slots(variable: int) -> Iterator[Slot]:
+        for name in variables[variable]["scalar_names"]:
+            ((store, place),) = bindings[name].items()
+            yield ("y" if store == "Y" else "p", place["index"])
+
+    owned: dict[Slot, int] = {}
+    for ownership in systems["clocks"].get("ownerships", ()):
+        owned |= dict.fromkeys(slots(ownership["variable"]), activations[ownership["clock"]])
+    conditions = {c["id"]: c["operation"] for c in systems["conditions"]["conditions"]}
+    for action in systems["events"]["actions"]:
+        if action["operation"]["kind"] == "reinitialize":
+            clock = _clock_in(conditions[action["guard"]], conditions)
+            if clock is not None:
+                owned |= dict.fromkeys(slots(action["operation"]["state"]), activations[clock])
+    return owned
+
+
+def _clock_in(operation: dict[str, Any], conditions: dict[int, dict[str, Any]]) -> int | None:
+    """The clock that a condition waits for, alone or together with others."""
+    if operation["kind"] == "clock":
+        return int(operation["clock"])
+    if operation["kind"] == "and":
+        for operand in (operation[key] for key in ("lhs", "rhs") if key in operation):
+            clock = _clock_in(conditions[operand], conditions)
+            if clock is not None:
+                return clock
+    return None

@@ -1,0 +1,115 @@
+"""Symbolic derivatives of expressions, exact within a branch: relations and conditions are held."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+
+from fmu_build.codegen import expression as ex
+from fmu_build.codegen.expression import ONE, ZERO, Expression, binary, negate, number, unary
+
+
+class NotDifferentiableError(Exception):
+    """The expression contains something without a known derivative, such as a call of a function."""
+
+
+def differentiate(root: Expression, seeds: Mapping[Expression, Expression]) -> Expression:
+    """The directional derivative of `root` for leaves that change as `seeds` says, all others held.
+
+    Raises `NotDifferentiableError` where a function call depends on a seeded leaf.
+    """
+    tangents: dict[Expression, Expression] = {}
+    for node in ex.walk(root):
+        if node in seeds:
+            tangents[node] = seeds[node]
+        elif all(tangents[argument] == ZERO for argument in node.arguments):
+            tangents[node] = ZERO
+        else:
+            tangents[node] = _tangent(node, tuple(tangents[argument] for argument in node.arguments))
+    return tangents[root]
+
+
+def partial(root: Expression, leaf: Expression) -> Expression:
+    """The derivative of `root` with respect to one leaf."""
+    return differentiate(root, {leaf: ONE})
+
+
+def _tangent(node: Expression, tangents: tuple[Expression, ...]) -> Expression:
+    operator = node.operator
+    if operator == "Select":
+        return ex.select(node.arguments[0], tangents[1], tangents[2])
+    if operator in ex.TRUTH or operator in ("Sign", "Floor", "Ceil", "Trunc"):
+        return ZERO
+    if operator in _UNARY:
+        return binary("Mul", _UNARY[operator](node), tangents[0])
+    if operator in _BINARY:
+        return _BINARY[operator](node, *tangents)
+    raise NotDifferentiableError(operator)
+
+
+def _square(a: Expression) -> Expression:
+    return binary("Mul", a, a)
+
+
+def _over(a: Expression, b: Expression) -> Expression:
+    return binary("Div", a, b)
+
+
+# The derivative of a function of one argument, from the node: f'(a).
+_UNARY: dict[str, Callable[[Expression], Expression]] = {
+    "Neg": lambda n: number(-1.0),
+    "Abs": lambda n: unary("Sign", n.arguments[0]),
+    "Sqrt": lambda n: _over(number(0.5), n),
+    "Exp": lambda n: n,
+    "Log": lambda n: _over(ONE, n.arguments[0]),
+    "Log10": lambda n: _over(number(1.0 / math.log(10.0)), n.arguments[0]),
+    "Sin": lambda n: unary("Cos", n.arguments[0]),
+    "Cos": lambda n: negate(unary("Sin", n.arguments[0])),
+    "Tan": lambda n: binary("Add", ONE, _square(n)),
+    "Asin": lambda n: _over(ONE, unary("Sqrt", binary("Sub", ONE, _square(n.arguments[0])))),
+    "Acos": lambda n: _over(number(-1.0), unary("Sqrt", binary("Sub", ONE, _square(n.arguments[0])))),
+    "Atan": lambda n: _over(ONE, binary("Add", ONE, _square(n.arguments[0]))),
+    "Sinh": lambda n: unary("Cosh", n.arguments[0]),
+    "Cosh": lambda n: unary("Sinh", n.arguments[0]),
+    "Tanh": lambda n: binary("Sub", ONE, _square(n)),
+}
+
+
+def _product(node: Expression, da: Expression, db: Expression) -> Expression:
+    a, b = node.arguments
+    return binary("Add", binary("Mul", da, b), binary("Mul", a, db))
+
+
+def _quotient(node: Expression, da: Expression, db: Expression) -> Expression:
+    b = node.arguments[1]
+    return _over(binary("Sub", da, binary("Mul", node, db)), b)
+
+
+def _power(node: Expression, da: Expression, db: Expression) -> Expression:
+    a, b = node.arguments
+    by_base = binary("Mul", binary("Mul", b, binary("Pow", a, binary("Sub", b, ONE))), da)
+    if db == ZERO:
+        return by_base
+    return binary("Add", by_base, binary("Mul", binary("Mul", node, unary("Log", a)), db))
+
+
+def _arc_tangent(node: Expression, dy: Expression, dx: Expression) -> Expression:
+    y, x = node.arguments
+    change = binary("Sub", binary("Mul", x, dy), binary("Mul", y, dx))
+    return _over(change, binary("Add", _square(x), _square(y)))
+
+
+def _chosen(comparison: str) -> Callable[[Expression, Expression, Expression], Expression]:
+    return lambda node, da, db: ex.select(Expression(comparison, node.arguments), da, db)
+
+
+_BINARY: dict[str, Callable[[Expression, Expression, Expression], Expression]] = {
+    "Add": lambda n, da, db: binary("Add", da, db),
+    "Sub": lambda n, da, db: binary("Sub", da, db),
+    "Mul": _product,
+    "Div": _quotient,
+    "Pow": _power,
+    "Atan2": _arc_tangent,
+    "Min": _chosen("Lt"),
+    "Max": _chosen("Gt"),
+}

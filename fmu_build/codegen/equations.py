@@ -1,0 +1,230 @@
+"""The equations of a lowered model, read from the Solve IR and ready to be written as C."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Literal
+
+from fmu_build.codegen import expression as ex
+from fmu_build.codegen.algebraics import Step, order
+from fmu_build.codegen.clocks import Clock, periodic_clocks, ticks_of_slots
+from fmu_build.codegen.expression import Expression, Slot
+from fmu_build.codegen.lowered import LoweredModel
+from fmu_build.codegen.programs import FunctionNames, ProgramReader
+from fmu_build.codegen.relations import Relations, freeze_comparisons, read_relations
+
+DiscreteKind = Literal["assign", "condition", "reinit"]
+ActionKind = Literal["error", "warning", "terminate"]
+
+
+@dataclass(frozen=True, slots=True)
+class DiscreteRow:
+    """``slot = value`` at events; `kind` says when, as in the runtime's model.h."""
+
+    kind: DiscreteKind
+    slot: Slot
+    value: Expression
+
+
+@dataclass(frozen=True, slots=True)
+class Action:
+    """assert or terminate: taken where `condition` is true; the message's parts are texts and values."""
+
+    kind: ActionKind
+    condition: Expression
+    message: tuple[str | tuple[str, Expression], ...]
+
+
+@dataclass(frozen=True)
+class Equations:
+    """Everything that happens to y and p."""
+
+    n_states: int
+    n_y: int
+    n_p: int
+    derivatives: tuple[Expression, ...]
+    algebraics: tuple[Step, ...]
+    relations: Relations
+    discrete: tuple[DiscreteRow, ...]
+    clocks: tuple[Clock, ...]
+    pre: tuple[tuple[int, Slot], ...]
+    actions: tuple[Action, ...]
+    dependent_parameters: tuple[tuple[int, Expression], ...]
+    start_values: tuple[tuple[Slot, Expression], ...]
+    initial_unknowns: tuple[Slot, ...]
+    initial_residuals: tuple[Expression, ...]
+    initial_event: int | None
+
+
+def read_equations(model: LoweredModel, function_name: FunctionNames) -> Equations:
+    """Read the Solve IR of `model`; raises `UnsupportedModelError` for what cannot be carried faithfully."""
+    return _Reader(model, function_name).equations()
+
+
+class _Reader:
+    def __init__(self, model: LoweredModel, function_name: FunctionNames) -> None:
+        self.model = model
+        self.solve = model.solve
+        self.layout = model.solve["solve_layout"]
+        self.programs = ProgramReader(model, function_name)
+        self.relations, self.unwatched = read_relations(model, self.programs, self.layout["compiled_parameter_len"])
+
+    def equations(self) -> Equations:
+        continuous = self.solve["continuous"]
+        n_states = self.layout["state_scalar_count"]
+        derivatives = self._frozen(self._rows(continuous["derivative_rhs"]))
+        algebraics = order(
+            self.model,
+            self._frozen(self._rows(continuous["implicit_rhs"])),
+            continuous["algebraic_projection_plan"],
+        )
+        dependent, starts = self._updates()
+        unknowns, residuals = self._initial_equations()
+        discrete, actions = self._discrete(n_states), self._actions()
+        return Equations(
+            n_states=n_states,
+            n_y=len(self.layout["solver_maps"]["names"]),
+            derivatives=tuple(derivatives[i] for i in range(n_states)),
+            algebraics=algebraics,
+            discrete=_without_idle_conditions(discrete, actions),
+            clocks=periodic_clocks(self.model),
+            pre=self._pre(),
+            actions=actions,
+            dependent_parameters=dependent,
+            start_values=starts,
+            initial_unknowns=unknowns,
+            initial_residuals=residuals,
+            initial_event=self.layout["initial_event_parameter_index"],
+            relations=self.relations,
+            n_p=self.relations.n_p,
+        )
+
+    def _rows(self, section: Mapping[str, Any]) -> dict[int, Expression]:
+        """The rows of a section that may hold tensor nodes beside its scalar programs."""
+        if "scalar_programs" in section:
+            return self.programs.read_rows(section["scalar_programs"])
+        rows: dict[int, Expression] = {}
+        for node in section["nodes"]:
+            ((kind, table),) = node.items()
+            if kind != "ScalarPrograms":
+                raise self.model.refuse(f"equation node {kind} of the Solve IR is not supported")
+            rows |= self.programs.read_rows(table)
+        return rows
+
+    def _frozen(self, rows: dict[int, Expression]) -> dict[int, Expression]:
+        memories = freeze_comparisons(rows.values(), self.relations, self.unwatched)
+        return {number: ex.substitute(row, memories) for number, row in rows.items()}
+
+    def _discrete(self, n_states: int) -> tuple[DiscreteRow, ...]:
+        discrete = self.solve["discrete"]
+        rows = self._frozen(self.programs.read_rows(discrete["rhs"]))
+        ticks = ticks_of_slots(self.model)
+        conditions = self._condition_memories()
+        result = []
+        for number, target in enumerate(discrete["update_targets"]):
+            slot = _slot(target)
+            if number not in rows:
+                raise self.model.refuse("a discrete equation without a right-hand side")
+            kind: DiscreteKind = "assign"
+            if slot[0] == "y":
+                kind = "reinit"
+                if slot[1] >= n_states:
+                    raise self.model.refuse("reinit() of a variable that is not a state")
+            elif slot[1] in conditions:
+                kind = "condition"
+            result.append(DiscreteRow(kind, slot, self._guarded_by_tick(rows[number], slot, ticks.get(slot))))
+        floors = (DiscreteRow("assign", ("p", memory), value) for value, memory in self.relations.floors.items())
+        return (*result, *floors)
+
+    def _guarded_by_tick(self, value: Expression, slot: Slot, tick: int | None) -> Expression:
+        """rumoca leaves the bodies of ``when sample(...)`` without their guard; here they get it."""
+        if tick is None or ex.p(tick) in ex.leaves(value):
+            return value
+        return ex.select(ex.p(tick), value, ex.y(slot[1]) if slot[0] == "y" else ex.p(slot[1]))
+
+    def _condition_memories(self) -> frozenset[int]:
+        """Slots behind the named variables and the pre() slots, before the relation memories."""
+        named = [_slot(binding)[1] for binding in self.solve["layout"]["bindings"].values() if "P" in binding]
+        pre = [binding["dest_p_index"] for binding in self.layout["pre_param_bindings"]]
+        other = {*self.layout["relation_memory_parameter_indices"], *self.solve["clocks"]["activation_parameter_indices"]}
+        other |= {self.layout["initial_event_parameter_index"], self.layout["terminal_event_parameter_index"]}
+        first = max((*named, *pre), default=-1) + 1
+        return frozenset(range(first, self.layout["compiled_parameter_len"])) - other
+
+    def _pre(self) -> tuple[tuple[int, Slot], ...]:
+        bindings = self.layout["pre_param_bindings"]
+        return tuple((binding["dest_p_index"], _slot(binding["source"])) for binding in bindings)
+
+    def _actions(self) -> tuple[Action, ...]:
+        events = self.solve["events"]
+        conditions = self._frozen(self.programs.read_rows(events["action_conditions"]))
+        kinds: dict[str, ActionKind] = {"Assert": "error", "Warning": "warning", "Terminate": "terminate"}
+        actions = []
+        for number, action in enumerate(events["actions"]):
+            if action["kind"] not in kinds:
+                raise self.model.refuse(f"action {action['kind']} is not supported")
+            message = tuple(self._message_part(part) for part in action["message"]["parts"])
+            actions.append(Action(kinds[action["kind"]], conditions[number], message))
+        return tuple(actions)
+
+    def _message_part(self, part: Mapping[str, Any]) -> str | tuple[str, Expression]:
+        ((kind, content),) = part.items()
+        if kind == "Text":
+            return str(content)
+        if kind == "Conversion":
+            (value,) = self.programs.read(content["value"])
+            return (content["source"], value)
+        raise self.model.refuse(f"message part {kind} is not supported")
+
+    def _updates(self) -> tuple[tuple[tuple[int, Expression], ...], tuple[tuple[Slot, Expression], ...]]:
+        """Computed parameters, and start values that depend on parameters."""
+        initialization = self.solve["initialization"]
+        rows = self.programs.read_rows(initialization["update_rhs"])
+        targets = [_slot(target) for target in initialization["update_targets"]]
+        n_parameters = self.layout["parameter_count"]
+        dependent, starts = [], []
+        for number, slot in enumerate(targets):
+            if slot[0] == "p" and slot[1] < n_parameters:
+                dependent.append((slot[1], rows[number]))
+            else:
+                starts.append((slot, rows[number]))
+        return tuple(dependent), tuple(starts)
+
+    def _initial_equations(self) -> tuple[tuple[Slot, ...], tuple[Expression, ...]]:
+        initialization = self.solve["initialization"]
+        rows = self._frozen(self._rows(initialization["residual"]))
+        unknowns: list[Slot] = []
+        residuals: list[Expression] = []
+        for block in initialization["projection_plan"]["blocks"]:
+            unknowns += [_slot(unknown) for unknown in block["unknowns"]]
+            residuals += [rows[row] for row in block["rows"]]
+        if len(unknowns) != len(residuals):
+            raise self.model.refuse(
+                f"{len(residuals)} initial equations for {len(unknowns)} unknowns of the initialisation"
+            )
+        return tuple(unknowns), tuple(residuals)
+
+
+def _slot(target: Mapping[str, Any]) -> Slot:
+    if "Y" in target:
+        return ("y", int(target["Y"]["index"]))
+    return ("p", int(target["P"]["index"]))
+
+
+def _without_idle_conditions(rows: Sequence[DiscreteRow], actions: Sequence[Action]) -> tuple[DiscreteRow, ...]:
+    """rumoca keeps a memory for every condition; most are read by nothing and would only cost time."""
+    read = ex.leaves(*(row.value for row in rows), *(action.condition for action in actions))
+    return tuple(row for row in rows if row.kind != "condition" or ex.p(row.slot[1]) in read)
+
+
+def all_expressions(equations: Equations) -> Sequence[Expression]:
+    """Every expression that is evaluated after initialisation."""
+    return (
+        *equations.derivatives,
+        *(e for step in equations.algebraics for e in step.expressions),
+        *(row.value for row in equations.discrete),
+        *(relation.root for relation in equations.relations.crossings),
+        *equations.relations.event_times,
+        *(action.condition for action in equations.actions),
+    )

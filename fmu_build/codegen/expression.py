@@ -1,0 +1,215 @@
+"""Expressions of a lowered model: immutable nodes that can be compared, searched and differentiated.
+
+Values are doubles throughout; a truth value is 1 or 0. Nodes that are equal compare equal however they
+were made, so shared parts of an expression can be found by looking them up in a dictionary.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+UNARY = frozenset(
+    "Neg Not Abs Sign Sqrt Exp Log Log10 Sin Cos Tan Asin Acos Atan Sinh Cosh Tanh Floor Ceil Trunc".split()
+)
+BINARY = frozenset("Add Sub Mul Div Pow Atan2 Min Max And Or".split())
+COMPARE = frozenset("Lt Le Gt Ge Eq Ne".split())
+TRUTH = COMPARE | {"And", "Or", "Not"}
+
+Slot = tuple[Literal["y", "p"], int]
+"""A place in one of the two arrays of values."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Expression:
+    """One node: an operator with its arguments, or a leaf.
+
+    Leaves: ``number`` (payload: float), ``time``, ``y`` and ``p`` (payload: index). Operators: the names in
+    `UNARY`, `BINARY` and `COMPARE`, ``Select`` (condition, value if true, value if false), and ``call``
+    (payload: function name and number of the result; arguments: the scalars that are passed).
+    """
+
+    operator: str
+    arguments: tuple[Expression, ...] = ()
+    payload: float | int | tuple[str, int] | None = None
+    _hash: int = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "_hash", hash((self.operator, self.arguments, self.payload)))
+
+    def __hash__(self) -> int:
+        return self._hash
+
+    def __eq__(self, other: object) -> bool:
+        if self is other:
+            return True
+        return (
+            isinstance(other, Expression)
+            and self._hash == other._hash
+            and self.operator == other.operator
+            and self.payload == other.payload
+            and self.arguments == other.arguments
+        )
+
+    @property
+    def is_number(self) -> bool:
+        return self.operator == "number"
+
+    @property
+    def value(self) -> float:
+        """The value of a ``number`` node."""
+        assert isinstance(self.payload, float)
+        return self.payload
+
+    @property
+    def index(self) -> int:
+        """The index of a ``y`` or ``p`` node."""
+        assert isinstance(self.payload, int)
+        return self.payload
+
+
+TIME = Expression("time")
+
+
+def number(value: float) -> Expression:
+    return Expression("number", payload=float(value))
+
+
+def y(index: int) -> Expression:
+    return Expression("y", payload=index)
+
+
+def p(index: int) -> Expression:
+    return Expression("p", payload=index)
+
+
+ZERO, ONE = number(0.0), number(1.0)
+
+_FOLD: dict[str, Callable[[float, float], float]] = {
+    "Add": lambda a, b: a + b,
+    "Sub": lambda a, b: a - b,
+    "Mul": lambda a, b: a * b,
+}
+
+
+def negate(a: Expression) -> Expression:
+    if a.is_number:
+        return number(-a.value)
+    return a.arguments[0] if a.operator == "Neg" else Expression("Neg", (a,))
+
+
+def unary(operator: str, a: Expression) -> Expression:
+    if operator == "Neg":
+        return negate(a)
+    if operator == "Not" and a.is_number:
+        return number(a.value == 0.0)
+    return Expression(operator, (a,))
+
+
+def binary(operator: str, a: Expression, b: Expression) -> Expression:
+    """An operator applied, with the simplifications that change no result of finite arguments."""
+    if a.is_number and b.is_number and operator in _FOLD:
+        return number(_FOLD[operator](a.value, b.value))
+    if operator == "Add":
+        return b if a == ZERO else a if b == ZERO else Expression(operator, (a, b))
+    if operator == "Sub":
+        return a if b == ZERO else negate(b) if a == ZERO else Expression(operator, (a, b))
+    if operator == "Mul":
+        if ZERO in (a, b):
+            return ZERO
+        return b if a == ONE else a if b == ONE else Expression(operator, (a, b))
+    if operator == "Div":
+        return ZERO if a == ZERO else a if b == ONE else Expression(operator, (a, b))
+    if operator == "And":
+        return _simplify_truth(a, b, neutral=1.0, operator=operator)
+    if operator == "Or":
+        return _simplify_truth(a, b, neutral=0.0, operator=operator)
+    return Expression(operator, (a, b))
+
+
+def _simplify_truth(a: Expression, b: Expression, neutral: float, operator: str) -> Expression:
+    for this, other in ((a, b), (b, a)):
+        if this.is_number:
+            return other if (this.value != 0.0) == (neutral != 0.0) else number(1.0 - neutral)
+    return a if a == b else Expression(operator, (a, b))
+
+
+def select(condition: Expression, if_true: Expression, if_false: Expression) -> Expression:
+    if condition.is_number:
+        return if_true if condition.value != 0.0 else if_false
+    if if_true == if_false:
+        return if_true
+    if if_false == ZERO and _is_finite_guard(condition, if_true):
+        # rumoca wraps a divisor as "finite ? divisor : 0"; a divisor that is not finite shows by itself.
+        return if_true
+    return Expression("Select", (condition, if_true, if_false))
+
+
+def _is_finite_guard(condition: Expression, guarded: Expression) -> bool:
+    largest = number(1.7976931348623157e308)
+    return condition == Expression(
+        "And",
+        (Expression("Ge", (guarded, negate(largest))), Expression("Le", (guarded, largest))),
+    )
+
+
+def walk(*roots: Expression) -> Iterator[Expression]:
+    """Every distinct node below the roots, arguments before the nodes that use them."""
+    seen: set[Expression] = set()
+    for root in roots:
+        stack: list[tuple[Expression, bool]] = [(root, False)]
+        while stack:
+            node, expanded = stack.pop()
+            if expanded:
+                yield node
+            elif node not in seen:
+                seen.add(node)
+                stack.append((node, True))
+                stack.extend((argument, False) for argument in reversed(node.arguments))
+
+
+def leaves(*roots: Expression) -> set[Expression]:
+    """The ``y``, ``p`` and ``time`` nodes that the expressions read."""
+    return {node for node in walk(*roots) if node.operator in ("y", "p", "time")}
+
+
+def substitute(root: Expression, replacements: Mapping[Expression, Expression]) -> Expression:
+    """The expression with nodes replaced; what is put in is not searched again."""
+    done: dict[Expression, Expression] = dict(replacements)
+    for node in walk(root):
+        if node not in done:
+            done[node] = rebuild(node, tuple(done[argument] for argument in node.arguments))
+    return done[root]
+
+
+def rebuild(node: Expression, arguments: tuple[Expression, ...]) -> Expression:
+    """The same operator on other arguments, simplified."""
+    if arguments == node.arguments:
+        return node
+    if node.operator == "Select":
+        return select(*arguments)
+    if node.operator in UNARY:
+        return unary(node.operator, *arguments)
+    if node.operator in BINARY:
+        return binary(node.operator, *arguments)
+    return Expression(node.operator, arguments, node.payload)
+
+
+def evaluate(root: Expression) -> float | None:
+    """The value of an expression of numbers only, where it is a plain arithmetic one; else None."""
+    values: dict[Expression, float] = {}
+    operations: dict[str, Callable[..., float]] = {
+        **_FOLD,
+        "Neg": lambda a: -a,
+        "Div": lambda a, b: a / b if b else math.nan,
+    }
+    for node in walk(root):
+        if node.is_number:
+            values[node] = node.value
+        elif node.operator in operations and all(a in values for a in node.arguments):
+            values[node] = operations[node.operator](*(values[a] for a in node.arguments))
+        else:
+            return None
+    return values[root]

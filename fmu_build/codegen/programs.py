@@ -1,0 +1,133 @@
+"""Register programs of the Solve IR, read as expressions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+from fmu_build.codegen import expression as ex
+from fmu_build.codegen.expression import Expression
+from fmu_build.codegen.lowered import LoweredModel
+
+Operation = Mapping[str, Any]
+Span = dict[str, int]
+FunctionNames = Callable[[Mapping[str, Any], Span | None], str]
+"""From a call site of the IR, and the span of the equation it stands in, to the name of the C function."""
+
+
+class ProgramReader:
+    """Turns the programs of one model into expressions; refuses operations that it does not know."""
+
+    def __init__(self, model: LoweredModel, function_name: FunctionNames) -> None:
+        self._model = model
+        self._function_name = function_name
+
+    def read_rows(self, table: Mapping[str, Any]) -> dict[int, Expression]:
+        """A table of programs ``{"programs": [...], "output_indices": [...]}`` as {output index: expression}."""
+        spans = table.get("program_spans") or [None] * len(table["programs"])
+        rows: dict[int, Expression] = {}
+        position = 0
+        for program, span in zip(table["programs"], spans, strict=True):
+            for value in self.read(program, span):
+                rows[table["output_indices"][position]] = value
+                position += 1
+        return rows
+
+    def read(self, program: Sequence[Operation], span: Span | None = None) -> list[Expression]:
+        """The outputs of one program, in the order in which it stores them."""
+        registers: dict[int, Expression] = {}
+        outputs: list[Expression] = []
+        self._run(program, registers, outputs, span)
+        return outputs
+
+    def _run(
+        self,
+        program: Sequence[Operation],
+        registers: dict[int, Expression],
+        outputs: list[Expression],
+        span: Span | None,
+    ) -> None:
+        for operation in program:
+            ((kind, fields),) = operation.items()
+            match kind:
+                case "StoreOutput":
+                    outputs.append(registers[fields["src"]])
+                case "StoreOutputRange":
+                    outputs.extend(
+                        registers[fields["start"] + i * fields["stride"]] for i in range(fields["count"])
+                    )
+                case "TensorLoad":
+                    self._load_range(fields, registers, span)
+                case "FunctionConditional":
+                    self._conditional(fields, registers, span)
+                case "PureCall":
+                    self._call(fields, registers, span)
+                case _:
+                    registers[fields["dst"]] = self._scalar(kind, fields, registers, span)
+
+    def _scalar(
+        self, kind: str, fields: Mapping[str, Any], registers: Mapping[int, Expression], span: Span | None
+    ) -> Expression:
+        match kind:
+            case "Const":
+                return ex.number(fields["value"])
+            case "LoadTime":
+                return ex.TIME
+            case "LoadY":
+                return ex.y(fields["index"])
+            case "LoadP":
+                return ex.p(fields["index"])
+            case "Unary" if fields["op"] in ex.UNARY:
+                return ex.unary(fields["op"], registers[fields["arg"]])
+            case "Binary" if fields["op"] in ex.BINARY:
+                return ex.binary(fields["op"], registers[fields["lhs"]], registers[fields["rhs"]])
+            case "Compare" if fields["op"] in ex.COMPARE:
+                return Expression(fields["op"], (registers[fields["lhs"]], registers[fields["rhs"]]))
+            case "Select":
+                return ex.select(*(registers[fields[name]] for name in ("cond", "if_true", "if_false")))
+        detail = f" {fields['op']}" if "op" in fields else ""
+        raise self._model.refuse(f"operation {kind}{detail} of the Solve IR is not supported", span)
+
+    def _load_range(self, fields: Mapping[str, Any], registers: dict[int, Expression], span: Span | None) -> None:
+        if fields["lanes"] != 1 or fields["input"] not in ("Y", "P"):
+            raise self._model.refuse(f"operation TensorLoad of {fields['input']} is not supported", span)
+        leaf = ex.y if fields["input"] == "Y" else ex.p
+        for i in range(fields["count"]):
+            registers[fields["dst_start"] + i] = leaf(fields["input_start"] + i)
+
+    def _conditional(
+        self, fields: Mapping[str, Any], registers: dict[int, Expression], span: Span | None
+    ) -> None:
+        """A chain of guarded alternatives, as when-clauses are lowered: nested selects, one per result."""
+        chain = fields["program"]
+        start = fields["capture_start"]
+        captures = {i: registers[start + i] for i in range(chain["capture_count"])}
+
+        def part(program: Sequence[Operation]) -> list[Expression]:
+            outputs: list[Expression] = []
+            self._run(program, dict(captures), outputs, span)
+            return outputs
+
+        results = part(chain["fallback"])
+        for arm in reversed(chain["arms"]):
+            (condition,) = part(arm["condition"])
+            results = [
+                ex.select(condition, value, other)
+                for value, other in zip(part(arm["result"]), results, strict=True)
+            ]
+        for i, result in enumerate(results):
+            registers[fields["dst_start"] + i] = result
+
+    def _call(self, fields: Mapping[str, Any], registers: dict[int, Expression], span: Span | None) -> None:
+        site = fields["site"]
+        arguments = tuple(
+            registers[start + i]
+            for start, value in zip(fields["input_starts"], site["inputs"], strict=True)
+            for i in range(value["scalar_count"])
+        )
+        name = self._function_name(site, span)
+        result = 0
+        for output in site["outputs"]:
+            for _ in range(output["value_type"]["scalar_count"]):
+                registers[fields["dst_start"] + result] = Expression("call", arguments, (name, result))
+                result += 1

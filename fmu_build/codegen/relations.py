@@ -1,0 +1,185 @@
+"""Relations: where an expression changes its branch, and so where an event has to be.
+
+Between events an equation reads the memory of a relation, not the relation itself, so that the branch is
+frozen while the integrator passes the kink and looks for it. rumoca gives most relations a memory. Those that
+it leaves as direct comparisons are matched to their zero crossing here, or found to be time events; only what
+is under noEvent(), or constant between events, stays a comparison. floor() and its relatives get a memory of
+their value, and two crossings where it changes.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+from fmu_build.codegen import expression as ex
+from fmu_build.codegen.differentiate import NotDifferentiableError, partial
+from fmu_build.codegen.expression import TIME, ZERO, Expression, binary, negate
+from fmu_build.codegen.lowered import LoweredModel
+from fmu_build.codegen.programs import ProgramReader
+
+
+@dataclass(frozen=True, slots=True)
+class Relation:
+    """``p[memory]`` is 1 where ``root < 0``, and at zero where `holds_at_zero`."""
+
+    root: Expression
+    memory: int
+    holds_at_zero: bool
+
+
+@dataclass
+class Relations:
+    """All relations of a model; grows while its equations are read."""
+
+    n_p: int
+    """Length of p, with the memories that were added here."""
+    crossings: list[Relation] = field(default_factory=list)
+    """Watched for zero crossings during integration."""
+    of_time: list[Relation] = field(default_factory=list)
+    """Change at time events only."""
+    event_times: list[Expression] = field(default_factory=list)
+    """The time of each time event, in terms of p."""
+    floors: dict[Expression, int] = field(default_factory=dict)
+    """The value of floor(), ceil() and trunc() of something continuous, and its memory."""
+
+    @property
+    def roots(self) -> tuple[Expression, ...]:
+        """The distinct zero crossings, in the model's order."""
+        return tuple(dict.fromkeys(relation.root for relation in self.crossings))
+
+    @property
+    def time_roots(self) -> tuple[Expression, ...]:
+        return tuple(dict.fromkeys(relation.root for relation in self.of_time))
+
+    def _add(self, to: list[Relation], root: Expression, holds_at_zero: bool) -> int:
+        memory = self.n_p
+        self.n_p += 1
+        to.append(Relation(root, memory, holds_at_zero))
+        return memory
+
+    def freeze_step(self, node: Expression) -> Expression:
+        """The memory of floor(u), ceil(u) or trunc(u), which change where u leaves an interval of length one."""
+        if node not in self.floors:
+            memory = ex.p(self.n_p)
+            self.floors[node] = self.n_p
+            self.n_p += 1
+            argument = node.arguments[0]
+            low, high = _interval(node.operator, memory)
+            self._add(self.crossings, binary("Sub", argument, low), node.operator != "Floor")
+            self._add(self.crossings, binary("Sub", high, argument), node.operator == "Floor")
+        return ex.p(self.floors[node])
+
+    def freeze(self, node: Expression, unwatched: frozenset[tuple[Expression, bool]]) -> Expression | None:
+        """The memory that stands for a comparison, made where it is missing; None where it stays direct."""
+        root, holds_at_zero, negated = _as_root(node)
+        for relation in (*self.crossings, *self.of_time):
+            if relation.root == root and relation.holds_at_zero == holds_at_zero:
+                return _memory(relation.memory, negated)
+        when = _event_time(root)
+        if when is not None:
+            if when not in self.event_times:
+                self.event_times.append(when)
+            return _memory(self._add(self.of_time, root, holds_at_zero), negated)
+        if (root, holds_at_zero) in unwatched:
+            return _memory(self._add(self.crossings, root, holds_at_zero), negated)
+        return None
+
+
+def _memory(index: int, negated: bool) -> Expression:
+    memory = ex.p(index)
+    return ex.unary("Not", memory) if negated else memory
+
+
+def _interval(operator: str, value: Expression) -> tuple[Expression, Expression]:
+    """Where floor, ceil or trunc has this value, as bounds on the argument."""
+    above, below = binary("Add", value, ex.ONE), binary("Sub", value, ex.ONE)
+    if operator == "Floor":
+        return value, above
+    if operator == "Ceil":
+        return below, value
+    low = ex.select(Expression("Gt", (value, ZERO)), value, below)
+    return low, ex.select(Expression("Lt", (value, ZERO)), value, above)
+
+
+def _as_root(node: Expression) -> tuple[Expression, bool, bool]:
+    """(root, whether the relation holds at zero, whether it is negated) of an order comparison."""
+    a, b = node.arguments
+    match node.operator:
+        case "Lt":
+            return binary("Sub", a, b), False, False
+        case "Le":
+            return binary("Sub", a, b), True, False
+        case "Gt":
+            return binary("Sub", b, a), False, False
+        case "Ge":
+            return binary("Sub", b, a), True, False
+    raise ValueError(node.operator)
+
+
+def _event_time(root: Expression) -> Expression | None:
+    """Where `root`, linear in time and else constant between events, is zero; None for other roots."""
+    read = ex.leaves(root)
+    if TIME not in read or any(leaf.operator == "y" for leaf in read):
+        return None
+    try:
+        slope = partial(root, TIME)
+    except NotDifferentiableError:
+        return None
+    if slope == ZERO or TIME in ex.leaves(slope):
+        return None
+    return binary("Div", negate(ex.substitute(root, {TIME: ZERO})), slope)
+
+
+def read_relations(model: LoweredModel, reader: ProgramReader, n_p: int) -> tuple[Relations, frozenset[tuple[Expression, bool]]]:
+    """The relations that rumoca gives a memory, and the zero crossings that it watches without one."""
+    events = model.solve["events"]
+    rows = reader.read_rows(events["root_conditions"])
+    relations = Relations(n_p)
+    unwatched: set[tuple[Expression, bool]] = set()
+    for number, target in enumerate(events["root_relation_memory_targets"]):
+        if _is_step_crossing(rows[number]):
+            continue  # see Relations.freeze_step
+        holds_at_zero = _holds_at_zero(model, rows[number], events["root_zero_domains"][number])
+        if target is None:
+            unwatched.add((rows[number], holds_at_zero))
+        else:
+            relations.crossings.append(Relation(rows[number], target["P"]["index"], holds_at_zero))
+    return relations, frozenset(unwatched)
+
+
+def _is_step_crossing(root: Expression) -> bool:
+    """rumoca finds the steps of floor(u) where sin(pi*u) is zero."""
+    if root.operator != "Neg" or root.arguments[0].operator != "Sin":
+        return False
+    argument = root.arguments[0].arguments[0]
+    return argument.operator == "Mul" and argument.arguments[0] == ex.number(math.pi)
+
+
+def _holds_at_zero(model: LoweredModel, root: Expression, domain: str) -> bool:
+    if domain == "Previous" and not any(leaf.operator in ("y", "time") for leaf in ex.leaves(root)):
+        return False  # an equality of discrete values, written as a root of -1 or 1
+    if domain not in ("NonPositive", "Positive"):
+        raise model.refuse(f"a relation of zero domain {domain} is not supported")
+    return domain == "NonPositive"
+
+
+def freeze_comparisons(
+    roots: Iterable[Expression], relations: Relations, unwatched: frozenset[tuple[Expression, bool]]
+) -> dict[Expression, Expression]:
+    """What to substitute so that the expressions read memories instead of comparing directly."""
+    replacements: dict[Expression, Expression] = {}
+    for node in ex.walk(*roots):
+        if node.operator in ("Floor", "Ceil", "Trunc") and _varies(node):
+            replacements[node] = relations.freeze_step(node)
+        if node.operator in ("Lt", "Le", "Gt", "Ge"):
+            memory = relations.freeze(node, unwatched)
+            if memory is not None:
+                replacements[node] = memory
+    return replacements
+
+
+def _varies(node: Expression) -> bool:
+    """Whether a value can change between events."""
+    return any(leaf.operator in ("y", "time") for leaf in ex.leaves(node))

@@ -1,0 +1,73 @@
+"""The values that variables have before anybody sets one."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import Any
+
+from fmu_build.codegen.expression import Slot
+from fmu_build.codegen.lowered import LoweredModel
+from fmu_build.description import EnumerationType
+
+
+class StartValues:
+    """Start values by slot, and the enumeration types that some of them belong to."""
+
+    def __init__(self, model: LoweredModel) -> None:
+        self._model = model
+        self._values = self._read()
+
+    def of(self, slot: Slot) -> float:
+        """The start value of a slot, 0 where the model gives none (Modelica's default)."""
+        return self._values.get(slot, 0.0)
+
+    @cached_property
+    def enumerations(self) -> tuple[EnumerationType, ...]:
+        """All enumeration types of the model, from their qualified literals."""
+        literals: dict[str, dict[int, str]] = {}
+        for qualified, ordinal in self._model.flat["enum_literal_ordinals"].items():
+            type_name, _, literal = qualified.rpartition(".")
+            if type_name not in ("StateSelect", "AssertionLevel") and not literal.startswith("'"):
+                literals.setdefault(type_name, {})[ordinal] = literal
+        return tuple(
+            EnumerationType(name, tuple((members[i], "") for i in sorted(members)))
+            for name, members in sorted(literals.items(), key=lambda item: -len(item[0]))
+        )
+
+    def _read(self) -> dict[Slot, float]:
+        bindings = self._model.solve["layout"]["bindings"]
+        values: dict[Slot, float] = {}
+        for variable in self._model.dae["variables"]:
+            for number, name in enumerate(variable["scalar_names"]):
+                if name in bindings:
+                    ((store, place),) = bindings[name].items()
+                    slot: Slot = ("y" if store == "Y" else "p", place["index"])
+                    values[slot] = self._start(variable, number)
+        return values
+
+    def _start(self, variable: dict[str, Any], number: int) -> float:
+        attributes = variable["attributes"]
+        is_parameter = variable["role"] in ("parameter", "constant")
+        for kind in ("binding", "start") if is_parameter else ("start",):
+            numbers = attributes[f"{kind}_values"]
+            if numbers:
+                return float(numbers[number] if len(numbers) > 1 else numbers[0])
+            if attributes[kind] is not None:
+                value = self._literal(attributes[kind], number)
+                if value is not None:
+                    return value
+        if is_parameter and variable["value_type"]["scalar"] in ("boolean", "enumeration"):
+            raise self._model.refuse(
+                f"the value of parameter {variable['name']} is not a literal", variable["declaration"]["span"]
+            )
+        return 1.0 if variable["value_type"]["scalar"] == "enumeration" else 0.0
+
+    def _literal(self, number: int, element: int) -> float | None:
+        """The value of a literal of the DAE's expressions, or of one element of an array of literals."""
+        operation = self._model.dae["expressions"][number]["operation"]
+        if operation["kind"] == "literal":
+            ((kind, value),) = operation["value"].items()
+            return float(value) if kind in ("real", "integer", "boolean", "enumeration") else None
+        if operation["kind"] == "array" and "elements" in operation:
+            return self._literal(operation["elements"][element], 0)
+        return None

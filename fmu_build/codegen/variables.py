@@ -1,0 +1,208 @@
+"""Which variables an FMU shows, with their attributes, and where their values are stored."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any, Literal
+
+from fmu_build.codegen import expression as ex
+from fmu_build.codegen.baked import baked_parameters
+from fmu_build.codegen.equations import Equations, all_expressions
+from fmu_build.codegen.lowered import LoweredModel
+from fmu_build.codegen.start_values import StartValues
+from fmu_build.description import Causality, EnumerationType, Initial, ValueType, Variability, Variable
+
+Store = Literal["y", "p", "derivative", "time"]
+
+_TYPES: dict[str, ValueType] = {
+    "real": "Real",
+    "integer": "Integer",
+    "boolean": "Boolean",
+    "enumeration": "Enumeration",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class StoredVariable:
+    """A variable of the FMU with its place in the runtime's arrays."""
+
+    variable: Variable
+    store: Store
+    index: int
+
+
+@dataclass(frozen=True, slots=True)
+class _Role:
+    causality: Causality
+    variability: Variability
+    initial: Initial | None
+
+
+class VariableReader:
+    """Reads the variables of one model in the order of their declaration."""
+
+    def __init__(self, model: LoweredModel, equations: Equations, starts: StartValues) -> None:
+        self._model = model
+        self._equations = equations
+        self._starts = starts
+        self._bindings = model.solve["layout"]["bindings"]
+        self._computed = {index for index, _ in equations.dependent_parameters}
+        self._started = {slot for slot, _ in equations.start_values} | set(equations.initial_unknowns)
+        self._tunable = self._parameters_in_use()
+        self._given = _given_by_when(equations)
+        self._baked = baked_parameters(model)
+
+    def _parameters_in_use(self) -> frozenset[int]:
+        """p indices of parameters that still act after initialisation, directly or through others."""
+        used = {leaf.index for leaf in ex.leaves(*all_expressions(self._equations)) if leaf.operator == "p"}
+        for index, value in reversed(self._equations.dependent_parameters):
+            if index in used:
+                used |= {leaf.index for leaf in ex.leaves(value) if leaf.operator == "p"}
+        return frozenset(used)
+
+    def read(self) -> tuple[StoredVariable, ...]:
+        """All visible variables: time, the model's own, and the derivatives of the states."""
+        time = Variable("time", "Real", "independent", "continuous", None, None, "Simulation time", unit="s")
+        stored = [StoredVariable(time, "time", 0)]
+        for entry in self._model.dae["variables"]:
+            if self._is_visible(entry):
+                stored.extend(self._scalars(entry))
+        return (*stored, *self._derivatives(stored))
+
+    def _is_visible(self, entry: dict[str, Any]) -> bool:
+        flat = self._model.flat["variables"].get(entry["name"])
+        return entry["attributes"]["origin"] == "source" and not (flat and flat["is_protected"])
+
+    def _scalars(self, entry: dict[str, Any]) -> Iterator[StoredVariable]:
+        if entry["value_type"]["scalar"] not in _TYPES:
+            raise self._model.refuse(
+                f"variable {entry['name']} of type {entry['value_type']['scalar']}", entry["declaration"]["span"]
+            )
+        for number, name in enumerate(entry["scalar_names"]):
+            binding = self._bindings.get(name)
+            if binding is None:
+                continue  # removed by the compiler, such as an array of size zero
+            ((store, place),) = binding.items()
+            slot: ex.Slot = (store.lower(), place["index"])
+            yield StoredVariable(self._variable(entry, name, number, slot), slot[0], slot[1])
+
+    def _variable(self, entry: dict[str, Any], name: str, number: int, slot: ex.Slot) -> Variable:
+        attributes = entry["attributes"]
+        flat = self._model.flat["variables"].get(entry["name"], {})
+        kind = _TYPES[entry["value_type"]["scalar"]]
+        role = self._role(entry, slot)
+        start = self._starts.of(slot) if role.initial in ("exact", "approx") or role.causality == "input" else None
+        return Variable(
+            name=name,
+            type=kind,
+            causality=role.causality,
+            variability=role.variability,
+            initial=role.initial,
+            start=_typed(start, kind),
+            description=attributes["description"] or "",
+            unit=attributes["unit"] or "",
+            display_unit=flat.get("display_unit") or "",
+            quantity=flat.get("quantity") or "",
+            minimum=_element(attributes["minimum_values"], number),
+            maximum=_element(attributes["maximum_values"], number),
+            nominal=_element(attributes["nominal_values"], number),
+            reinit=any(row.kind == "reinit" and row.slot == slot for row in self._equations.discrete),
+            enumeration=self._enumeration(entry["name"]) if kind == "Enumeration" else None,
+        )
+
+    def _role(self, entry: dict[str, Any], slot: ex.Slot) -> _Role:
+        """Causality, variability and initial, by FMI 2.0's table of what goes together."""
+        if entry["role"] in ("parameter", "constant"):
+            return self._parameter_role(entry, slot)
+        if entry["role"] == "input" and "." not in entry["name"]:
+            return _Role("input", "continuous" if entry["value_type"]["scalar"] == "real" else "discrete", None)
+        is_output = entry["attributes"]["causality"] == "output" and "." not in entry["name"]
+        causality: Causality = "output" if is_output else "local"
+        if slot[0] == "y":
+            return _Role(causality, "continuous", self._state_initial(slot))
+        return _Role(causality, "discrete", "exact" if slot in self._given else "calculated")
+
+    def _parameter_role(self, entry: dict[str, Any], slot: ex.Slot) -> _Role:
+        variability: Variability = "tunable" if slot[1] in self._tunable else "fixed"
+        if slot in self._equations.initial_unknowns or slot[1] in self._computed:
+            return _Role("calculatedParameter", variability, "calculated")
+        is_final = self._model.flat.get("variable_final_flags", {}).get(entry["name"], False)
+        is_settable = entry["attributes"]["tunable"] and entry["name"] not in self._baked
+        if entry["role"] == "constant" or is_final or not is_settable:
+            return _Role("local", "constant", "exact")
+        return _Role("parameter", variability, "exact")
+
+    def _state_initial(self, slot: ex.Slot) -> Initial:
+        if slot[1] >= self._equations.n_states or slot in self._started:
+            return "calculated"
+        return "exact"
+
+    def _enumeration(self, name: str) -> EnumerationType:
+        type_name = self._model.flat["variable_type_names"].get(name, "")
+        found = [t for t in self._starts.enumerations if t.name == type_name or t.name.endswith("." + type_name)]
+        if not found:
+            raise self._model.refuse(f"the enumeration type {type_name!r} of {name} is not known")
+        return found[0]
+
+    def _derivatives(self, stored: list[StoredVariable]) -> Iterator[StoredVariable]:
+        """der(state) for every state, visible or not: FMI's ModelStructure needs a variable for each."""
+        references = {s.index: n for n, s in enumerate(stored) if s.store == "y"}
+        names = self._model.solve["solve_layout"]["solver_maps"]["names"]
+        for index in range(self._equations.n_states):
+            if index not in references:
+                raise self._model.refuse(f"the state {names[index]} is protected and cannot be shown")
+            state = stored[references[index]].variable
+            derivative = Variable(
+                name=f"der({names[index]})",
+                type="Real",
+                causality="local",
+                variability="continuous",
+                initial="calculated",
+                start=None,
+                description=f"Time derivative of {names[index]}",
+                unit=_per_second(state.unit),
+                derivative_of=references[index],
+            )
+            yield StoredVariable(derivative, "derivative", index)
+
+
+def _given_by_when(equations: Equations) -> frozenset[ex.Slot]:
+    """Discrete variables that keep their start value until a when-clause sets them."""
+    return frozenset(
+        row.slot
+        for row in equations.discrete
+        if row.kind == "assign" and _keeps_itself(row.value, row.slot)
+    )
+
+
+def _keeps_itself(value: ex.Expression, slot: ex.Slot) -> bool:
+    while value.operator == "Select":
+        value = value.arguments[2]
+    return value == ex.p(slot[1]) and slot[0] == "p"
+
+
+def _per_second(unit: str) -> str:
+    if not unit:
+        return ""
+    numerator, slash, denominator = unit.partition("/")
+    if not slash:
+        return "1/s" if unit == "1" else f"{unit}/s"
+    if denominator == "s":
+        return f"{numerator}/s2"
+    return f"{numerator}/({denominator.strip('()')}.s)"
+
+
+def _element(values: list[float] | None, number: int) -> float | None:
+    """The attribute of one element; a single value holds for all of an array. Huge bounds mean none."""
+    if not values:
+        return None
+    value = values[number] if len(values) > 1 else values[0]
+    return None if value is None or not math.isfinite(value) or abs(value) >= 1e60 else float(value)
+
+
+def _typed(value: float | None, kind: ValueType) -> float | int | bool | None:
+    if value is None or kind == "Real":
+        return value
+    return bool(value) if kind == "Boolean" else int(value)

@@ -1,0 +1,11 @@
+/* actions.h - assert(), warnings and terminate(). */
+#ifndef ACTIONS_H
+#define ACTIONS_H
+
+#include "events.h"
+
+/* Takes the actions whose condition holds, a warning only once while it holds; the algebraic variables are up to
+ * date. `active` is scratch of model.n_actions. */
+EventStatus actions_take(Values *values, bool *active, const EventReporter *reporter);
+
+#endif

@@ -1,0 +1,58 @@
+#include "events.h"
+#include "actions.h"
+#include "iteration.h"
+#include "time_events.h"
+
+#include <math.h>
+
+/* A chain of when-clauses that has not ended after so many passes goes on for ever. */
+enum { MAX_PASSES = 1000 };
+
+static EventStatus fail(const EventReporter *reporter, const char *what)
+{
+    reporter->report(reporter->context, ACTION_ERROR, what);
+    return EVENT_ERROR;
+}
+
+static EventStatus worse(EventStatus a, EventStatus b)
+{
+    if (a == EVENT_ERROR || b == EVENT_ERROR)
+        return EVENT_ERROR;
+    return a == EVENT_OK ? b : a;
+}
+
+/* Passes with a fixed pre() each, until one has changed nothing. Clocks tick in the first pass alone. */
+static EventStatus iterate(Iteration *iteration, Values *values, const EventReporter *reporter, bool *states_changed)
+{
+    EventStatus status = EVENT_OK;
+    bool again = clocks_tick(values);
+    iteration_copy_pre(values);
+    for (int pass = 0; pass < MAX_PASSES; ++pass) {
+        const char *problem = iteration_settle(iteration, values);
+        if (problem != NULL)
+            return fail(reporter, problem);
+        status = worse(status, actions_take(values, iteration->active, reporter));
+        if (status == EVENT_ERROR)
+            return status;
+        const bool jumped = iteration_commit_states(iteration, values);
+        *states_changed |= jumped;
+        again |= jumped;
+        again |= iteration_commit_conditions(iteration, values);
+        again |= iteration_copy_pre(values);
+        if (!again)
+            return status;
+        clocks_release(values);
+        again = false;
+    }
+    return fail(reporter, "the event iteration does not end: when-clauses trigger each other in a circle");
+}
+
+EventStatus event_update(Values *values, const EventReporter *reporter, bool *states_changed)
+{
+    Iteration iteration;
+    if (!iteration_create(&iteration))
+        return fail(reporter, "out of memory");
+    const EventStatus status = iterate(&iteration, values, reporter, states_changed);
+    iteration_free(&iteration);
+    return status;
+}

@@ -1,0 +1,30 @@
+/* iteration.h - one pass of the event iteration: what relations, discrete equations and when-clauses do together. */
+#ifndef ITERATION_H
+#define ITERATION_H
+
+#include "events.h"
+
+typedef struct {
+    double *memory; /* holds the arrays below */
+    double *root;   /* [n_roots + n_time_relations] */
+    double *value;  /* [n_discrete] */
+    bool *active;   /* [n_actions] */
+} Iteration;
+
+bool iteration_create(Iteration *iteration);
+void iteration_free(Iteration *iteration);
+
+/* p[slot of pre(v)] = v for all v; true where one of them was different. */
+bool iteration_copy_pre(Values *values);
+
+/* Algebraic variables, relations and discrete equations, again and again until none of them changes; pre() values,
+ * condition memories and states stay. NULL on success, else what went wrong. */
+const char *iteration_settle(Iteration *iteration, Values *values);
+
+/* Sets condition memories from the pass that has settled; true where one was different. */
+bool iteration_commit_conditions(const Iteration *iteration, Values *values);
+
+/* Carries out the reinit()s of the pass that has settled; true where a state changed. */
+bool iteration_commit_states(const Iteration *iteration, Values *values);
+
+#endif

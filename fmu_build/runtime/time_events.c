@@ -1,0 +1,75 @@
+#include "time_events.h"
+#include "events.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* Importers keep time by adding up step sizes; a tick this close, relative to the time, is due. */
+static const double time_resolution = 1e-12;
+
+static double tick_time(const PeriodicClock *clock, double number)
+{
+    /* Both parts over one denominator, so that a decimal period and phase give the nearest double. */
+    const double denominator = clock->phase_denominator * clock->period_denominator;
+    return (clock->phase_numerator * clock->period_denominator +
+            number * clock->period_numerator * clock->phase_denominator) /
+           denominator;
+}
+
+static bool is_due(double tick, double time)
+{
+    return tick <= time + time_resolution * fmax(1.0, fabs(time));
+}
+
+void clocks_start(Values *values)
+{
+    for (size_t i = 0; i < model.n_clocks; ++i) {
+        const PeriodicClock *clock = &model.clocks[i];
+        const double period = clock->period_numerator / clock->period_denominator;
+        const double phase = clock->phase_numerator / clock->phase_denominator;
+        const double estimate = floor((values->time - phase) / period) - 1.0;
+        values->clock_tick[i] = fmax(0.0, estimate);
+        while (tick_time(clock, values->clock_tick[i]) < values->time && !is_due(values->time, tick_time(clock, values->clock_tick[i])))
+            values->clock_tick[i] += 1.0;
+    }
+}
+
+bool clocks_tick(Values *values)
+{
+    bool any = false;
+    for (size_t i = 0; i < model.n_clocks; ++i) {
+        if (!is_due(tick_time(&model.clocks[i], values->clock_tick[i]), values->time))
+            continue;
+        values->p[model.clocks[i].activation] = 1.0;
+        values->clock_tick[i] += 1.0;
+        any = true;
+    }
+    return any;
+}
+
+void clocks_release(Values *values)
+{
+    for (size_t i = 0; i < model.n_clocks; ++i)
+        values->p[model.clocks[i].activation] = 0.0;
+}
+
+double event_next_time(const Values *values)
+{
+    double next = INFINITY;
+    for (size_t i = 0; i < model.n_clocks; ++i)
+        next = fmin(next, tick_time(&model.clocks[i], values->clock_tick[i]));
+    if (model.n_time_events == 0)
+        return next;
+    double *when = malloc(model.n_time_events * sizeof(double));
+    if (when == NULL)
+        return values->time; /* an event at once, which reports that memory is short */
+    model_time_events(values->p, when);
+    for (size_t i = 0; i < model.n_time_events; ++i) {
+        /* Just after the instant itself, so that "time > t" has become true as well as "time >= t". */
+        const double after = nextafter(when[i], INFINITY);
+        if (after > values->time)
+            next = fmin(next, after);
+    }
+    free(when);
+    return next;
+}

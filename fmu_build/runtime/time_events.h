@@ -1,0 +1,16 @@
+/* time_events.h - events whose time is known beforehand: ticks of periodic clocks and relations of time. */
+#ifndef TIME_EVENTS_H
+#define TIME_EVENTS_H
+
+#include "values.h"
+
+/* Skips the ticks of all clocks before values->time. */
+void clocks_start(Values *values);
+
+/* p[activation] = 1 for each clock with a tick at values->time, whose next tick then follows; false where none has. */
+bool clocks_tick(Values *values);
+
+/* p[activation] = 0 for all clocks. */
+void clocks_release(Values *values);
+
+#endif

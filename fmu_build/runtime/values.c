@@ -1,0 +1,29 @@
+#include "values.h"
+
+#include <string.h>
+
+size_t values_count(void)
+{
+    return model.n_y + model.n_p + model.n_clocks + model.n_actions;
+}
+
+void values_bind(Values *values, double *block)
+{
+    values->y = block;
+    values->p = values->y + model.n_y;
+    values->clock_tick = values->p + model.n_p;
+    values->reported = values->clock_tick + model.n_clocks;
+}
+
+void values_reset(Values *values)
+{
+    values->time = 0.0;
+    if (model.n_y > 0)
+        memcpy(values->y, model.y_start, model.n_y * sizeof(double));
+    if (model.n_p > 0)
+        memcpy(values->p, model.p_start, model.n_p * sizeof(double));
+    for (size_t i = 0; i < model.n_clocks; ++i)
+        values->clock_tick[i] = 0.0;
+    for (size_t i = 0; i < model.n_actions; ++i)
+        values->reported[i] = 0.0;
+}
