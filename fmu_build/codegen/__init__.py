@@ -6,7 +6,8 @@ import rumoca
 
 from fmu_build.codegen.annotations import default_experiment, documentation
 from fmu_build.codegen.c_model import write_model
-from fmu_build.codegen.equations import read_equations
+from fmu_build.codegen.compact import compact
+from fmu_build.codegen.equations import n_named_slots, read_equations
 from fmu_build.codegen.functions import FunctionLibrary
 from fmu_build.codegen.lowered import lower
 from fmu_build.codegen.start_values import StartValues
@@ -24,7 +25,7 @@ def generate(model: rumoca.Model) -> GeneratedModel:
     """
     lowered = lower(model)
     functions = FunctionLibrary(lowered)
-    equations = read_equations(lowered, functions.name_of)
+    equations = compact(read_equations(lowered, functions.name_of), n_named_slots(lowered))
     starts = StartValues(lowered)
     variables = VariableReader(lowered, equations, starts).read()
     structure = Structure(equations, variables)

@@ -68,9 +68,12 @@ class _Reader:
         self.solve = model.solve
         self.layout = model.solve["solve_layout"]
         self.programs = ProgramReader(model, function_name)
+        self.homotopy = self.layout["initial_homotopy_parameter_index"]
         self.relations, self.unwatched = read_relations(model, self.programs, self.layout["compiled_parameter_len"])
 
     def equations(self) -> Equations:
+        if self.layout["terminal_event_parameter_index"] is not None:
+            raise self.model.refuse("terminal() is not supported")
         continuous = self.solve["continuous"]
         n_states = self.layout["state_scalar_count"]
         derivatives = self._frozen(self._rows(continuous["derivative_rhs"]))
@@ -81,16 +84,15 @@ class _Reader:
         )
         dependent, starts = self._updates()
         unknowns, residuals = self._initial_equations()
-        discrete, actions = self._discrete(n_states), self._actions()
         return Equations(
             n_states=n_states,
             n_y=len(self.layout["solver_maps"]["names"]),
             derivatives=tuple(derivatives[i] for i in range(n_states)),
             algebraics=algebraics,
-            discrete=_without_idle_conditions(discrete, actions),
+            discrete=self._discrete(n_states),
             clocks=periodic_clocks(self.model),
             pre=self._pre(),
-            actions=actions,
+            actions=self._actions(),
             dependent_parameters=dependent,
             start_values=starts,
             initial_unknowns=unknowns,
@@ -113,6 +115,9 @@ class _Reader:
         return rows
 
     def _frozen(self, rows: dict[int, Expression]) -> dict[int, Expression]:
+        """Rows that read memories of relations, and the actual side of homotopy()."""
+        if self.homotopy is not None:
+            rows = {n: ex.substitute(row, {ex.p(self.homotopy): ex.ONE}) for n, row in rows.items()}
         memories = freeze_comparisons(rows.values(), self.relations, self.unwatched)
         return {number: ex.substitute(row, memories) for number, row in rows.items()}
 
@@ -145,11 +150,10 @@ class _Reader:
 
     def _condition_memories(self) -> frozenset[int]:
         """Slots behind the named variables and the pre() slots, before the relation memories."""
-        named = [_slot(binding)[1] for binding in self.solve["layout"]["bindings"].values() if "P" in binding]
         pre = [binding["dest_p_index"] for binding in self.layout["pre_param_bindings"]]
         other = {*self.layout["relation_memory_parameter_indices"], *self.solve["clocks"]["activation_parameter_indices"]}
         other |= {self.layout["initial_event_parameter_index"], self.layout["terminal_event_parameter_index"]}
-        first = max((*named, *pre), default=-1) + 1
+        first = max((n_named_slots(self.model) - 1, *pre)) + 1
         return frozenset(range(first, self.layout["compiled_parameter_len"])) - other
 
     def _pre(self) -> tuple[tuple[int, Slot], ...]:
@@ -206,25 +210,24 @@ class _Reader:
         return tuple(unknowns), tuple(residuals)
 
 
+def n_named_slots(model: LoweredModel) -> int:
+    """How many slots of p hold parameters, inputs and discrete variables; they come first."""
+    bindings = model.solve["layout"]["bindings"].values()
+    return max((_slot(binding)[1] for binding in bindings if "P" in binding), default=-1) + 1
+
+
 def _slot(target: Mapping[str, Any]) -> Slot:
     if "Y" in target:
         return ("y", int(target["Y"]["index"]))
     return ("p", int(target["P"]["index"]))
 
 
-def _without_idle_conditions(rows: Sequence[DiscreteRow], actions: Sequence[Action]) -> tuple[DiscreteRow, ...]:
-    """rumoca keeps a memory for every condition; most are read by nothing and would only cost time."""
-    read = ex.leaves(*(row.value for row in rows), *(action.condition for action in actions))
-    return tuple(row for row in rows if row.kind != "condition" or ex.p(row.slot[1]) in read)
-
-
-def all_expressions(equations: Equations) -> Sequence[Expression]:
-    """Every expression that is evaluated after initialisation."""
+def acting_expressions(equations: Equations) -> Sequence[Expression]:
+    """Every expression that acts on the solution after initialisation; asserts only judge it."""
     return (
         *equations.derivatives,
         *(e for step in equations.algebraics for e in step.expressions),
         *(row.value for row in equations.discrete),
         *(relation.root for relation in equations.relations.crossings),
         *equations.relations.event_times,
-        *(action.condition for action in equations.actions),
     )

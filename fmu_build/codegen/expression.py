@@ -97,6 +97,8 @@ _FOLD: dict[str, Callable[[float, float], float]] = {
 def negate(a: Expression) -> Expression:
     if a.is_number:
         return number(-a.value)
+    if a.operator == "Sub":
+        return binary("Sub", a.arguments[1], a.arguments[0])
     return a.arguments[0] if a.operator == "Neg" else Expression("Neg", (a,))
 
 
@@ -112,28 +114,65 @@ def binary(operator: str, a: Expression, b: Expression) -> Expression:
     """An operator applied, with the simplifications that change no result of finite arguments."""
     if a.is_number and b.is_number and operator in _FOLD:
         return number(_FOLD[operator](a.value, b.value))
-    if operator == "Add":
-        return b if a == ZERO else a if b == ZERO else Expression(operator, (a, b))
-    if operator == "Sub":
-        return a if b == ZERO else negate(b) if a == ZERO else Expression(operator, (a, b))
-    if operator == "Mul":
-        if ZERO in (a, b):
-            return ZERO
-        return b if a == ONE else a if b == ONE else Expression(operator, (a, b))
-    if operator == "Div":
-        return ZERO if a == ZERO else a if b == ONE else Expression(operator, (a, b))
-    if operator == "And":
-        return _simplify_truth(a, b, neutral=1.0, operator=operator)
-    if operator == "Or":
-        return _simplify_truth(a, b, neutral=0.0, operator=operator)
+    if operator in _SIMPLIFY:
+        return _SIMPLIFY[operator](a, b)
     return Expression(operator, (a, b))
 
 
-def _simplify_truth(a: Expression, b: Expression, neutral: float, operator: str) -> Expression:
+def _sum(a: Expression, b: Expression) -> Expression:
+    if ZERO in (a, b):
+        return b if a == ZERO else a
+    if b.operator == "Neg":
+        return _difference(a, b.arguments[0])
+    return _difference(b, a.arguments[0]) if a.operator == "Neg" else Expression("Add", (a, b))
+
+
+def _difference(a: Expression, b: Expression) -> Expression:
+    if ZERO in (a, b):
+        return negate(b) if a == ZERO else a
+    if b.operator == "Neg":
+        return _sum(a, b.arguments[0])
+    return negate(_sum(a.arguments[0], b)) if a.operator == "Neg" else Expression("Sub", (a, b))
+
+
+def _product(a: Expression, b: Expression) -> Expression:
+    if ZERO in (a, b):
+        return ZERO
+    if ONE in (a, b):
+        return b if a == ONE else a
+    for this, other in ((a, b), (b, a)):
+        if this.operator == "Neg":
+            return negate(_product(this.arguments[0], other))
+    return Expression("Mul", (a, b))
+
+
+def _quotient(a: Expression, b: Expression) -> Expression:
+    return ZERO if a == ZERO else a if b == ONE else Expression("Div", (a, b))
+
+
+def _both(a: Expression, b: Expression) -> Expression:
+    return _truth("And", a, b, neutral=1.0)
+
+
+def _either(a: Expression, b: Expression) -> Expression:
+    return _truth("Or", a, b, neutral=0.0)
+
+
+def _truth(operator: str, a: Expression, b: Expression, neutral: float) -> Expression:
     for this, other in ((a, b), (b, a)):
         if this.is_number:
             return other if (this.value != 0.0) == (neutral != 0.0) else number(1.0 - neutral)
     return a if a == b else Expression(operator, (a, b))
+
+
+_SIMPLIFY: dict[str, Callable[[Expression, Expression], Expression]] = {
+    "Add": _sum,
+    "Sub": _difference,
+    "Mul": _product,
+    "Div": _quotient,
+    "And": _both,
+    "Or": _either,
+}
 
 
 def select(condition: Expression, if_true: Expression, if_false: Expression) -> Expression:

@@ -9,7 +9,7 @@ from typing import Any, Literal
 
 from fmu_build.codegen import expression as ex
 from fmu_build.codegen.baked import baked_parameters
-from fmu_build.codegen.equations import Equations, all_expressions
+from fmu_build.codegen.equations import Equations, acting_expressions
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.start_values import StartValues
 from fmu_build.description import Causality, EnumerationType, Initial, ValueType, Variability, Variable
@@ -56,7 +56,7 @@ class VariableReader:
 
     def _parameters_in_use(self) -> frozenset[int]:
         """p indices of parameters that still act after initialisation, directly or through others."""
-        used = {leaf.index for leaf in ex.leaves(*all_expressions(self._equations)) if leaf.operator == "p"}
+        used = {leaf.index for leaf in ex.leaves(*acting_expressions(self._equations)) if leaf.operator == "p"}
         for index, value in reversed(self._equations.dependent_parameters):
             if index in used:
                 used |= {leaf.index for leaf in ex.leaves(value) if leaf.operator == "p"}

@@ -1,0 +1,143 @@
+"""Equations without what nothing reads: rumoca keeps memories for every condition and relation it sees."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from fmu_build.codegen import expression as ex
+from fmu_build.codegen.algebraics import Assignment, NewtonBlock, Step
+from fmu_build.codegen.equations import Equations
+from fmu_build.codegen.expression import ZERO, Expression, Slot
+from fmu_build.codegen.relations import Relation, Relations
+
+Change = Callable[[Expression], Expression]
+
+
+def compact(equations: Equations, n_named: int) -> Equations:
+    """Drop idle memories, and number what is left of p without gaps.
+
+    The first `n_named` slots of p are parameters, inputs and discrete variables: they stay where they are.
+    """
+    equations = _without_unwritten(equations, n_named)
+    equations = _without_unread(equations)
+    kept = [slot for slot in range(equations.n_p) if slot < n_named or slot in _written(equations)]
+    numbers = {old: new for new, old in enumerate(kept)}
+    moved = {ex.p(old): ex.p(new) for old, new in numbers.items() if old != new}
+    return _renumbered(_changed(equations, lambda e: ex.substitute(e, moved)), numbers)
+
+
+def _written(equations: Equations) -> set[int]:
+    """Slots of p that the runtime or an equation writes."""
+    relations = equations.relations
+    slots = {relation.memory for relation in (*relations.crossings, *relations.of_time)}
+    slots |= {row.slot[1] for row in equations.discrete if row.slot[0] == "p"}
+    slots |= {slot for slot, _ in equations.pre} | {clock.activation for clock in equations.clocks}
+    return slots if equations.initial_event is None else slots | {equations.initial_event}
+
+
+def _without_unwritten(equations: Equations, n_named: int) -> Equations:
+    """A memory that nothing writes stays 0."""
+    written = _written(equations)
+    zero = {ex.p(slot): ZERO for slot in range(n_named, equations.n_p) if slot not in written}
+    return _changed(equations, lambda e: ex.substitute(e, zero))
+
+
+def _without_unread(equations: Equations) -> Equations:
+    """Drop conditions, pre() values and relations that no expression reads."""
+    while True:
+        read = {leaf.index for leaf in ex.leaves(*_expressions(equations)) if leaf.operator == "p"}
+        relations = equations.relations
+        smaller = replace(
+            equations,
+            discrete=tuple(r for r in equations.discrete if r.kind != "condition" or r.slot[1] in read),
+            pre=tuple(binding for binding in equations.pre if binding[0] in read),
+            relations=replace(
+                relations,
+                crossings=[r for r in relations.crossings if r.memory in read or _keeps_step(r, relations)],
+                of_time=[r for r in relations.of_time if r.memory in read],
+            ),
+        )
+        if smaller == equations:
+            return equations
+        equations = smaller
+
+
+def _keeps_step(relation: Relation, relations: Relations) -> bool:
+    """Whether a crossing is there to update the memory of floor() and its relatives."""
+    steps = {ex.p(memory) for memory in relations.floors.values()}
+    return not steps.isdisjoint(ex.leaves(relation.root))
+
+
+def _expressions(equations: Equations) -> list[Expression]:
+    """Everything that reads memories; a relation's own root does not keep its memory alive."""
+    found: list[Expression] = []
+
+    def note(expression: Expression) -> Expression:
+        found.append(expression)
+        return expression
+
+    _changed(equations, note)
+    return found
+
+
+def _changed(equations: Equations, change: Change) -> Equations:
+    """The equations with a change made to every expression."""
+    relations = equations.relations
+    return replace(
+        equations,
+        derivatives=tuple(change(e) for e in equations.derivatives),
+        algebraics=tuple(_changed_step(step, change) for step in equations.algebraics),
+        relations=replace(
+            relations,
+            crossings=[replace(r, root=change(r.root)) for r in relations.crossings],
+            of_time=[replace(r, root=change(r.root)) for r in relations.of_time],
+            event_times=[change(e) for e in relations.event_times],
+            floors={change(e): memory for e, memory in relations.floors.items()},
+        ),
+        discrete=tuple(replace(row, value=change(row.value)) for row in equations.discrete),
+        actions=tuple(
+            replace(
+                action,
+                condition=change(action.condition),
+                message=tuple(p if isinstance(p, str) else (p[0], change(p[1])) for p in action.message),
+            )
+            for action in equations.actions
+        ),
+        dependent_parameters=tuple((slot, change(e)) for slot, e in equations.dependent_parameters),
+        start_values=tuple((slot, change(e)) for slot, e in equations.start_values),
+        initial_residuals=tuple(change(e) for e in equations.initial_residuals),
+    )
+
+
+def _changed_step(step: Step, change: Change) -> Step:
+    if isinstance(step, Assignment):
+        return replace(step, value=change(step.value))
+    return NewtonBlock(
+        step.unknowns,
+        tuple(change(e) for e in step.residuals),
+        tuple(tuple(change(e) for e in row) for row in step.jacobian),
+    )
+
+
+def _renumbered(equations: Equations, numbers: dict[int, int]) -> Equations:
+    def moved(slot: Slot) -> Slot:
+        return slot if slot[0] == "y" else ("p", numbers[slot[1]])
+
+    relations = equations.relations
+    initial_event = equations.initial_event
+    return replace(
+        equations,
+        n_p=len(numbers),
+        relations=replace(
+            relations,
+            n_p=len(numbers),
+            crossings=[replace(r, memory=numbers[r.memory]) for r in relations.crossings],
+            of_time=[replace(r, memory=numbers[r.memory]) for r in relations.of_time],
+            floors={e: numbers[memory] for e, memory in relations.floors.items()},
+        ),
+        discrete=tuple(replace(row, slot=moved(row.slot)) for row in equations.discrete),
+        clocks=tuple(replace(clock, activation=numbers[clock.activation]) for clock in equations.clocks),
+        pre=tuple((numbers[slot], moved(source)) for slot, source in equations.pre),
+        initial_event=None if initial_event is None else numbers[initial_event],
+    )
