@@ -1,0 +1,12 @@
+"""Type aliases used throughout the package."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+FloatArray = NDArray[np.float64]
+#: Torque about the pivot (N m) as a function of time (s).
+Torque = Callable[[float], float]
