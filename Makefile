@@ -1,0 +1,64 @@
+# make run    environment, FMUs, the paper's free oscillation compared with the reference
+# make test   everything that is tested
+# make fmu    the three FMUs in build/fmi2/
+# make lint   ruff, mypy, the C compilers with every warning an error, the Modelica checks
+# make bench  speed as ratios within one run
+# make lock   pin the newest versions that pyproject.toml allows
+# make clean  remove what was made (the environment stays; "make distclean" removes it too)
+
+# The first interpreter on the path that is new enough.
+PYTHON ?= $(shell for p in python3.13 python3.12 python3.11 python3 python; do \
+	$$p -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null && echo $$p && break; done)
+COMPILER ?= rumoca
+
+VENV := .venv
+BIN := $(VENV)/bin
+READY := $(VENV)/.ready
+FMUS := $(addprefix build/fmi2/,Joystick.fmu JoystickPowerLaw.fmu JoystickInverse.fmu)
+FMU_SOURCES := $(shell find modelica fmu_build -name '*.mo' -o -name 'package.order' -o -name '*.[ch]' \
+	-o -name '*.py' -o -name '*.toml' -o -name '*.jinja')
+
+.DELETE_ON_ERROR:
+.PHONY: run test fmu lint bench lock clean distclean
+
+run: fmu
+	$(BIN)/python scenarios/free_oscillation.py
+
+test: fmu
+	$(BIN)/python -m pytest
+
+fmu: build/fmi2/.built
+
+build/fmi2/.built: $(FMU_SOURCES) $(READY)
+	$(BIN)/python -m fmu_build $(basename $(addprefix PreloadedSprings.Joystick.,$(notdir $(FMUS)))) \
+		--output build/fmi2 --compiler $(COMPILER)
+	touch $@
+
+lint: $(READY)
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	$(BIN)/python -m tests.lint.c_sources
+	$(BIN)/python -m tests.lint.modelica
+
+bench: fmu
+	$(BIN)/python -m benchmarks
+
+$(READY): requirements.lock pyproject.toml
+	@test -n "$(PYTHON)" || { echo "Python 3.11 or newer is needed (make PYTHON=/path/to/python)"; exit 1; }
+	$(PYTHON) -m venv $(VENV)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements.lock
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --editable .
+	touch $@
+
+lock:
+	$(BIN)/python -m pip install --quiet uv
+	$(BIN)/uv pip compile pyproject.toml --extra build --extra dev --universal --python-version 3.11 \
+		--generate-hashes --no-emit-index-url --quiet --upgrade --output-file requirements.lock
+
+clean:
+	rm -rf build results dist .pytest_cache .mypy_cache .ruff_cache .hypothesis
+	find . -name __pycache__ -not -path './$(VENV)/*' -exec rm -rf {} +
+
+distclean: clean
+	rm -rf $(VENV)

@@ -1,0 +1,37 @@
+"""Build hook: a wheel carries the FMUs, so that who installs it needs no compiler."""
+
+from __future__ import annotations
+
+import sys
+import sysconfig
+import tempfile
+from pathlib import Path
+from typing import Any
+
+from hatchling.builders.hooks.plugin.interface import BuildHookInterface
+
+MODELS = ("Joystick", "JoystickPowerLaw", "JoystickInverse")
+
+
+class CustomBuildHook(BuildHookInterface):
+    """Builds the FMUs for this machine's platform and puts them into ``pyjoystick/fmus/``."""
+
+    def initialize(self, version: str, build_data: dict[str, Any]) -> None:
+        """Add the FMUs to a real wheel; an editable install takes them from ``build/fmi2/``."""
+        if version == "editable":
+            return
+        sys.path.insert(0, self.root)
+        from fmu_build import build_fmu
+
+        self._folder = tempfile.TemporaryDirectory()
+        for model in MODELS:
+            result = build_fmu(f"PreloadedSprings.Joystick.{model}", Path(self._folder.name))
+            build_data["force_include"][str(result.path)] = f"pyjoystick/fmus/{model}.fmu"
+        build_data["pure_python"] = False
+        platform = sysconfig.get_platform().replace("-", "_").replace(".", "_")
+        build_data["tag"] = f"py3-none-{platform}"
+
+    def finalize(self, version: str, build_data: dict[str, Any], artifact_path: str) -> None:
+        """Remove what was built only to be packed."""
+        if version != "editable":
+            self._folder.cleanup()
