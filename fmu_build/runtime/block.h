@@ -1,0 +1,11 @@
+/* block.h - Newton's method for one system of algebraic equations. */
+#ifndef BLOCK_H
+#define BLOCK_H
+
+#include "model.h"
+
+/* Solves block->residual = 0 for the unknowns, which start from their values in y and end there.
+ * Returns false, and leaves y as it was, where no solution was found. */
+bool block_solve(const Block *block, double time, double *y, const double *p);
+
+#endif

@@ -1,0 +1,192 @@
+#include "cosimulation.h"
+#include "evaluation.h"
+
+#include <math.h>
+#include <stdio.h>
+
+enum { MAX_CROWD = 1000 };
+
+/* Events closer together than this, relative to the time or to a second, count as being at one time. */
+static const double crowd_width = 1e-12;
+
+static Status fail(Instance *instance, double time, const char *why)
+{
+    log_message(&instance->log, LOG_STATUS_ERROR, STATUS_ERROR, "The simulation stopped at time %.17g: %s", time, why);
+    return STATUS_ERROR;
+}
+
+static Status restart(Instance *instance)
+{
+    const Values *values = &instance->values;
+    Progress *progress = &instance->progress;
+    progress->event_pending = false;
+    progress->next_time_event = event_next_time(values);
+    integrator_restart(&instance->integrator, values->time, values->y);
+    return evaluation_roots(instance, instance->roots.start) ? STATUS_OK : STATUS_ERROR;
+}
+
+/* The event at values.time, with everything that follows from it at the same instant. */
+static Status carry_out_event(Instance *instance)
+{
+    const EventReporter reporter = instance_reporter(instance);
+    bool states_changed = false;
+    ++instance->progress.events;
+    switch (event_update(&instance->values, &reporter, &states_changed)) {
+    case EVENT_OK:
+        evaluation_invalidate(instance);
+        return restart(instance);
+    case EVENT_TERMINATE:
+        return STATUS_DISCARD;
+    case EVENT_ERROR:
+        break;
+    }
+    return fail(instance, instance->values.time, "an event failed.");
+}
+
+/* Guards against a relation that changes endlessly without time going on (Zeno, chattering). */
+static Status count_event(Instance *instance, double time)
+{
+    Progress *progress = &instance->progress;
+    if (time - progress->crowd_start > crowd_width * fmax(1.0, fabs(time))) {
+        progress->crowd_start = time;
+        progress->crowd = 0;
+    }
+    if (++progress->crowd <= MAX_CROWD)
+        return STATUS_OK;
+    char why[160];
+    if (progress->relation < model.n_relations)
+        snprintf(why, sizeof why, "%d events at practically the same time, the last where relation %zu changed.",
+                 MAX_CROWD, progress->relation + 1);
+    else
+        snprintf(why, sizeof why, "%d events at practically the same time, the last a time event.", MAX_CROWD);
+    return fail(instance, time, why);
+}
+
+/* Time, states and inputs at a time that the last integrator step reaches. */
+static void move_to(Instance *instance, double time)
+{
+    integrator_interpolate(&instance->integrator, time, instance->values.y);
+    inputs_apply(&instance->inputs, time, instance->values.p);
+    instance->values.time = time;
+    evaluation_invalidate(instance);
+}
+
+static Status carry_out_pending_event(Instance *instance)
+{
+    const Progress *progress = &instance->progress;
+    const double time = instance->integrator.record.time;
+    move_to(instance, time);
+    if (log_is_on(&instance->log, LOG_EVENTS)) {
+        if (progress->relation < model.n_relations)
+            log_message(&instance->log, LOG_EVENTS, STATUS_OK, "State event at time %.17g: relation %zu changes.",
+                        time, progress->relation + 1);
+        else
+            log_message(&instance->log, LOG_EVENTS, STATUS_OK, "Time event at time %.17g.", time);
+    }
+    const Status counted = count_event(instance, time);
+    return counted == STATUS_OK ? carry_out_event(instance) : counted;
+}
+
+/* What holds between events must hold at the end of a step, once time passes it. */
+static Status check_asserts(Instance *instance)
+{
+    if (!model.actions_follow_states || instance->integrator.record.time <= instance->values.time)
+        return STATUS_OK;
+    const EventReporter reporter = instance_reporter(instance);
+    move_to(instance, instance->integrator.record.time);
+    switch (event_check_asserts(&instance->values, &reporter)) {
+    case EVENT_OK:
+        return STATUS_OK;
+    case EVENT_TERMINATE:
+        return STATUS_DISCARD;
+    case EVENT_ERROR:
+        break;
+    }
+    return fail(instance, instance->values.time, "an assertion is violated.");
+}
+
+/* One integrator step, cut short at the first event in it. */
+static Status take_step(Instance *instance, double limit)
+{
+    Progress *progress = &instance->progress;
+    Integrator *integrator = &instance->integrator;
+    const double from = integrator->record.time;
+    switch (integrator_step(integrator, fmin(limit, progress->next_time_event))) {
+    case STEP_DONE:
+        break;
+    case STEP_TOO_SMALL:
+        return fail(instance, from, "the tolerance cannot be kept with the smallest step.");
+    case STEP_NOT_COMPUTABLE:
+        return fail(instance, from, "the derivatives cannot be computed, or are not finite.");
+    }
+    const Crossing crossing = roots_search(&instance->roots, instance->values.p, from, integrator->record.time);
+    switch (crossing.result) {
+    case ROOTS_NOT_COMPUTABLE:
+        return fail(instance, from, "the relations cannot be computed.");
+    case ROOTS_CROSSED:
+        integrator_truncate(integrator, crossing.time);
+        progress->relation = crossing.relation;
+        progress->event_pending = true;
+        break;
+    case ROOTS_NOT_CROSSED:
+        progress->relation = model.n_relations;
+        progress->event_pending = integrator->record.time >= progress->next_time_event;
+        break;
+    }
+    return STATUS_OK;
+}
+
+/* Goes back to the communication point and takes in what the importer changed there. */
+static Status absorb_changes(Instance *instance)
+{
+    Changes *changed = &instance->changed;
+    evaluation_update_parameters(instance);
+    bool event = changed->discrete;
+    if (!event && model.n_roots > 0) {
+        if (!evaluation_roots(instance, instance->roots.start))
+            return STATUS_ERROR;
+        event = roots_first_changed(instance->roots.start, instance->values.p) < model.n_relations;
+    }
+    *changed = (Changes){0};
+    return event ? carry_out_event(instance) : restart(instance);
+}
+
+Status cosimulation_start(Instance *instance)
+{
+    instance->progress = (Progress){.crowd_start = instance->values.time};
+    instance->changed = (Changes){0};
+    return restart(instance);
+}
+
+static bool reaches(const Instance *instance, double target)
+{
+    const double end = instance->integrator.record.time;
+    return end > target || (end == target && !instance->progress.event_pending);
+}
+
+Status cosimulation_advance(Instance *instance, double target)
+{
+    Status status = STATUS_OK;
+    double limit = fmax(target, instance->experiment.stop_time);
+    target = fmax(target, instance->values.time);
+    inputs_begin(&instance->inputs, instance->values.time, instance->values.p);
+    instance->changed.any = instance->changed.any || instance->inputs.active;
+    if (instance->changed.any) {
+        /* Who changes something now is likely to do it again at the next point: not past that. */
+        limit = target;
+        status = absorb_changes(instance);
+    }
+    while (status == STATUS_OK && !reaches(instance, target)) {
+        if (instance->progress.event_pending)
+            status = carry_out_pending_event(instance);
+        else if ((status = check_asserts(instance)) == STATUS_OK)
+            status = take_step(instance, limit);
+    }
+    if (status != STATUS_OK)
+        return status;
+    if (instance->values.time != target || instance->integrator.record.time != target)
+        move_to(instance, target);
+    instance->changed.any = instance->inputs.active;
+    inputs_end(&instance->inputs);
+    return STATUS_OK;
+}

@@ -1,0 +1,97 @@
+#include "evaluation.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static bool fail(const Instance *instance, const char *what)
+{
+    log_message(&instance->log, LOG_STATUS_ERROR, STATUS_ERROR,
+                "The %s at time %.17g could not be computed: a system of equations has no solution there.", what,
+                instance->values.time);
+    return false;
+}
+
+void evaluation_update_parameters(Instance *instance)
+{
+    if (instance->changed.parameters) {
+        model_dependent_parameters(instance->values.p);
+        instance->changed.parameters = false;
+    }
+}
+
+bool evaluation_update_algebraics(Instance *instance)
+{
+    Values *values = &instance->values;
+    if (instance->current.algebraics)
+        return true;
+    evaluation_update_parameters(instance);
+    instance->current.algebraics = model_algebraics(values->time, values->y, values->p);
+    return instance->current.algebraics || fail(instance, "algebraic variables");
+}
+
+bool evaluation_update_derivatives(Instance *instance)
+{
+    Values *values = &instance->values;
+    if (instance->current.derivatives)
+        return true;
+    evaluation_update_parameters(instance);
+    instance->current.derivatives = model_derivatives(values->time, values->y, values->p, instance->derivatives);
+    return instance->current.derivatives || fail(instance, "derivatives");
+}
+
+bool evaluation_roots(Instance *instance, double *root)
+{
+    Values *values = &instance->values;
+    evaluation_update_parameters(instance);
+    return model_roots(values->time, values->y, values->p, root) || fail(instance, "event indicators");
+}
+
+bool evaluation_derivatives_at(void *context, double time, double *der)
+{
+    const Instance *instance = context;
+    inputs_apply(&instance->inputs, time, instance->values.p);
+    return model_derivatives(time, instance->values.y, instance->values.p, der);
+}
+
+bool evaluation_roots_at(void *context, double time, double *root)
+{
+    const Instance *instance = context;
+    integrator_interpolate(&instance->integrator, time, instance->values.y);
+    inputs_apply(&instance->inputs, time, instance->values.p);
+    return model_roots(time, instance->values.y, instance->values.p, root);
+}
+
+/* One algebraic variable a little later or earlier, with the states on their tangent. */
+static bool algebraic_beside(const Instance *instance, double delay, size_t index, double *scratch, double *value)
+{
+    const Values *values = &instance->values;
+    memcpy(scratch, values->y, model.n_y * sizeof(double));
+    for (size_t i = 0; i < model.n_states; ++i)
+        scratch[i] += delay * instance->derivatives[i];
+    const bool solved = model_algebraics(values->time + delay, scratch, values->p);
+    *value = scratch[index];
+    return solved;
+}
+
+bool evaluation_time_derivative(Instance *instance, const Variable *variable, double *derivative)
+{
+    if (variable->store != STORE_STATE_OR_ALGEBRAIC || !evaluation_update_algebraics(instance) ||
+        !evaluation_update_derivatives(instance))
+        return false;
+    if (variable->index < model.n_states) {
+        *derivative = instance->derivatives[variable->index];
+        return true;
+    }
+    const double scale = instance->integrator.record.suggestion;
+    const double delay = 1e-5 * (scale > 0.0 ? scale : 1e-2);
+    double *scratch = malloc(model.n_y * sizeof(double));
+    if (scratch == NULL)
+        return false;
+    double before, after;
+    const bool solved = algebraic_beside(instance, -delay, variable->index, scratch, &before) &&
+                        algebraic_beside(instance, delay, variable->index, scratch, &after);
+    free(scratch);
+    if (solved)
+        *derivative = (after - before) / (2.0 * delay);
+    return solved;
+}

@@ -1,0 +1,44 @@
+#include "inputs.h"
+
+size_t inputs_of_model(size_t *index)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < model.n_variables; ++i) {
+        const Variable *variable = &model.variables[i];
+        if (variable->causality != CAUSALITY_INPUT || variable->variability != VARIABILITY_CONTINUOUS ||
+            variable->store != STORE_PARAMETER)
+            continue;
+        if (index != NULL)
+            index[count] = variable->index;
+        ++count;
+    }
+    return count;
+}
+
+bool inputs_set_slope(Inputs *inputs, size_t index, double slope)
+{
+    for (size_t i = 0; i < inputs->count; ++i) {
+        if (inputs->index[i] == index) {
+            inputs->slope[i] = slope;
+            return true;
+        }
+    }
+    return false;
+}
+
+void inputs_begin(Inputs *inputs, double time, const double *p)
+{
+    inputs->since = time;
+    inputs->active = false;
+    for (size_t i = 0; i < inputs->count; ++i) {
+        inputs->base[i] = p[inputs->index[i]];
+        inputs->active = inputs->active || inputs->slope[i] != 0.0;
+    }
+}
+
+void inputs_end(Inputs *inputs)
+{
+    inputs->active = false;
+    for (size_t i = 0; i < inputs->count; ++i)
+        inputs->slope[i] = 0.0;
+}

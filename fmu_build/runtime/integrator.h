@@ -1,0 +1,55 @@
+/* integrator.h - the Runge-Kutta method of order 5(4) of Dormand and Prince (J. Comp. Appl. Math. 6, 1980)
+ * with the dense output of order 4 of Hairer, Norsett and Wanner (Solving Ordinary Differential Equations I,
+ * section II.6). Pure numerics: it knows neither events nor inputs. */
+#ifndef INTEGRATOR_H
+#define INTEGRATOR_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* What a saved state must hold besides the arrays; plain data. */
+typedef struct {
+    double time;       /* end of the last step, where the next one starts */
+    double suggestion; /* size of the next step, 0 where it is not known yet */
+    double base, step; /* the dense output covers base to base + step */
+    bool slope_known;  /* the derivatives at `time` are in slopes[0] */
+    size_t evaluations, accepted, rejected;
+} StepRecord;
+
+typedef struct {
+    size_t size;
+    const double *nominal; /* [size] magnitudes of the states, for the absolute tolerance */
+    double tolerance;
+    double largest_step;
+    double *argument; /* [size] where `derivatives` finds the states */
+    bool (*derivatives)(void *context, double time, double *der);
+    void *context;
+
+    StepRecord record;
+    double *states;    /* [size] at record.time */
+    double *slopes[7]; /* [size] each, of the stages */
+    double *dense[5];  /* [size] each, coefficients of the interpolating polynomial */
+} Integrator;
+
+typedef enum {
+    STEP_DONE,
+    STEP_TOO_SMALL,      /* the error stays above the tolerance */
+    STEP_NOT_COMPUTABLE, /* the derivatives could not be computed, or were not finite */
+} StepResult;
+
+size_t integrator_count(size_t size); /* doubles in the block */
+void integrator_bind(Integrator *integrator, double *block);
+
+/* Starts anew from a point; the size of the step before is kept as a first guess. */
+void integrator_restart(Integrator *integrator, double time, const double *states);
+
+/* One accepted step from record.time, not beyond `limit`. */
+StepResult integrator_step(Integrator *integrator, double limit);
+
+/* The states at a time within the last step. */
+void integrator_interpolate(const Integrator *integrator, double time, double *states);
+
+/* Ends the last step at a time within it; it can still be interpolated up to there. */
+void integrator_truncate(Integrator *integrator, double time);
+
+#endif

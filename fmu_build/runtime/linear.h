@@ -1,0 +1,14 @@
+/* linear.h - dense linear systems by LU decomposition with partial pivoting. */
+#ifndef LINEAR_H
+#define LINEAR_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* Factors the row-major n-by-n matrix in place; false where it is singular. */
+bool lu_factor(size_t n, double *matrix, size_t *pivot);
+
+/* Solves with the factors; x holds the right-hand side before and the solution after. */
+void lu_solve(size_t n, const double *factors, const size_t *pivot, double *x);
+
+#endif

@@ -1,0 +1,213 @@
+#include "location.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+enum { MAX_ITERATIONS = 200, MAX_VERTEX_ITERATIONS = 6 };
+
+/* All roots at one time. */
+typedef struct {
+    double time;
+    double *root;
+} Sample;
+
+size_t roots_count(void)
+{
+    return 5 * model.n_roots;
+}
+
+void roots_bind(RootFinder *finder, double *block)
+{
+    finder->start = block;
+    for (size_t i = 0; i < 4; ++i)
+        finder->work[i] = block + (i + 1) * model.n_roots;
+}
+
+static bool has_changed(size_t relation, const double *root, const double *p)
+{
+    const Relation *r = &model.relations[relation];
+    if (r->root >= model.n_roots)
+        return false; /* changes at time events only */
+    return relation_holds(r, root[r->root]) != (p[r->memory] != 0.0);
+}
+
+size_t roots_first_changed(const double *root, const double *p)
+{
+    for (size_t i = 0; i < model.n_relations; ++i)
+        if (has_changed(i, root, p))
+            return i;
+    return model.n_relations;
+}
+
+static bool sample(const RootFinder *finder, Sample *at, double time)
+{
+    at->time = time;
+    return finder->evaluate(finder->context, time, at->root);
+}
+
+static void swap(Sample *a, Sample *b)
+{
+    const Sample kept = *a;
+    *a = *b;
+    *b = kept;
+}
+
+/* The relation that a straight line between the samples has change first, of those changed in `after`. */
+static size_t first_by_secant(const Sample *before, const Sample *after, const double *p)
+{
+    size_t first = model.n_relations;
+    double earliest = INFINITY;
+    for (size_t i = 0; i < model.n_relations; ++i) {
+        if (!has_changed(i, after->root, p))
+            continue;
+        const double a = before->root[model.relations[i].root], b = after->root[model.relations[i].root];
+        const double fraction = a == b ? 0.0 : a / (a - b);
+        if (first == model.n_relations || fraction < earliest) {
+            earliest = fraction;
+            first = i;
+        }
+    }
+    return first;
+}
+
+/* Where in the bracket to look next, as a fraction from a to b: inverse quadratic interpolation through the
+ * bracket and a third point where that is sure to help (Chandrupatla, Adv. Eng. Softw. 28, 1997), else halving. */
+static double next_fraction(double ta, double a, double tb, double b, double tc, double c)
+{
+    const double xi = (ta - tb) / (tc - tb), phi = (a - b) / (c - b);
+    if (!(phi * phi < xi && (1.0 - phi) * (1.0 - phi) < 1.0 - xi))
+        return 0.5;
+    return a / (b - a) * (c / (b - c)) + (tc - ta) / (tb - ta) * (a / (c - a)) * (b / (c - b));
+}
+
+/* Narrows the bracket, nothing changed in `before` and something in `after`, to the spacing of the numbers
+ * around it. `third` is another sample near by. */
+static Crossing narrow(const RootFinder *finder, const double *p, Sample before, Sample after, Sample third,
+                       Sample spare)
+{
+    size_t relation = first_by_secant(&before, &after, p);
+    bool newest_is_after = third.time > after.time;
+    for (int iteration = 0; iteration < MAX_ITERATIONS; ++iteration) {
+        const double width = after.time - before.time;
+        const double resolution = 2.0 * DBL_EPSILON * fmax(fabs(before.time), fabs(after.time));
+        if (width <= resolution)
+            break;
+        const size_t k = model.relations[relation].root;
+        const Sample *a = newest_is_after ? &after : &before, *b = newest_is_after ? &before : &after;
+        double fraction = next_fraction(a->time, a->root[k], b->time, b->root[k], third.time, third.root[k]);
+        fraction = newest_is_after ? 1.0 - fraction : fraction;
+        const double least = fmin(0.5, resolution / width);
+        const double time = before.time + fmin(fmax(fraction, least), 1.0 - least) * width;
+        if (!(time > before.time && time < after.time))
+            break;
+        if (!sample(finder, &spare, time))
+            return (Crossing){.result = ROOTS_NOT_COMPUTABLE};
+        newest_is_after = roots_first_changed(spare.root, p) < model.n_relations;
+        swap(&third, newest_is_after ? &after : &before);
+        swap(newest_is_after ? &after : &before, &spare);
+        relation = first_by_secant(&before, &after, p);
+    }
+    return (Crossing){.result = ROOTS_CROSSED, .time = after.time, .relation = relation};
+}
+
+/* One root at one time. */
+typedef struct {
+    double time, value;
+} Point;
+
+/* Vertex of the parabola through three points; false where there is none inside, or none that comes near zero
+ * in comparison with how much the root changes around it. */
+static bool vertex(Point a, Point b, Point c, double *time)
+{
+    const double left = (b.value - a.value) / (b.time - a.time), right = (c.value - b.value) / (c.time - b.time);
+    const double bend = (right - left) / (c.time - a.time);
+    if (bend == 0.0 || (bend > 0.0) != (b.value > 0.0))
+        return false;
+    const double slope = left - bend * (b.time - a.time);
+    const double offset = -0.5 * slope / bend;
+    *time = a.time + offset;
+    if (!(*time > a.time && *time < c.time) || *time == b.time)
+        return false;
+    const double drop = 0.5 * slope * offset, value = a.value + drop;
+    const double variation = fmax(fabs(drop), fabs(c.value - value));
+    return (value > 0.0) != (b.value > 0.0) || fabs(value) <= 0.25 * variation;
+}
+
+/* Looks for a place between a and c where the root with value b between them is on the other side.
+ * True: something has changed in `found`. */
+static RootResult search_vertex(const RootFinder *finder, const double *p, Point a, Point b, Point c, size_t root,
+                                Sample *found)
+{
+    double time;
+    for (int iteration = 0; iteration < MAX_VERTEX_ITERATIONS && vertex(a, b, c, &time); ++iteration) {
+        if (!sample(finder, found, time))
+            return ROOTS_NOT_COMPUTABLE;
+        if (roots_first_changed(found->root, p) < model.n_relations)
+            return ROOTS_CROSSED;
+        const Point new = {time, found->root[root]};
+        const bool nearer = fabs(new.value) < fabs(b.value);
+        Point *const outer = (time < b.time) == nearer ? &c : &a;
+        *outer = nearer ? b : new;
+        b = nearer ? new : b;
+    }
+    return ROOTS_NOT_CROSSED;
+}
+
+/* Cheap test on three equidistant values before anything is searched: is there a vertex between them? */
+static bool may_touch_zero(double a, double b, double c)
+{
+    const double bend = a - 2.0 * b + c;
+    return bend * b > 0.0 && fabs(c - a) < 2.0 * fabs(bend);
+}
+
+/* A relation that changes and changes back within the step: what was found is put into `after`. */
+static RootResult search_double(const RootFinder *finder, const double *p, const Sample *start, const Sample *middle,
+                                const Sample *end, Sample *after, Sample *spare)
+{
+    RootResult result = ROOTS_NOT_CROSSED;
+    for (size_t i = 0; i < model.n_relations; ++i) {
+        const size_t k = model.relations[i].root;
+        if (k >= model.n_roots || !may_touch_zero(start->root[k], middle->root[k], end->root[k]))
+            continue;
+        const Point a = {start->time, start->root[k]}, b = {middle->time, middle->root[k]},
+                    c = {end->time, end->root[k]};
+        const RootResult here = search_vertex(finder, p, a, b, c, k, spare);
+        if (here == ROOTS_NOT_COMPUTABLE)
+            return here;
+        if (here == ROOTS_CROSSED && (result == ROOTS_NOT_CROSSED || spare->time < after->time)) {
+            swap(after, spare);
+            result = ROOTS_CROSSED;
+        }
+    }
+    return result;
+}
+
+Crossing roots_search(RootFinder *finder, const double *p, double from, double to)
+{
+    const Crossing none = {.result = ROOTS_NOT_CROSSED}, failed = {.result = ROOTS_NOT_COMPUTABLE};
+    Sample start = {from, finder->start}, middle = {0.0, finder->work[0]}, end = {0.0, finder->work[1]};
+    Sample between = {0.0, finder->work[2]}, spare = {0.0, finder->work[3]};
+    if (model.n_roots == 0)
+        return none;
+    if (!sample(finder, &end, to) || !sample(finder, &middle, from + 0.5 * (to - from)))
+        return failed;
+    const size_t at_start = roots_first_changed(start.root, p);
+    const bool changed_in_middle = roots_first_changed(middle.root, p) < model.n_relations;
+    const bool changed_at_end = roots_first_changed(end.root, p) < model.n_relations;
+    if (at_start < model.n_relations && changed_in_middle)
+        return (Crossing){.result = ROOTS_CROSSED, .time = from, .relation = at_start};
+
+    const RootResult within = search_double(finder, p, &start, &middle, &end, &between, &spare);
+    if (within == ROOTS_NOT_COMPUTABLE)
+        return failed;
+    if (within == ROOTS_CROSSED && between.time < (changed_in_middle ? middle.time : end.time))
+        return between.time < middle.time ? narrow(finder, p, start, between, middle, spare)
+                                          : narrow(finder, p, middle, between, end, spare);
+    if (changed_in_middle)
+        return narrow(finder, p, start, middle, end, spare);
+    if (changed_at_end)
+        return narrow(finder, p, middle, end, start, spare);
+    memcpy(finder->start, end.root, model.n_roots * sizeof(double));
+    return none;
+}

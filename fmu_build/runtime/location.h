@@ -1,0 +1,39 @@
+/* location.h - when the first relation changes within an integration step. */
+#ifndef LOCATION_H
+#define LOCATION_H
+
+#include "model.h"
+
+typedef struct {
+    bool (*evaluate)(void *context, double time, double *root); /* root[0..model.n_roots) within the step */
+    void *context;
+    double *start;   /* [n_roots] at the start of the step, kept from step to step */
+    double *work[4]; /* [n_roots] each */
+} RootFinder;
+
+typedef enum { ROOTS_NOT_CROSSED, ROOTS_CROSSED, ROOTS_NOT_COMPUTABLE } RootResult;
+
+typedef struct {
+    RootResult result;
+    double time;     /* just after the crossing: the relation has changed there */
+    size_t relation; /* that changed, one of them where several did */
+} Crossing;
+
+size_t roots_count(void); /* doubles in the block */
+void roots_bind(RootFinder *finder, double *block);
+
+/* Whether a relation holds for a value of its root. */
+static inline bool relation_holds(const Relation *relation, double root)
+{
+    return root < 0.0 || (root == 0.0 && relation->holds_at_zero);
+}
+
+/* Position of the first relation whose memory in p disagrees with the roots, or model.n_relations. */
+size_t roots_first_changed(const double *root, const double *p);
+
+/* The first crossing in the step from `from` to `to`, whose relations all had the side that their memories
+ * in p tell: a change between start and end, or there and back within the step. Looks at `start`, and moves
+ * it to the end of the step where nothing was crossed. */
+Crossing roots_search(RootFinder *finder, const double *p, double from, double to);
+
+#endif

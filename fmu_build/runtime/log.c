@@ -1,0 +1,69 @@
+#include "log.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { MESSAGE_SIZE = 2048 };
+
+static const char *const category_names[LOG_CATEGORY_COUNT] = {
+    [LOG_EVENTS] = "logEvents",
+    [LOG_SINGULAR_LINEAR_SYSTEMS] = "logSingularLinearSystems",
+    [LOG_NONLINEAR_SYSTEMS] = "logNonlinearSystems",
+    [LOG_DYNAMIC_STATE_SELECTION] = "logDynamicStateSelection",
+    [LOG_STATUS_WARNING] = "logStatusWarning",
+    [LOG_STATUS_DISCARD] = "logStatusDiscard",
+    [LOG_STATUS_ERROR] = "logStatusError",
+    [LOG_STATUS_FATAL] = "logStatusFatal",
+    [LOG_STATUS_PENDING] = "logStatusPending",
+    [LOG_ALL] = "logAll",
+};
+
+static const unsigned all_categories = (1u << LOG_CATEGORY_COUNT) - 1u;
+static const unsigned failures = 1u << LOG_STATUS_ERROR | 1u << LOG_STATUS_FATAL;
+static const unsigned on_without_debugging =
+    1u << LOG_STATUS_WARNING | 1u << LOG_STATUS_DISCARD | 1u << LOG_STATUS_ERROR | 1u << LOG_STATUS_FATAL;
+
+void log_init(Log *log, void *context, void (*write)(void *, Status, const char *, const char *), bool debug)
+{
+    log->context = context;
+    log->write = write;
+    log->enabled = debug ? all_categories : on_without_debugging;
+}
+
+bool log_switch(Log *log, const char *category, bool on)
+{
+    for (unsigned i = 0; i < LOG_CATEGORY_COUNT; ++i) {
+        if (strcmp(category, category_names[i]) == 0) {
+            const unsigned mask = i == LOG_ALL ? all_categories : 1u << i;
+            log->enabled = (on ? log->enabled | mask : log->enabled & ~mask) | failures;
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Importers may take a message for a printf format with FMI's "#r12#" references, so both signs are doubled. */
+static void escape(char *escaped, size_t size, const char *text)
+{
+    size_t length = 0;
+    for (; *text != '\0' && length + 3 <= size; ++text) {
+        if (*text == '%' || *text == '#')
+            escaped[length++] = *text;
+        escaped[length++] = *text;
+    }
+    escaped[length] = '\0';
+}
+
+void log_message(const Log *log, LogCategory category, Status status, const char *format, ...)
+{
+    if (log->write == NULL || !log_is_on(log, category))
+        return;
+    char text[MESSAGE_SIZE], escaped[MESSAGE_SIZE];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    escape(escaped, sizeof escaped, text);
+    log->write(log->context, status, category_names[category], escaped);
+}

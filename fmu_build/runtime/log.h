@@ -1,0 +1,48 @@
+/* log.h - messages to the importer, by FMI 2's standard log categories. */
+#ifndef LOG_H
+#define LOG_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* How a call went, in FMI's order of severity. */
+typedef enum { STATUS_OK, STATUS_WARNING, STATUS_DISCARD, STATUS_ERROR, STATUS_FATAL } Status;
+
+typedef enum {
+    LOG_EVENTS,
+    LOG_SINGULAR_LINEAR_SYSTEMS,
+    LOG_NONLINEAR_SYSTEMS,
+    LOG_DYNAMIC_STATE_SELECTION,
+    LOG_STATUS_WARNING,
+    LOG_STATUS_DISCARD,
+    LOG_STATUS_ERROR,
+    LOG_STATUS_FATAL,
+    LOG_STATUS_PENDING,
+    LOG_ALL,
+    LOG_CATEGORY_COUNT
+} LogCategory;
+
+typedef struct {
+    void *context;
+    void (*write)(void *context, Status status, const char *category, const char *message); /* may be NULL */
+    unsigned enabled; /* bit n: category n */
+} Log;
+
+/* Warnings and failures are on from the start, everything else where `debug` says so. */
+void log_init(Log *log, void *context, void (*write)(void *, Status, const char *, const char *), bool debug);
+
+/* Switches one category by its name, all of them for "logAll"; false where there is no such category.
+ * Errors cannot be switched off. */
+bool log_switch(Log *log, const char *category, bool on);
+
+#if defined __GNUC__
+__attribute__((format(printf, 4, 5)))
+#endif
+void log_message(const Log *log, LogCategory category, Status status, const char *format, ...);
+
+static inline bool log_is_on(const Log *log, LogCategory category)
+{
+    return (log->enabled >> category & 1u) != 0;
+}
+
+#endif

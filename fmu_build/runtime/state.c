@@ -1,0 +1,148 @@
+#include "state.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { FORMAT_VERSION = 1, TOKEN_SIZE = 64 };
+static const char magic[8] = {'F', 'M', 'U', 's', 't', 'a', 't', 'e'};
+static const uint32_t byte_order = 0x01020304u;
+
+typedef struct {
+    char magic[8];
+    uint32_t version, byte_order;
+    uint64_t size; /* of the whole state in bytes */
+    uint64_t checksum; /* of what follows the header */
+    char token[TOKEN_SIZE];
+} Header;
+
+typedef struct {
+    Phase phase;
+    bool co_simulation;
+    Experiment experiment;
+    Changes changed;
+    UpToDate current;
+    Progress progress;
+    StepRecord step;
+    double time, inputs_since;
+    bool inputs_active;
+} Plain;
+
+struct SavedState {
+    Header header;
+    Plain plain;
+    double block[];
+};
+
+size_t state_size(const Instance *instance)
+{
+    return sizeof(SavedState) + instance->block_count * sizeof(double);
+}
+
+/* FNV-1a. */
+static uint64_t checksum(const SavedState *state)
+{
+    const unsigned char *bytes = (const unsigned char *)state;
+    uint64_t hash = 14695981039346656037u;
+    for (size_t i = sizeof(Header); i < state->header.size; ++i)
+        hash = (hash ^ bytes[i]) * 1099511628211u;
+    return hash;
+}
+
+bool state_save(const Instance *instance, SavedState **state)
+{
+    const size_t size = state_size(instance);
+    if (*state == NULL)
+        *state = calloc(1, size);
+    SavedState *saved = *state;
+    if (saved == NULL)
+        return false;
+    memcpy(saved->header.magic, magic, sizeof magic);
+    saved->header.version = FORMAT_VERSION;
+    saved->header.byte_order = byte_order;
+    saved->header.size = size;
+    strncpy(saved->header.token, model.token, TOKEN_SIZE - 1);
+    Plain *plain = &saved->plain;
+    plain->phase = instance->phase;
+    plain->co_simulation = instance->co_simulation;
+    plain->experiment = instance->experiment;
+    plain->changed = instance->changed;
+    plain->current = instance->current;
+    plain->progress = instance->progress;
+    plain->step = instance->integrator.record;
+    plain->time = instance->values.time;
+    plain->inputs_since = instance->inputs.since;
+    plain->inputs_active = instance->inputs.active;
+    memcpy(saved->block, instance->block, instance->block_count * sizeof(double));
+    return true;
+}
+
+void state_restore(Instance *instance, const SavedState *state)
+{
+    const Plain *plain = &state->plain;
+    instance->phase = plain->phase;
+    instance->experiment = plain->experiment;
+    instance->changed = plain->changed;
+    instance->current = plain->current;
+    instance->progress = plain->progress;
+    instance->integrator.record = plain->step;
+    instance->values.time = plain->time;
+    instance->inputs.since = plain->inputs_since;
+    instance->inputs.active = plain->inputs_active;
+    memcpy(instance->block, state->block, instance->block_count * sizeof(double));
+    instance_apply_experiment(instance);
+}
+
+void state_free(SavedState *state)
+{
+    free(state);
+}
+
+void state_write(const SavedState *state, void *bytes)
+{
+    Header header = state->header;
+    header.checksum = checksum(state);
+    memcpy(bytes, state, state->header.size);
+    memcpy(bytes, &header, sizeof header);
+}
+
+static const char *fault(const Instance *instance, const Header *header, size_t size)
+{
+    if (memcmp(header->magic, magic, sizeof magic) != 0)
+        return "it is not a saved FMU state";
+    if (header->version != FORMAT_VERSION || header->byte_order != byte_order)
+        return "it was written by another version or on another kind of machine";
+    if (strncmp(header->token, model.token, TOKEN_SIZE - 1) != 0)
+        return "it belongs to another model";
+    if (size != state_size(instance) || header->size != size)
+        return "its size is wrong";
+    return NULL;
+}
+
+SavedState *state_read(const Instance *instance, const void *bytes, size_t size)
+{
+    Header header;
+    const char *why = "it is too short";
+    SavedState *state = NULL;
+    if (size >= sizeof header) {
+        memcpy(&header, bytes, sizeof header);
+        why = fault(instance, &header, size);
+    }
+    if (why == NULL) {
+        state = malloc(size);
+        if (state == NULL) {
+            why = "memory is short";
+        } else {
+            memcpy(state, bytes, size);
+            if (checksum(state) != header.checksum)
+                why = "its content is damaged";
+            else if (state->plain.co_simulation != instance->co_simulation)
+                why = "it belongs to the other of Model Exchange and Co-Simulation";
+        }
+    }
+    if (why == NULL)
+        return state;
+    free(state);
+    log_message(&instance->log, LOG_STATUS_ERROR, STATUS_ERROR, "The serialized FMU state is refused: %s.", why);
+    return NULL;
+}

@@ -1,0 +1,126 @@
+#include "variables.h"
+#include "evaluation.h"
+
+#include <math.h>
+
+static const char *const type_names[] = {[TYPE_REAL] = "Real", [TYPE_INTEGER] = "Integer", [TYPE_BOOLEAN] = "Boolean"};
+static const char *const causality_names[] = {
+    [CAUSALITY_PARAMETER] = "parameter", [CAUSALITY_CALCULATED_PARAMETER] = "calculated parameter",
+    [CAUSALITY_INPUT] = "input",         [CAUSALITY_OUTPUT] = "output",
+    [CAUSALITY_LOCAL] = "local variable", [CAUSALITY_INDEPENDENT] = "independent variable"};
+static const char *const variability_names[] = {[VARIABILITY_CONSTANT] = "constant",
+                                                [VARIABILITY_FIXED] = "fixed",
+                                                [VARIABILITY_TUNABLE] = "tunable",
+                                                [VARIABILITY_DISCRETE] = "discrete",
+                                                [VARIABILITY_CONTINUOUS] = "continuous"};
+
+const Variable *variable_find(const Instance *instance, size_t reference, ValueType type)
+{
+    if (reference >= model.n_variables) {
+        log_message(&instance->log, LOG_STATUS_ERROR, STATUS_ERROR,
+                    "There is no variable with value reference %zu; the last one is %zu.", reference,
+                    model.n_variables - 1);
+        return NULL;
+    }
+    const Variable *variable = &model.variables[reference];
+    if (variable->type != type) {
+        log_message(&instance->log, LOG_STATUS_ERROR, STATUS_ERROR, "Variable \"%s\" is of type %s, not %s.",
+                    variable->name, type_names[variable->type], type_names[type]);
+        return NULL;
+    }
+    return variable;
+}
+
+bool variable_get(Instance *instance, const Variable *variable, double *value)
+{
+    if (instance->phase == PHASE_INITIALIZATION && instance_initialize(instance) != STATUS_OK)
+        return false;
+    const Values *values = &instance->values;
+    switch (variable->store) {
+    case STORE_STATE_OR_ALGEBRAIC:
+        if (variable->index >= model.n_states && !evaluation_update_algebraics(instance))
+            return false;
+        *value = values->y[variable->index];
+        return true;
+    case STORE_PARAMETER:
+        evaluation_update_parameters(instance);
+        *value = values->p[variable->index];
+        return true;
+    case STORE_DERIVATIVE:
+        if (!evaluation_update_derivatives(instance))
+            return false;
+        *value = instance->derivatives[variable->index];
+        return true;
+    case STORE_TIME:
+        *value = values->time;
+        return true;
+    }
+    return false;
+}
+
+/* What may be set when: FMI 2.0.4, the notes to the tables of sections 3.2.3 and 4.2.4. */
+static bool is_settable_now(const Instance *instance, const Variable *variable)
+{
+    const bool input = variable->causality == CAUSALITY_INPUT;
+    switch (instance->phase) {
+    case PHASE_INSTANTIATED:
+        return input || (variable->variability != VARIABILITY_CONSTANT &&
+                         (variable->initial == INITIAL_EXACT || variable->initial == INITIAL_APPROX));
+    case PHASE_INITIALIZATION:
+        return input || (variable->variability != VARIABILITY_CONSTANT && variable->initial == INITIAL_EXACT);
+    case PHASE_EVENT:
+    case PHASE_STEP_COMPLETE:
+        return input ||
+               (variable->causality == CAUSALITY_PARAMETER && variable->variability == VARIABILITY_TUNABLE);
+    case PHASE_CONTINUOUS_TIME:
+        return input && variable->variability == VARIABILITY_CONTINUOUS;
+    default:
+        return false;
+    }
+}
+
+bool variable_may_set(const Instance *instance, const Variable *variable, double value)
+{
+    const Log *log = &instance->log;
+    if (!is_settable_now(instance, variable)) {
+        log_message(log, LOG_STATUS_ERROR, STATUS_ERROR, "Variable \"%s\", a %s %s, cannot be set %s.",
+                    variable->name, variability_names[variable->variability], causality_names[variable->causality],
+                    variable->causality == CAUSALITY_PARAMETER && variable->initial == INITIAL_EXACT &&
+                            variable->variability != VARIABILITY_CONSTANT
+                        ? "after the initialization"
+                        : "now");
+        return false;
+    }
+    if (!isfinite(value)) {
+        log_message(log, LOG_STATUS_ERROR, STATUS_ERROR, "Variable \"%s\" cannot be %g: a finite number is needed.",
+                    variable->name, value);
+        return false;
+    }
+    if (value < variable->min || value > variable->max) {
+        log_message(log, LOG_STATUS_ERROR, STATUS_ERROR,
+                    "Variable \"%s\" cannot be %.9g: the allowed range is %.9g to %.9g.", variable->name, value,
+                    variable->min, variable->max);
+        return false;
+    }
+    return true;
+}
+
+void variable_set(Instance *instance, const Variable *variable, double value)
+{
+    const bool before_start = instance->phase == PHASE_INSTANTIATED || instance->phase == PHASE_INITIALIZATION;
+    Values *values = before_start ? &instance->start : &instance->values;
+    double *place = variable->store == STORE_PARAMETER ? &values->p[variable->index] : &values->y[variable->index];
+    if (*place == value)
+        return;
+    *place = value;
+    if (before_start) {
+        instance->current.initialization = false;
+        return;
+    }
+    instance->changed.any = true;
+    if (variable->causality == CAUSALITY_PARAMETER)
+        instance->changed.parameters = instance->changed.discrete = true;
+    if (variable->variability != VARIABILITY_CONTINUOUS)
+        instance->changed.discrete = true;
+    evaluation_invalidate(instance);
+}

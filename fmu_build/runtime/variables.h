@@ -1,0 +1,20 @@
+/* variables.h - reading and setting variables by value reference, with every check that setting needs. */
+#ifndef VARIABLES_H
+#define VARIABLES_H
+
+#include "instance.h"
+
+/* The variable of a value reference; NULL, after a message, where there is none or it has another type. */
+const Variable *variable_find(const Instance *instance, size_t reference, ValueType type);
+
+/* Its present value. False, after a message, where it could not be computed. */
+bool variable_get(Instance *instance, const Variable *variable, double *value);
+
+/* Whether it may be set, now and to this value. False after a message that names variable, value and what is
+ * allowed. */
+bool variable_may_set(const Instance *instance, const Variable *variable, double value);
+
+/* Sets it; a value that it already has is no change. */
+void variable_set(Instance *instance, const Variable *variable, double value);
+
+#endif
