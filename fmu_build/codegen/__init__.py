@@ -40,4 +40,6 @@ def generate(model: rumoca.Model) -> GeneratedModel:
         default_experiment=default_experiment(lowered),
         documentation=documentation(lowered),
     )
-    return GeneratedModel(description, write_model(lowered, equations, variables, starts, functions.sources()))
+    return GeneratedModel(
+        description, write_model(lowered, equations, variables, starts, functions.sources())
+    )

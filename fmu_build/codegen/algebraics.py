@@ -18,17 +18,19 @@ from fmu_build.codegen.lowered import LoweredModel
 
 @dataclass(frozen=True, slots=True)
 class Assignment:
-    """``y[unknown] = value``"""
+    """``y[unknown] = value``."""
 
     unknown: int
     value: Expression
 
     @property
     def unknowns(self) -> tuple[int, ...]:
+        """What the step computes, as indices of y."""
         return (self.unknown,)
 
     @property
     def expressions(self) -> tuple[Expression, ...]:
+        """What the step reads."""
         return (self.value,)
 
 
@@ -42,6 +44,7 @@ class NewtonBlock:
 
     @property
     def expressions(self) -> tuple[Expression, ...]:
+        """What the step reads."""
         return self.residuals
 
 
@@ -55,7 +58,9 @@ def order(model: LoweredModel, rows: dict[int, Expression], plan: dict[str, Any]
         unknowns = tuple(block["y_indices"])
         residuals = tuple(rows[row] for row in block["rows"])
         if len(unknowns) != len(residuals):
-            raise model.refuse(f"an algebraic block has {len(residuals)} equations for {len(unknowns)} unknowns")
+            raise model.refuse(
+                f"an algebraic block has {len(residuals)} equations for {len(unknowns)} unknowns"
+            )
         steps.append(_solve(model, unknowns, residuals))
     return tuple(steps)
 
@@ -70,7 +75,9 @@ def _solve(model: LoweredModel, unknowns: tuple[int, ...], residuals: tuple[Expr
     except NotDifferentiableError as error:
         names = model.solve["solve_layout"]["solver_maps"]["names"]
         which = ", ".join(names[u] for u in unknowns)
-        raise model.refuse(f"the algebraic loop for {which} runs through a {error} without derivative") from error
+        raise model.refuse(
+            f"the algebraic loop for {which} runs through a {error} without derivative"
+        ) from error
     return NewtonBlock(unknowns, residuals, jacobian)
 
 

@@ -31,7 +31,9 @@ def documentation(model: LoweredModel) -> str:
     match = re.search(rf"\bDocumentation\s*\(\s*info\s*=\s*({_STRING})", text, re.DOTALL)
     if match is None:
         return ""
-    return re.sub(r"\\(.)", lambda m: _ESCAPES.get(m.group(1), m.group(1)), match.group(1)[1:-1], flags=re.DOTALL)
+    return re.sub(
+        r"\\(.)", lambda m: _ESCAPES.get(m.group(1), m.group(1)), match.group(1)[1:-1], flags=re.DOTALL
+    )
 
 
 def _class_text(model: LoweredModel, keep_strings: bool) -> str:
@@ -39,7 +41,9 @@ def _class_text(model: LoweredModel, keep_strings: bool) -> str:
     parent, _, name = model.name.rpartition(".")
     begin = re.compile(rf"\b(?:model|block|class)\s+{re.escape(name)}\b")
     end = re.compile(rf"\bend\s+{re.escape(name)}\s*;")
-    enclosing = re.compile(rf"\b(?:within\s+(?:[\w.]+\.)?|package\s+){re.escape(parent.rpartition('.')[2])}\b")
+    enclosing = re.compile(
+        rf"\b(?:within\s+(?:[\w.]+\.)?|package\s+){re.escape(parent.rpartition('.')[2])}\b"
+    )
     for _, _, text in model.source_files:
         blank = _SKIPPED.sub(lambda m: re.sub(r"[^\n]", " ", m.group()), text)
         first, last = begin.search(blank), end.search(blank)

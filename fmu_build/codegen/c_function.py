@@ -56,7 +56,9 @@ class FunctionBody:
             self.lines.append(f"{function}({', '.join(filter(None, (arguments, array)))});")
         self._names[node] = f"{self._calls[key]}[{result}]"
 
-    def steps(self, steps: Sequence[Step], block_names: Mapping[NewtonBlock, str], stored: Callable[[int], bool]) -> None:
+    def steps(
+        self, steps: Sequence[Step], block_names: Mapping[NewtonBlock, str], stored: Callable[[int], bool]
+    ) -> None:
         """Compute algebraic variables; those that are `stored` go into y, the others are local."""
         for step in steps:
             if isinstance(step, NewtonBlock):

@@ -76,7 +76,9 @@ class _Code:
         """Residual, Jacobian and table of each system that Newton's method solves."""
         parts = []
         for block, name in self._block_names.items():
-            signature = f"static void {name}_{{}}(double time, const double *y, const double *p, double *{{}})"
+            signature = (
+                f"static void {name}_{{}}(double time, const double *y, const double *p, double *{{}})"
+            )
             entries = [entry for row in block.jacobian for entry in row]
             for what, values in (("residual", block.residuals), ("jacobian", entries)):
                 parts.append(_function(signature.format(what, what), self._stores(what, values)))
@@ -164,15 +166,25 @@ class _Code:
             body = self._body([value])
             text = body.value(value)
             assignment = f"{slot[0]}[{self._names[slot]}] = {text};"
-            lines += ["{", *(f"    {line}" for line in (*body.lines, assignment)), "}"] if body.lines else [assignment]
+            lines += (
+                ["{", *(f"    {line}" for line in (*body.lines, assignment)), "}"]
+                if body.lines
+                else [assignment]
+            )
         return lines
 
     def _messages(self) -> list[str]:
         lines = ["switch (action) {"]
         for number, action in enumerate(self._equations.actions):
-            call, body = message_call(action, self._body([part[1] for part in action.message if not isinstance(part, str)]))
+            call, body = message_call(
+                action, self._body([part[1] for part in action.message if not isinstance(part, str)])
+            )
             lines += [f"case {number}: {{", *(f"    {line}" for line in (*body, call, "break;")), "}"]
-        return [*lines, "default:", "    text[0] = '\\0';", "}"] if self._equations.actions else ["if (size > 0) text[0] = '\\0';"]
+        return (
+            [*lines, "default:", "    text[0] = '\\0';", "}"]
+            if self._equations.actions
+            else ["if (size > 0) text[0] = '\\0';"]
+        )
 
 
 def _parts(steps: Iterable[Step]) -> list[Expression]:
@@ -205,7 +217,9 @@ def _in_order(rows: Sequence[tuple[int, Expression]]) -> list[tuple[int, Express
 
 def _function(signature: str, lines: Sequence[str]) -> str:
     """A C function; parameters that its lines do not name are marked as unused."""
-    names = [part.replace("*", " ").split()[-1] for part in signature[signature.index("(") + 1 : -1].split(",")]
+    names = [
+        part.replace("*", " ").split()[-1] for part in signature[signature.index("(") + 1 : -1].split(",")
+    ]
     text = "\n".join(lines)
     unused = [f"(void){name};" for name in names if not _mentions(text, name)]
     return "\n".join([signature, "{", *(f"    {line}" for line in (*unused, *lines)), "}", ""])

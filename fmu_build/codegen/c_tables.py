@@ -28,7 +28,12 @@ _CAUSALITIES = {
     "local": "CAUSALITY_LOCAL",
     "independent": "CAUSALITY_INDEPENDENT",
 }
-_TYPES = {"Real": "TYPE_REAL", "Integer": "TYPE_INTEGER", "Boolean": "TYPE_BOOLEAN", "Enumeration": "TYPE_INTEGER"}
+_TYPES = {
+    "Real": "TYPE_REAL",
+    "Integer": "TYPE_INTEGER",
+    "Boolean": "TYPE_BOOLEAN",
+    "Enumeration": "TYPE_INTEGER",
+}
 
 
 def tables(
@@ -65,12 +70,16 @@ def tables(
         "PeriodicClock",
         "clocks",
         [
-            f"{{{names['p', c.activation]}, " + ", ".join(f"{float(n)!r}" for n in (*c.period, *c.phase)) + "}"
+            f"{{{names['p', c.activation]}, "
+            + ", ".join(f"{float(n)!r}" for n in (*c.period, *c.phase))
+            + "}"
             for c in e.clocks
         ],
     )
     writer.array("ActionKind", "actions", [f"ACTION_{action.kind.upper()}" for action in e.actions])
-    writer.array("InitialUnknown", "initial_unknowns", [f"{{{writer.place(slot)}}}" for slot in e.initial_unknowns])
+    writer.array(
+        "InitialUnknown", "initial_unknowns", [f"{{{writer.place(slot)}}}" for slot in e.initial_unknowns]
+    )
     initial_event = "NO_SLOT" if e.initial_event is None else names["p", e.initial_event]
     counts = {
         "n_states": e.n_states,
@@ -95,11 +104,13 @@ def tables(
         f".initial_event_slot = {initial_event}",
         *(f".{name} = {name}" for name in writer.defined),
     ]
-    return "\n".join([*writer.parts, "const Model model = {", *(f"    {field}," for field in fields), "};", ""])
+    return "\n".join(
+        [*writer.parts, "const Model model = {", *(f"    {field}," for field in fields), "};", ""]
+    )
 
 
 def _follow_states(equations: Equations) -> bool:
-    """Whether some action can become due without an event: its condition reads what changes between events."""
+    """Whether some action can become due without an event: it reads what changes between events."""
     read = ex.leaves(*(action.condition for action in equations.actions))
     return any(leaf.operator in ("y", "time") for leaf in read)
 
@@ -114,7 +125,12 @@ class _Tables:
 
     def array(self, element: str, name: str, values: Sequence[str]) -> None:
         if values:
-            self.parts += [f"static const {element} {name}[] = {{", *(f"    {value}," for value in values), "};", ""]
+            self.parts += [
+                f"static const {element} {name}[] = {{",
+                *(f"    {value}," for value in values),
+                "};",
+                "",
+            ]
             self.defined.append(name)
 
     def place(self, slot: Slot) -> str:

@@ -12,7 +12,10 @@ from fmu_build.codegen.lowered import LoweredModel
 
 @dataclass(frozen=True, slots=True)
 class Clock:
-    """A periodic clock: ``p[activation]`` is 1 in the first pass at its ticks; period and phase as (num, den)."""
+    """A periodic clock: ``p[activation]`` is 1 in the first pass at its ticks.
+
+    Period and phase are fractions of seconds, (numerator, denominator).
+    """
 
     activation: int
     period: tuple[int, int]
@@ -20,7 +23,7 @@ class Clock:
 
 
 def periodic_clocks(model: LoweredModel) -> tuple[Clock, ...]:
-    """The clocks of the model; raises `UnsupportedModelError` for one that does not start at an absolute time."""
+    """The clocks of the model; raises `UnsupportedModelError` for one that is not tied to absolute time."""
     clocks = model.solve["clocks"]
     result = []
     for slot, schedule in zip(
@@ -34,7 +37,7 @@ def periodic_clocks(model: LoweredModel) -> tuple[Clock, ...]:
 
 
 def ticks_of_slots(model: LoweredModel) -> dict[Slot, int]:
-    """From the slot of a clocked variable, or of a state that is reinitialised, to the activation slot of its clock.
+    """From the slot of a clocked variable, or of a state under a clocked reinit(), to its clock's activation.
 
     The Solve IR does not carry this; it is read from the DAE's clock ownerships and guarded actions.
     """

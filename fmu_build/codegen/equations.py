@@ -69,7 +69,9 @@ class _Reader:
         self.layout = model.solve["solve_layout"]
         self.programs = ProgramReader(model, function_name)
         self.homotopy = self.layout["initial_homotopy_parameter_index"]
-        self.relations, self.unwatched = read_relations(model, self.programs, self.layout["compiled_parameter_len"])
+        self.relations, self.unwatched = read_relations(
+            model, self.programs, self.layout["compiled_parameter_len"]
+        )
 
     def equations(self) -> Equations:
         if self.layout["terminal_event_parameter_index"] is not None:
@@ -139,11 +141,13 @@ class _Reader:
             elif slot[1] in conditions:
                 kind = "condition"
             result.append(DiscreteRow(kind, slot, self._guarded_by_tick(rows[number], slot, ticks.get(slot))))
-        floors = (DiscreteRow("assign", ("p", memory), value) for value, memory in self.relations.floors.items())
+        floors = (
+            DiscreteRow("assign", ("p", memory), value) for value, memory in self.relations.floors.items()
+        )
         return (*result, *floors)
 
     def _guarded_by_tick(self, value: Expression, slot: Slot, tick: int | None) -> Expression:
-        """rumoca leaves the bodies of ``when sample(...)`` without their guard; here they get it."""
+        """The bodies of ``when sample(...)`` come from rumoca without their guard; here they get it."""
         if tick is None or ex.p(tick) in ex.leaves(value):
             return value
         return ex.select(ex.p(tick), value, ex.y(slot[1]) if slot[0] == "y" else ex.p(slot[1]))
@@ -151,7 +155,10 @@ class _Reader:
     def _condition_memories(self) -> frozenset[int]:
         """Slots behind the named variables and the pre() slots, before the relation memories."""
         pre = [binding["dest_p_index"] for binding in self.layout["pre_param_bindings"]]
-        other = {*self.layout["relation_memory_parameter_indices"], *self.solve["clocks"]["activation_parameter_indices"]}
+        other = {
+            *self.layout["relation_memory_parameter_indices"],
+            *self.solve["clocks"]["activation_parameter_indices"],
+        }
         other |= {self.layout["initial_event_parameter_index"], self.layout["terminal_event_parameter_index"]}
         first = max((n_named_slots(self.model) - 1, *pre)) + 1
         return frozenset(range(first, self.layout["compiled_parameter_len"])) - other

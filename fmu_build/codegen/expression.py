@@ -6,16 +6,18 @@ were made, so shared parts of an expression can be found by looking them up in a
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
 UNARY = frozenset(
-    "Neg Not Abs Sign Sqrt Exp Log Log10 Sin Cos Tan Asin Acos Atan Sinh Cosh Tanh Floor Ceil Trunc".split()
+    (
+        *("Neg", "Not", "Abs", "Sign", "Sqrt", "Exp", "Log", "Log10", "Floor", "Ceil", "Trunc"),
+        *("Sin", "Cos", "Tan", "Asin", "Acos", "Atan", "Sinh", "Cosh", "Tanh"),
+    )
 )
-BINARY = frozenset("Add Sub Mul Div Pow Atan2 Min Max And Or".split())
-COMPARE = frozenset("Lt Le Gt Ge Eq Ne".split())
+BINARY = frozenset(("Add", "Sub", "Mul", "Div", "Pow", "Atan2", "Min", "Max", "And", "Or"))
+COMPARE = frozenset(("Lt", "Le", "Gt", "Ge", "Eq", "Ne"))
 TRUTH = COMPARE | {"And", "Or", "Not"}
 
 Slot = tuple[Literal["y", "p"], int]
@@ -55,6 +57,7 @@ class Expression:
 
     @property
     def is_number(self) -> bool:
+        """Whether this is a literal."""
         return self.operator == "number"
 
     @property
@@ -74,14 +77,17 @@ TIME = Expression("time")
 
 
 def number(value: float) -> Expression:
+    """A literal."""
     return Expression("number", payload=float(value))
 
 
 def y(index: int) -> Expression:
+    """A state or an algebraic variable."""
     return Expression("y", payload=index)
 
 
 def p(index: int) -> Expression:
+    """A parameter, input, discrete variable or memory."""
     return Expression("p", payload=index)
 
 
@@ -95,6 +101,7 @@ _FOLD: dict[str, Callable[[float, float], float]] = {
 
 
 def negate(a: Expression) -> Expression:
+    """-a; the sign is taken off where there is one, and goes into a difference."""
     if a.is_number:
         return number(-a.value)
     if a.operator == "Sub":
@@ -103,6 +110,7 @@ def negate(a: Expression) -> Expression:
 
 
 def unary(operator: str, a: Expression) -> Expression:
+    """An operator of one argument applied."""
     if operator == "Neg":
         return negate(a)
     if operator == "Not" and a.is_number:
@@ -176,6 +184,7 @@ _SIMPLIFY: dict[str, Callable[[Expression, Expression], Expression]] = {
 
 
 def select(condition: Expression, if_true: Expression, if_false: Expression) -> Expression:
+    """One value or the other; the condition itself is gone where it decides nothing."""
     if condition.is_number:
         return if_true if condition.value != 0.0 else if_false
     if if_true == if_false:
@@ -234,21 +243,3 @@ def rebuild(node: Expression, arguments: tuple[Expression, ...]) -> Expression:
     if node.operator in BINARY:
         return binary(node.operator, *arguments)
     return Expression(node.operator, arguments, node.payload)
-
-
-def evaluate(root: Expression) -> float | None:
-    """The value of an expression of numbers only, where it is a plain arithmetic one; else None."""
-    values: dict[Expression, float] = {}
-    operations: dict[str, Callable[..., float]] = {
-        **_FOLD,
-        "Neg": lambda a: -a,
-        "Div": lambda a, b: a / b if b else math.nan,
-    }
-    for node in walk(root):
-        if node.is_number:
-            values[node] = node.value
-        elif node.operator in operations and all(a in values for a in node.arguments):
-            values[node] = operations[node.operator](*(values[a] for a in node.arguments))
-        else:
-            return None
-    return values[root]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 
 from fmu_build.codegen.equations import Equations
 from fmu_build.codegen.expression import Slot
@@ -13,38 +14,46 @@ def slot_names(model: LoweredModel, equations: Equations) -> dict[Slot, str]:
     """A C identifier for every slot: ``Y_theta``, ``P_forward_returnSpring_k_s``, ``P_pre_v`` ..."""
     names: dict[Slot, str] = {}
     taken: set[str] = set()
-
-    def name(slot: Slot, text: str) -> None:
+    for slot, text in (*_variables(model), *_memories(equations), *_others(equations)):
         if slot in names:
-            return
+            continue
         base = f"{slot[0].upper()}_{_identifier(text)}"
-        candidate, number = base, 2
-        while candidate in taken:
-            candidate, number = f"{base}_{number}", number + 1
-        taken.add(candidate)
-        names[slot] = candidate
+        names[slot] = base
+        while names[slot] in taken:
+            names[slot] = f"{base}_{slot[1]}" if names[slot] == base else f"{names[slot]}_"
+        taken.add(names[slot])
+    return names
 
+
+def _variables(model: LoweredModel) -> Iterator[tuple[Slot, str]]:
     for index, text in enumerate(model.solve["solve_layout"]["solver_maps"]["names"]):
-        name(("y", index), text)
+        yield ("y", index), text
     for variable in model.dae["variables"]:
         for scalar in variable["scalar_names"]:
             binding = model.solve["layout"]["bindings"].get(scalar, {})
             if "P" in binding:
-                name(("p", binding["P"]["index"]), scalar)
-    for index, source in equations.pre:
-        name(("p", index), f"pre_{names[source][2:]}")
+                yield ("p", binding["P"]["index"]), scalar
+
+
+def _memories(equations: Equations) -> Iterator[tuple[Slot, str]]:
     for number, relation in enumerate((*equations.relations.crossings, *equations.relations.of_time)):
-        name(("p", relation.memory), f"relation_{number}")
+        yield ("p", relation.memory), f"relation_{number}"
+    for number, memory in enumerate(equations.relations.floors.values()):
+        yield ("p", memory), f"step_{number}"
     for number, row in enumerate(equations.discrete):
         if row.kind == "condition":
-            name(row.slot, f"condition_{number}")
+            yield row.slot, f"condition_{number}"
     for number, clock in enumerate(equations.clocks):
-        name(("p", clock.activation), f"tick_{number}")
+        yield ("p", clock.activation), f"tick_{number}"
+    for index, (store, source) in equations.pre:
+        yield ("p", index), f"pre_{store}_{source}"
+
+
+def _others(equations: Equations) -> Iterator[tuple[Slot, str]]:
     if equations.initial_event is not None:
-        name(("p", equations.initial_event), "initial")
+        yield ("p", equations.initial_event), "initial"
     for index in range(equations.n_p):
-        name(("p", index), f"slot_{index}")
-    return names
+        yield ("p", index), f"slot_{index}"
 
 
 def _identifier(text: str) -> str:

@@ -23,7 +23,7 @@ class ProgramReader:
         self._function_name = function_name
 
     def read_rows(self, table: Mapping[str, Any]) -> dict[int, Expression]:
-        """A table of programs ``{"programs": [...], "output_indices": [...]}`` as {output index: expression}."""
+        """The outputs of a table of programs (its ``programs`` and ``output_indices``) by output index."""
         spans = table.get("program_spans") or [None] * len(table["programs"])
         rows: dict[int, Expression] = {}
         position = 0
@@ -88,7 +88,9 @@ class ProgramReader:
         detail = f" {fields['op']}" if "op" in fields else ""
         raise self._model.refuse(f"operation {kind}{detail} of the Solve IR is not supported", span)
 
-    def _load_range(self, fields: Mapping[str, Any], registers: dict[int, Expression], span: Span | None) -> None:
+    def _load_range(
+        self, fields: Mapping[str, Any], registers: dict[int, Expression], span: Span | None
+    ) -> None:
         if fields["lanes"] != 1 or fields["input"] not in ("Y", "P"):
             raise self._model.refuse(f"operation TensorLoad of {fields['input']} is not supported", span)
         leaf = ex.y if fields["input"] == "Y" else ex.p

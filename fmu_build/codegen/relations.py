@@ -51,6 +51,7 @@ class Relations:
 
     @property
     def time_roots(self) -> tuple[Expression, ...]:
+        """The distinct roots of relations of time, in the model's order."""
         return tuple(dict.fromkeys(relation.root for relation in self.of_time))
 
     def _add(self, to: list[Relation], root: Expression, holds_at_zero: bool) -> int:
@@ -60,7 +61,7 @@ class Relations:
         return memory
 
     def freeze_step(self, node: Expression) -> Expression:
-        """The memory of floor(u), ceil(u) or trunc(u), which change where u leaves an interval of length one."""
+        """The memory of floor(u), ceil(u) or trunc(u), which change where u leaves an interval."""
         if node not in self.floors:
             memory = ex.p(self.n_p)
             self.floors[node] = self.n_p
@@ -132,7 +133,9 @@ def _event_time(root: Expression) -> Expression | None:
     return binary("Div", negate(ex.substitute(root, {TIME: ZERO})), slope)
 
 
-def read_relations(model: LoweredModel, reader: ProgramReader, n_p: int) -> tuple[Relations, frozenset[tuple[Expression, bool]]]:
+def read_relations(
+    model: LoweredModel, reader: ProgramReader, n_p: int
+) -> tuple[Relations, frozenset[tuple[Expression, bool]]]:
     """The relations that rumoca gives a memory, and the zero crossings that it watches without one."""
     events = model.solve["events"]
     rows = reader.read_rows(events["root_conditions"])
@@ -150,7 +153,7 @@ def read_relations(model: LoweredModel, reader: ProgramReader, n_p: int) -> tupl
 
 
 def _is_step_crossing(root: Expression) -> bool:
-    """rumoca finds the steps of floor(u) where sin(pi*u) is zero."""
+    """Whether this is how rumoca finds the steps of floor(u): where sin(pi*u) is zero."""
     if root.operator != "Neg" or root.arguments[0].operator != "Sin":
         return False
     argument = root.arguments[0].arguments[0]

@@ -27,11 +27,15 @@ class Structure:
         }
 
     def outputs(self) -> tuple[Unknown, ...]:
+        """What every output depends on, in continuous time."""
         return tuple(
-            self._unknown(n, self._value(s)) for n, s in enumerate(self._variables) if s.variable.causality == "output"
+            self._unknown(n, self._value(s))
+            for n, s in enumerate(self._variables)
+            if s.variable.causality == "output"
         )
 
     def derivatives(self) -> tuple[Unknown, ...]:
+        """What every derivative depends on, in continuous time."""
         return tuple(
             self._unknown(n, self._value(s)) for n, s in enumerate(self._variables) if s.store == "derivative"
         )
@@ -42,16 +46,22 @@ class Structure:
         knowns = {
             (s.store, s.index): n
             for n, s in enumerate(self._variables)
-            if s.variable.initial == "exact" and s.variable.variability != "constant" or s.variable.causality == "input"
+            if (s.variable.initial == "exact" and s.variable.variability != "constant")
+            or s.variable.causality == "input"
         }
         states = set(range(self._equations.n_states))
         for n, s in enumerate(self._variables):
             is_state = s.store == "y" and s.index in states
-            wanted = s.variable.causality in ("output", "calculatedParameter") or is_state or s.store == "derivative"
+            wanted = (
+                s.variable.causality in ("output", "calculatedParameter")
+                or is_state
+                or s.store == "derivative"
+            )
             if wanted and s.variable.initial in ("calculated", "approx"):
                 reached = self._reach_initially(s)
                 references = sorted({knowns[place] for place in reached if place in knowns} - {n})
-                found.append(Unknown(n, tuple(references), ("dependent",) * len(references)))
+                kinds: list[DependencyKind] = ["dependent" for _ in references]
+                found.append(Unknown(n, tuple(references), tuple(kinds)))
         return tuple(found)
 
     def _value(self, stored: StoredVariable) -> Expression:
@@ -77,7 +87,7 @@ class Structure:
         return Unknown(reference, tuple(n for n, _ in dependencies), tuple(k for _, k in dependencies))
 
     def _expand(self, value: Expression) -> tuple[Expression | None, frozenset[Expression]]:
-        """The value in terms of states and p alone (None behind a Newton block), and the leaves it reaches."""
+        """The value in terms of states and p (None behind a Newton block), and the leaves it reaches."""
         reached: set[Expression] = set()
         replacements: dict[Expression, Expression] = {}
         explicit = True
@@ -113,7 +123,7 @@ class Structure:
         return "fixed" if all(item.index in self._tunable for item in read) else "dependent"
 
     def _reach_initially(self, stored: StoredVariable) -> set[tuple[str, int]]:
-        """Every slot that a value reaches at initialisation: through start values, parameters and equations."""
+        """Every slot that a value reaches at initialisation, through start values and equations."""
         starts: Mapping[ex.Slot, Expression] = dict(self._equations.start_values)
         computed = dict(self._equations.dependent_parameters)
         seen: set[tuple[str, int]] = set()

@@ -55,8 +55,10 @@ class VariableReader:
         self._baked = baked_parameters(model)
 
     def _parameters_in_use(self) -> frozenset[int]:
-        """p indices of parameters that still act after initialisation, directly or through others."""
-        used = {leaf.index for leaf in ex.leaves(*acting_expressions(self._equations)) if leaf.operator == "p"}
+        """Indices of parameters that still act after initialisation, directly or through others."""
+        used = {
+            leaf.index for leaf in ex.leaves(*acting_expressions(self._equations)) if leaf.operator == "p"
+        }
         for index, value in reversed(self._equations.dependent_parameters):
             if index in used:
                 used |= {leaf.index for leaf in ex.leaves(value) if leaf.operator == "p"}
@@ -78,7 +80,8 @@ class VariableReader:
     def _scalars(self, entry: dict[str, Any]) -> Iterator[StoredVariable]:
         if entry["value_type"]["scalar"] not in _TYPES:
             raise self._model.refuse(
-                f"variable {entry['name']} of type {entry['value_type']['scalar']}", entry["declaration"]["span"]
+                f"variable {entry['name']} of type {entry['value_type']['scalar']}",
+                entry["declaration"]["span"],
             )
         for number, name in enumerate(entry["scalar_names"]):
             binding = self._bindings.get(name)
@@ -93,7 +96,11 @@ class VariableReader:
         flat = self._model.flat["variables"].get(entry["name"], {})
         kind = _TYPES[entry["value_type"]["scalar"]]
         role = self._role(entry, slot)
-        start = self._starts.of(slot) if role.initial in ("exact", "approx") or role.causality == "input" else None
+        start = (
+            self._starts.of(slot)
+            if role.initial in ("exact", "approx") or role.causality == "input"
+            else None
+        )
         return Variable(
             name=name,
             type=kind,
@@ -117,7 +124,9 @@ class VariableReader:
         if entry["role"] in ("parameter", "constant"):
             return self._parameter_role(entry, slot)
         if entry["role"] == "input" and "." not in entry["name"]:
-            return _Role("input", "continuous" if entry["value_type"]["scalar"] == "real" else "discrete", None)
+            return _Role(
+                "input", "continuous" if entry["value_type"]["scalar"] == "real" else "discrete", None
+            )
         is_output = entry["attributes"]["causality"] == "output" and "." not in entry["name"]
         causality: Causality = "output" if is_output else "local"
         if slot[0] == "y":
@@ -141,7 +150,9 @@ class VariableReader:
 
     def _enumeration(self, name: str) -> EnumerationType:
         type_name = self._model.flat["variable_type_names"].get(name, "")
-        found = [t for t in self._starts.enumerations if t.name == type_name or t.name.endswith("." + type_name)]
+        found = [
+            t for t in self._starts.enumerations if t.name == type_name or t.name.endswith("." + type_name)
+        ]
         if not found:
             raise self._model.refuse(f"the enumeration type {type_name!r} of {name} is not known")
         return found[0]
@@ -171,9 +182,7 @@ class VariableReader:
 def _given_by_when(equations: Equations) -> frozenset[ex.Slot]:
     """Discrete variables that keep their start value until a when-clause sets them."""
     return frozenset(
-        row.slot
-        for row in equations.discrete
-        if row.kind == "assign" and _keeps_itself(row.value, row.slot)
+        row.slot for row in equations.discrete if row.kind == "assign" and _keeps_itself(row.value, row.slot)
     )
 
 
