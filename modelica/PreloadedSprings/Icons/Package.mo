@@ -1,11 +1,10 @@
 within PreloadedSprings.Icons;
-partial class Package "Icon of a package"
+partial package Package "Icon of a package"
   annotation (
     Icon(coordinateSystem(extent = {{-100, -100}, {100, 100}}), graphics = {
       Rectangle(extent = {{-100, 100}, {100, -100}}, lineColor = {128, 128, 128}, fillColor = {245, 245, 240},
-        fillPattern = FillPattern.Solid, radius = 20),
-      Line(points = {{-100, 72}, {100, 72}}, color = {128, 128, 128})}),
+        fillPattern = FillPattern.Solid, radius = 20)}),
     Documentation(info = "<html>
-<p>A sheet with a ribbon; packages add a picture of their own.</p>
+<p>A sheet with round corners. Packages that extend from it draw a picture of their own on it.</p>
 </html>"));
 end Package;

@@ -1,11 +1,11 @@
 within PreloadedSprings.Interfaces;
-partial model ForceElement "Massless element with one force that depends on its travel"
-  extends PreloadedSprings.Interfaces.Compliant;
+partial model ForceElement "Massless element with one force"
+  extends Compliant;
 equation
   flange_a.f + flange_b.f = 0;
 
   annotation (Documentation(info = "<html>
 <p>The force that enters at one flange leaves at the other. An extending class gives <code>f</code> and
-<code>E</code> as functions of <code>x</code>.</p>
+<code>E</code>.</p>
 </html>"));
 end ForceElement;

@@ -1,7 +1,7 @@
 within PreloadedSprings.Interfaces;
 connector RotationalFlange "Shaft that turns about a fixed axis"
-  PreloadedSprings.Units.Angle phi "Angle of the flange";
-  flow PreloadedSprings.Units.Torque tau "Torque that acts on the component through the flange";
+  Units.Angle phi "Angle of the flange";
+  flow Units.Torque tau "Torque that acts on the component through the flange";
 
   annotation (
     defaultComponentName = "flange",

@@ -1,7 +1,7 @@
 within PreloadedSprings.Interfaces;
 connector TranslationalFlange "Point of a body that moves along a line"
-  PreloadedSprings.Units.Position s "Position of the flange";
-  flow PreloadedSprings.Units.Force f "Force that acts on the component through the flange";
+  Units.Position s "Position of the flange";
+  flow Units.Force f "Force that acts on the component through the flange";
 
   annotation (
     defaultComponentName = "flange",

@@ -1,41 +1,116 @@
 within PreloadedSprings.Joystick;
 model Joystick "Joystick with constant damping: torque in, motion out (eq. 1)"
-  extends PreloadedSprings.Joystick.Mechanism;
-  parameter PreloadedSprings.Units.Angle theta_start = 0 "Angle at the start";
-  parameter PreloadedSprings.Units.AngularVelocity omega_start = 0 "Angular velocity at the start";
-  replaceable PreloadedSprings.Damping.Constant damping
-    constrainedby PreloadedSprings.Interfaces.DampingLaw "Damping law";
-  PreloadedSprings.Interfaces.Signals.TorqueInput T(start = 0) "Torque applied about the pivot";
-  PreloadedSprings.Interfaces.Signals.AngleOutput theta(start = theta_start, fixed = true, stateSelect = StateSelect.always) "Angle, positive forward";
-  PreloadedSprings.Interfaces.Signals.AngularVelocityOutput omega(start = omega_start, fixed = true, stateSelect = StateSelect.always) "Angular velocity";
-  PreloadedSprings.Interfaces.Signals.AngularAccelerationOutput alpha "Angular acceleration";
-  PreloadedSprings.Interfaces.Signals.PositionOutput x "Travel of the contact, positive for any angle";
-  PreloadedSprings.Interfaces.Signals.ForceOutput f_x "Contact force";
-  PreloadedSprings.Interfaces.Signals.TorqueOutput M_s "Moment of the contact force";
-  PreloadedSprings.Interfaces.Signals.TorqueOutput M_d "Damping moment";
-  PreloadedSprings.Interfaces.Signals.TorqueOutput M_g "Moment of the weight";
-  PreloadedSprings.Interfaces.Signals.RotationalDampingOutput C "Damping coefficient";
-  PreloadedSprings.Interfaces.Signals.EnergyOutput E "Energy, zero at rest in the middle";
+  extends Mechanism;
+  parameter Units.Angle theta_start = 0 "Angle at the start"
+    annotation (Dialog(group = "Start"));
+  parameter Units.AngularVelocity omega_start = 0 "Angular velocity at the start"
+    annotation (Dialog(group = "Start"));
+  replaceable Damping.Constant damping
+    constrainedby Interfaces.DampingLaw "Damping law"
+    annotation (choicesAllMatching = true, Placement(transformation(extent = {{-30, -10}, {30, 50}})));
+  Interfaces.Signals.TorqueInput T(start = 0) "Torque applied about the pivot, towards positive angles"
+    annotation (Placement(transformation(extent = {{-220, -10}, {-200, 10}}),
+      iconTransformation(extent = {{-120, -10}, {-100, 10}})));
+  Interfaces.Signals.AngleOutput theta(start = theta_start, fixed = true, nominal = 0.1,
+    stateSelect = StateSelect.always) "Angle from the neutral position, positive forward"
+    annotation (Placement(transformation(extent = {{200, 135}, {220, 155}}),
+      iconTransformation(extent = {{100, 82}, {116, 98}})));
+  Interfaces.Signals.AngularVelocityOutput omega(start = omega_start, fixed = true,
+    stateSelect = StateSelect.always) "Angular velocity"
+    annotation (Placement(transformation(extent = {{200, 100}, {220, 120}}),
+      iconTransformation(extent = {{100, 62}, {116, 78}})));
+  Interfaces.Signals.AngularAccelerationOutput alpha "Angular acceleration"
+    annotation (Placement(transformation(extent = {{200, 65}, {220, 85}}),
+      iconTransformation(extent = {{100, 42}, {116, 58}})));
+  Interfaces.Signals.PositionOutput x "Travel of the contact, positive for either direction (eq. 3)"
+    annotation (Placement(transformation(extent = {{200, -48}, {220, -28}}),
+      iconTransformation(extent = {{100, 22}, {116, 38}})));
+  Interfaces.Signals.ForceOutput f_x "Contact force along the plunger axis"
+    annotation (Placement(transformation(extent = {{200, -80}, {220, -60}}),
+      iconTransformation(extent = {{100, 2}, {116, 18}})));
+  Interfaces.Signals.TorqueOutput M_s "Moment of the contact force (eq. 5, corrected)"
+    annotation (Placement(transformation(extent = {{200, -112}, {220, -92}}),
+      iconTransformation(extent = {{100, -18}, {116, -2}})));
+  Interfaces.Signals.TorqueOutput M_d "Damping moment C*omega"
+    annotation (Placement(transformation(extent = {{200, -5}, {220, 15}}),
+      iconTransformation(extent = {{100, -38}, {116, -22}})));
+  Interfaces.Signals.TorqueOutput M_g "Moment of the weight m*g*h*sin(theta)"
+    annotation (Placement(transformation(extent = {{200, 170}, {220, 190}}),
+      iconTransformation(extent = {{100, -58}, {116, -42}})));
+  Interfaces.Signals.RotationalDampingOutput C "Damping coefficient"
+    annotation (Placement(transformation(extent = {{200, 25}, {220, 45}}),
+      iconTransformation(extent = {{100, -78}, {116, -62}})));
+  Interfaces.Signals.EnergyOutput E "Kinetic and potential energy, zero at rest in the neutral position"
+    annotation (Placement(transformation(extent = {{200, -160}, {220, -140}}),
+      iconTransformation(extent = {{100, -98}, {116, -82}})));
 protected
-  constant PreloadedSprings.Units.Angle theta_limit = PreloadedSprings.Constants.pi/2 "Angle at which the handle lies flat";
+  constant Units.Angle theta_limit = Constants.pi/2 "Angle at which the handle lies flat";
+  DrivingTorque drive "Torque from outside"
+    annotation (Placement(transformation(extent = {{-160, -20}, {-120, 20}})));
 equation
+  theta = handle.flange.phi;
   der(theta) = omega;
   der(omega) = alpha;
-  handle.theta = theta;
   handle.omega = omega;
   handle.alpha = alpha;
   damping.omega = omega;
   E = handle.E + gravity.E + forward.E + backward.E;
-  connect(T, drive.T);
-  connect(damping.flange, camPlate.flange);
-  connect(camPlate.isForward, damping.isForward);
-  connect(camPlate.x, x);
-  connect(camPlate.f_x, f_x);
-  connect(camPlate.M_s, M_s);
-  connect(damping.M_d, M_d);
-  connect(damping.coefficient, C);
-  connect(gravity.M_g, M_g);
+  connect(T, drive.T)
+    annotation (Line(points = {{-210, 0}, {-162, 0}}, color = {0, 0, 127}));
+  connect(drive.flange, handle.flange)
+    annotation (Line(points = {{-120, 0}, {-80, 0}, {-80, 110}, {-30, 110}}, color = {64, 64, 64}));
+  connect(damping.flange, handle.flange)
+    annotation (Line(points = {{-30, 20}, {-80, 20}, {-80, 110}, {-30, 110}}, color = {64, 64, 64}));
+  connect(camPlate.isForward, damping.isForward)
+    annotation (Line(points = {{0, -26}, {0, -13}}, color = {255, 0, 255}));
+  connect(gravity.M_g, M_g)
+    annotation (Line(points = {{22, 180}, {210, 180}}, color = {0, 0, 127}));
+  connect(damping.coefficient, C)
+    annotation (Line(points = {{33, 35}, {210, 35}}, color = {0, 0, 127}));
+  connect(damping.M_d, M_d)
+    annotation (Line(points = {{33, 5}, {210, 5}}, color = {0, 0, 127}));
+  connect(camPlate.x, x)
+    annotation (Line(points = {{44, -38}, {210, -38}}, color = {0, 0, 127}));
+  connect(camPlate.f_x, f_x)
+    annotation (Line(points = {{44, -70}, {210, -70}}, color = {0, 0, 127}));
+  connect(camPlate.M_s, M_s)
+    annotation (Line(points = {{44, -102}, {210, -102}}, color = {0, 0, 127}));
 initial equation
   assert(theta_start > -theta_limit and theta_start < theta_limit,
     getInstanceName() + ".theta_start must be between -pi/2 and pi/2, but is " + String(theta_start) + " rad");
+
+  annotation (
+    defaultComponentName = "joystick",
+    Icon(coordinateSystem(extent = {{-100, -100}, {100, 100}}), graphics = {
+      Text(extent = {{-96, 18}, {-56, -18}}, lineColor = {0, 0, 127}, textString = "T"),
+      Text(extent = {{70, 98}, {98, 82}}, lineColor = {0, 0, 127}, textString = "theta"),
+      Text(extent = {{70, 78}, {98, 62}}, lineColor = {0, 0, 127}, textString = "omega"),
+      Text(extent = {{70, 58}, {98, 42}}, lineColor = {0, 0, 127}, textString = "alpha"),
+      Text(extent = {{70, 38}, {98, 22}}, lineColor = {0, 0, 127}, textString = "x"),
+      Text(extent = {{70, 18}, {98, 2}}, lineColor = {0, 0, 127}, textString = "f_x"),
+      Text(extent = {{70, -2}, {98, -18}}, lineColor = {0, 0, 127}, textString = "M_s"),
+      Text(extent = {{70, -22}, {98, -38}}, lineColor = {0, 0, 127}, textString = "M_d"),
+      Text(extent = {{70, -42}, {98, -58}}, lineColor = {0, 0, 127}, textString = "M_g"),
+      Text(extent = {{70, -62}, {98, -78}}, lineColor = {0, 0, 127}, textString = "C"),
+      Text(extent = {{70, -82}, {98, -98}}, lineColor = {0, 0, 127}, textString = "E")}),
+    Diagram(coordinateSystem(extent = {{-220, -220}, {220, 220}}), graphics = {
+      Text(extent = {{60, 155}, {195, 135}}, lineColor = {64, 64, 64}, textString = "angle of the shaft"),
+      Text(extent = {{60, 120}, {195, 100}}, lineColor = {64, 64, 64}, textString = "d(theta)/dt"),
+      Text(extent = {{60, 85}, {195, 65}}, lineColor = {64, 64, 64}, textString = "d(omega)/dt"),
+      Text(extent = {{60, -140}, {195, -160}}, lineColor = {64, 64, 64}, textString = "sum of the parts' energies")}),
+    experiment(StartTime = 0, StopTime = 1.5, Tolerance = 1e-8, Interval = 1e-3),
+    Documentation(info = "<html>
+<p>The paper's joystick under a torque <code>T</code> about its pivot, eq. (1) with the torque of eq. (13):</p>
+<blockquote><code>J*alpha + C*omega + M_s = m*g*h*sin(theta) + T</code>.</blockquote>
+<p>The angle <code>theta</code> is zero in the neutral position and positive forward; it must stay between -90
+and 90 degrees. (The real joystick's stops are at about 20 degrees to either side and are not modeled.) The two
+states are <code>theta</code> and <code>omega</code>, which start from <code>theta_start</code> and
+<code>omega_start</code>. The preset values are those of the paper's Tables 1 and 2.</p>
+<p>The energy <code>E = J*omega^2/2 + m*g*h*(cos(theta) - 1)</code> plus that of the springs is computed from
+the state, not integrated. Without a torque it changes by <code>dE/dt = -C*omega^2</code> (Fig. 12).</p>
+<p>State events are the changes of the sign of <code>theta</code> and, on either side, of the contact state of
+the two springs: the beginnings <code>x_0</code> to <code>x_3</code> of the segments of Table 1.</p>
+<p>The damping law can be replaced:
+<code>Joystick(redeclare PreloadedSprings.Damping.PowerLaw damping)</code>.</p>
+</html>"));
 end Joystick;

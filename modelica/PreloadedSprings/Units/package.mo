@@ -1,6 +1,6 @@
 within PreloadedSprings;
 package Units "Physical quantities with their units and display units"
-  extends PreloadedSprings.Icons.Package;
+  extends Icons.Package;
 
   annotation (
     Icon(coordinateSystem(extent = {{-100, -100}, {100, 100}}), graphics = {

@@ -1,5 +1,5 @@
 within PreloadedSprings.Interfaces.Signals;
-connector AngleInput = input PreloadedSprings.Units.Angle "Angle as a signal going in"
+connector AngleInput = input Units.Angle "Angle as a signal going in"
   annotation (
     defaultComponentName = "theta",
     Icon(coordinateSystem(extent = {{-100, -100}, {100, 100}}), graphics = {

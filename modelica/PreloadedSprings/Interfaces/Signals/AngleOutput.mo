@@ -1,5 +1,5 @@
 within PreloadedSprings.Interfaces.Signals;
-connector AngleOutput = output PreloadedSprings.Units.Angle "Angle as a signal going out"
+connector AngleOutput = output Units.Angle "Angle as a signal going out"
   annotation (
     defaultComponentName = "theta",
     Icon(coordinateSystem(extent = {{-100, -100}, {100, 100}}), graphics = {

@@ -1,5 +1,5 @@
 within PreloadedSprings.Interfaces.Signals;
-connector AngularAccelerationInput = input PreloadedSprings.Units.AngularAcceleration "Angular acceleration as a signal going in"
+connector AngularAccelerationInput = input Units.AngularAcceleration "Angular acceleration as a signal going in"
   annotation (
     defaultComponentName = "alpha",
     Icon(coordinateSystem(extent = {{-100, -100}, {100, 100}}), graphics = {

@@ -1,5 +1,5 @@
 within PreloadedSprings.Interfaces.Signals;
-connector AngularAccelerationOutput = output PreloadedSprings.Units.AngularAcceleration "Angular acceleration as a signal going out"
+connector AngularAccelerationOutput = output Units.AngularAcceleration "Angular acceleration as a signal going out"
   annotation (
     defaultComponentName = "alpha",
     Icon(coordinateSystem(extent = {{-100, -100}, {100, 100}}), graphics = {

@@ -1,5 +1,5 @@
 within PreloadedSprings.Interfaces.Signals;
-connector AngularVelocityInput = input PreloadedSprings.Units.AngularVelocity "Angular velocity as a signal going in"
+connector AngularVelocityInput = input Units.AngularVelocity "Angular velocity as a signal going in"
   annotation (
     defaultComponentName = "omega",
     Icon(coordinateSystem(extent = {{-100, -100}, {100, 100}}), graphics = {

@@ -1,5 +1,5 @@
 within PreloadedSprings.Interfaces.Signals;
-connector AngularVelocityOutput = output PreloadedSprings.Units.AngularVelocity "Angular velocity as a signal going out"
+connector AngularVelocityOutput = output Units.AngularVelocity "Angular velocity as a signal going out"
   annotation (
     defaultComponentName = "omega",
     Icon(coordinateSystem(extent = {{-100, -100}, {100, 100}}), graphics = {

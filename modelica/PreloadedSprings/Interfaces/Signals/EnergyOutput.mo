@@ -1,5 +1,5 @@
 within PreloadedSprings.Interfaces.Signals;
-connector EnergyOutput = output PreloadedSprings.Units.Energy "Energy as a signal going out"
+connector EnergyOutput = output Units.Energy "Energy as a signal going out"
   annotation (
     defaultComponentName = "E",
     Icon(coordinateSystem(extent = {{-100, -100}, {100, 100}}), graphics = {

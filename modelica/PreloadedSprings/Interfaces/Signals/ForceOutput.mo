@@ -1,5 +1,5 @@
 within PreloadedSprings.Interfaces.Signals;
-connector ForceOutput = output PreloadedSprings.Units.Force "Force as a signal going out"
+connector ForceOutput = output Units.Force "Force as a signal going out"
   annotation (
     defaultComponentName = "f",
     Icon(coordinateSystem(extent = {{-100, -100}, {100, 100}}), graphics = {

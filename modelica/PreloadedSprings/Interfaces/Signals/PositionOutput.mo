@@ -1,5 +1,5 @@
 within PreloadedSprings.Interfaces.Signals;
-connector PositionOutput = output PreloadedSprings.Units.Position "Position as a signal going out"
+connector PositionOutput = output Units.Position "Position as a signal going out"
   annotation (
     defaultComponentName = "x",
     Icon(coordinateSystem(extent = {{-100, -100}, {100, 100}}), graphics = {

@@ -1,5 +1,5 @@
 within PreloadedSprings.Interfaces.Signals;
-connector RotationalDampingOutput = output PreloadedSprings.Units.RotationalDamping "Damping coefficient as a signal going out"
+connector RotationalDampingOutput = output Units.RotationalDamping "Damping coefficient as a signal going out"
   annotation (
     defaultComponentName = "C",
     Icon(coordinateSystem(extent = {{-100, -100}, {100, 100}}), graphics = {

@@ -1,5 +1,5 @@
 within PreloadedSprings.Interfaces.Signals;
-connector TorqueInput = input PreloadedSprings.Units.Torque "Torque as a signal going in"
+connector TorqueInput = input Units.Torque "Torque as a signal going in"
   annotation (
     defaultComponentName = "T",
     Icon(coordinateSystem(extent = {{-100, -100}, {100, 100}}), graphics = {

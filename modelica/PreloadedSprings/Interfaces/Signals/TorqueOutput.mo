@@ -1,5 +1,5 @@
 within PreloadedSprings.Interfaces.Signals;
-connector TorqueOutput = output PreloadedSprings.Units.Torque "Torque as a signal going out"
+connector TorqueOutput = output Units.Torque "Torque as a signal going out"
   annotation (
     defaultComponentName = "T",
     Icon(coordinateSystem(extent = {{-100, -100}, {100, 100}}), graphics = {

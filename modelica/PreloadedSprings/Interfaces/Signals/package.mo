@@ -1,6 +1,6 @@
 within PreloadedSprings.Interfaces;
 package Signals "Inputs and outputs that carry one number or truth value"
-  extends PreloadedSprings.Icons.Package;
+  extends Icons.Package;
 
   annotation (
     Icon(coordinateSystem(extent = {{-100, -100}, {100, 100}}), graphics = {
