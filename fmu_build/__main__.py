@@ -81,7 +81,7 @@ def main(
             )
         except BuildError as error:
             _fail(str(error))
-        except Exception as error:  # noqa: BLE001 - a fault of this program must not end in a traceback
+        except Exception as error:  # a fault of this program: still no traceback
             if verbose:
                 _messages.print_exception()
             hint = "" if verbose else " (--verbose shows where)"

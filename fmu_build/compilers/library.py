@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from importlib import resources
 from pathlib import Path
@@ -76,8 +76,13 @@ def read_classes(library: Path) -> dict[str, ModelicaClass]:
     return classes
 
 
-def not_found(model: str, library: Path, classes: dict[str, ModelicaClass]) -> ModelNotFoundError:
-    """The error for a class that is not there or is no model, with the names that come closest."""
+def not_found(
+    model: str, library: Path, classes: dict[str, ModelicaClass], syntax_errors: Sequence[str] = ()
+) -> ModelNotFoundError:
+    """The error for a class that is not there or is no model, with the names that come closest.
+
+    `syntax_errors` are told too where the class is not there: they may be what hides it.
+    """
     known = classes.get(model)
     if known is not None:
         return ModelNotFoundError(
@@ -88,7 +93,7 @@ def not_found(model: str, library: Path, classes: dict[str, ModelicaClass]) -> M
     last = model.rpartition(".")[2].lower()
     close += [name for name in models if name.rpartition(".")[2].lower() == last and name not in close]
     hint = f"; did you mean {', '.join(close)}?" if close else ""
-    return ModelNotFoundError(f"there is no model {model!r} in {library}{hint}")
+    return ModelNotFoundError("\n".join([f"there is no model {model!r} in {library}{hint}", *syntax_errors]))
 
 
 def mentions(library: Path, name: str) -> bool:

@@ -17,8 +17,9 @@ from fmu_build.compilers.library import (
     mentions,
     not_found,
     read_classes,
+    source_files,
 )
-from fmu_build.compilers.rumoca_errors import is_unknown_class, native_stderr, translated_errors
+from fmu_build.compilers.rumoca_errors import native_stderr, syntax_errors, translated_errors
 from fmu_build.description import GeneratedModel
 from fmu_build.errors import ToolchainError
 from fmu_build.packaging import check_request, package_fmu
@@ -45,34 +46,28 @@ class RumocaCompiler:
         version = self.version()
         check_request(request)
         request.on_stage(f"compiling Modelica with rumoca {version}")
-        generated, log = _generate(request)
+        generated, log = generate_model(request)
         packaged = package_fmu(generated, request)
         seconds = time.perf_counter() - start
         return BuildResult(packaged.path, self.name, version, log + packaged.log, seconds)
 
 
-def _generate(request: BuildRequest) -> tuple[GeneratedModel, str]:
-    """The C model, and what rumoca printed on the way."""
+def generate_model(request: BuildRequest) -> tuple[GeneratedModel, str]:
+    """The C model, and what rumoca printed on the way; raises as `RumocaCompiler.build` does."""
     from fmu_build.codegen import generate
 
     library = request.library or default_library()
     entry = entry_file(library)
     classes = read_classes(library)
     known = classes.get(request.model)
-    if known is not None and known.kind not in MODEL_KINDS:
-        raise not_found(request.model, library, classes)
-    file = entry if known is None else known.file
-    with native_stderr() as printed:
-        try:
-            with translated_errors(request.model, file):
-                model = _load(request.model, library, entry, classes)
-                request.on_stage("generating C")
-                generated = generate(model)
-        except Exception as error:
-            if known is None and is_unknown_class(error, request.model):
-                raise not_found(request.model, library, classes) from error
-            raise
-    return generated, printed()
+    if known is None or known.kind not in MODEL_KINDS:
+        raise not_found(request.model, library, classes, syntax_errors(source_files(library)))
+    with native_stderr() as loading, translated_errors(request.model, known.file):
+        model = _load(request.model, library, entry, classes)
+    request.on_stage("generating C")
+    with native_stderr() as generating, translated_errors(request.model, known.file):
+        generated = generate(model)
+    return generated, loading() + generating()
 
 
 def _load(model: str, library: Path, entry: Path, classes: dict[str, ModelicaClass]) -> rumoca.Model:

@@ -6,7 +6,7 @@ import os
 import re
 import sys
 import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -15,10 +15,12 @@ from fmu_build.errors import BuildError, ModelicaError, UnsupportedModelError
 _LOCATED = re.compile(r"(?P<text>[^;\[\]][^\[\]]*?) \[(?P<place>[^\[\]\n]+\.mo:\d+:\d+)\]")
 _IN_FILE = re.compile(r"^- (?P<file>.+\.mo) \[\w+\]: ", re.MULTILINE)
 _SNIPPET = re.compile(
-    r"×\s*(?P<text>[^\n]*)\n\s*╭─\[.*?:(?P<line>\d+):(?P<column>\d+)\]\n(?P<snippet>.*?)\n\s*╰─", re.DOTALL
+    r"\u00d7\s*(?P<text>[^\n]*)\n\s*╭─\[.*?:(?P<line>\d+):(?P<column>\d+)\]\n(?P<snippet>.*?)\n\s*╰─",
+    re.DOTALL,
 )
 _QUOTED = re.compile(r"[`']([A-Za-z_][\w.\[\], ]*)[`']")
 _SPAN = re.compile(r"Span \{[^}]*start: BytePos\((\d+)\), end: BytePos\((\d+)\)")
+_UNEXPLAINED = "because resolve/parse failed"
 _PHASE = re.compile(r"^\w+ failed: \S+ failed in \w+: ")
 
 
@@ -62,19 +64,15 @@ def translated_errors(model: str, file: Path) -> Iterator[None]:
         raise _panic(str(error), model, file) from error
 
 
-def is_unknown_class(error: Exception, model: str) -> bool:
-    """Whether rumoca failed because it found no class of that name."""
-    cause = str(error.__cause__)
-    return (
-        isinstance(error, ModelicaError)
-        and cause == f"{model} could not be compiled because resolve/parse failed"
-    )
+def syntax_errors(files: Iterable[Path]) -> list[str]:
+    """The first syntax error of each file that has one, with file, line, column and the line itself."""
+    return [error for file in files if (error := _syntax_error(file)) is not None]
 
 
 def _describe(text: str, model: str, file: Path) -> str:
     broken = _IN_FILE.search(text)
-    if broken is not None:
-        syntax = _syntax_error(Path(broken["file"]))
+    if broken is not None or _UNEXPLAINED in text:
+        syntax = _syntax_error(Path(broken["file"]) if broken is not None else file)
         if syntax is not None:
             return syntax
     message = _PHASE.sub("", text)

@@ -77,6 +77,10 @@ def compile_library(sources: Mapping[str, bytes], identifier: str, platform: Pla
 
 def _arguments(files: list[str], library: str, platform: Platform) -> list[str]:
     target = ["-target", platform.target, "-mcpu=baseline"]
-    # Without its own install name, a macOS library would carry the path that it was linked at.
-    name = [f"-Wl,-install_name,@rpath/{library}"] if platform.extension == ".dylib" else []
-    return ["cc", *target, *COMPILER_FLAGS, *LINKER_FLAGS, *name, "-o", library, *files, "-lm"]
+    own = {
+        # A function that is missing is an error here, not when an importer first calls it.
+        ".so": ["-Wl,-z,defs"],
+        # Without its own install name, a macOS library would carry the path that it was linked at.
+        ".dylib": [f"-Wl,-install_name,@rpath/{library}"],
+    }.get(platform.extension, [])
+    return ["cc", *target, *COMPILER_FLAGS, *LINKER_FLAGS, *own, "-o", library, *files, "-lm"]

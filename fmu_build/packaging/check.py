@@ -5,6 +5,7 @@ from __future__ import annotations
 import signal
 import subprocess
 import sys
+import tempfile
 import zipfile
 from collections.abc import Sequence
 from pathlib import Path
@@ -37,14 +38,22 @@ def check_fmu(path: Path, *, fmi_types: Sequence[FmiType], load: bool) -> str:
 
 def _load(path: Path, fmi_types: Sequence[FmiType]) -> str:
     script = Path(__file__).with_name("load_fmu.py")
-    # -P keeps the folder of the script, with its module names, out of the search path.
-    command = [sys.executable, "-P", str(script), str(path), *fmi_types]
-    try:
-        done = subprocess.run(
-            command, capture_output=True, text=True, errors="replace", timeout=_SECONDS_TO_LOAD, check=False
-        )
-    except subprocess.TimeoutExpired as error:
-        raise BuildError(f"the FMU did not load within {_SECONDS_TO_LOAD} s") from error
+    with tempfile.TemporaryDirectory(prefix="fmu_build-", ignore_cleanup_errors=True) as folder:
+        with zipfile.ZipFile(path) as archive:
+            archive.extractall(folder)
+        # -P keeps the folder of the script, with its module names, out of the search path.
+        command = [sys.executable, "-P", str(script), folder, *fmi_types]
+        try:
+            done = subprocess.run(
+                command,
+                capture_output=True,
+                text=True,
+                errors="replace",
+                timeout=_SECONDS_TO_LOAD,
+                check=False,
+            )
+        except subprocess.TimeoutExpired as error:
+            raise BuildError(f"the FMU did not load within {_SECONDS_TO_LOAD} s") from error
     output = done.stdout + done.stderr
     if done.returncode != 0:
         raise BuildError(

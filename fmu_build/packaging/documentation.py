@@ -5,10 +5,11 @@ from __future__ import annotations
 from importlib import resources
 
 from lxml import html
-from lxml.html import builder as E
+from lxml.html import builder
 
 from fmu_build.description import ModelDescription, Variable
-from fmu_build.packaging.sources import fmi_license
+from fmu_build.packaging.sources import FMI_HEADERS, fmi_license
+from fmu_build.packaging.text import xml_text
 
 _STYLE = """
 body { font-family: sans-serif; max-width: 60em; margin: 2em auto; padding: 0 1em; }
@@ -20,16 +21,18 @@ _SECTIONS = (("Parameters", "parameter"), ("Inputs", "input"), ("Outputs", "outp
 
 def index_html(description: ModelDescription, generation_tool: str) -> bytes:
     """documentation/index.html: what the model is, and its parameters, inputs and outputs with units."""
-    body = E.BODY(E.H1(description.identifier), E.P(description.description))
+    body = builder.BODY(builder.H1(description.identifier), builder.P(xml_text(description.description)))
     body.extend(_class_documentation(description.documentation))
     for title, causality in _SECTIONS:
         variables = [v for v in description.variables if v.causality == causality]
         if variables:
-            body.extend([E.H2(title), _table(variables)])
-    body.append(E.P(f"Modelica class {description.model_name}, made into an FMU by {generation_tool}."))
-    head = E.HEAD(E.META(charset="utf-8"), E.TITLE(description.identifier), E.STYLE(_STYLE))
+            body.extend([builder.H2(title), _table(variables)])
+    body.append(builder.P(f"Modelica class {description.model_name}, made into an FMU by {generation_tool}."))
+    head = builder.HEAD(
+        builder.META(charset="utf-8"), builder.TITLE(description.identifier), builder.STYLE(_STYLE)
+    )
     page: bytes = html.tostring(
-        E.HTML(head, body, lang="en"), doctype="<!DOCTYPE html>", encoding="utf-8", pretty_print=True
+        builder.HTML(head, body, lang="en"), doctype="<!DOCTYPE html>", encoding="utf-8", pretty_print=True
     )
     return page
 
@@ -41,8 +44,9 @@ def license_text() -> str:
         "This FMU consists of a model and of a runtime that carries it.\n\n"
         "The model (modelDescription.xml and sources/model.c) is under the terms that the author of its\n"
         "Modelica source gave it. The runtime (all other files in sources/, apart from the FMI headers, and\n"
-        "its part of the binaries) is under the Apache License 2.0. The FMI headers (sources/fmi2*.h) are\n"
-        "under a BSD license. Both texts follow.\n\n"
+        "its part of the binaries) is under the Apache License 2.0. The FMI headers in sources/\n"
+        f"({', '.join(FMI_HEADERS)}) are under a BSD license.\n"
+        "Both texts follow.\n\n"
         f"{'=' * 78}\nRuntime\n{'=' * 78}\n{apache}\n"
         f"{'=' * 78}\nFMI headers\n{'=' * 78}\n\n{fmi_license()}\n"
     )
@@ -52,7 +56,7 @@ def _class_documentation(text: str) -> list[html.HtmlElement]:
     """The class's own HTML, without what leads nowhere outside a Modelica tool."""
     if not text.strip():
         return []
-    division: html.HtmlElement = html.fragment_fromstring(text, create_parent="div")
+    division: html.HtmlElement = html.fragment_fromstring(xml_text(text), create_parent="div")
     for element in list(division.iter("script", "style", "img")):
         element.drop_tree()
     for link in list(division.iter("a")):
@@ -64,11 +68,16 @@ def _class_documentation(text: str) -> list[html.HtmlElement]:
 def _table(variables: list[Variable]) -> html.HtmlElement:
     has_start = any(variable.start is not None for variable in variables)
     titles = ["Name", "Default", "Unit", "Description"] if has_start else ["Name", "Unit", "Description"]
-    table = E.TABLE(E.TR(*(E.TH(title) for title in titles)))
+    table = builder.TABLE(builder.TR(*(builder.TH(title) for title in titles)))
     for variable in variables:
-        default = [E.TD(_default(variable))] if has_start else []
-        cells = [E.TD(E.CODE(variable.name)), *default, E.TD(variable.unit), E.TD(variable.description)]
-        table.append(E.TR(*cells))
+        default = [builder.TD(_default(variable))] if has_start else []
+        cells = [
+            builder.TD(builder.CODE(variable.name)),
+            *default,
+            builder.TD(variable.unit),
+            builder.TD(xml_text(variable.description)),
+        ]
+        table.append(builder.TR(*cells))
     return table
 
 

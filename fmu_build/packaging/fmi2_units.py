@@ -36,7 +36,7 @@ def distinct_display_unit(variable: Variable) -> str:
 
 
 def unit_definitions(variables: Iterable[Variable]) -> list[etree._Element]:
-    """At most one `UnitDefinitions` element with every unit of the variables, its base unit and display units.
+    """At most one `UnitDefinitions` element: every unit of the variables with base unit and display units.
 
     Raises `ModelicaError` naming the variable whose unit or display unit is not a unit.
     """

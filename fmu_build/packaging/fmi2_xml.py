@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import re
 from collections.abc import Iterable, Sequence
 from datetime import UTC, datetime
 from typing import Any
@@ -14,6 +13,7 @@ from fmu_build.compilers.base import FmiType
 from fmu_build.description import EnumerationType, ModelDescription, Unknown, Variable
 from fmu_build.errors import BuildError
 from fmu_build.packaging.fmi2_units import distinct_display_unit, unit_definitions
+from fmu_build.packaging.text import xml_text
 
 LICENSE = "See documentation/licenses/license.txt"
 
@@ -46,8 +46,6 @@ _LOG_CATEGORIES = {
     "logStatusPending": "Messages of functions that return fmi2Pending",
     "logAll": "All messages",
 }
-# XML 1.0 has no form for these characters, not even an escaped one.
-_NOT_XML = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff]")
 
 
 def model_description_xml(
@@ -219,4 +217,4 @@ def _set(element: etree._Element, **attributes: Any) -> None:
         elif isinstance(value, float):
             element.set(name, repr(value))
         elif value is not None:
-            element.set(name, _NOT_XML.sub(" ", str(value)))
+            element.set(name, xml_text(str(value)))

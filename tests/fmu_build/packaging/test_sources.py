@@ -1,0 +1,68 @@
+"""The content GUID, the token header and the licence of the FMI headers."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from fmu_build.errors import BuildError
+from fmu_build.packaging import sources
+from fmu_build.packaging.documentation import license_text
+from fmu_build.packaging.sources import c_files, collect_sources, content_guid, token_header
+
+_FLAGS = ("-O2", "-s")
+_FILES = {"a.c": b"int a;", "b.h": b""}
+_GUID = content_guid(b"<xml/>", _FILES, _FLAGS)
+
+
+def test_form_of_the_guid() -> None:
+    assert re.fullmatch(r"\{[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}\}", _GUID)
+
+
+def test_the_guid_does_not_depend_on_order() -> None:
+    assert content_guid(b"<xml/>", dict(reversed(_FILES.items())), _FLAGS) == _GUID
+
+
+@pytest.mark.parametrize(
+    ("xml", "files", "flags"),
+    [
+        (b"<xml />", _FILES, _FLAGS),
+        (b"<xml/>", _FILES | {"a.c": b"int b;"}, _FLAGS),
+        (b"<xml/>", {"a2.c": b"int a;", "b.h": b""}, _FLAGS),
+        (b"<xml/>", {"a.c": b"", "b.h": b"int a;"}, _FLAGS),
+        (b"<xml/>", {"a.c": b"int a;"}, _FLAGS),
+        (b"<xml/>", _FILES, ("-O2",)),
+        (b"<xml/>", _FILES, ("-O2-s",)),
+    ],
+)
+def test_other_content_has_another_guid(xml: bytes, files: dict[str, bytes], flags: tuple[str, ...]) -> None:
+    assert content_guid(xml, files, flags) != _GUID
+
+
+def test_token_header() -> None:
+    assert f'#define MODEL_TOKEN "{_GUID}"\n' in token_header(_GUID).decode()
+
+
+def test_sources_are_complete() -> None:
+    files = collect_sources("int model;")
+    assert files["model.c"] == b"int model;"
+    assert {"model.h", *sources.FMI_HEADERS} <= set(files)
+    assert list(files) == sorted(files)
+    assert "model.c" in c_files(files)
+    assert all(name.endswith((".c", ".h")) for name in files)
+
+
+def test_a_missing_header_says_where_it_comes_from(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sources, "FMI_HEADERS", ("fmi2Missing.h",))
+    with pytest.raises(BuildError, match=r"fmi2Missing\.h is missing.*pip install fmpy"):
+        collect_sources("")
+
+
+def test_both_licences_are_given_in_full() -> None:
+    text = license_text()
+    assert "Apache License" in text
+    assert "END OF TERMS AND CONDITIONS" in text
+    assert "Modelica Association Project" in text
+    assert "Redistributions in binary form must reproduce" in text
+    assert "ADVISED OF THE POSSIBILITY OF SUCH DAMAGE" in text
