@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from importlib import resources
 from pathlib import Path
 
-from fmu_build.errors import ModelNotFoundError
+from fmu_build.errors import ModelicaError, ModelNotFoundError
 
 DEFAULT_LIBRARY = "PreloadedSprings"
 MODEL_KINDS = ("model", "block", "class")
@@ -71,7 +71,7 @@ def read_classes(library: Path) -> dict[str, ModelicaClass]:
     """
     classes: dict[str, ModelicaClass] = {}
     for file in source_files(library):
-        for name, kind in _declarations(file.read_text("utf-8", errors="replace")):
+        for name, kind in _declarations(_read(file)):
             classes.setdefault(name, ModelicaClass(name, kind, file))
     return classes
 
@@ -99,7 +99,14 @@ def not_found(
 def mentions(library: Path, name: str) -> bool:
     """Whether the library's source has `name` as a word."""
     pattern = re.compile(rf"\b{re.escape(name)}\b")
-    return any(pattern.search(file.read_text("utf-8", errors="replace")) for file in source_files(library))
+    return any(pattern.search(_read(file)) for file in source_files(library))
+
+
+def _read(file: Path) -> str:
+    try:
+        return file.read_text("utf-8", errors="replace")
+    except OSError as error:
+        raise ModelicaError(f"cannot read {file}: {error.strerror}") from error
 
 
 def _declarations(text: str) -> Iterator[tuple[str, str]]:

@@ -88,7 +88,11 @@ def _syntax_error(file: Path) -> str | None:
     """The first syntax error of a file, with the line; the ones after it only follow from it."""
     import rumoca
 
-    for diagnostic in rumoca.validate(str(file)):
+    try:
+        diagnostics = rumoca.validate(str(file))
+    except RuntimeError as error:  # not a text file
+        return f"{file}: {error}"
+    for diagnostic in diagnostics:
         match = _SNIPPET.search(diagnostic.message)
         if match is not None:
             return f"{file}:{match['line']}:{match['column']}: {match['text']}\n{match['snippet']}"

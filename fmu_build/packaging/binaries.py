@@ -31,6 +31,8 @@ COMPILER_FLAGS = (
 LINKER_FLAGS = ("-shared", "-fPIC", "-s")
 # Search paths of the user's own compilers, which clang would read too.
 _FOREIGN_PATHS = ("CPATH", "C_INCLUDE_PATH", "LIBRARY_PATH", "SDKROOT")
+# Where zig looks for its cache, in this order.
+_CACHE_PLACES = ("ZIG_GLOBAL_CACHE_DIR", "XDG_CACHE_HOME", "HOME", "LOCALAPPDATA")
 
 
 def toolchain_version() -> str:
@@ -52,8 +54,7 @@ def compile_library(sources: Mapping[str, bytes], identifier: str, platform: Pla
         for name, content in sources.items():
             (work / name).write_bytes(content)
         command = [sys.executable, "-m", "ziglang", *_arguments(c_files(sources), library, platform)]
-        environment = {name: value for name, value in os.environ.items() if name not in _FOREIGN_PATHS}
-        environment["ZIG_LOCAL_CACHE_DIR"] = str(work / ".zig-cache")
+        environment = _environment(work / ".zig-cache")
         try:
             done = subprocess.run(
                 command,
@@ -73,6 +74,22 @@ def compile_library(sources: Mapping[str, bytes], identifier: str, platform: Pla
                 f"the C compiler failed for {platform.name} with exit code {done.returncode}\n{log}".rstrip()
             )
         return (work / library).read_bytes(), log
+
+
+def _environment(cache: Path) -> dict[str, str]:
+    """This process's, with zig's cache of the build in `cache`.
+
+    zig keeps the C library that it builds once in the user's cache folder. Where there is none that can be
+    written, as in many containers, it builds it anew in `cache`.
+    """
+    environment = {name: value for name, value in os.environ.items() if name not in _FOREIGN_PATHS}
+    environment["ZIG_LOCAL_CACHE_DIR"] = str(cache)
+    user = next((environment[name] for name in _CACHE_PLACES if environment.get(name)), None)
+    if user is None or not os.access(
+        next(p for p in (Path(user), *Path(user).parents) if p.exists()), os.W_OK
+    ):
+        environment["ZIG_GLOBAL_CACHE_DIR"] = str(cache)
+    return environment
 
 
 def _arguments(files: list[str], library: str, platform: Platform) -> list[str]:

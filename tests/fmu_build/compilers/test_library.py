@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from fmu_build.compilers.library import default_library, entry_file, mentions, not_found, read_classes
-from fmu_build.errors import ModelNotFoundError
+from fmu_build.errors import ModelicaError, ModelNotFoundError
 
 _ONE_FILE = """
 within Lib.Sub;
@@ -61,6 +61,12 @@ def test_classes_of_one_file(tmp_path: Path) -> None:
 def test_incomplete_files_do_not_stop_the_reader(tmp_path: Path, text: str) -> None:
     (tmp_path / "A.mo").write_text(text)
     assert set(_names(tmp_path / "A.mo")) <= {"A"}
+
+
+def test_a_file_that_cannot_be_read(tmp_path: Path) -> None:
+    (tmp_path / "A.mo").symlink_to(tmp_path / "missing.mo")
+    with pytest.raises(ModelicaError, match=r"cannot read .*A\.mo: No such file"):
+        read_classes(tmp_path)
 
 
 def test_classes_of_a_package_folder(tmp_path: Path) -> None:

@@ -156,6 +156,8 @@ def test_a_file_that_is_not_text(tmp_path: Path) -> None:
     file.write_bytes(b'model M "\xff"\nend M;\n')
     with pytest.raises(ModelicaError, match=r"M\.mo: .*UTF-8"):
         _generate("M", file)
+    with pytest.raises(ModelNotFoundError, match=r"(?s)no model 'N'.*M\.mo: .*UTF-8"):
+        _generate("N", file)
 
 
 def test_an_interruption_passes(library: Path, monkeypatch: pytest.MonkeyPatch) -> None:

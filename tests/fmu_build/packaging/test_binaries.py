@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.util
+import os
 import re
 import sys
 import tempfile
@@ -69,6 +70,20 @@ def test_a_library_path_of_the_user_is_not_read(monkeypatch: pytest.MonkeyPatch,
     sources = {"a.c": b'#if __has_include("trap.h")\n#error found\n#endif\nint a;'}
     monkeypatch.setenv("CPATH", str(tmp_path))
     compile_library(sources, "Model", _LINUX)
+
+
+@pytest.mark.parametrize("home", [None, "/proc/no-home"])
+def test_a_cache_folder_of_its_own_where_the_user_has_none(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, home: str | None
+) -> None:
+    for name in ("ZIG_GLOBAL_CACHE_DIR", "XDG_CACHE_HOME", "HOME", "LOCALAPPDATA"):
+        monkeypatch.delenv(name, raising=False)
+    if home is not None:
+        monkeypatch.setenv("HOME", home)
+    monkeypatch.setattr(os, "access", lambda path, mode: str(path) != "/proc")
+    assert binaries._environment(tmp_path)["ZIG_GLOBAL_CACHE_DIR"] == str(tmp_path)
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "new"))
+    assert "ZIG_GLOBAL_CACHE_DIR" not in binaries._environment(tmp_path)
 
 
 def test_warnings_are_in_the_log() -> None:
