@@ -1,6 +1,6 @@
 within PreloadedSprings;
 package Icons "Icons that several classes share"
-  extends Icons.Package;
+  extends PreloadedSprings.Icons.Package;
 
   annotation (
     Icon(coordinateSystem(extent = {{-100, -100}, {100, 100}}), graphics = {

@@ -30,8 +30,8 @@ equation
   isForward = flange.phi > 0;
   x = if isForward then flange_forward.s else flange_backward.s;
   f_x = -(flange_forward.f + flange_backward.f);
-  assert(noEvent(abs(flange.phi) < phi_limit), getInstanceName() + ": the angle must stay between -pi/2 and pi/2, but is "
-     + String(flange.phi) + " rad");
+  assert(noEvent(abs(flange.phi) < phi_limit), getInstanceName() + ": the angle must stay between -pi/2 and pi/2, "
+     + "but is " + String(flange.phi) + " rad");
 initial equation
   assert(a > 0, getInstanceName() + ".a must be positive, but is " + String(a) + " m");
   assert(b >= 0, getInstanceName() + ".b must not be negative, but is " + String(b) + " m");

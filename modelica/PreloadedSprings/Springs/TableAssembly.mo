@@ -27,7 +27,8 @@ initial equation
        + String(i - 1) + "] = " + String(x_i[i - 1]) + " m, but is " + String(x_i[i]) + " m");
   end for;
   for i in 1:n loop
-    assert(k_i[i] > 0, getInstanceName() + ".k_i[" + String(i) + "] must be positive, but is " + String(k_i[i]) + " N/m");
+    assert(k_i[i] > 0, getInstanceName() + ".k_i[" + String(i) + "] must be positive, but is " + String(k_i[i])
+       + " N/m");
   end for;
 
   annotation (

@@ -1,5 +1,9 @@
 within PreloadedSprings.Units;
-type MomentOfInertia = Real(final quantity = "MomentOfInertia", final unit = "kg.m2", displayUnit = "kg.m2", min = 0) "Mass moment of inertia"
+type MomentOfInertia = Real(
+  final quantity = "MomentOfInertia",
+  final unit = "kg.m2",
+  displayUnit = "kg.m2",
+  min = 0) "Mass moment of inertia"
   annotation (Documentation(info = "<html>
 <p>Mass moments of inertia are in kg.m2.</p>
 </html>"));

@@ -1,5 +1,9 @@
 within PreloadedSprings.Units;
-type Stiffness = Real(final quantity = "TranslationalSpringConstant", final unit = "N/m", displayUnit = "N/mm", min = 0) "Stiffness of a spring or of a restraint"
+type Stiffness = Real(
+  final quantity = "TranslationalSpringConstant",
+  final unit = "N/m",
+  displayUnit = "N/mm",
+  min = 0) "Stiffness of a spring or of a restraint"
   annotation (Documentation(info = "<html>
 <p>Stiffnesses are in N/m and shown in N/mm.</p>
 </html>"));

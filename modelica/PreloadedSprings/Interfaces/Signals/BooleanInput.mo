@@ -3,9 +3,11 @@ connector BooleanInput = input Boolean "Truth value as a signal going in"
   annotation (
     defaultComponentName = "isForward",
     Icon(coordinateSystem(extent = {{-100, -100}, {100, 100}}), graphics = {
-      Polygon(points = {{-100, 100}, {100, 0}, {-100, -100}, {-100, 100}}, lineColor = {255, 0, 255}, fillColor = {255, 0, 255}, fillPattern = FillPattern.Solid)}),
+      Polygon(points = {{-100, 100}, {100, 0}, {-100, -100}, {-100, 100}}, lineColor = {255, 0, 255},
+        fillColor = {255, 0, 255}, fillPattern = FillPattern.Solid)}),
     Diagram(coordinateSystem(extent = {{-100, -100}, {100, 100}}), graphics = {
-      Polygon(points = {{0, 50}, {100, 0}, {0, -50}, {0, 50}}, lineColor = {255, 0, 255}, fillColor = {255, 0, 255}, fillPattern = FillPattern.Solid),
+      Polygon(points = {{0, 50}, {100, 0}, {0, -50}, {0, 50}}, lineColor = {255, 0, 255},
+        fillColor = {255, 0, 255}, fillPattern = FillPattern.Solid),
       Text(extent = {{-10, 85}, {-10, 60}}, lineColor = {255, 0, 255}, textString = "%name")}),
     Documentation(info = "<html>
 <p>A truth value. It changes at events only.</p>
