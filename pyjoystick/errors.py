@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Iterable
+from pathlib import Path
 
 
 class PyJoystickError(Exception):
@@ -36,13 +37,15 @@ class ParameterError(PyJoystickError, ValueError):
         return ParameterError(f"{parent}.{self.field}", self.value, self.allowed, self.hint)
 
 
-class UnknownParameterError(PyJoystickError, KeyError):
-    """No parameter has the given name; the message lists the nearest known names.
+class UnknownNameError(PyJoystickError, KeyError):
+    """Nothing has the given name; the message lists the nearest known names.
 
     Attributes:
         name: the name that was given
         known: the names that exist
     """
+
+    kind = "name"
 
     def __init__(self, name: str, known: Iterable[str]) -> None:
         self.name = name
@@ -50,9 +53,31 @@ class UnknownParameterError(PyJoystickError, KeyError):
         super().__init__(name, self.known)
 
     def __str__(self) -> str:
+        return f"there is no {self.kind} {self.name!r}; {self._advice()}"
+
+    def _advice(self) -> str:
         near = difflib.get_close_matches(self.name, self.known, n=3, cutoff=0.5)
-        names = f"did you mean {' or '.join(near)}?" if near else f"known are {', '.join(self.known)}"
-        return f"there is no parameter {self.name!r}; {names}"
+        return (
+            f"did you mean {' or '.join(near)}?" if near else f"known are {', '.join(self.known) or 'none'}"
+        )
+
+
+class UnknownParameterError(UnknownNameError):
+    """No parameter has the given name."""
+
+    kind = "parameter"
+
+
+class UnknownVariableError(UnknownNameError):
+    """No variable that can be an output has the given name."""
+
+    kind = "variable"
+
+
+class UnknownInputError(UnknownNameError):
+    """No input has the given name."""
+
+    kind = "input"
 
 
 class SimulationError(PyJoystickError, RuntimeError):
@@ -87,3 +112,20 @@ class SeriesError(PyJoystickError, ValueError):
 
     def __str__(self) -> str:
         return f"series {self.series!r}: {self.reason}"
+
+
+class OutputFileError(PyJoystickError):
+    """A result cannot be written; what was there before is still there.
+
+    Attributes:
+        path: the file
+        reason: why it cannot be written
+    """
+
+    def __init__(self, path: Path, reason: str) -> None:
+        super().__init__(path, reason)
+        self.path = path
+        self.reason = reason
+
+    def __str__(self) -> str:
+        return f"cannot write {self.path}: {self.reason}"

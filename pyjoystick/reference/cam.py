@@ -18,6 +18,7 @@ def contact_travel(parameters: JoystickParameters, theta: ArrayLike) -> FloatArr
     With t = tan(|theta|/2) this is 2*t*(a - b*t)/(1 - t^2), which has no cancellation near theta = 0.
 
     Args:
+        parameters: the joystick
         theta: angle (rad), any shape, |theta| < pi/2; NaN gives NaN
 
     Returns:
@@ -34,6 +35,7 @@ def contact_travel_slope(parameters: JoystickParameters, theta: ArrayLike) -> Fl
     """Derivative of eq. (3): dx/dtheta = (a*sign(theta) - b*sin(theta))/cos(theta)^2.
 
     Args:
+        parameters: the joystick
         theta: angle (rad), any shape, |theta| < pi/2; NaN gives NaN
 
     Returns:

@@ -47,12 +47,12 @@ class Step(NamedTuple):
     latest: float
 
     def at(self, length: float) -> tuple[float, float]:
-        """theta (rad) and omega (rad/s) after one step of `length` (s)."""
+        """Angle (rad) and angular velocity (rad/s) after one step of `length` (s)."""
         rates, accelerations = self._stages(length)
         return self._ends(length, rates, accelerations)
 
     def with_error(self, length: float) -> tuple[float, float, float]:
-        """theta, omega and the larger of their estimated errors (rad, rad/s) after a step of `length` (s)."""
+        """Both, and the larger of their estimated errors (rad, rad/s) after a step of `length` (s)."""
         rates, accelerations = self._stages(length)
         theta, omega = self._ends(length, rates, accelerations)
         error = max(_error(length, rates), _error(length, accelerations))

@@ -183,7 +183,7 @@ def _without_hidden_turn(
 
 
 def _may_turn_twice(step: Step, heading: int, length: float, theta: float, omega: float) -> bool:
-    """omega leaves zero and is beyond it again, or falls and rises so much that its cubic dips below zero."""
+    """Whether omega leaves zero and comes back beyond it, or dips so low that its cubic passes zero."""
     start, end = step.omega * heading, omega * heading
     if end < 0.0:
         return start == 0.0
