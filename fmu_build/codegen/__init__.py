@@ -2,32 +2,35 @@
 
 from __future__ import annotations
 
-import rumoca
-
 from fmu_build.codegen.annotations import default_experiment, documentation
+from fmu_build.codegen.baked import baked_parameters
 from fmu_build.codegen.c_model import write_model
 from fmu_build.codegen.compact import compact
 from fmu_build.codegen.equations import n_named_slots, read_equations
 from fmu_build.codegen.functions import FunctionLibrary
 from fmu_build.codegen.lowered import lower
+from fmu_build.codegen.refusals import refuse_unfaithful
+from fmu_build.codegen.source import ModelSource
 from fmu_build.codegen.start_values import StartValues
 from fmu_build.codegen.structure import Structure
 from fmu_build.codegen.variables import VariableReader
 from fmu_build.description import GeneratedModel, ModelDescription
 
-__all__ = ["generate"]
+__all__ = ["ModelSource", "generate"]
 
 
-def generate(model: rumoca.Model) -> GeneratedModel:
+def generate(source: ModelSource) -> GeneratedModel:
     """The C source and the description of a compiled model.
 
     Raises `UnsupportedModelError`, naming construct and source line, for what cannot be carried faithfully.
     """
-    lowered = lower(model)
+    lowered = lower(source.model)
+    refuse_unfaithful(lowered)
     functions = FunctionLibrary(lowered)
     equations = compact(read_equations(lowered, functions.name_of), n_named_slots(lowered))
     starts = StartValues(lowered)
-    variables = VariableReader(lowered, equations, starts).read()
+    baked = baked_parameters(source, lowered, starts)
+    variables = VariableReader(lowered, equations, starts, baked).read()
     structure = Structure(equations, variables)
     description = ModelDescription(
         model_name=lowered.name,

@@ -5,10 +5,9 @@ from __future__ import annotations
 import re
 
 from fmu_build.codegen.lowered import LoweredModel
+from fmu_build.codegen.source_text import STRING, blanked
 from fmu_build.description import DefaultExperiment
 
-_STRING = r'"(?:[^"\\]|\\.)*"'
-_SKIPPED = re.compile(rf"{_STRING}|//[^\n]*|/\*.*?\*/", re.DOTALL)
 _ESCAPES = {"n": "\n", "t": "\t", "r": "\r"}
 
 
@@ -28,7 +27,7 @@ def default_experiment(model: LoweredModel) -> DefaultExperiment:
 def documentation(model: LoweredModel) -> str:
     """The HTML of the ``Documentation`` annotation, an empty string where there is none."""
     text = _class_text(model, keep_strings=True)
-    match = re.search(rf"\bDocumentation\s*\(\s*info\s*=\s*({_STRING})", text, re.DOTALL)
+    match = re.search(rf"\bDocumentation\s*\(\s*info\s*=\s*({STRING})", text, re.DOTALL)
     if match is None:
         return ""
     return re.sub(
@@ -45,7 +44,7 @@ def _class_text(model: LoweredModel, keep_strings: bool) -> str:
         rf"\b(?:within\s+(?:[\w.]+\.)?|package\s+){re.escape(parent.rpartition('.')[2])}\b"
     )
     for _, _, text in model.source_files:
-        blank = _SKIPPED.sub(lambda m: re.sub(r"[^\n]", " ", m.group()), text)
+        blank = blanked(text)
         first, last = begin.search(blank), end.search(blank)
         if first and last and (not parent or enclosing.search(blank)):
             return (text if keep_strings else blank)[first.start() : last.end()]

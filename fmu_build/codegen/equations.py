@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
 from fmu_build.codegen import expression as ex
 from fmu_build.codegen.algebraics import Step, order
 from fmu_build.codegen.clocks import Clock, periodic_clocks, ticks_of_slots
+from fmu_build.codegen.dae_expression import parameter_expression
 from fmu_build.codegen.expression import Expression, Slot
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.programs import FunctionNames, ProgramReader
@@ -200,7 +201,23 @@ class _Reader:
                 dependent.append((slot[1], rows[number]))
             else:
                 starts.append((slot, rows[number]))
-        return tuple(dependent), tuple(starts)
+        return tuple(dependent), (*starts, *self._discrete_starts())
+
+    def _discrete_starts(self) -> Iterator[tuple[Slot, Expression]]:
+        """Start values of discrete variables that depend on parameters, which the Solve IR leaves out."""
+        bindings = self.solve["layout"]["bindings"]
+        for variable in self.model.dae["variables"]:
+            start = variable["attributes"]["start"]
+            if not variable["role"].startswith("discrete") or start is None:
+                continue
+            value = parameter_expression(self.model, start)
+            if value is None and not variable["value_type"]["dimensions"]:
+                span = variable["declaration"]["span"]
+                raise self.model.refuse(
+                    f"the start value of {variable['name']} is not plain arithmetic", span
+                )
+            if value is not None and not value.is_number:
+                yield _slot(bindings[variable["name"]]), value
 
     def _initial_equations(self) -> tuple[tuple[Slot, ...], tuple[Expression, ...]]:
         initialization = self.solve["initialization"]

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from fmu_build.codegen import expression as ex
+from fmu_build.codegen import tensors
 from fmu_build.codegen.expression import Expression
 from fmu_build.codegen.lowered import LoweredModel
 
@@ -13,6 +14,14 @@ Operation = Mapping[str, Any]
 Span = dict[str, int]
 FunctionNames = Callable[[Mapping[str, Any], Span | None], str]
 """From a call site of the IR, and the span of the equation it stands in, to the name of the C function."""
+
+
+_TENSOR_OPERATIONS: dict[str, Callable[[tensors.Fields, tensors.Registers], None]] = {
+    "TensorLoad": tensors.load,
+    "TensorBinary": tensors.elementwise,
+    "MatrixMultiply": tensors.matrix_product,
+    "TensorTranspose": tensors.transposed,
+}
 
 
 class ProgramReader:
@@ -56,8 +65,14 @@ class ProgramReader:
                     outputs.extend(
                         registers[fields["start"] + i * fields["stride"]] for i in range(fields["count"])
                     )
-                case "TensorLoad":
-                    self._load_range(fields, registers, span)
+                case "Move":
+                    registers[fields["dst"]] = registers[fields["src"]]
+                case "LoadIndexedRegister":
+                    registers[fields["dst"]] = tensors.element(fields, registers)
+                case _ if kind in _TENSOR_OPERATIONS:
+                    if fields.get("lanes", 1) != 1 or fields.get("input", "P") not in ("Y", "P"):
+                        raise self._model.refuse(f"this form of operation {kind} is not supported", span)
+                    _TENSOR_OPERATIONS[kind](fields, registers)
                 case "FunctionConditional":
                     self._conditional(fields, registers, span)
                 case "PureCall":
@@ -87,15 +102,6 @@ class ProgramReader:
                 return ex.select(*(registers[fields[name]] for name in ("cond", "if_true", "if_false")))
         detail = f" {fields['op']}" if "op" in fields else ""
         raise self._model.refuse(f"operation {kind}{detail} of the Solve IR is not supported", span)
-
-    def _load_range(
-        self, fields: Mapping[str, Any], registers: dict[int, Expression], span: Span | None
-    ) -> None:
-        if fields["lanes"] != 1 or fields["input"] not in ("Y", "P"):
-            raise self._model.refuse(f"operation TensorLoad of {fields['input']} is not supported", span)
-        leaf = ex.y if fields["input"] == "Y" else ex.p
-        for i in range(fields["count"]):
-            registers[fields["dst_start"] + i] = leaf(fields["input_start"] + i)
 
     def _conditional(
         self, fields: Mapping[str, Any], registers: dict[int, Expression], span: Span | None

@@ -34,6 +34,13 @@ class StartValues:
             for name, members in sorted(literals.items(), key=lambda item: -len(item[0]))
         )
 
+    def enumeration_of(self, type_name: str) -> EnumerationType | None:
+        """The enumeration of that name, which may lack the packages around it."""
+        for enumeration in self.enumerations:
+            if enumeration.name == type_name or enumeration.name.endswith(f".{type_name}"):
+                return enumeration
+        return None
+
     def _read(self) -> dict[Slot, float]:
         bindings = self._model.solve["layout"]["bindings"]
         values: dict[Slot, float] = {}

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 from fmu_build.codegen import expression as ex
-from fmu_build.codegen.baked import baked_parameters
 from fmu_build.codegen.equations import Equations, acting_expressions
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.start_values import StartValues
@@ -43,7 +42,9 @@ class _Role:
 class VariableReader:
     """Reads the variables of one model in the order of their declaration."""
 
-    def __init__(self, model: LoweredModel, equations: Equations, starts: StartValues) -> None:
+    def __init__(
+        self, model: LoweredModel, equations: Equations, starts: StartValues, baked: frozenset[str]
+    ) -> None:
         self._model = model
         self._equations = equations
         self._starts = starts
@@ -52,7 +53,7 @@ class VariableReader:
         self._started = {slot for slot, _ in equations.start_values} | set(equations.initial_unknowns)
         self._tunable = self._parameters_in_use()
         self._given = _given_by_when(equations)
-        self._baked = baked_parameters(model)
+        self._baked = baked
 
     def _parameters_in_use(self) -> frozenset[int]:
         """Indices of parameters that still act after initialisation, directly or through others."""
@@ -150,12 +151,10 @@ class VariableReader:
 
     def _enumeration(self, name: str) -> EnumerationType:
         type_name = self._model.flat["variable_type_names"].get(name, "")
-        found = [
-            t for t in self._starts.enumerations if t.name == type_name or t.name.endswith("." + type_name)
-        ]
-        if not found:
+        found = self._starts.enumeration_of(type_name)
+        if found is None:
             raise self._model.refuse(f"the enumeration type {type_name!r} of {name} is not known")
-        return found[0]
+        return found
 
     def _derivatives(self, stored: list[StoredVariable]) -> Iterator[StoredVariable]:
         """der(state) for every state, visible or not: FMI's ModelStructure needs a variable for each."""

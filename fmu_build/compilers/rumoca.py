@@ -54,7 +54,7 @@ class RumocaCompiler:
 
 def generate_model(request: BuildRequest) -> tuple[GeneratedModel, str]:
     """The C model, and what rumoca printed on the way; raises as `RumocaCompiler.build` does."""
-    from fmu_build.codegen import generate
+    from fmu_build.codegen import ModelSource, generate
 
     library = request.library or default_library()
     entry = entry_file(library)
@@ -63,14 +63,16 @@ def generate_model(request: BuildRequest) -> tuple[GeneratedModel, str]:
     if known is None or known.kind not in MODEL_KINDS:
         raise not_found(request.model, library, classes, syntax_errors(source_files(library)))
     with native_stderr() as loading, translated_errors(request.model, known.file):
-        model = _load(request.model, library, entry, classes)
+        session = _session(library, classes)
+        model = session.load(str(entry), model=request.model)
     request.on_stage("generating C")
     with native_stderr() as generating, translated_errors(request.model, known.file):
-        generated = generate(model)
+        generated = generate(ModelSource(session, model))
     return generated, loading() + generating()
 
 
-def _load(model: str, library: Path, entry: Path, classes: dict[str, ModelicaClass]) -> rumoca.Model:
+def _session(library: Path, classes: dict[str, ModelicaClass]) -> rumoca.Session:
+    """A session that knows this project's library where the user's own library mentions it."""
     import rumoca
 
     roots = []
@@ -81,4 +83,4 @@ def _load(model: str, library: Path, entry: Path, classes: dict[str, ModelicaCla
         # rumoca reads a root only when the text that it is given mentions it, and package.mo of a package
         # does not mention what its models use.
         session.loads(f"model Import import {DEFAULT_LIBRARY}; end Import;", model="Import")
-    return session.load(str(entry), model=model)
+    return session

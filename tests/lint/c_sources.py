@@ -14,7 +14,7 @@ from pathlib import Path
 import fmpy
 import rumoca
 
-from fmu_build.codegen import generate
+from fmu_build.codegen import ModelSource, generate
 from fmu_build.compilers.library import default_library, entry_file
 
 STRICT = ("-std=c11", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-O2", "-c")
@@ -42,7 +42,7 @@ def _generated(folder: Path) -> list[Path]:
         session = rumoca.Session()
         loaded = session.load(str(entry_file(default_library())), model=f"PreloadedSprings.Joystick.{model}")
         files.append(folder / f"{model}.c")
-        files[-1].write_text(generate(loaded).c_source)
+        files[-1].write_text(generate(ModelSource(session, loaded)).c_source)
     return files
 
 

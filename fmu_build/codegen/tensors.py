@@ -1,0 +1,70 @@
+"""Operations of the Solve IR on ranges of registers, spelled out element by element."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, MutableMapping
+from functools import reduce
+from itertools import product
+from typing import Any
+
+from fmu_build.codegen import expression as ex
+from fmu_build.codegen.expression import ONE, ZERO, Expression, binary
+
+Fields = Mapping[str, Any]
+Registers = MutableMapping[int, Expression]
+
+
+def load(fields: Fields, registers: Registers) -> None:
+    """A range of y or p."""
+    leaf = ex.y if fields["input"] == "Y" else ex.p
+    for i in range(fields["count"]):
+        registers[fields["dst_start"] + i] = leaf(fields["input_start"] + i)
+
+
+def elementwise(fields: Fields, registers: Registers) -> None:
+    """An operator between two arrays, or an array and a scalar (stride 0)."""
+    for i in range(fields["count"]):
+        a = registers[fields["lhs_start"] + i * fields["lhs_stride"]]
+        b = registers[fields["rhs_start"] + i * fields["rhs_stride"]]
+        registers[fields["dst_start"] + i] = binary(fields["op"], a, b)
+
+
+def matrix_product(fields: Fields, registers: Registers) -> None:
+    """Row-major matrices, rows by inner and inner by columns."""
+    rows, inner, columns = fields["rows"], fields["inner"], fields["columns"]
+    for i, j in product(range(rows), range(columns)):
+        terms = (
+            binary(
+                "Mul",
+                registers[fields["lhs_start"] + i * inner + k],
+                registers[fields["rhs_start"] + k * columns + j],
+            )
+            for k in range(inner)
+        )
+        registers[fields["dst_start"] + i * columns + j] = reduce(
+            lambda total, term: binary("Add", total, term), terms, ZERO
+        )
+
+
+def transposed(fields: Fields, registers: Registers) -> None:
+    """A row-major matrix of elements of `element_width` scalars each."""
+    rows, columns, width = fields["rows"], fields["columns"], fields["element_width"]
+    for i, j, k in product(range(rows), range(columns), range(width)):
+        source = fields["src_start"] + (i * columns + j) * width + k
+        registers[fields["dst_start"] + (j * rows + i) * width + k] = registers[source]
+
+
+def element(fields: Fields, registers: Registers) -> Expression:
+    """``array[i, j, ...]`` with indices that are known at run time; NaN outside of the array."""
+    dimensions = fields["dimensions"]
+    position: Expression = ZERO
+    for size, index in zip(dimensions, fields["indices"], strict=True):
+        ((kind, value),) = index.items()
+        number = registers[value] if kind == "Runtime" else ex.number(value)
+        position = binary("Add", binary("Mul", position, ex.number(size)), binary("Sub", number, ONE))
+    chosen = ex.number(math.nan)
+    for i in reversed(range(math.prod(dimensions))):
+        here = Expression("Eq", (position, ex.number(i)))
+        chosen = ex.select(here, registers[fields["base"] + i * fields["stride"]], chosen)
+    return chosen
