@@ -17,7 +17,6 @@ model CamPlate "Plate that turns with the handle and pushes one of two plungers 
   Interfaces.Signals.BooleanOutput isForward "True where the angle is positive"
     annotation (Placement(transformation(origin = {0, 110}, extent = {{-10, -10}, {10, 10}}, rotation = 90)));
 protected
-  constant Units.Angle phi_limit = Constants.pi/2 "Angle at which the plate is vertical";
   Units.Ratio t "Slope of the plate";
   Units.Ratio t_half "Tangent of half the angle";
 equation
@@ -30,8 +29,6 @@ equation
   isForward = flange.phi > 0;
   x = if isForward then flange_forward.s else flange_backward.s;
   f_x = -(flange_forward.f + flange_backward.f);
-  assert(noEvent(abs(flange.phi) < phi_limit), getInstanceName() + ": the angle must stay between -pi/2 and pi/2, "
-     + "but is " + String(flange.phi) + " rad");
 initial equation
   assert(a > 0, getInstanceName() + ".a must be positive, but is " + String(a) + " m");
   assert(b >= 0, getInstanceName() + ".b must not be negative, but is " + String(b) + " m");
@@ -49,7 +46,8 @@ initial equation
         fillPattern = FillPattern.Solid),
       Line(points = {{-80, -90}, {-80, -40}}, color = {0, 127, 0}, thickness = 0.5),
       Ellipse(extent = {{-88, -26}, {-72, -42}}, lineColor = {0, 127, 0}, fillColor = {160, 205, 160},
-        fillPattern = FillPattern.Solid)}),
+        fillPattern = FillPattern.Solid),
+      Text(extent = {{-66, -60}, {66, -90}}, lineColor = {0, 0, 255}, textString = "%name")}),
     Documentation(info = "<html>
 <p>The plate turns about the pivot. Its lower surface lies the distance <code>b</code> below the pivot and
 touches the hemispherical heads of two plungers, whose axes run at the distance <code>a</code> on either side
@@ -67,6 +65,6 @@ the angle. The right-hand forms avoid the small difference <code>1 - 1/cos(theta
 <p>Eq. (5) is printed as <code>a*(sign(theta) + d*tan(theta))*f_x</code>, which adds a length to a number. The form
 above equals <code>f_x*dx/dtheta</code>, so the contact neither makes nor takes energy.</p>
 <p>The output <code>isForward</code> is where the library tests the sign of the angle; its change is one state
-event. An angle of 90 degrees or more stops the simulation.</p>
+event. The angle must stay between -90 and 90 degrees, which the joystick sees to.</p>
 </html>"));
 end CamPlate;

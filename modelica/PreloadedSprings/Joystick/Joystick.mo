@@ -1,7 +1,7 @@
 within PreloadedSprings.Joystick;
 model Joystick "Joystick with constant damping: torque in, motion out (eq. 1)"
   extends Mechanism;
-  parameter Units.Angle theta_start = 0 "Angle at the start"
+  parameter Units.Angle theta_start(min = -Constants.pi/2, max = Constants.pi/2) = 0 "Angle at the start"
     annotation (Dialog(group = "Start"));
   parameter Units.AngularVelocity omega_start = 0 "Angular velocity at the start"
     annotation (Dialog(group = "Start"));
@@ -13,14 +13,14 @@ model Joystick "Joystick with constant damping: torque in, motion out (eq. 1)"
       iconTransformation(extent = {{-120, -10}, {-100, 10}})));
   Interfaces.Signals.AngleOutput theta(start = theta_start, fixed = true, nominal = 0.1,
     stateSelect = StateSelect.always) "Angle from the neutral position, positive forward"
-    annotation (Placement(transformation(extent = {{200, 135}, {220, 155}}),
+    annotation (Placement(transformation(extent = {{200, 100}, {220, 120}}),
       iconTransformation(extent = {{100, 82}, {116, 98}})));
   Interfaces.Signals.AngularVelocityOutput omega(start = omega_start, fixed = true,
     stateSelect = StateSelect.always) "Angular velocity"
-    annotation (Placement(transformation(extent = {{200, 100}, {220, 120}}),
+    annotation (Placement(transformation(extent = {{200, 55}, {220, 75}}),
       iconTransformation(extent = {{100, 62}, {116, 78}})));
   Interfaces.Signals.AngularAccelerationOutput alpha "Angular acceleration"
-    annotation (Placement(transformation(extent = {{200, 65}, {220, 85}}),
+    annotation (Placement(transformation(extent = {{200, 140}, {220, 160}}),
       iconTransformation(extent = {{100, 42}, {116, 58}})));
   Interfaces.Signals.PositionOutput x "Travel of the contact, positive for either direction (eq. 3)"
     annotation (Placement(transformation(extent = {{200, -48}, {220, -28}}),
@@ -44,10 +44,13 @@ model Joystick "Joystick with constant damping: torque in, motion out (eq. 1)"
     annotation (Placement(transformation(extent = {{200, -160}, {220, -140}}),
       iconTransformation(extent = {{100, -98}, {116, -82}})));
 protected
-  constant Units.Angle theta_limit = Constants.pi/2 "Angle at which the handle lies flat";
   DrivingTorque drive "Torque from outside"
     annotation (Placement(transformation(extent = {{-160, -20}, {-120, 20}})));
 equation
+  assert(theta_start > -theta_limit and theta_start < theta_limit,
+    getInstanceName() + ".theta_start must be between -pi/2 and pi/2, but is " + String(theta_start) + " rad");
+  assert(noEvent(abs(theta) < theta_limit),
+    getInstanceName() + ".theta must stay between -pi/2 and pi/2, but is " + String(theta) + " rad");
   theta = handle.flange.phi;
   der(theta) = omega;
   der(omega) = alpha;
@@ -75,9 +78,6 @@ equation
     annotation (Line(points = {{44, -70}, {210, -70}}, color = {0, 0, 127}));
   connect(camPlate.M_s, M_s)
     annotation (Line(points = {{44, -102}, {210, -102}}, color = {0, 0, 127}));
-initial equation
-  assert(theta_start > -theta_limit and theta_start < theta_limit,
-    getInstanceName() + ".theta_start must be between -pi/2 and pi/2, but is " + String(theta_start) + " rad");
 
   annotation (
     defaultComponentName = "joystick",
@@ -94,10 +94,15 @@ initial equation
       Text(extent = {{70, -62}, {98, -78}}, lineColor = {0, 0, 127}, textString = "C"),
       Text(extent = {{70, -82}, {98, -98}}, lineColor = {0, 0, 127}, textString = "E")}),
     Diagram(coordinateSystem(extent = {{-220, -220}, {220, 220}}), graphics = {
-      Text(extent = {{60, 155}, {195, 135}}, lineColor = {64, 64, 64}, textString = "angle of the shaft"),
-      Text(extent = {{60, 120}, {195, 100}}, lineColor = {64, 64, 64}, textString = "d(theta)/dt"),
-      Text(extent = {{60, 85}, {195, 65}}, lineColor = {64, 64, 64}, textString = "d(omega)/dt"),
-      Text(extent = {{60, -140}, {195, -160}}, lineColor = {64, 64, 64}, textString = "sum of the parts' energies")}),
+      Line(points = {{200, 150}, {0, 150}, {0, 143}}, color = {0, 0, 127}, pattern = LinePattern.Dash),
+      Text(extent = {{90, 166}, {190, 154}}, lineColor = {64, 64, 64}, textString = "d(omega)/dt"),
+      Line(points = {{200, 110}, {30, 110}}, color = {0, 0, 127}, pattern = LinePattern.Dash),
+      Text(extent = {{90, 126}, {190, 114}}, lineColor = {64, 64, 64}, textString = "angle of the shaft"),
+      Line(points = {{200, 65}, {0, 65}, {0, 77}}, color = {0, 0, 127}, pattern = LinePattern.Dash),
+      Line(points = {{0, 65}, {0, 53}}, color = {0, 0, 127}, pattern = LinePattern.Dash),
+      Text(extent = {{90, 81}, {190, 69}}, lineColor = {64, 64, 64}, textString = "d(theta)/dt"),
+      Text(extent = {{90, -144}, {190, -156}}, lineColor = {64, 64, 64}, textString = "sum of all energies"),
+      Text(extent = {{-210, -190}, {-60, -202}}, lineColor = {64, 64, 64}, textString = "dashed lines: equations")}),
     experiment(StartTime = 0, StopTime = 1.5, Tolerance = 1e-8, Interval = 1e-3),
     Documentation(info = "<html>
 <p>The paper's joystick under a torque <code>T</code> about its pivot, eq. (1) with the torque of eq. (13):</p>

@@ -30,6 +30,8 @@ protected
   PrescribedAngle motion "Motion from outside"
     annotation (Placement(transformation(extent = {{-160, -90}, {-120, -50}})));
 equation
+  assert(noEvent(abs(theta) < theta_limit),
+    getInstanceName() + ".theta must stay between -pi/2 and pi/2, but is " + String(theta) + " rad");
   T_inertia = handle.flange.tau;
   T_stiffness = camPlate.M_s - gravity.M_g;
   connect(theta, motion.theta)
@@ -49,7 +51,7 @@ equation
   connect(damping.M_d, T_damping)
     annotation (Line(points = {{33, 5}, {210, 5}}, color = {0, 0, 127}));
   connect(motion.T, T)
-    annotation (Line(points = {{-140, -92}, {-140, -212}, {140, -212}, {140, -150}, {210, -150}}, color = {0, 0, 127}));
+    annotation (Line(points = {{-140, -92}, {-140, -210}, {140, -210}, {140, -150}, {210, -150}}, color = {0, 0, 127}));
 
   annotation (
     defaultComponentName = "joystick",
@@ -62,8 +64,11 @@ equation
       Text(extent = {{62, -10}, {98, -30}}, lineColor = {0, 0, 127}, textString = "damping"),
       Text(extent = {{62, -50}, {98, -70}}, lineColor = {0, 0, 127}, textString = "stiffness")}),
     Diagram(coordinateSystem(extent = {{-220, -220}, {220, 220}}), graphics = {
-      Text(extent = {{60, 120}, {195, 100}}, lineColor = {64, 64, 64}, textString = "torque on the handle"),
-      Text(extent = {{60, -92}, {195, -112}}, lineColor = {64, 64, 64}, textString = "M_s - M_g")}),
+      Line(points = {{200, 110}, {30, 110}}, color = {0, 0, 127}, pattern = LinePattern.Dash),
+      Text(extent = {{90, 126}, {190, 114}}, lineColor = {64, 64, 64}, textString = "torque on the handle"),
+      Line(points = {{200, -102}, {46, -102}}, color = {0, 0, 127}, pattern = LinePattern.Dash),
+      Text(extent = {{90, -86}, {190, -98}}, lineColor = {64, 64, 64}, textString = "M_s - M_g"),
+      Text(extent = {{-210, -190}, {-150, -202}}, lineColor = {64, 64, 64}, textString = "dashed line: equation")}),
     experiment(StartTime = 0, StopTime = 1.5, Tolerance = 1e-8, Interval = 1e-3),
     Documentation(info = "<html>
 <p>The torque that a given motion needs, eq. (13), and its three shares (Fig. 15):</p>

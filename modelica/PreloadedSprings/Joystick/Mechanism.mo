@@ -23,6 +23,7 @@ partial model Mechanism "Handle, cam plate with its two actuators, and weight on
     "Actuator that is pushed at negative angles"
     annotation (Placement(transformation(origin = {-32, -150}, extent = {{-20, -20}, {20, 20}}, rotation = -90)));
 protected
+  constant Units.Angle theta_limit = Constants.pi/2 "Angle at which the handle lies flat";
   Handle handle(final J = J) "Inertia of the handle"
     annotation (Placement(transformation(extent = {{-30, 80}, {30, 140}})));
   Gravity gravity(final m = m, final h = h, final g = g) "Weight of the handle"

@@ -29,9 +29,9 @@ initial equation
     Icon(coordinateSystem(extent = {{-100, -100}, {100, 100}}), graphics = {
       Rectangle(extent = {{-100, 100}, {100, -100}}, lineColor = {0, 0, 127}, fillColor = {255, 255, 255},
         fillPattern = FillPattern.Solid),
-      Line(points = {{-80, -60}, {60, -60}}, color = {192, 192, 192}),
-      Line(points = {{-80, -60}, {-56, -58}, {-44, -46}, {-34, -20}, {-26, 14}, {-18, 42}, {-10, 52}, {-2, 42}, {6, 14},
-        {14, -20}, {24, -46}, {36, -58}, {60, -60}}, color = {0, 0, 127}, thickness = 0.5),
+      Line(points = {{-88, -60}, {14, -60}}, color = {192, 192, 192}),
+      Line(points = {{-88, -60}, {-72, -58}, {-64, -46}, {-57, -20}, {-50, 14}, {-44, 42}, {-38, 52}, {-32, 42}, {-26, 14},
+        {-19, -20}, {-12, -46}, {-4, -58}, {14, -60}}, color = {0, 0, 127}, thickness = 0.5),
       Text(extent = {{30, 72}, {98, 48}}, lineColor = {0, 0, 127}, textString = "theta"),
       Text(extent = {{30, 12}, {98, -12}}, lineColor = {0, 0, 127}, textString = "omega"),
       Text(extent = {{30, -48}, {98, -72}}, lineColor = {0, 0, 127}, textString = "alpha"),
