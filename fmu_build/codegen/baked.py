@@ -1,8 +1,8 @@
 """Parameters whose value the compiler has put into the equations, so that setting them would do nothing.
 
 Array sizes, the arguments of ``sample()``, conditions of conditional components and the like are evaluated
-when the model is compiled, and nothing in rumoca's output says which parameters went into them. They are found
-by trying: a parameter that is free can have another value without a change to the equations.
+when the model is compiled, and nothing in rumoca's output says which parameters went into them. They are
+found by trying: a parameter that is free can have another value without a change to the equations.
 """
 
 from __future__ import annotations

@@ -8,6 +8,7 @@ from fmu_build.codegen import expression as ex
 from fmu_build.codegen.algebraics import Assignment, NewtonBlock, Step
 from fmu_build.codegen.c_expression import Writer, shared_nodes
 from fmu_build.codegen.expression import Expression, Slot
+from fmu_build.codegen.function_signature import FunctionSignature
 
 
 class FunctionBody:
@@ -16,12 +17,12 @@ class FunctionBody:
     def __init__(
         self,
         slot_names: Mapping[Slot, str],
-        result_counts: Mapping[str, int],
+        signatures: Mapping[str, FunctionSignature],
         expressions: Iterable[Expression],
     ) -> None:
         self.lines: list[str] = []
         self._slot_names = slot_names
-        self._result_counts = result_counts
+        self._signatures = signatures
         self._shared = shared_nodes(expressions)
         self._names = _Names(slot_names)
         self._writer = Writer(self._names)
@@ -47,14 +48,33 @@ class FunctionBody:
         """One C call gives all results of a Modelica function."""
         assert isinstance(node.payload, tuple)
         function, result = node.payload
+        signature = self._signatures[function]
         key = (function, node.arguments)
         if key not in self._calls:
-            array = f"r{len(self._calls) + 1}"
-            self._calls[key] = array
-            arguments = ", ".join(self._writer.text(argument) for argument in node.arguments)
-            self.lines.append(f"double {array}[{self._result_counts[function]}];")
-            self.lines.append(f"{function}({', '.join(filter(None, (arguments, array)))});")
-        self._names[node] = f"{self._calls[key]}[{result}]"
+            name = f"r{len(self._calls) + 1}"
+            self._calls[key] = name
+            arguments = self._arguments(signature, node.arguments)
+            if signature.returns_value:
+                self.lines.append(f"const double {name} = {signature.call(arguments)};")
+            else:
+                self.lines.append(f"double {name}[{signature.n_results}];")
+                self.lines.append(f"{signature.call(arguments, name)};")
+        self._names[node] = self._calls[key] if signature.returns_value else f"{self._calls[key]}[{result}]"
+
+    def _arguments(self, signature: FunctionSignature, scalars: Sequence[Expression]) -> list[str]:
+        """The scalars that are passed, put together to arrays where the function takes arrays."""
+        arguments = []
+        rest = list(scalars)
+        for size in signature.inputs:
+            passed, rest = rest[: size or 1], rest[size or 1 :]
+            if size is None:
+                arguments.append(self._writer.text(passed[0]))
+            elif all(e.operator == "p" and e.index == passed[0].index + i for i, e in enumerate(passed)):
+                arguments.append(f"&{self._writer.text(passed[0])}")
+            else:
+                elements = ", ".join(self._writer.text(element) for element in passed)
+                arguments.append(f"(const double[]){{{elements}}}")
+        return arguments
 
     def steps(
         self, steps: Sequence[Step], block_names: Mapping[NewtonBlock, str], stored: Callable[[int], bool]

@@ -65,12 +65,12 @@ class _Code:
     def __init__(self, equations: Equations, names: Mapping[Slot, str], functions: FunctionSources) -> None:
         self._equations = equations
         self._names = names
-        self._result_counts = functions.result_counts
+        self._signatures = functions.signatures
         blocks = [step for step in equations.algebraics if isinstance(step, NewtonBlock)]
         self._block_names = {block: f"block_{number}" for number, block in enumerate(blocks)}
 
     def _body(self, expressions: Iterable[Expression]) -> FunctionBody:
-        return FunctionBody(self._names, self._result_counts, expressions)
+        return FunctionBody(self._names, self._signatures, expressions)
 
     def blocks(self) -> list[str]:
         """Residual, Jacobian and table of each system that Newton's method solves."""

@@ -10,6 +10,7 @@ from fmu_build.codegen.c_message import c_string
 from fmu_build.codegen.equations import Equations
 from fmu_build.codegen.expression import Slot
 from fmu_build.codegen.lowered import LoweredModel
+from fmu_build.codegen.modelica_text import modelica_texts
 from fmu_build.codegen.start_values import StartValues
 from fmu_build.codegen.variables import StoredVariable
 from fmu_build.description import Variable
@@ -76,6 +77,8 @@ def tables(
             for c in e.clocks
         ],
     )
+    texts = modelica_texts(model, equations)
+    writer.array("char *const", "root_texts", [c_string(texts.text(root)) for root in e.relations.roots])
     writer.array("ActionKind", "actions", [f"ACTION_{action.kind.upper()}" for action in e.actions])
     writer.array(
         "InitialUnknown", "initial_unknowns", [f"{{{writer.place(slot)}}}" for slot in e.initial_unknowns]

@@ -29,6 +29,7 @@ def refuse_unfaithful(model: LoweredModel) -> None:
     _refuse_delays(model)
     _refuse_dynamic_state_selection(model)
     _refuse_loose_initial_equations(model)
+    _refuse_repeated_assignments(model)
     _refuse_lost_modifiers(model)
 
 
@@ -45,8 +46,8 @@ def _refuse_dynamic_state_selection(model: LoweredModel) -> None:
     chosen = any(name.startswith("$state_coordinates") for name in names)
     if chosen or model.solve["initialization"]["manifold_row_count"]:
         raise model.refuse(
-            "the model has constraints between its states (an index above one), and the states that were chosen "
-            "would do in a part of the motion only; write it in independent coordinates"
+            "the model has constraints between its states (an index above one), and the states that "
+            "were chosen would do in a part of the motion only; write it in independent coordinates"
         )
 
 
@@ -58,6 +59,26 @@ def _refuse_loose_initial_equations(model: LoweredModel) -> None:
             raise model.refuse(
                 "an initial equation for a discrete variable is supported only as pre(v) = ..."
             )
+
+
+def _refuse_repeated_assignments(model: LoweredModel) -> None:
+    """Of several assignments to a discrete Real in one when-clause the first unconditional one would win."""
+    expressions = model.dae["expressions"]
+    unconditional: set[tuple[object, object]] = set()
+    for row in model.dae["systems"]["discrete_real"]["residuals"]:
+        target = expressions[expressions[row["residual"]]["operation"].get("lhs", 0)]["operation"]
+        activation = row["activation"]
+        if activation.get("kind") != "when" or target["kind"] != "coordinate":
+            continue
+        key = (target["coordinate"]["id"], activation["trigger"])
+        if key in unconditional:
+            raise model.refuse(
+                "a discrete variable is assigned again after an assignment in the same when-clause; "
+                "write one assignment with an if-expression",
+                row["provenance"]["span"],
+            )
+        if activation["guard"] == activation["trigger"]:
+            unconditional.add(key)
 
 
 def _refuse_lost_modifiers(model: LoweredModel) -> None:

@@ -132,7 +132,7 @@ class VariableReader:
         causality: Causality = "output" if is_output else "local"
         if slot[0] == "y":
             return _Role(causality, "continuous", self._state_initial(slot))
-        return _Role(causality, "discrete", "exact" if slot in self._given else "calculated")
+        return _Role(causality, "discrete", self._discrete_initial(slot))
 
     def _parameter_role(self, entry: dict[str, Any], slot: ex.Slot) -> _Role:
         variability: Variability = "tunable" if slot[1] in self._tunable else "fixed"
@@ -148,6 +148,9 @@ class VariableReader:
         if slot[1] >= self._equations.n_states or slot in self._started:
             return "calculated"
         return "exact"
+
+    def _discrete_initial(self, slot: ex.Slot) -> Initial:
+        return "exact" if slot in self._given and slot not in self._started else "calculated"
 
     def _enumeration(self, name: str) -> EnumerationType:
         type_name = self._model.flat["variable_type_names"].get(name, "")

@@ -43,6 +43,11 @@ static Status carry_out_event(Instance *instance)
     return fail(instance, instance->values.time, "an event failed.");
 }
 
+static const char *relation_text(size_t relation)
+{
+    return model.root_texts[model.relations[relation].root];
+}
+
 /* Guards against a relation that changes endlessly without time going on (Zeno, chattering). */
 static Status count_event(Instance *instance, double time)
 {
@@ -53,10 +58,10 @@ static Status count_event(Instance *instance, double time)
     }
     if (++progress->crowd <= MAX_CROWD)
         return STATUS_OK;
-    char why[160];
+    char why[512];
     if (progress->relation < model.n_relations)
-        snprintf(why, sizeof why, "%d events at practically the same time, the last where relation %zu changed.",
-                 MAX_CROWD, progress->relation + 1);
+        snprintf(why, sizeof why, "%d events at practically the same time, the last where %s changed its sign.",
+                 MAX_CROWD, relation_text(progress->relation));
     else
         snprintf(why, sizeof why, "%d events at practically the same time, the last a time event.", MAX_CROWD);
     return fail(instance, time, why);
@@ -78,8 +83,8 @@ static Status carry_out_pending_event(Instance *instance)
     move_to(instance, time);
     if (log_is_on(&instance->log, LOG_EVENTS)) {
         if (progress->relation < model.n_relations)
-            log_message(&instance->log, LOG_EVENTS, STATUS_OK, "State event at time %.17g: relation %zu changes.",
-                        time, progress->relation + 1);
+            log_message(&instance->log, LOG_EVENTS, STATUS_OK, "State event at time %.17g: %s changes its sign.",
+                        time, relation_text(progress->relation));
         else
             log_message(&instance->log, LOG_EVENTS, STATUS_OK, "Time event at time %.17g.", time);
     }

@@ -130,16 +130,25 @@ static void set_initial_event(Values *values, double value)
         values->p[model.initial_event_slot] = value;
 }
 
-/* The discrete variables for the present solution. A when-clause takes part only through initial(): the memory of
- * every other condition is what the condition is, so that it has no edge. */
-static const char *settle(Iteration *iteration, Values *values, bool *conditions_changed)
+/* Relations and discrete variables, while no when-clause acts; then the conditions as they are. */
+static const char *settle_without_whens(Iteration *iteration, Values *values)
 {
     set_initial_event(values, 0.0);
+    iteration_hold_conditions(values);
     const char *problem = iteration_settle(iteration, values);
+    if (problem == NULL)
+        iteration_commit_conditions(iteration, values);
+    return problem;
+}
+
+/* During initialisation a when-clause acts only through initial() (Modelica 3.4, section 8.6). */
+static const char *settle_with_initial_whens(Iteration *iteration, Values *values)
+{
+    const char *problem = settle_without_whens(iteration, values);
     if (problem != NULL)
         return problem;
-    *conditions_changed = iteration_commit_conditions(iteration, values);
     set_initial_event(values, 1.0);
+    iteration_arm_initial_conditions(iteration, values);
     return iteration_settle(iteration, values);
 }
 
@@ -150,11 +159,10 @@ static const char *settle_together(const InitialSystem *system, Iteration *itera
         if (model.n_initial_unknowns > 0 && !solve(system))
             return "the initial equations could not be solved";
         const double solved = evaluate(system, system->residual);
-        bool conditions_changed = false;
-        const char *problem = settle(iteration, system->values, &conditions_changed);
+        const char *problem = settle_with_initial_whens(iteration, system->values);
         if (problem != NULL)
             return problem;
-        if (!conditions_changed && evaluate(system, system->residual) <= solved)
+        if (evaluate(system, system->residual) <= solved)
             return NULL;
     }
     return "the initial values do not settle: equations and relations change each other in a circle";
@@ -165,17 +173,18 @@ static EventStatus initialize(InitialSystem *system, Iteration *iteration, const
     Values *values = system->values;
     iteration_copy_pre(values);
     const char *problem = settle_together(system, iteration);
+    EventStatus status = EVENT_OK;
+    if (problem == NULL) {
+        status = actions_take(values, iteration->active, reporter);
+        iteration_commit_states(iteration, values);
+        problem = settle_without_whens(iteration, values);
+    }
     if (problem != NULL) {
         reporter->report(reporter->context, ACTION_ERROR, problem);
         return EVENT_ERROR;
     }
-    const EventStatus status = actions_take(values, iteration->active, reporter);
-    iteration_commit_states(iteration, values);
-    set_initial_event(values, 0.0);
-    if (status != EVENT_OK)
-        return status;
     bool states_changed = false;
-    return event_update(values, reporter, &states_changed);
+    return status == EVENT_OK ? event_update(values, reporter, &states_changed) : status;
 }
 
 EventStatus event_initialize(Values *values, const EventReporter *reporter)

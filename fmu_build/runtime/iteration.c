@@ -1,4 +1,5 @@
 #include "iteration.h"
+#include "time_events.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -76,7 +77,7 @@ const char *iteration_settle(Iteration *iteration, Values *values)
         if (!model_algebraics(values->time, values->y, values->p) ||
             !model_roots(values->time, values->y, values->p, iteration->root))
             return "the algebraic equations could not be solved";
-        model_time_relations(values->time, values->p, iteration->root + model.n_roots);
+        model_time_relations(time_just_after(values->time), values->p, iteration->root + model.n_roots);
         bool changed = update_relations(iteration, values);
         model_discrete(values->time, values->y, values->p, iteration->value);
         changed |= update_assigned(iteration, values);
@@ -93,6 +94,23 @@ bool iteration_commit_conditions(const Iteration *iteration, Values *values)
         if (model.discrete[i].kind == DISCRETE_CONDITION)
             changed |= set(&values->p[model.discrete[i].index], iteration->value[i]);
     return changed;
+}
+
+void iteration_hold_conditions(Values *values)
+{
+    for (size_t i = 0; i < model.n_discrete; ++i)
+        if (model.discrete[i].kind == DISCRETE_CONDITION)
+            values->p[model.discrete[i].index] = 1.0;
+}
+
+void iteration_arm_initial_conditions(const Iteration *iteration, Values *values)
+{
+    model_discrete(values->time, values->y, values->p, iteration->value);
+    for (size_t i = 0; i < model.n_discrete; ++i)
+        if (model.discrete[i].kind == DISCRETE_CONDITION) {
+            double *before = &values->p[model.discrete[i].index];
+            *before = iteration->value[i] != 0.0 && *before == 0.0 ? 0.0 : 1.0;
+        }
 }
 
 bool iteration_commit_states(const Iteration *iteration, Values *values)

@@ -24,6 +24,13 @@ const char *iteration_settle(Iteration *iteration, Values *values);
 /* Sets condition memories from the pass that has settled; true where one was different. */
 bool iteration_commit_conditions(const Iteration *iteration, Values *values);
 
+/* Makes every condition memory true, so that no when-clause sees an edge. */
+void iteration_hold_conditions(Values *values);
+
+/* With the memories as they are without initial(), and initial() true now: only the conditions that this makes true
+ * will have an edge. */
+void iteration_arm_initial_conditions(const Iteration *iteration, Values *values);
+
 /* Carries out the reinit()s of the pass that has settled; true where a state changed. */
 bool iteration_commit_states(const Iteration *iteration, Values *values);
 

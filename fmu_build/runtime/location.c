@@ -134,8 +134,8 @@ static bool vertex(Point a, Point b, Point c, double *time)
     return (value > 0.0) != (b.value > 0.0) || fabs(value) <= 0.25 * variation;
 }
 
-/* Looks for a place between a and c where the root with value b between them is on the other side.
- * True: something has changed in `found`. */
+/* Looks for a place between a and c, b between them, where a root goes to the other side and comes back.
+ * ROOTS_CROSSED: something has changed in `found`. */
 static RootResult search_vertex(const RootFinder *finder, const double *p, Point a, Point b, Point c, size_t root,
                                 Sample *found)
 {
@@ -192,11 +192,13 @@ Crossing roots_search(RootFinder *finder, const double *p, double from, double t
         return none;
     if (!sample(finder, &end, to) || !sample(finder, &middle, from + 0.5 * (to - from)))
         return failed;
-    const size_t at_start = roots_first_changed(start.root, p);
     const bool changed_in_middle = roots_first_changed(middle.root, p) < model.n_relations;
     const bool changed_at_end = roots_first_changed(end.root, p) < model.n_relations;
-    if (at_start < model.n_relations && changed_in_middle)
-        return (Crossing){.result = ROOTS_CROSSED, .time = from, .relation = at_start};
+    if (changed_in_middle) {
+        const size_t at_start = roots_first_changed(start.root, p);
+        if (at_start < model.n_relations)
+            return (Crossing){.result = ROOTS_CROSSED, .time = from, .relation = at_start};
+    }
 
     const RootResult within = search_double(finder, p, &start, &middle, &end, &between, &spare);
     if (within == ROOTS_NOT_COMPUTABLE)

@@ -111,6 +111,7 @@ typedef struct {
     const Variable *variables;
 
     size_t n_roots; /* zero crossings */
+    const char *const *root_texts; /* [n_roots] each as Modelica, for messages */
     size_t n_time_relations;
     size_t n_relations;
     const Relation *relations;

@@ -4,8 +4,13 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Importers keep time by adding up step sizes; a tick this close, relative to the time, is due. */
+/* Relative to the time, or to a second. */
 static const double time_resolution = 1e-12;
+
+double time_just_after(double time)
+{
+    return time + time_resolution * fmax(1.0, fabs(time));
+}
 
 static double tick_time(const PeriodicClock *clock, double number)
 {
@@ -16,11 +21,6 @@ static double tick_time(const PeriodicClock *clock, double number)
            denominator;
 }
 
-static bool is_due(double tick, double time)
-{
-    return tick <= time + time_resolution * fmax(1.0, fabs(time));
-}
-
 void clocks_start(Values *values)
 {
     for (size_t i = 0; i < model.n_clocks; ++i) {
@@ -29,7 +29,7 @@ void clocks_start(Values *values)
         const double phase = clock->phase_numerator / clock->phase_denominator;
         const double estimate = floor((values->time - phase) / period) - 1.0;
         values->clock_tick[i] = fmax(0.0, estimate);
-        while (tick_time(clock, values->clock_tick[i]) < values->time && !is_due(values->time, tick_time(clock, values->clock_tick[i])))
+        while (time_just_after(tick_time(clock, values->clock_tick[i])) < values->time)
             values->clock_tick[i] += 1.0;
     }
 }
@@ -38,7 +38,7 @@ bool clocks_tick(Values *values)
 {
     bool any = false;
     for (size_t i = 0; i < model.n_clocks; ++i) {
-        if (!is_due(tick_time(&model.clocks[i], values->clock_tick[i]), values->time))
+        if (tick_time(&model.clocks[i], values->clock_tick[i]) > time_just_after(values->time))
             continue;
         values->p[model.clocks[i].activation] = 1.0;
         values->clock_tick[i] += 1.0;
@@ -65,10 +65,8 @@ double event_next_time(const Values *values)
         return values->time; /* an event at once, which reports that memory is short */
     model_time_events(values->p, when);
     for (size_t i = 0; i < model.n_time_events; ++i) {
-        /* Just after the instant itself, so that "time > t" has become true as well as "time >= t". */
-        const double after = nextafter(when[i], INFINITY);
-        if (after > values->time)
-            next = fmin(next, after);
+        if (when[i] > time_just_after(values->time))
+            next = fmin(next, when[i]);
     }
     free(when);
     return next;

@@ -4,6 +4,10 @@
 
 #include "values.h"
 
+/* The time at which a time event at `time` is past, so that "time > t" has become true as well as "time >= t", also
+ * where the importer's own time, a sum of step sizes, is a rounding error short of it. */
+double time_just_after(double time);
+
 /* Skips the ticks of all clocks before values->time. */
 void clocks_start(Values *values);
 

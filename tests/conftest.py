@@ -1,0 +1,40 @@
+"""Fixtures that all tests share."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from fmu_build import build_fmu
+
+ROOT = Path(__file__).parents[1]
+JOYSTICKS = ("Joystick", "JoystickPowerLaw", "JoystickInverse")
+
+
+@pytest.fixture(scope="session")
+def joystick_fmus(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder with the three joystick FMUs: those of ``make fmu`` if they are up to date, else new ones."""
+    made = ROOT / "build" / "fmi2"
+    if _is_up_to_date(made):
+        return made
+    folder = tmp_path_factory.mktemp("fmi2")
+    for name in JOYSTICKS:
+        build_fmu(f"PreloadedSprings.Joystick.{name}", folder)
+    return folder
+
+
+def _is_up_to_date(folder: Path) -> bool:
+    fmus = [folder / f"{name}.fmu" for name in JOYSTICKS]
+    if not all(fmu.is_file() for fmu in fmus):
+        return False
+    oldest = min(fmu.stat().st_mtime for fmu in fmus)
+    return all(source.stat().st_mtime <= oldest for source in _sources())
+
+
+def _sources() -> Iterator[Path]:
+    for folder in ("fmu_build", "modelica"):
+        for file in (ROOT / folder).rglob("*"):
+            if file.is_file() and file.suffix != ".pyc":
+                yield file

@@ -1,0 +1,1 @@
+"""The joystick FMUs held against the pure-Python reference and against physics."""

@@ -1,0 +1,108 @@
+"""Plain FMI 2 runs through FMPy's wrappers, for tests that need more control than the package's own runs."""
+
+from __future__ import annotations
+
+import re
+import shutil
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+import fmpy
+import numpy as np
+from fmpy.fmi2 import FMU2Slave, fmi2CallbackFunctions, fmi2CallbackLoggerTYPE
+from numpy.typing import NDArray
+
+from pyjoystick.parameters import ConstantDamping, JoystickParameters
+
+Columns = dict[str, NDArray[np.float64]]
+_EVENT = re.compile(r"State event at time ([-+.\deE]+): (.*) changes its sign")
+_KINKS = {
+    "returnSpring.x_0": "x_0",
+    "returnSpring.F_0": "x_1",
+    "balanceSpring.x_0": "x_2",
+    "balanceSpring.F_0": "x_3",
+}
+
+
+@dataclass(frozen=True)
+class StateEvent:
+    """A state event of the FMU, named as the reference names it."""
+
+    time: float
+    kind: str
+
+
+def _kind(relation: str) -> str:
+    """``forward.returnSpring.x_0 - forward.returnSpring.x`` is ``forward x_0``."""
+    match = re.search(
+        r"(forward|backward)\.(returnSpring\.x_0|returnSpring\.F_0|balanceSpring\.x_0|balanceSpring\.F_0)",
+        relation,
+    )
+    return f"{match.group(1)} {_KINKS[match.group(2)]}" if match else "theta = 0"
+
+
+class Slave:
+    """One co-simulation instance, with variables by name and the log kept."""
+
+    def __init__(self, fmu: FMU2Slave, references: Mapping[str, int], log: list[bytes]) -> None:
+        self.fmu = fmu
+        self.references = references
+        self.log = log
+
+    def start(self, parameters: Mapping[str, float], tolerance: float) -> None:
+        """From instantiated, or reset, to step mode."""
+        self.fmu.setupExperiment(tolerance=tolerance, startTime=0.0)
+        self.fmu.setReal([self.references[name] for name in parameters], list(parameters.values()))
+        self.fmu.enterInitializationMode()
+        self.fmu.exitInitializationMode()
+
+    def run(self, times: NDArray[np.float64], names: Sequence[str]) -> Columns:
+        """Steps from one instant to the next; a row for each instant."""
+        references = [self.references[name] for name in names]
+        instants = times.tolist()
+        rows = [self.fmu.getReal(references)]
+        for now, then in zip(instants, instants[1:], strict=False):
+            self.fmu.doStep(currentCommunicationPoint=now, communicationStepSize=then - now)
+            rows.append(self.fmu.getReal(references))
+        return dict(zip(names, np.array(rows).T, strict=True))
+
+    def events(self) -> list[StateEvent]:
+        """The state events that the FMU has logged."""
+        matches = (_EVENT.search(message.decode()) for message in self.log)
+        return [StateEvent(float(match.group(1)), _kind(match.group(2))) for match in matches if match]
+
+
+@contextmanager
+def slave(path: Path, *, logging: bool = False) -> Iterator[Slave]:
+    """An instance of an FMU; it is freed, and its files are removed, at the end."""
+    description = fmpy.read_model_description(path)
+    folder = fmpy.extract(path)
+    log: list[bytes] = []
+    callbacks = fmi2CallbackFunctions()
+    callbacks.logger = fmi2CallbackLoggerTYPE(lambda *message: log.append(message[-1]))
+    fmu = FMU2Slave(
+        guid=description.guid,
+        unzipDirectory=folder,
+        modelIdentifier=description.coSimulation.modelIdentifier,
+        instanceName="test",
+    )
+    try:
+        fmu.instantiate(callbacks=callbacks, loggingOn=logging)
+        yield Slave(fmu, {v.name: v.valueReference for v in description.modelVariables}, log)
+        fmu.freeInstance()
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+def fmu_path(folder: Path, parameters: JoystickParameters) -> Path:
+    """The FMU with the damping law of a joystick."""
+    constant = isinstance(parameters.damping, ConstantDamping)
+    return folder / ("Joystick.fmu" if constant else "JoystickPowerLaw.fmu")
+
+
+def fmu_parameters(parameters: JoystickParameters, theta_start: float) -> dict[str, float]:
+    """What has to be set in an FMU for a joystick that is released at an angle (rad)."""
+    values = parameters.to_names() | {"theta_start": theta_start}
+    return {name: value for name, value in values.items() if name != "damping.beta"}
