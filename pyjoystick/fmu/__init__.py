@@ -1,0 +1,31 @@
+"""FMUs: finding, describing and running them through FMPy."""
+
+from pyjoystick.fmu.cosimulation import DEFAULT_TOLERANCE, Fmu
+from pyjoystick.fmu.description import (
+    DefaultExperiment,
+    FmuDescription,
+    Variable,
+    read_description,
+)
+from pyjoystick.fmu.errors import FmuFileError, FmuNotFoundError, FmuRunError, UnsupportedFmuError
+from pyjoystick.fmu.files import MODELS, build_folder, find_fmu
+from pyjoystick.fmu.inputs import Inputs
+from pyjoystick.fmu.model_exchange import run_model_exchange
+
+__all__ = [
+    "DEFAULT_TOLERANCE",
+    "MODELS",
+    "DefaultExperiment",
+    "Fmu",
+    "FmuDescription",
+    "FmuFileError",
+    "FmuNotFoundError",
+    "FmuRunError",
+    "Inputs",
+    "UnsupportedFmuError",
+    "Variable",
+    "build_folder",
+    "find_fmu",
+    "read_description",
+    "run_model_exchange",
+]

@@ -1,0 +1,201 @@
+"""What an FMU says of itself in its modelDescription.xml."""
+
+from __future__ import annotations
+
+import zipfile
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any, Literal
+
+from fmpy import read_model_description
+
+from pyjoystick.fmu.errors import FmuFileError
+from pyjoystick.tables import DisplayUnit, Quantity
+
+Interface = Literal["CoSimulation", "ModelExchange"]
+
+
+@dataclass(frozen=True, slots=True)
+class Variable:
+    """A variable of an FMU; absent attributes are None or an empty string.
+
+    `start` is as written in the file; `minimum` and `maximum` are in `unit`; `initial` is ``exact``,
+    ``approx`` or ``calculated``.
+    """
+
+    name: str
+    type: str
+    causality: str
+    variability: str
+    initial: str
+    value_reference: int
+    description: str
+    unit: str
+    display_unit: DisplayUnit | None
+    start: str | None
+    minimum: float | None
+    maximum: float | None
+
+    @property
+    def settable_at_start(self) -> bool:
+        """A parameter, or a variable whose start value may be chosen (inputs have their own way in)."""
+        if self.causality in ("input", "independent") or self.variability == "constant":
+            return False
+        return self.initial in ("exact", "approx")
+
+    @property
+    def quantity(self) -> Quantity:
+        """What a table says of it."""
+        return Quantity(self.name, self.unit, self.display_unit, self.description)
+
+
+@dataclass(frozen=True, slots=True)
+class DefaultExperiment:
+    """Settings that the FMU proposes; times in s, None where it does not say."""
+
+    start_time: float | None
+    stop_time: float | None
+    tolerance: float | None
+    step_size: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class FmuDescription:
+    """An FMU as described by itself.
+
+    Attributes:
+        path: the .fmu file
+        model_name: qualified name of the model
+        description: one line on the model
+        fmi_version: such as ``2.0``
+        guid: what ties binary and description together
+        generation_tool, generation_date: as written, else empty
+        interfaces: model identifier by interface (``CoSimulation``, ``ModelExchange``)
+        binaries: files under ``binaries/``, as ``linux64/Joystick.so``
+        has_sources: the C sources are inside
+        variables: by name, in the order of the file
+        experiment: proposed settings
+        interpolates_inputs: Co-Simulation follows input derivatives within a step
+        variable_steps: Co-Simulation takes communication steps of different lengths
+    """
+
+    path: Path
+    model_name: str
+    description: str
+    fmi_version: str
+    guid: str
+    generation_tool: str
+    generation_date: str
+    interfaces: Mapping[str, str]
+    binaries: tuple[str, ...]
+    has_sources: bool
+    variables: Mapping[str, Variable]
+    experiment: DefaultExperiment
+    interpolates_inputs: bool
+    variable_steps: bool
+
+    @property
+    def platforms(self) -> tuple[str, ...]:
+        """Names of the platforms that there are binaries for, such as ``linux64``."""
+        return tuple(sorted({file.split("/")[0] for file in self.binaries if "/" in file}))
+
+    def names(self, causality: str) -> tuple[str, ...]:
+        """Names of the variables of one causality, in the order of the file."""
+        return tuple(name for name, variable in self.variables.items() if variable.causality == causality)
+
+    def settable_names(self) -> tuple[str, ...]:
+        """Names that a run takes as parameters or start values."""
+        return tuple(name for name, variable in self.variables.items() if variable.settable_at_start)
+
+
+def read_description(path: Path) -> FmuDescription:
+    """Read the description without loading the FMU's binary; FMI 1.0, 2.0 and 3.0 are understood.
+
+    Raises:
+        FmuFileError: the file is not a ZIP archive, or its modelDescription.xml is missing or unreadable
+    """
+    try:
+        with zipfile.ZipFile(path) as archive:
+            files = archive.namelist()
+    except (zipfile.BadZipFile, OSError) as error:
+        reason = "not a ZIP archive" if isinstance(error, zipfile.BadZipFile) else error.strerror
+        raise FmuFileError(path, f"not an FMU: {reason}") from error
+    if "modelDescription.xml" not in files:
+        raise FmuFileError(path, "not an FMU: there is no modelDescription.xml in it")
+    try:
+        return _description(path, files, read_model_description(str(path), validate=False))
+    except Exception as error:  # FMPy raises whatever its parser stumbles over
+        message = str(error) or type(error).__name__
+        raise FmuFileError(path, f"its modelDescription.xml cannot be read: {message}") from error
+
+
+def _description(path: Path, files: list[str], model: Any) -> FmuDescription:
+    interfaces = {
+        name: str(interface.modelIdentifier)
+        for name, interface in (("CoSimulation", model.coSimulation), ("ModelExchange", model.modelExchange))
+        if interface is not None
+    }
+    units = {unit.name: unit for unit in model.unitDefinitions or ()}
+    experiment = model.defaultExperiment
+    return FmuDescription(
+        path=path,
+        model_name=model.modelName or "",
+        description=model.description or "",
+        fmi_version=model.fmiVersion,
+        guid=model.guid or "",
+        generation_tool=model.generationTool or "",
+        generation_date=model.generationDateAndTime or "",
+        interfaces=MappingProxyType(interfaces),
+        binaries=tuple(
+            file.removeprefix("binaries/")
+            for file in files
+            if file.startswith("binaries/") and not file.endswith("/")
+        ),
+        has_sources=any(file.startswith("sources/") and file.endswith(".c") for file in files),
+        variables=MappingProxyType({v.name: _variable(v, units) for v in model.modelVariables}),
+        experiment=DefaultExperiment(
+            *(
+                _number(getattr(experiment, field, None))
+                for field in ("startTime", "stopTime", "tolerance", "stepSize")
+            )
+        ),
+        interpolates_inputs=bool(getattr(model.coSimulation, "canInterpolateInputs", False)),
+        variable_steps=bool(getattr(model.coSimulation, "canHandleVariableCommunicationStepSize", False)),
+    )
+
+
+def _variable(variable: Any, units: Mapping[str, Any]) -> Variable:
+    """Attributes that a variable leaves out are those of its declared type."""
+
+    def attribute(name: str) -> Any:
+        own = getattr(variable, name)
+        return getattr(variable.declaredType, name, None) if own is None else own
+
+    unit = attribute("unit") or ""
+    return Variable(
+        name=variable.name,
+        type=variable.type,
+        causality=variable.causality or "local",
+        variability=variable.variability or "continuous",
+        initial=variable.initial or "",
+        value_reference=variable.valueReference,
+        description=variable.description or "",
+        unit=unit,
+        display_unit=_display_unit(units.get(unit), attribute("displayUnit")),
+        start=variable.start,
+        minimum=_number(attribute("min")),
+        maximum=_number(attribute("max")),
+    )
+
+
+def _display_unit(unit: Any, name: str | None) -> DisplayUnit | None:
+    for candidate in unit.displayUnits if unit is not None else ():
+        if candidate.name == name:
+            return DisplayUnit(str(name), float(candidate.factor), float(candidate.offset))
+    return None
+
+
+def _number(text: object) -> float | None:
+    return None if text is None else float(str(text))

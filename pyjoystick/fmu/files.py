@@ -1,0 +1,56 @@
+"""Where the FMUs are: by name inside the installed package or the checkout, else by path."""
+
+from __future__ import annotations
+
+from importlib import resources
+from os import PathLike
+from pathlib import Path
+from types import MappingProxyType
+
+from pyjoystick.fmu.errors import FmuNotFoundError
+
+#: Modelica class by the name of each FMU of this project.
+MODELS = MappingProxyType(
+    {
+        name: f"PreloadedSprings.Joystick.{name}"
+        for name in ("Joystick", "JoystickPowerLaw", "JoystickInverse")
+    }
+)
+
+
+def find_fmu(fmu: str | PathLike[str]) -> Path:
+    """The path of an FMU.
+
+    Args:
+        fmu: one of the names in `MODELS`, or the path of any .fmu file. A name is looked up in the installed
+            package, then in the checkout's ``build/fmi2``.
+
+    Raises:
+        FmuNotFoundError: there is no such file; the message says how to build it
+    """
+    if fmu in MODELS:
+        return _find_by_name(str(fmu))
+    path = Path(fmu)
+    if not path.is_file():
+        what = "it is a folder" if path.is_dir() else "the file does not exist"
+        raise FmuNotFoundError(str(path), f"{what}; known by name are {', '.join(MODELS)}")
+    return path
+
+
+def build_folder() -> Path | None:
+    """``build/fmi2`` of the checkout that this package runs from, or None where it is installed for good."""
+    root = Path(__file__).resolve().parents[2]
+    is_checkout = (root / "modelica" / "PreloadedSprings" / "package.mo").is_file()
+    return root / "build" / "fmi2" if is_checkout else None
+
+
+def _find_by_name(name: str) -> Path:
+    packed = resources.files("pyjoystick") / "fmus" / f"{name}.fmu"
+    folder = build_folder()
+    candidates = [Path(str(packed)), *([folder / f"{name}.fmu"] if folder else [])]
+    for path in candidates:
+        if path.is_file():
+            return path
+    command = f"python -m fmu_build {MODELS[name]} --output {folder or 'DIR'}"
+    advice = f"build it with `make fmu` or `{command}`" if folder else f"build it with `{command}`"
+    raise FmuNotFoundError(name, advice if folder else f"{advice} and give its path")

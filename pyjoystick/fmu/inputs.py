@@ -1,0 +1,101 @@
+"""Inputs of a run: constants, or series that are straight between their samples and may jump."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+import pandas as pd
+from numpy.typing import NDArray
+
+from pyjoystick._types import FloatArray
+from pyjoystick.errors import ParameterError, SeriesError, UnknownInputError
+from pyjoystick.fmu.description import FmuDescription, Variable
+from pyjoystick.fmu.values import Value, checked_value
+
+#: A constant by name of the input, or a table indexed by time (s) with one column an input. Between rows a
+#: continuous input is straight and any other keeps its value; before the first and after the last row both
+#: stay. Two rows of one time are a jump: the second holds from there on.
+Inputs = Mapping[str, Value] | pd.DataFrame
+
+
+@dataclass(frozen=True, slots=True)
+class InputSeries:
+    """One input over the communication points t[0] .. t[n-1].
+
+    Attributes:
+        variable: the input
+        values: its value at t[k] and just after, shape (n,)
+        slopes: its derivative from t[k] to t[k+1], shape (n - 1,)
+    """
+
+    variable: Variable
+    values: FloatArray
+    slopes: FloatArray
+
+
+def checked_inputs(description: FmuDescription, inputs: Inputs) -> pd.DataFrame:
+    """The inputs as a table of finite numbers with increasing time.
+
+    Raises:
+        UnknownInputError: the FMU has no input of that name
+        ParameterError: a value is of the wrong type, NaN or out of range, or the table is empty
+        SeriesError: the time of the table is not numeric, not finite or falls
+    """
+    known = description.names("input")
+    for name in inputs:
+        if name not in known:
+            raise UnknownInputError(str(name), known)
+    table = inputs if isinstance(inputs, pd.DataFrame) else pd.DataFrame(dict(inputs), index=[0.0])
+    if table.empty and len(table.columns):
+        raise ParameterError("inputs", "an empty table", "at least one row")
+    for name in table:
+        for value in table[name]:
+            checked_value(description.variables[str(name)], value)
+    try:
+        time = table.index.to_numpy(dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise SeriesError("index of the inputs", "must be time in s") from error
+    for i in np.flatnonzero(~np.isfinite(time) | (np.diff(time, prepend=-np.inf) < 0.0))[:1]:
+        raise SeriesError("index of the inputs", f"is {time[i]} at row {i}; must be finite and not fall")
+    return table
+
+
+def communication_points(instants: FloatArray, table: pd.DataFrame) -> FloatArray:
+    """The output instants and, between them, the times at which the inputs have a kink or a jump."""
+    breaks = table.index.to_numpy(dtype=np.float64)
+    inner = breaks[(breaks > instants[0]) & (breaks < instants[-1])]
+    return np.union1d(instants, inner)
+
+
+def input_series(description: FmuDescription, table: pd.DataFrame, points: FloatArray) -> list[InputSeries]:
+    """Every input of the table at the communication points, shape (n,), n >= 2."""
+    time = table.index.to_numpy(dtype=np.float64)
+    series = []
+    for name in table:
+        variable = description.variables[str(name)]
+        samples = table[name].to_numpy(dtype=np.float64)
+        if variable.type == "Real" and variable.variability == "continuous":
+            after = _limit(time, samples, points, np.searchsorted(time, points, side="right"))
+            before = _limit(time, samples, points, np.searchsorted(time, points, side="left"))
+            slopes = (before[1:] - after[:-1]) / np.diff(points)
+        else:
+            last = np.searchsorted(time, points, side="right") - 1
+            after, slopes = samples[np.maximum(last, 0)], np.zeros(len(points) - 1)
+        series.append(InputSeries(variable, after, slopes))
+    return series
+
+
+def _limit(
+    time: FloatArray,
+    samples: FloatArray,
+    points: FloatArray,
+    following: NDArray[np.intp],
+) -> FloatArray:
+    """The straight line from the row before `following` to that row, held beyond both ends of the table."""
+    right = np.clip(following, 0, len(time) - 1)
+    left = np.clip(following - 1, 0, len(time) - 1)
+    span = time[right] - time[left]
+    part = np.divide(points - time[left], span, out=np.zeros_like(points), where=span > 0.0)
+    return np.asarray(samples[left] + part * (samples[right] - samples[left]))

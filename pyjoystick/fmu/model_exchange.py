@@ -1,0 +1,80 @@
+"""Model Exchange runs with the importer's integrator, to check an FMU's Co-Simulation against."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from os import PathLike
+
+import fmpy
+import numpy as np
+import pandas as pd
+from numpy.typing import ArrayLike
+
+from pyjoystick.errors import ParameterError, SimulationError
+from pyjoystick.fmu.description import read_description
+from pyjoystick.fmu.files import find_fmu
+from pyjoystick.fmu.instance import instantiated
+from pyjoystick.fmu.values import Value, checked_outputs, checked_parameters
+from pyjoystick.parameters.checks import positive
+from pyjoystick.reference.simulation import checked_time
+from pyjoystick.tables import make_table
+
+
+def run_model_exchange(
+    fmu: str | PathLike[str],
+    time: ArrayLike,
+    *,
+    parameters: Mapping[str, Value] | None = None,
+    outputs: Iterable[str] | None = None,
+    tolerance: float = 1e-10,
+) -> pd.DataFrame:
+    """Run an FMU through Model Exchange and FMPy's CVode (SUNDIALS); inputs keep their start values.
+
+    There are no changing inputs because FMPy keeps them constant during a step of CVode, whatever the
+    tolerance.
+
+    Args:
+        fmu: a name such as ``Joystick``, or the path of any .fmu file
+        time: instants to record (s), equally spaced, shape (n,), n >= 2
+        parameters: as in `Fmu.run`
+        outputs: as in `Fmu.run`
+        tolerance: relative tolerance of CVode
+
+    Returns:
+        a table as that of `Fmu.run`
+
+    Raises:
+        ParameterError: the time is not equally spaced, or as in `Fmu.run`
+        FmuNotFoundError, FmuFileError, UnsupportedFmuError: as in `Fmu`
+        FmuRunError: the FMU refuses its settings or fails
+        SimulationError: the model ended the run by itself
+    """
+    instants = checked_time(time)
+    interval = float(instants[-1] - instants[0]) / (len(instants) - 1)
+    grid = instants[0] + interval * np.arange(len(instants))
+    if np.max(np.abs(grid - instants)) > 1e-9 * interval:
+        raise ParameterError("time", "unequal steps", "equally spaced for Model Exchange")
+    description = read_description(find_fmu(fmu))
+    values = checked_parameters(description, parameters or {})
+    recorded = checked_outputs(description, outputs)
+    with instantiated(description, "ModelExchange") as instance, instance.reporting():
+        instance.time = float(instants[0])
+        rows = fmpy.simulate_fmu(
+            str(instance.folder),
+            model_description=fmpy.read_model_description(str(instance.folder), validate=False),
+            fmu_instance=instance.fmi,
+            validate=False,
+            fmi_type="ModelExchange",
+            solver="CVode",
+            start_time=float(instants[0]),
+            stop_time=float(instants[-1]),
+            output_interval=interval,
+            record_events=False,
+            relative_tolerance=positive("tolerance", tolerance),
+            start_values=dict(values),
+            output=[variable.name for variable in recorded],
+        )
+    if len(rows) != len(instants):
+        raise SimulationError(float(rows["time"][-1]), "the model ended the run")
+    columns = {variable.name: rows[variable.name] for variable in recorded}
+    return make_table(instants, columns, [variable.quantity for variable in recorded])
