@@ -1,0 +1,75 @@
+"""The command line: ``pyjoystick`` or ``python -m pyjoystick``."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Annotated
+
+import typer
+
+from pyjoystick.cli import compare, free_oscillation, info
+from pyjoystick.cli.console import print_error, print_traceback
+from pyjoystick.errors import PyJoystickError
+from pyjoystick.versions import version_of
+
+__all__ = ["app", "main"]
+
+app = typer.Typer(
+    add_completion=False,
+    no_args_is_help=True,
+    pretty_exceptions_enable=False,
+    rich_markup_mode="markdown",
+    help="Simulate joysticks with opposing restrained preloaded springs by their FMUs.",
+    epilog="`pyjoystick COMMAND --help` shows the options of a command, with examples.",
+)
+app.command("free-oscillation", epilog=free_oscillation.EXAMPLES)(free_oscillation.run)
+app.command("compare", epilog=compare.EXAMPLES)(compare.run)
+app.command("info", epilog=info.EXAMPLES)(info.run)
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command line and return its exit code: 0 done, 1 failed or a limit exceeded, 2 wrong usage.
+
+    Args:
+        arguments: without the name of the program; those of this process where not given
+    """
+    _state.debug = False
+    try:
+        app(args=None if arguments is None else list(arguments), prog_name="pyjoystick")
+    except SystemExit as stop:
+        return stop.code if isinstance(stop.code, int) else int(stop.code is not None)
+    except PyJoystickError as error:
+        print_error(str(error))
+    except Exception as error:  # a fault of this program must not end in a traceback
+        hint = "" if _state.debug else " (pyjoystick --debug COMMAND shows where)"
+        print_error(f"internal error: {type(error).__name__}: {error}{hint}")
+    else:
+        return 0
+    if _state.debug:
+        print_traceback()
+    return 1
+
+
+class _State:
+    """What the options before the command say."""
+
+    debug = False
+
+
+_state = _State()
+
+
+def _print_version(wanted: bool) -> None:
+    if wanted:
+        typer.echo(f"pyjoystick {version_of('pyjoystick')}")
+        raise typer.Exit
+
+
+@app.callback()
+def _options(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Show the version.")
+    ] = False,
+    debug: Annotated[bool, typer.Option("--debug", help="Show where an error comes from.")] = False,
+) -> None:
+    _state.debug = debug

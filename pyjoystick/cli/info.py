@@ -1,0 +1,103 @@
+"""``pyjoystick info``."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+from rich.console import Console
+from rich.markup import escape
+from rich.table import Table
+
+from pyjoystick.cli.console import output
+from pyjoystick.cli.fmus import found_or_built
+from pyjoystick.fmu import DefaultExperiment, FmuDescription, Variable, read_description
+
+_GROUPS = (
+    ("input", "Inputs"),
+    ("output", "Outputs"),
+    ("parameter", "Parameters"),
+    ("calculatedParameter", "Calculated parameters"),
+    ("structuralParameter", "Structural parameters"),
+    ("local", "Local variables"),
+)
+EXAMPLES = """
+Examples:
+
+    pyjoystick info Joystick
+    pyjoystick info path/to/other.fmu --all
+"""
+
+
+def run(
+    fmu: Annotated[
+        str,
+        typer.Argument(
+            metavar="FMU",
+            help="Path of any .fmu file, or Joystick, JoystickPowerLaw or JoystickInverse.",
+            show_default=False,
+        ),
+    ],
+    everything: Annotated[bool, typer.Option("--all", help="Show local variables too.")] = False,
+) -> None:
+    """Show what an FMU is: model, interfaces, platforms, variables; nothing of it is run."""
+    description = read_description(found_or_built(fmu))
+    console = output()
+    _print_facts(console, description)
+    for causality, title in _GROUPS:
+        names = description.names(causality)
+        if causality == "local" and not everything:
+            console.print(f"\n{len(names)} local variables (--all shows them)")
+        elif names:
+            console.print(f"\n[bold]{title}[/bold]")
+            console.print(_variables([description.variables[name] for name in names]))
+
+
+def _print_facts(console: Console, description: FmuDescription) -> None:
+    facts = {
+        "file": str(description.path),
+        "model": description.model_name,
+        "about": description.description,
+        "FMI": f"{description.fmi_version}, {' and '.join(description.interfaces) or 'no known interface'}",
+        "platforms": ", ".join(description.platforms) or "no binary",
+        "sources": "included" if description.has_sources else "not included",
+        "made by": " ".join(filter(None, (description.generation_tool, description.generation_date))),
+        "GUID": description.guid,
+        "experiment": _experiment(description.experiment),
+    }
+    table = Table.grid(padding=(0, 2))
+    for name, fact in facts.items():
+        if fact:
+            table.add_row(f"[dim]{name}[/dim]", escape(fact))
+    console.print(table)
+
+
+def _experiment(experiment: DefaultExperiment) -> str:
+    parts = (
+        ("from", experiment.start_time, "s"),
+        ("to", experiment.stop_time, "s"),
+        ("step", experiment.step_size, "s"),
+        ("tolerance", experiment.tolerance, ""),
+    )
+    return ", ".join(f"{name} {value:g} {unit}".rstrip() for name, value, unit in parts if value is not None)
+
+
+def _variables(variables: list[Variable]) -> Table:
+    table = Table("name", "unit", "start", "range", "description", box=None, padding=(0, 2, 0, 0))
+    table.columns[0].no_wrap = True
+    table.columns[2].justify = "right"
+    table.columns[3].max_width = 10
+    for variable in variables:
+        unit = variable.unit if variable.type == "Real" or variable.unit else variable.type
+        texts = (variable.name, unit, variable.start or "", _range(variable), variable.description)
+        table.add_row(*map(escape, texts))
+    return table
+
+
+def _range(variable: Variable) -> str:
+    low, high = variable.minimum, variable.maximum
+    if low is not None and high is not None:
+        return f"{low:g} to {high:g}"
+    if low is not None:
+        return f">= {low:g}"
+    return "" if high is None else f"<= {high:g}"

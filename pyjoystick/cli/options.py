@@ -1,0 +1,135 @@
+"""Options that commands share, and how their text is understood."""
+
+from __future__ import annotations
+
+import math
+import re
+from enum import StrEnum
+from typing import Annotated
+
+import typer
+
+from pyjoystick.errors import ParameterError
+from pyjoystick.fmu import Fmu
+from pyjoystick.parameters import NOMINAL, NOMINAL_POWER_LAW, JoystickParameters
+
+_ANGLE = re.compile(r"(?P<number>[-+0-9.eE]+)\s*(?P<unit>deg|rad|)")
+
+
+class DampingLaw(StrEnum):
+    """The damping laws of the paper."""
+
+    CONSTANT = "constant"
+    POWER_LAW = "power-law"
+
+
+def parse_angle(text: str) -> float:
+    """An angle in rad from text such as ``-20``, ``-20deg`` or ``-0.35rad``; a bare number is in degrees.
+
+    Raises:
+        BadParameter: it is no angle, or 90 degrees or more
+    """
+    match = _ANGLE.fullmatch(text.strip())
+    try:
+        number = float(match["number"]) if match else math.nan
+    except ValueError:
+        number = math.nan
+    if match is None or not math.isfinite(number):
+        raise typer.BadParameter(
+            f"{text!r} is no angle; write it as -20deg or -0.35rad", param_hint="--release-angle"
+        )
+    angle = number if match["unit"] == "rad" else math.radians(number)
+    if abs(angle) >= math.pi / 2.0:
+        hint = f"; did you mean {number:g}deg?" if match["unit"] == "rad" and abs(number) < 90.0 else ""
+        raise typer.BadParameter(
+            f"{text!r} must lie between -90deg and 90deg{hint}", param_hint="--release-angle"
+        )
+    return angle
+
+
+def parse_assignments(texts: list[str], option: str) -> dict[str, float]:
+    """Numbers by name from texts such as ``damping.C=0.05``; each name at most once.
+
+    Raises:
+        BadParameter: it is not of that form, or a name is given twice
+    """
+    values: dict[str, float] = {}
+    for text in texts:
+        name, sign, value = (part.strip() for part in text.partition("="))
+        try:
+            number = float(value)
+        except ValueError:
+            sign = ""
+            number = math.nan
+        if not name or not sign:
+            raise typer.BadParameter(
+                f"{text!r} must be NAME=NUMBER, such as damping.C=0.05", param_hint=option
+            )
+        if name in values:
+            raise typer.BadParameter(f"{name} is given twice", param_hint=option)
+        values[name] = number
+    return values
+
+
+def joystick_of(law: DampingLaw, changes: dict[str, float]) -> JoystickParameters:
+    """The paper's joystick with a damping law and some parameters changed.
+
+    Raises:
+        UnknownParameterError, ParameterError: a name or value is not allowed
+    """
+    for name in ("theta_start", "omega_start"):
+        if name in changes:
+            raise ParameterError(name, changes[name], "left out", "the release is --release-angle, from rest")
+    nominal = NOMINAL if law is DampingLaw.CONSTANT else NOMINAL_POWER_LAW
+    return nominal.replace(changes)
+
+
+def law_of(fmu: Fmu) -> DampingLaw:
+    """The damping law that an FMU's parameters belong to."""
+    has_power_law = "damping.alpha" in fmu.description.variables
+    return DampingLaw.POWER_LAW if has_power_law else DampingLaw.CONSTANT
+
+
+DEFAULT_RELEASE_ANGLE = "-20deg"
+
+ReleaseAngle = Annotated[
+    str,
+    typer.Option(
+        "--release-angle",
+        "-a",
+        metavar="ANGLE",
+        help="Angle at which the joystick is let go: -20deg or -0.35rad; a bare number is in degrees.",
+    ),
+]
+Duration = Annotated[float, typer.Option("--duration", "-d", metavar="SECONDS", help="Length of the run.")]
+Law = Annotated[
+    DampingLaw | None,
+    typer.Option(
+        "--damping", help="Damping law; constant if neither this nor --fmu is given.", show_default=False
+    ),
+]
+Set = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--set",
+        "-s",
+        metavar="NAME=VALUE",
+        help="Set a parameter, in SI units; repeatable. `pyjoystick info Joystick` lists them.",
+        show_default=False,
+    ),
+]
+FmuFile = Annotated[
+    str | None,
+    typer.Option(
+        "--fmu",
+        metavar="FILE",
+        help="Another FMU with the interface of Joystick.fmu; the damping law is then its own.",
+        show_default=False,
+    ),
+]
+OutputInterval = Annotated[
+    float, typer.Option("--output-interval", metavar="SECONDS", help="Time between two rows of the result.")
+]
+Tolerance = Annotated[
+    float, typer.Option("--tolerance", metavar="NUMBER", help="Tolerance that the FMU's integrator keeps.")
+]

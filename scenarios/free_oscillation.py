@@ -1,0 +1,47 @@
+"""The paper's free oscillation (section 3.3, Fig. 10): the joystick is let go at -20 degrees.
+
+Runs the FMUs of both damping laws, compares them with the pure-Python reference and writes the motion, the
+figure and a summary into results/free_oscillation/. Edit the settings below to make it yours.
+"""
+
+import math
+import sys
+from pathlib import Path
+
+from pyjoystick.comparison import compare, within_limits
+from pyjoystick.experiments import free_oscillation, reference_free_oscillation
+from pyjoystick.output import write_text
+from pyjoystick.parameters import NOMINAL, NOMINAL_POWER_LAW
+from pyjoystick.plots import plot_motion, save_figure
+from pyjoystick.report import Case, free_oscillation_report
+from pyjoystick.tables import write_csv
+
+RELEASE_ANGLE = math.radians(-20.0)
+DURATION = 1.5  # s
+JOYSTICKS = {"constant damping": NOMINAL, "power-law damping": NOMINAL_POWER_LAW}
+LIMITS = {"theta": 1e-7}  # rad, largest difference to the reference
+RESULTS = Path(__file__).parents[1] / "results" / "free_oscillation"
+
+
+def main(results: Path = RESULTS) -> int:
+    """Run the scenario; returns 1 where an FMU is further from the reference than `LIMITS`."""
+    cases = {}
+    for label, joystick in JOYSTICKS.items():
+        run = free_oscillation(RELEASE_ANGLE, parameters=joystick, duration=DURATION)
+        reference = reference_free_oscillation(RELEASE_ANGLE, parameters=joystick, duration=DURATION)
+        differences = compare(run, reference, limits=LIMITS)
+        cases[label] = Case(run, differences, events=len(reference.attrs["events"]))
+        write_csv(run, results / f"{label.replace(' ', '_')}.csv")
+
+    figure = plot_motion({label: case.run for label, case in cases.items()})
+    for suffix in ("png", "pdf"):
+        save_figure(figure, results / f"motion.{suffix}")
+
+    summary = free_oscillation_report(f"Free oscillation from {math.degrees(RELEASE_ANGLE):g} degrees", cases)
+    write_text(results / "summary.md", summary)
+    print(summary)
+    return 0 if all(within_limits(case.differences) for case in cases.values()) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
