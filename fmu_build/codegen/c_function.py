@@ -8,7 +8,7 @@ from fmu_build.codegen import expression as ex
 from fmu_build.codegen.algebraics import Assignment, NewtonBlock, Step
 from fmu_build.codegen.c_expression import Writer, shared_nodes
 from fmu_build.codegen.expression import Expression, Slot
-from fmu_build.codegen.function_signature import FunctionSignature
+from fmu_build.codegen.functions import FunctionSignature
 
 
 class FunctionBody:

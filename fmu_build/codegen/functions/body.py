@@ -1,0 +1,216 @@
+"""The algorithm of a Modelica function as a C function.
+
+rumoca hands algorithms over in static single assignment form: every assignment is a definition of its own, and
+every read names the definition that it means. Here the definitions of one variable share one C variable; each
+read is checked against the definition whose value the C variable has at that point.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from fmu_build.codegen.functions.assignments import Assignment, AssignmentWriter
+from fmu_build.codegen.functions.code import FunctionCode
+from fmu_build.codegen.functions.dae import FunctionDae
+from fmu_build.codegen.functions.definitions import Statement, flattened, live_definitions
+from fmu_build.codegen.functions.expressions import Callees, FunctionExpressions
+from fmu_build.codegen.functions.index import Index, LoopVariable, positions
+from fmu_build.codegen.functions.signature import FunctionSignature
+from fmu_build.codegen.lowered import LoweredModel
+
+
+def write_function(
+    model: LoweredModel, function: Mapping[str, Any], signature: FunctionSignature, callees: Callees
+) -> str:
+    """C source of a function; raises `UnsupportedModelError` for what cannot be carried faithfully."""
+    return _FunctionWriter(FunctionDae(model, function), function, signature, callees).write()
+
+
+class _FunctionWriter:
+    def __init__(
+        self, dae: FunctionDae, function: Mapping[str, Any], signature: FunctionSignature, callees: Callees
+    ) -> None:
+        self._dae = dae
+        self._function = function
+        self._signature = signature
+        self._code = FunctionCode()
+        self._expressions = FunctionExpressions(dae, self._code, callees)
+        self._assignments = AssignmentWriter(dae, self._expressions, self._code)
+        self._definitions = function["definitions"]
+        self._live = live_definitions(function, dae.by_id)
+        self._dimensions: dict[int, tuple[int, ...]] = {}
+        self._records = self._record_results()
+        self._declared: set[int] = set()
+        self._n_stored = 0
+
+    def write(self) -> str:
+        parameters = dict(self._parameter(parameter) for parameter in self._function["parameters"])
+        for value in self._function["values"]:
+            if value["ordinal"] in self._records:
+                continue
+            self._dimensions[value["ordinal"]] = self._dae.declared_dimensions(value)
+            self._expressions.variables[value["ordinal"]] = self._code.name(value["name"])
+        self._statements(self._function["statements"], is_outermost=True)
+        self._results()
+        body = "\n".join(self._code.lines)
+        unused = [f"(void){name};" for name in parameters if not re.search(rf"\b{name}\b", body)]
+        lines = [f"    {line}" for line in (*unused, *self._code.lines)]
+        return "\n".join([self._head(list(parameters.values())), "{", *lines, "}", ""])
+
+    def _head(self, parameters: Sequence[str]) -> str:
+        if self._signature.returns_value:
+            return f"static double {self._signature.name}({', '.join(parameters) or 'void'})"
+        result = f"double result[{self._signature.n_results}]"
+        return f"static void {self._signature.name}({', '.join([*parameters, result])})"
+
+    def _parameter(self, parameter: Mapping[str, Any]) -> tuple[str, str]:
+        """The C name of a parameter and its declaration."""
+        dimensions = self._dae.declared_dimensions(parameter)
+        name = self._code.name(parameter["name"])
+        self._expressions.parameters[parameter["ordinal"]] = name
+        return name, f"const double {name}[{math.prod(dimensions)}]" if dimensions else f"double {name}"
+
+    def _statements(self, statements: Sequence[Statement], is_outermost: bool = False) -> None:
+        for statement in statements:
+            self._expressions.forget_calls()
+            match statement["kind"]:
+                case "assignment":
+                    self._group([statement["definition"]], is_outermost)
+                case "assignment_group":
+                    self._group([inner["definition"] for inner in statement["statements"]], is_outermost)
+                case "for":
+                    self._for(statement)
+                case "assertion" if is_outermost:
+                    place = self._signature.n_results - self._n_assertions() + self._n_stored
+                    self._code.line(f"result[{place}] = {self._expressions.text(statement['condition'])};")
+                    self._n_stored += 1
+                case kind:
+                    where = statement.get("provenance", self._function["declaration"])
+                    raise self._dae.refuse(f"a statement of kind {kind} in a loop", where)
+
+    def _group(self, definitions: Sequence[int], is_outermost: bool) -> None:
+        """Assignments that all read the values before the group."""
+        live = [
+            d for d in definitions if d in self._live and self._definitions[d]["target"] not in self._records
+        ]
+        pending = [Assignment(self._definitions[d]["target"], self._definitions[d]["rhs"]) for d in live]
+        if len(pending) == 1 and is_outermost and self._is_declaration(pending[0]):
+            self._declare_with_value(pending[0])
+        else:
+            for assignment in pending:
+                self._declare(assignment.target)
+            self._assignments.write(pending)
+        for definition in live:
+            self._expressions.current[self._definitions[definition]["target"]] = definition
+
+    def _for(self, statement: Statement) -> None:
+        """A loop; its fold says which definitions stand for the carried values before, in and after it."""
+        fold = self._function["folds"][statement["fold"]]
+        inner = [s["definition"] for s in flattened(statement["statements"]) if s["kind"] == "assignment"]
+        targets = [
+            self._definitions[definition]["target"] for definition in inner if definition in self._live
+        ]
+        if not targets:
+            return
+        for target in targets:
+            self._declare(target)
+        self._carry(fold, "initial_definitions", "parameter_definitions")
+        loops = self._dae.loops(fold["domain"])
+        names = [self._open_loop((fold["domain"], ordinal), loop) for ordinal, loop in enumerate(loops)]
+        self._statements(statement["statements"])
+        for name in names:
+            self._code.close()
+            self._code.release(name)
+        self._carry(fold, "update_definitions", "output_definitions")
+
+    def _carry(self, fold: Mapping[str, Any], before: str, after: str) -> None:
+        """The carried variables keep their values, which other definitions stand for from here on."""
+        for target, old, new in zip(fold["targets"], fold[before], fold[after], strict=True):
+            if new in self._live:
+                if self._expressions.current.get(target) != old:
+                    raise self._dae.refuse(
+                        "a loop that starts from a variable's earlier value", fold["provenance"]
+                    )
+                self._expressions.current[target] = new
+
+    def _open_loop(self, binder: tuple[int, int], loop: Mapping[str, Any]) -> str:
+        lower, upper, step = loop["lower"], loop["upper"], loop["step"]
+        name = self._code.name(loop["display_name"])
+        variable = LoopVariable(name, min(lower, upper), max(lower, upper))
+        self._expressions.subscripts.binders[binder] = Index.of(variable)
+        advance = {1: f"++{name}", -1: f"--{name}"}.get(step, f"{name} += {step}")
+        self._code.open(f"for (int {name} = {lower}; {name} {'<=' if step > 0 else '>='} {upper}; {advance})")
+        return name
+
+    def _is_declaration(self, assignment: Assignment) -> bool:
+        """Whether an assignment can stand in the declaration of its variable."""
+        is_array = bool(self._dimensions[assignment.target])
+        return (
+            assignment.target not in self._declared
+            and not is_array
+            and not self._assignments.is_if(assignment)
+        )
+
+    def _declare_with_value(self, assignment: Assignment) -> None:
+        self._declared.add(assignment.target)
+        name = self._expressions.variables[assignment.target]
+        text = self._expressions.text(assignment.rhs)
+        definitions = [d for d in self._live if self._definitions[d]["target"] == assignment.target]
+        self._code.line(f"{'const ' if len(definitions) == 1 else ''}double {name} = {text};")
+
+    def _declare(self, target: int) -> None:
+        if target in self._declared:
+            return
+        self._declared.add(target)
+        size = f"[{math.prod(self._dimensions[target])}]" if self._dimensions[target] else ""
+        self._code.line(f"double {self._expressions.variables[target]}{size};")
+
+    def _n_assertions(self) -> int:
+        return sum(s["kind"] == "assertion" for s in flattened(self._function["statements"]))
+
+    def _record_results(self) -> dict[int, list[int]]:
+        """Outputs that are records, put together from variables at the end, with their fields."""
+        records = {}
+        for definition in self._function["results"]:
+            operation = self._dae.operation(self._definitions[definition]["rhs"])
+            if operation["kind"] == "record":
+                records[self._definitions[definition]["target"]] = operation["fields"]
+        return records
+
+    def _results(self) -> None:
+        offset = 0
+        for definition in self._function["results"]:
+            target = self._definitions[definition]["target"]
+            if target in self._records:
+                for number in self._records[target]:
+                    offset = self._store_result(number, offset)
+                continue
+            name = self._expressions.variables[target]
+            if self._expressions.current.get(target) != definition:
+                raise self._dae.refuse(f"an earlier value of {name} as result", self._function["declaration"])
+            if self._signature.returns_value:
+                self._code.line(f"return {name};")
+            else:
+                offset = self._store_array(name, self._dimensions[target], offset)
+
+    def _store_result(self, number: int, offset: int) -> int:
+        """Store the elements of an expression from `offset` on; gives the place behind them."""
+        dimensions = self._dae.dimensions(number)
+        for place, at in enumerate(positions(dimensions)):
+            text = self._code.text(self._expressions.element(number, at))
+            self._code.line(f"result[{offset + place}] = {text};")
+        return offset + math.prod(dimensions)
+
+    def _store_array(self, name: str, dimensions: tuple[int, ...], offset: int) -> int:
+        size = math.prod(dimensions)
+        if dimensions:
+            self._expressions.for_each(
+                (size,),
+                lambda at: self._code.line(f"result[{(at[0] + offset).text()}] = {name}[{at[0].text()}];"),
+            )
+        else:
+            self._code.line(f"result[{offset}] = {name};")
+        return offset + size

@@ -1,0 +1,192 @@
+"""Which Modelica function each call site of the Solve IR calls.
+
+The Solve IR names the callee by the number of a call site only. rumoca numbers the sites in the order in
+which it meets the calls in the equations of the DAE, outer calls before those in their arguments. So the
+sites in the programs of one equation, sorted, are the calls in the equation's expressions in that order;
+that is accepted only where their number and every signature agree.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+from fmu_build.codegen.lowered import LoweredModel
+
+_SpanKey = tuple[int, int, int]
+_REFERENCES = ("residual", "bodies", "expression", "message")
+
+
+class CallSites:
+    """Finds the functions behind the call sites of one model."""
+
+    def __init__(self, model: LoweredModel) -> None:
+        self._model = model
+        self._functions = {function["id"]: function for function in model.dae["functions"]}
+        self._expressions = {expression["id"]: expression for expression in model.dae["expressions"]}
+        self._types = [entry["value_type"] for entry in model.dae["value_types"]]
+        relations = model.dae["systems"]["conditions"]["relations"]
+        self._relations = {relation["expression"] for relation in relations}
+        self._found = self._match_all()
+
+    def function_of(self, site: Mapping[str, Any], span: dict[str, int] | None) -> int:
+        """The id of the function; raises `UnsupportedModelError` where it is not certain."""
+        found = self._found.get(site["owner"])
+        if found is not None:
+            return found
+        fitting = {call["function"] for call in self._all_calls() if self._fits(call["function"], site)}
+        if len(fitting) == 1:
+            return fitting.pop()
+        names = sorted({self._functions[number]["name"] for number in fitting})
+        what = f"one of {', '.join(names)}" if names else "none of the model's functions"
+        raise self._model.refuse(f"a function call that cannot be identified: it fits {what}", span)
+
+    def _match_all(self) -> dict[int, int]:
+        """{number of the call site: id of the function} for all equations where both sides agree."""
+        roots = self._roots_by_span()
+        found: dict[int, int] = {}
+        for span, sites in self._sites_by_span().items():
+            ordered = sorted(sites)
+            all_calls = self._calls_below(roots.get(span, []))
+            # rumoca may have computed calls of constants itself.
+            for calls in (all_calls, [call for call in all_calls if not self._is_constant(call)]):
+                functions = [self._expressions[call]["operation"]["function"] for call in calls]
+                if len(functions) == len(ordered) and all(
+                    self._fits(function, sites[owner])
+                    for function, owner in zip(functions, ordered, strict=True)
+                ):
+                    found.update(zip(ordered, functions, strict=True))
+                    break
+        return found
+
+    def _is_constant(self, call: int) -> bool:
+        return bool(self._expressions[call]["variability"] == "constant")
+
+    def _sites_by_span(self) -> dict[_SpanKey, dict[int, Mapping[str, Any]]]:
+        sites: dict[_SpanKey, dict[int, Mapping[str, Any]]] = {}
+        for table in _tables(self._model.solve):
+            for program, span in zip(table["programs"], table.get("program_spans") or [], strict=False):
+                if span is not None:
+                    for site in _sites(program):
+                        sites.setdefault(_key(span), {})[site["owner"]] = site
+        return sites
+
+    def _roots_by_span(self) -> dict[_SpanKey, list[int]]:
+        """The expressions that belong to each place in the source, in the order of the DAE."""
+        roots: dict[_SpanKey, list[int]] = {}
+        for entry in _placed(self._model.dae["systems"]):
+            for name in _REFERENCES:
+                value = entry.get(name)
+                if value is not None:
+                    roots.setdefault(_key(entry["provenance"]["span"]), []).extend(
+                        value if isinstance(value, list) else [value]
+                    )
+        for variable in self._model.dae["variables"]:
+            attributes = variable["attributes"]
+            value = attributes["start"] if attributes["binding"] is None else attributes["binding"]
+            if value is not None:
+                roots.setdefault(_key(variable["declaration"]["span"]), []).append(value)
+        return roots
+
+    def _calls_below(self, roots: Sequence[int]) -> list[int]:
+        """The call expressions below the roots, outer calls first; several results of one call count once."""
+        calls: list[int] = []
+        seen: set[int] = set()
+        met: set[tuple[int, tuple[int, ...]]] = set()
+
+        def visit(number: int, is_root: bool) -> None:
+            if number in seen or (number in self._relations and not is_root):
+                return  # the equation reads the memory of the relation, which has a row of its own
+            seen.add(number)
+            operation = self._expressions[number]["operation"]
+            if operation["kind"] == "call":
+                call = (operation["function"], tuple(operation["arguments"]))
+                if call not in met:
+                    met.add(call)
+                    calls.append(number)
+            for operand in operands(operation):
+                visit(operand, is_root=False)
+
+        for root in roots:
+            visit(root, is_root=True)
+        return calls
+
+    def _all_calls(self) -> Iterator[Mapping[str, Any]]:
+        for expression in self._expressions.values():
+            if expression["operation"]["kind"] == "call":
+                yield expression["operation"]
+
+    def _fits(self, number: int, site: Mapping[str, Any]) -> bool:
+        """Whether inputs and results of the function have the shapes that the call site has."""
+        function = self._functions[number]
+        inputs = [self._dimensions(parameter["value_type"]) for parameter in function["parameters"]]
+        results = [list(shape) for kind in function["result_types"] for shape in shapes(self._types, kind)]
+        given = [
+            output["value_type"]["dimensions"] for output in site["outputs"] if output["kind"] == "result"
+        ]
+        return inputs == [value["dimensions"] for value in site["inputs"]] and results == given
+
+    def _dimensions(self, kind: int) -> list[int]:
+        return list(self._types[kind]["dimensions"])
+
+
+def shapes(types: Sequence[Mapping[str, Any]], kind: int) -> list[tuple[int, ...]]:
+    """The array sizes of what a value of a type consists of: itself, or the fields of a record."""
+    fields = types[kind]["record_fields"]
+    if types[kind]["scalar"] != "record":
+        return [tuple(types[kind]["dimensions"])]
+    return [shape for field in fields for shape in shapes(types, field["value_type"])]
+
+
+def operands(operation: Mapping[str, Any]) -> Iterator[int]:
+    """The expressions that an operation of the DAE reads directly, in the order in which they are written."""
+    for name in ("operand", "lhs", "rhs", "base", "body", "value"):
+        if isinstance(operation.get(name), int) and operation["kind"] != "function_value":
+            yield operation[name]
+    for name in ("operands", "arguments", "elements", "fields"):
+        yield from operation.get(name, ())
+    for subscript in operation.get("subscripts", ()):
+        if "expression" in subscript:
+            yield subscript["expression"]
+    for name in ("start", "explicit_step", "stop"):
+        bound = operation.get(name)
+        if isinstance(bound, dict) and bound["expression"] is not None:
+            yield bound["expression"]
+
+
+def _tables(tree: Any) -> Iterator[Mapping[str, Any]]:
+    """Every table of programs, but for those of derivatives, which have call sites of their own."""
+    if isinstance(tree, dict):
+        if "programs" in tree and "program_spans" in tree:
+            yield tree
+        for name, child in tree.items():
+            if name != "artifacts":
+                yield from _tables(child)
+    elif isinstance(tree, list):
+        for child in tree:
+            yield from _tables(child)
+
+
+def _sites(tree: Any) -> Iterator[Mapping[str, Any]]:
+    if isinstance(tree, dict):
+        if "PureCall" in tree:
+            yield tree["PureCall"]["site"]
+            return
+        tree = list(tree.values())
+    if isinstance(tree, list):
+        for child in tree:
+            yield from _sites(child)
+
+
+def _placed(tree: Any) -> Iterator[Mapping[str, Any]]:
+    if isinstance(tree, dict):
+        if isinstance(tree.get("provenance"), dict) and tree["provenance"].get("span"):
+            yield tree
+        tree = list(tree.values())
+    if isinstance(tree, list):
+        for child in tree:
+            yield from _placed(child)
+
+
+def _key(span: Mapping[str, int]) -> _SpanKey:
+    return span["source"], span["start"], span["end"]

@@ -1,0 +1,91 @@
+"""The C functions that a model needs: found by call site, written once, callees first."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from fmu_build.codegen.functions.body import write_function
+from fmu_build.codegen.functions.calls import CallSites, shapes
+from fmu_build.codegen.functions.definitions import assertions
+from fmu_build.codegen.functions.signature import FunctionSignature
+from fmu_build.codegen.functions.subscripts import HELPERS
+from fmu_build.codegen.lowered import LoweredModel
+
+
+@dataclass(frozen=True, slots=True)
+class FunctionSources:
+    """The Modelica functions of a model as C, and how they are called."""
+
+    source: str = ""
+    signatures: Mapping[str, FunctionSignature] = field(default_factory=dict)
+
+
+class FunctionLibrary:
+    """The functions that the equations of one model call."""
+
+    def __init__(self, model: LoweredModel) -> None:
+        self._model = model
+        self._functions = {function["id"]: function for function in model.dae["functions"]}
+        self._types = [entry["value_type"] for entry in model.dae["value_types"]]
+        self._call_sites = CallSites(model)
+        self._signatures: dict[int, FunctionSignature] = {}
+        self._sources: dict[int, str] = {}
+
+    def name_of(self, site: Mapping[str, Any], span: dict[str, int] | None) -> str:
+        """The C function for a call site of the Solve IR in an equation at `span`.
+
+        Raises `UnsupportedModelError` where the function cannot be identified or its body cannot be carried.
+        """
+        number = self._call_sites.function_of(site, span)
+        signature = self.signature(number)
+        results = sum(output["value_type"]["scalar_count"] for output in site["outputs"])
+        if results != signature.n_results:
+            name = self._functions[number]["name"]
+            raise self._model.refuse(f"function {name} with assertions in the functions that it calls", span)
+        return signature.name
+
+    def signature(self, function: int) -> FunctionSignature:
+        """How a function is called; its source and that of the functions that it calls are written on the way."""
+        if function not in self._signatures:
+            declared = self._functions[function]
+            if declared["external"] is not None:
+                span = declared["declaration"]["span"]
+                raise self._model.refuse(f"the external function {declared['name']} is not supported", span)
+            self._signatures[function] = self._signature(function)
+            self._sources[function] = write_function(self._model, declared, self._signatures[function], self)
+        elif function not in self._sources:
+            span = self._functions[function]["declaration"]["span"]
+            raise self._model.refuse(f"the recursive function {self._functions[function]['name']}", span)
+        return self._signatures[function]
+
+    def _signature(self, function: int) -> FunctionSignature:
+        declared = self._functions[function]
+        inputs = [self._types[parameter["value_type"]]["dimensions"] for parameter in declared["parameters"]]
+        results = [shape for kind in declared["result_types"] for shape in shapes(self._types, kind)]
+        n_assertions = assertions(declared)
+        return FunctionSignature(
+            name=self._name(declared["name"]),
+            inputs=tuple(math.prod(dimensions) if dimensions else None for dimensions in inputs),
+            n_results=sum(math.prod(dimensions) for dimensions in results) + n_assertions,
+            returns_value=results == [()] and not n_assertions,
+        )
+
+    def _name(self, modelica_name: str) -> str:
+        """``f_`` and the Modelica name; rumoca has a function of its own for every size of the arguments."""
+        base = "f_" + re.sub(r"\W+", "_", modelica_name).strip("_")
+        taken = {signature.name for signature in self._signatures.values()}
+        candidate, number = base, 2
+        while candidate in taken:
+            candidate, number = f"{base}_{number}", number + 1
+        return candidate
+
+    def sources(self) -> FunctionSources:
+        """C source of the functions that `name_of` was asked for, and of those that they call, callees first."""
+        source = "\n".join(self._sources.values())
+        helpers = [text for name, text in HELPERS.items() if re.search(rf"\b{name}\(", source)]
+        signatures = {self._signatures[number].name: self._signatures[number] for number in self._sources}
+        return FunctionSources("\n".join([*helpers, source]) if source else "", signatures)

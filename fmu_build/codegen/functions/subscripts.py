@@ -1,0 +1,160 @@
+"""Subscripts in bodies of Modelica functions: places in C arrays, checked where they are not known to be inside."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+from fmu_build.codegen import expression as ex
+from fmu_build.codegen.expression import Expression
+from fmu_build.codegen.functions.code import FunctionCode
+from fmu_build.codegen.functions.dae import FunctionDae
+from fmu_build.codegen.functions.index import Index, Position, flat
+
+HELPERS = {
+    "at": """/* The element of an array that Modelica counts from one; NaN beyond its bounds. */
+static double at(const double *array, int size, double index)
+{
+    return index >= 1.0 && index <= size ? array[(int)index - 1] : NAN;
+}
+""",
+    "put": """/* array[index] = value as Modelica counts from one; beyond the bounds the array is lost: NaN. */
+static void put(double *array, int size, double index, double value)
+{
+    if (index >= 1.0 && index <= size) {
+        array[(int)index - 1] = value;
+    } else {
+        for (int i = 0; i < size; ++i) array[i] = NAN;
+    }
+}
+""",
+    "within": """/* An index of one of several dimensions; NaN beyond its bounds. */
+static double within(double index, int size)
+{
+    return index >= 1.0 && index <= size ? index : NAN;
+}
+""",
+}
+"""C functions, by name, that the bodies may call."""
+
+
+class Subscripts:
+    """Finds places of array elements; `element` gives elements of expressions."""
+
+    def __init__(
+        self, dae: FunctionDae, code: FunctionCode, element: Callable[[int, tuple[Position, ...]], Expression]
+    ) -> None:
+        self.binders: dict[tuple[int, int], Index] = {}
+        self._dae = dae
+        self._code = code
+        self._element = element
+
+    def read(
+        self, name: str, dimensions: tuple[int, ...], at: tuple[Position, ...], offset: int = 0
+    ) -> Expression:
+        """An element of a C array that starts at `offset`, or a C variable where there are no dimensions."""
+        place = self._place(dimensions, at)
+        if isinstance(place, Index):
+            if not dimensions and not offset:
+                return self._code.leaf(name)
+            return self._code.leaf(f"{name}[{(place + offset).text()}]")
+        array = f"{name} + {offset}" if offset else name
+        return self._code.leaf(
+            f"at({array}, {math.prod(dimensions)}, {self._code.text(place)})", is_costly=True
+        )
+
+    def store(self, name: str, dimensions: tuple[int, ...], at: tuple[Position, ...], value: str) -> str:
+        """The C statement that sets an element."""
+        place = self._place(dimensions, at)
+        if isinstance(place, Index):
+            return f"{name}[{place.text()}] = {value};"
+        return f"put({name}, {math.prod(dimensions)}, {self._code.text(place)}, {value});"
+
+    def _place(self, dimensions: tuple[int, ...], at: tuple[Position, ...]) -> Position:
+        """The place in the sequence of all elements."""
+        indices = tuple(position for position in at if isinstance(position, Index))
+        if len(indices) == len(at):
+            return flat(indices, dimensions)
+        total: Expression = ex.ONE
+        for position, dimension in zip(at, dimensions, strict=True):
+            one_based = self.value(position)
+            if len(dimensions) > 1 and isinstance(position, Expression):
+                one_based = self._code.leaf(
+                    f"within({self._code.text(position)}, {dimension})", is_costly=True
+                )
+            rows = ex.binary("Mul", ex.number(dimension), ex.binary("Sub", total, ex.ONE))
+            total = ex.binary("Add", rows, one_based)
+        return total
+
+    def value(self, position: Position) -> Expression:
+        """A position as Modelica counts it, from one."""
+        return self._code.index_value(position + 1) if isinstance(position, Index) else position
+
+    def base_positions(
+        self, subscripts: Sequence[Mapping[str, Any]], dimensions: tuple[int, ...], at: tuple[Position, ...]
+    ) -> tuple[Position, ...]:
+        """Where the element `at` of ``a[subscripts]`` stands in the array a that has the `dimensions`."""
+        rest = list(at)
+        result: list[Position] = []
+        for place, dimension in enumerate(dimensions):
+            subscript = subscripts[place] if place < len(subscripts) else {"kind": "whole"}
+            if subscript["kind"] == "whole":
+                result.append(rest.pop(0))
+                continue
+            number = subscript["expression"]
+            inner = (rest.pop(0),) if subscript["kind"] == "slice" else ()
+            index = self.integer(number, inner)
+            if index is None:
+                result.append(self._element(number, inner))
+            elif (index + -1).lies_in(dimension):
+                result.append(index + -1)
+            elif index.is_constant:
+                raise self._dae.refuse(
+                    f"index {index.constant} of an array with {dimension} elements", number
+                )
+            else:
+                result.append(self._code.index_value(index))
+        return tuple(result)
+
+    def integer(self, number: int, at: tuple[Position, ...]) -> Index | None:
+        """The value of an Integer expression where it is known up to loop variables."""
+        operation = self._dae.operation(number)
+        match operation["kind"]:
+            case "literal" if "integer" in operation["value"]:
+                return Index(int(operation["value"]["integer"]))
+            case "coordinate" if operation["coordinate"]["kind"] == "binder":
+                coordinate = operation["coordinate"]
+                return self.binders.get((coordinate["domain"], coordinate["ordinal"]))
+            case "unary" if operation["operator"] == "negate":
+                inner = self.integer(operation["operand"], at)
+                return None if inner is None else inner * -1
+            case "binary" if operation["operator"] in ("add", "subtract", "multiply"):
+                return self._sum_or_product(operation, at)
+            case "builtin" if operation["builtin"] == "size" and len(operation["arguments"]) == 2:
+                return self._size(operation)
+            case "range" if isinstance(at[0], Index):
+                step = operation["explicit_step"]
+                return at[0] * (1 if step is None else step["value"]) + operation["start"]["value"]
+            case "array" if isinstance(at[0], Index) and at[0].is_constant:
+                return self.integer(operation["elements"][at[0].constant], at[1:])
+        return None
+
+    def _sum_or_product(self, operation: Mapping[str, Any], at: tuple[Position, ...]) -> Index | None:
+        if self._dae.dimensions(operation["lhs"]) or self._dae.dimensions(operation["rhs"]):
+            return None
+        a, b = (self.integer(operation[side], at) for side in ("lhs", "rhs"))
+        if a is None or b is None:
+            return None
+        if operation["operator"] != "multiply":
+            return a + b * (1 if operation["operator"] == "add" else -1)
+        if b.is_constant:
+            return a * b.constant
+        return b * a.constant if a.is_constant else None
+
+    def _size(self, operation: Mapping[str, Any]) -> Index | None:
+        array, axis = operation["arguments"]
+        place = self.integer(axis, ())
+        if place is None or not place.is_constant:
+            return None
+        return Index(self._dae.dimensions(array)[place.constant - 1])
