@@ -65,9 +65,13 @@ void integrator_interpolate(const Integrator *integrator, double time, double *s
 
 void integrator_truncate(Integrator *integrator, double time)
 {
+    StepRecord *record = &integrator->record;
     integrator_interpolate(integrator, time, integrator->states);
-    integrator->record.time = time;
-    integrator->record.slope_known = false;
+    record->time = time;
+    record->slope_known = false;
+    /* What was cut off must not let the steps grow, for the dense output of a step that is far too long for what
+     * is used of it is spoilt by rounding. */
+    record->suggestion = fmin(record->suggestion, record->step);
 }
 
 static bool evaluate(Integrator *integrator, double time, double *slope)
@@ -143,15 +147,16 @@ static bool stages(Integrator *integrator, double h)
     return evaluate(integrator, t + h, k7);
 }
 
-/* Mean square of the error estimate in units of the tolerance. */
+/* Mean square, in units of the tolerance, of the error estimate and of the rounding in the dense output, which is
+ * relative to the change over the whole step. */
 static double squared_error(const Integrator *integrator, double h)
 {
     double *const *k = integrator->slopes;
     double sum = 0.0;
     for (size_t i = 0; i < integrator->size; ++i) {
         const double error = e1 * k[0][i] + e3 * k[2][i] + e4 * k[3][i] + e5 * k[4][i] + e6 * k[5][i] + e7 * k[6][i];
-        const double magnitude = fmax(fabs(integrator->states[i]), fabs(integrator->argument[i]));
-        const double scaled = h * error * weight(integrator, i, magnitude);
+        const double rounding = DBL_EPSILON * (integrator->argument[i] - integrator->states[i]);
+        const double scaled = (fabs(h * error) + fabs(rounding)) * weight(integrator, i, fabs(integrator->states[i]));
         sum += scaled * scaled;
     }
     return integrator->size > 0 ? sum / (double)integrator->size : 0.0;

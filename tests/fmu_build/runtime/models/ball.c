@@ -1,0 +1,77 @@
+/* ball.c - a ball that falls from height h and jumps back with e times the speed: reinit() at a state event. */
+#include "model.h"
+#include "parts.h"
+#include "token.h"
+
+#include <math.h>
+
+enum { H, V, N_Y };
+enum { G, E, BELOW, HIT, BOUNCES, PRE_BOUNCES, N_P };
+
+static const double y_start[N_Y] = {[H] = 1.0}, p_start[N_P] = {[G] = 10.0, [E] = 0.5}, state_nominal[] = {1.0, 1.0};
+static const Variable variables[] = {STATE("h", H, 1.0), STATE("v", V, 0.0), DISCRETE("bounces", BOUNCES),
+                                     PARAMETER("g", G, 10.0, 0.0, INFINITY), PARAMETER("e", E, 0.5, 0.0, 1.0)};
+static const Relation relations[] = {{0, BELOW, false}};
+static const PreBinding pre[] = {{PRE_BOUNCES, STORE_PARAMETER, BOUNCES}};
+static const DiscreteTarget discrete[] = {{DISCRETE_CONDITION, STORE_PARAMETER, HIT},
+                                          {DISCRETE_REINIT, STORE_STATE_OR_ALGEBRAIC, V},
+                                          {DISCRETE_ASSIGN, STORE_PARAMETER, BOUNCES}};
+
+static const char *const root_texts[] = {"h"};
+
+const Model model = {
+    .name = "Test.Ball",
+    .token = MODEL_TOKEN,
+    .n_states = 2,
+    .n_y = N_Y,
+    .n_p = N_P,
+    .y_start = y_start,
+    .p_start = p_start,
+    .state_nominal = state_nominal,
+    .n_variables = sizeof variables / sizeof *variables,
+    .variables = variables,
+    .n_roots = 1,
+    .root_texts = root_texts,
+    .n_relations = 1,
+    .relations = relations,
+    .n_pre = 1,
+    .pre = pre,
+    .n_discrete = 3,
+    .discrete = discrete,
+    .initial_event_slot = NO_SLOT,
+};
+
+bool model_derivatives(double time, double *y, const double *p, double *der)
+{
+    (void)time;
+    der[H] = y[V];
+    der[V] = -p[G];
+    return true;
+}
+
+bool model_algebraics(double time, double *y, const double *p)
+{
+    (void)time, (void)y, (void)p;
+    return true;
+}
+
+bool model_roots(double time, double *y, const double *p, double *root)
+{
+    (void)time, (void)p;
+    root[0] = y[H];
+    return true;
+}
+
+void model_discrete(double time, const double *y, const double *p, double *value)
+{
+    (void)time;
+    const bool hit = p[BELOW] != 0.0 && p[HIT] == 0.0;
+    value[0] = p[BELOW];
+    value[1] = hit ? -p[E] * y[V] : y[V];
+    value[2] = hit ? p[PRE_BOUNCES] + 1.0 : p[PRE_BOUNCES];
+}
+
+NO_TIME_RELATIONS
+NO_DEPENDENT_PARAMETERS
+NO_INITIAL_EQUATIONS
+NO_ACTIONS

@@ -1,0 +1,89 @@
+/* lag.c - tau*der(x) = u - x, with variables of every type, kind and range, and a relation on the input. */
+#include "model.h"
+#include "parts.h"
+#include "token.h"
+
+#include <math.h>
+
+enum { X, Y, N_Y };
+enum { U, GEAR, ON, TAU, GAIN, HALF, HIGH, LAST_GEAR, N_P };
+
+static const double y_start[N_Y] = {0}, p_start[N_P] = {[GEAR] = 1.0, [TAU] = 0.5, [GAIN] = 3.0, [HALF] = 0.25},
+                    state_nominal[] = {1.0};
+static const Variable variables[] = {
+    TIME,
+    STATE("x", X, 0.0),
+    DERIVATIVE("der(x)", X),
+    OUTPUT("y", Y),
+    INPUT("u", U, -10.0, 10.0),
+    {"gear", TYPE_INTEGER, STORE_PARAMETER, GEAR, CAUSALITY_INPUT, VARIABILITY_DISCRETE, INITIAL_NONE, 1.0, 1.0, 3.0},
+    {"on", TYPE_BOOLEAN, STORE_PARAMETER, ON, CAUSALITY_INPUT, VARIABILITY_DISCRETE, INITIAL_NONE, 0.0, 0.0, 1.0},
+    PARAMETER("tau", TAU, 0.5, 1e-3, 1e3),
+    {"gain", TYPE_REAL, STORE_PARAMETER, GAIN, CAUSALITY_PARAMETER, VARIABILITY_FIXED, INITIAL_EXACT, 3.0, ANY},
+    {"half", TYPE_REAL, STORE_PARAMETER, HALF, CAUSALITY_CALCULATED_PARAMETER, VARIABILITY_TUNABLE,
+     INITIAL_CALCULATED, 0.0, ANY},
+    {"high", TYPE_BOOLEAN, STORE_PARAMETER, HIGH, CAUSALITY_OUTPUT, VARIABILITY_DISCRETE, INITIAL_CALCULATED, 0.0,
+     0.0, 1.0},
+    {"lastGear", TYPE_INTEGER, STORE_PARAMETER, LAST_GEAR, CAUSALITY_OUTPUT, VARIABILITY_DISCRETE, INITIAL_CALCULATED,
+     1.0, ANY},
+};
+static const Relation relations[] = {{0, HIGH, false}};
+static const DiscreteTarget discrete[] = {{DISCRETE_ASSIGN, STORE_PARAMETER, LAST_GEAR}};
+
+static const char *const root_texts[] = {"1.5 - u"};
+
+const Model model = {
+    .name = "Test.Lag",
+    .token = MODEL_TOKEN,
+    .n_states = 1,
+    .n_y = N_Y,
+    .n_p = N_P,
+    .y_start = y_start,
+    .p_start = p_start,
+    .state_nominal = state_nominal,
+    .n_variables = sizeof variables / sizeof *variables,
+    .variables = variables,
+    .n_roots = 1,
+    .root_texts = root_texts,
+    .n_relations = 1,
+    .relations = relations,
+    .n_discrete = 1,
+    .discrete = discrete,
+    .initial_event_slot = NO_SLOT,
+};
+
+bool model_derivatives(double time, double *y, const double *p, double *der)
+{
+    (void)time;
+    der[X] = (p[U] - y[X]) / p[TAU];
+    return true;
+}
+
+bool model_algebraics(double time, double *y, const double *p)
+{
+    (void)time;
+    y[Y] = p[GAIN] * y[X] + p[GEAR] + p[U];
+    return true;
+}
+
+bool model_roots(double time, double *y, const double *p, double *root)
+{
+    (void)time, (void)y;
+    root[0] = 1.5 - p[U];
+    return true;
+}
+
+void model_dependent_parameters(double *p)
+{
+    p[HALF] = 0.5 * p[TAU];
+}
+
+void model_discrete(double time, const double *y, const double *p, double *value)
+{
+    (void)time, (void)y;
+    value[0] = p[GEAR];
+}
+
+NO_TIME_RELATIONS
+NO_INITIAL_EQUATIONS
+NO_ACTIONS

@@ -1,0 +1,82 @@
+/* loop.c - der(x) = -z, where z + z^3 = x and w = x/2 + z form a system of equations that Newton's method solves; and
+ * s*s = x - floor, which has no solution below the floor. */
+#include "block.h"
+#include "model.h"
+#include "parts.h"
+#include "token.h"
+
+#include <math.h>
+
+enum { X, Z, W, S, N_Y };
+enum { FLOOR, N_P };
+
+static const double y_start[N_Y] = {[X] = 2.0, [Z] = 1.0, [S] = 1.0}, p_start[N_P] = {[FLOOR] = -1e9},
+                    state_nominal[] = {1.0};
+static const Variable variables[] = {STATE("x", X, 2.0), OUTPUT("z", Z), OUTPUT("w", W),
+                                     PARAMETER("floor", FLOOR, -1e9, ANY)};
+
+const Model model = {
+    .name = "Test.Loop",
+    .token = MODEL_TOKEN,
+    .n_states = 1,
+    .n_y = N_Y,
+    .n_p = N_P,
+    .y_start = y_start,
+    .p_start = p_start,
+    .state_nominal = state_nominal,
+    .n_variables = sizeof variables / sizeof *variables,
+    .variables = variables,
+    .initial_event_slot = NO_SLOT,
+};
+
+static void cubic_residual(double time, const double *y, const double *p, double *residual)
+{
+    (void)time, (void)p;
+    residual[0] = y[W] - 0.5 * y[X] - y[Z];
+    residual[1] = y[Z] + y[Z] * y[Z] * y[Z] - y[X];
+}
+
+static void cubic_jacobian(double time, const double *y, const double *p, double *jacobian)
+{
+    (void)time, (void)p;
+    jacobian[0] = -1.0;
+    jacobian[1] = 1.0;
+    jacobian[2] = 1.0 + 3.0 * y[Z] * y[Z];
+    jacobian[3] = 0.0;
+}
+
+static void root_residual(double time, const double *y, const double *p, double *residual)
+{
+    (void)time;
+    residual[0] = y[S] * y[S] - (y[X] - p[FLOOR]);
+}
+
+static void root_jacobian(double time, const double *y, const double *p, double *jacobian)
+{
+    (void)time, (void)p;
+    jacobian[0] = 2.0 * y[S];
+}
+
+static const size_t cubic_unknowns[] = {Z, W}, root_unknowns[] = {S};
+static const Block cubic = {2, cubic_unknowns, cubic_residual, cubic_jacobian};
+static const Block square_root = {1, root_unknowns, root_residual, root_jacobian};
+
+bool model_derivatives(double time, double *y, const double *p, double *der)
+{
+    if (!model_algebraics(time, y, p))
+        return false;
+    der[X] = -y[Z];
+    return true;
+}
+
+bool model_algebraics(double time, double *y, const double *p)
+{
+    return block_solve(&cubic, time, y, p) && block_solve(&square_root, time, y, p);
+}
+
+NO_ROOTS
+NO_TIME_RELATIONS
+NO_DEPENDENT_PARAMETERS
+NO_INITIAL_EQUATIONS
+NO_DISCRETE_EQUATIONS
+NO_ACTIONS

@@ -1,0 +1,65 @@
+/* parts.h - what the hand-written models have in common: variables in short, and definitions for the parts that a
+ * model does not have. */
+#define ANY -INFINITY, INFINITY
+#define TIME                                                                                                          \
+    {"time", TYPE_REAL, STORE_TIME, 0, CAUSALITY_INDEPENDENT, VARIABILITY_CONTINUOUS, INITIAL_NONE, 0.0, ANY}
+#define STATE(name, i, start)                                                                                         \
+    {name, TYPE_REAL, STORE_STATE_OR_ALGEBRAIC, i, CAUSALITY_OUTPUT, VARIABILITY_CONTINUOUS, INITIAL_EXACT, start,    \
+     ANY}
+#define DERIVATIVE(name, i)                                                                                           \
+    {name, TYPE_REAL, STORE_DERIVATIVE, i, CAUSALITY_LOCAL, VARIABILITY_CONTINUOUS, INITIAL_CALCULATED, 0.0, ANY}
+#define OUTPUT(name, i)                                                                                               \
+    {name, TYPE_REAL, STORE_STATE_OR_ALGEBRAIC, i, CAUSALITY_OUTPUT, VARIABILITY_CONTINUOUS, INITIAL_CALCULATED, 0.0, \
+     ANY}
+#define INPUT(name, i, ...)                                                                                           \
+    {name, TYPE_REAL, STORE_PARAMETER, i, CAUSALITY_INPUT, VARIABILITY_CONTINUOUS, INITIAL_NONE, 0.0, __VA_ARGS__}
+#define PARAMETER(name, i, start, ...)                                                                                \
+    {name, TYPE_REAL, STORE_PARAMETER, i, CAUSALITY_PARAMETER, VARIABILITY_TUNABLE, INITIAL_EXACT, start, __VA_ARGS__}
+#define DISCRETE(name, i)                                                                                             \
+    {name, TYPE_REAL, STORE_PARAMETER, i, CAUSALITY_OUTPUT, VARIABILITY_DISCRETE, INITIAL_CALCULATED, 0.0, ANY}
+
+#define NO_TIME_RELATIONS                                                                                             \
+    void model_time_relations(double time, const double *p, double *root)                                             \
+    {                                                                                                                 \
+        (void)time, (void)p, (void)root;                                                                              \
+    }                                                                                                                 \
+    void model_time_events(const double *p, double *when)                                                             \
+    {                                                                                                                 \
+        (void)p, (void)when;                                                                                          \
+    }
+#define NO_DEPENDENT_PARAMETERS                                                                                       \
+    void model_dependent_parameters(double *p)                                                                        \
+    {                                                                                                                 \
+        (void)p;                                                                                                      \
+    }
+#define NO_INITIAL_EQUATIONS                                                                                          \
+    void model_start_values(double *y, double *p)                                                                     \
+    {                                                                                                                 \
+        (void)y, (void)p;                                                                                             \
+    }                                                                                                                 \
+    void model_initial_residual(double time, const double *y, const double *p, double *residual)                      \
+    {                                                                                                                 \
+        (void)time, (void)y, (void)p, (void)residual;                                                                 \
+    }
+#define NO_DISCRETE_EQUATIONS                                                                                         \
+    void model_discrete(double time, const double *y, const double *p, double *value)                                 \
+    {                                                                                                                 \
+        (void)time, (void)y, (void)p, (void)value;                                                                    \
+    }
+#define NO_ACTIONS                                                                                                    \
+    void model_actions(double time, const double *y, const double *p, bool *active)                                   \
+    {                                                                                                                 \
+        (void)time, (void)y, (void)p, (void)active;                                                                   \
+    }                                                                                                                 \
+    void model_action_message(size_t action, double time, const double *y, const double *p, char *text, size_t size)  \
+    {                                                                                                                 \
+        (void)action, (void)time, (void)y, (void)p;                                                                   \
+        if (size > 0)                                                                                                 \
+            text[0] = '\0';                                                                                           \
+    }
+#define NO_ROOTS                                                                                                      \
+    bool model_roots(double time, double *y, const double *p, double *root)                                           \
+    {                                                                                                                 \
+        (void)time, (void)y, (void)p, (void)root;                                                                     \
+        return true;                                                                                                  \
+    }

@@ -1,0 +1,59 @@
+/* slide.c - der(x) = if x > 0 then -1 else 1: after x has come to zero the relation changes for ever. */
+#include "model.h"
+#include "parts.h"
+#include "token.h"
+
+#include <math.h>
+
+enum { X, N_Y };
+enum { POSITIVE, N_P };
+
+static const double y_start[N_Y] = {1.0}, p_start[N_P] = {0.0}, state_nominal[] = {1.0};
+static const Variable variables[] = {STATE("x", X, 1.0)};
+static const Relation relations[] = {{0, POSITIVE, false}};
+
+static const char *const root_texts[] = {"-x"};
+
+const Model model = {
+    .name = "Test.Slide",
+    .token = MODEL_TOKEN,
+    .n_states = 1,
+    .n_y = N_Y,
+    .n_p = N_P,
+    .y_start = y_start,
+    .p_start = p_start,
+    .state_nominal = state_nominal,
+    .n_variables = 1,
+    .variables = variables,
+    .n_roots = 1,
+    .root_texts = root_texts,
+    .n_relations = 1,
+    .relations = relations,
+    .initial_event_slot = NO_SLOT,
+};
+
+bool model_derivatives(double time, double *y, const double *p, double *der)
+{
+    (void)time, (void)y;
+    der[X] = p[POSITIVE] != 0.0 ? -1.0 : 1.0;
+    return true;
+}
+
+bool model_algebraics(double time, double *y, const double *p)
+{
+    (void)time, (void)y, (void)p;
+    return true;
+}
+
+bool model_roots(double time, double *y, const double *p, double *root)
+{
+    (void)time, (void)p;
+    root[0] = -y[X];
+    return true;
+}
+
+NO_TIME_RELATIONS
+NO_DEPENDENT_PARAMETERS
+NO_INITIAL_EQUATIONS
+NO_DISCRETE_EQUATIONS
+NO_ACTIONS
