@@ -7,6 +7,7 @@ import shutil
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
 
 import fmpy
@@ -63,7 +64,7 @@ class Slave:
         references = [self.references[name] for name in names]
         instants = times.tolist()
         rows = [self.fmu.getReal(references)]
-        for now, then in zip(instants, instants[1:], strict=False):
+        for now, then in pairwise(instants):
             self.fmu.doStep(currentCommunicationPoint=now, communicationStepSize=then - now)
             rows.append(self.fmu.getReal(references))
         return dict(zip(names, np.array(rows).T, strict=True))
