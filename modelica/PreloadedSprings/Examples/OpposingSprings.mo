@@ -31,8 +31,6 @@ equation
     annotation (Line(points = {{20, 20}, {30, 20}, {30, -40}, {40, -40}}, color = {0, 127, 0}));
   connect(damper.flange_b, rightWall.flange)
     annotation (Line(points = {{80, -40}, {90, -40}, {90, 20}, {100, 20}}, color = {0, 127, 0}));
-initial equation
-  assert(clearance >= 0, getInstanceName() + ".clearance must not be negative, but is " + String(clearance) + " m");
 
   annotation (
     Diagram(coordinateSystem(extent = {{-140, -80}, {140, 80}})),

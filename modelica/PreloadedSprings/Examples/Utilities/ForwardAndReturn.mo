@@ -2,7 +2,7 @@ within PreloadedSprings.Examples.Utilities;
 block ForwardAndReturn "One smooth motion forward and back"
   parameter Units.Angle theta_max(start = 0.25) "Largest angle";
   parameter Units.Time start_time = 0 "Time at which the motion begins";
-  parameter Units.Time duration(start = 0.3) "Time that the motion takes";
+  parameter Units.Time duration(min = 0, start = 0.3) "Time that the motion takes";
   Interfaces.Signals.AngleOutput theta "Angle"
     annotation (Placement(transformation(extent = {{100, 50}, {120, 70}})));
   Interfaces.Signals.AngularVelocityOutput omega "Angular velocity"
@@ -30,8 +30,8 @@ initial equation
       Rectangle(extent = {{-100, 100}, {100, -100}}, lineColor = {0, 0, 127}, fillColor = {255, 255, 255},
         fillPattern = FillPattern.Solid),
       Line(points = {{-88, -60}, {14, -60}}, color = {192, 192, 192}),
-      Line(points = {{-88, -60}, {-72, -58}, {-64, -46}, {-57, -20}, {-50, 14}, {-44, 42}, {-38, 52}, {-32, 42}, {-26, 14},
-        {-19, -20}, {-12, -46}, {-4, -58}, {14, -60}}, color = {0, 0, 127}, thickness = 0.5),
+      Line(points = {{-88, -60}, {-72, -58}, {-64, -46}, {-57, -20}, {-50, 14}, {-44, 42}, {-38, 52},
+        {-32, 42}, {-26, 14}, {-19, -20}, {-12, -46}, {-4, -58}, {14, -60}}, color = {0, 0, 127}, thickness = 0.5),
       Text(extent = {{30, 72}, {98, 48}}, lineColor = {0, 0, 127}, textString = "theta"),
       Text(extent = {{30, 12}, {98, -12}}, lineColor = {0, 0, 127}, textString = "omega"),
       Text(extent = {{30, -48}, {98, -72}}, lineColor = {0, 0, 127}, textString = "alpha"),
