@@ -141,7 +141,7 @@ class Instance:
         return self.call("fmi2DoStep", float(point), float(size), 1)
 
     def run(self, end: float, steps: int, references: Sequence[int], start: float = 0.0) -> list[list[float]]:
-        """Equal communication steps to `end`; the values of Real variables at every point, the first included."""
+        """Equal communication steps to `end`; values of Real variables at every point, the first included."""
         size = (end - start) / steps
         values = [self.get(*references)]
         for i in range(steps):

@@ -48,7 +48,7 @@ def test_input_derivative_lasts_for_one_step(build: Build) -> None:
 
 
 def test_relation_on_a_ramp_is_an_event_within_the_step(build: Build) -> None:
-    """u = 2*t passes 1.5 at t = 0.75."""
+    """The input 2*t passes 1.5 at t = 0.75."""
     instance = Instance(build("lag"), debug=True)
     instance.initialize()
     assert instance.set_slope(U, 2.0) == OK
@@ -61,7 +61,7 @@ def test_relation_on_a_ramp_is_an_event_within_the_step(build: Build) -> None:
 
 @pytest.mark.parametrize("period", [1, 3])
 def test_stairs_are_held_and_each_change_counts_from_its_point(build: Build, period: int) -> None:
-    """u = n from t = n/10*period on; x follows by the exact solution of each tread."""
+    """The input is n from t = n/10*period on; x follows by the exact solution of each tread."""
     instance = Instance(build("lag"))
     instance.initialize(1e-10)
     expected, size = 0.0, 0.1

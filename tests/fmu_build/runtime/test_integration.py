@@ -39,7 +39,7 @@ def test_states_and_energy_agree(build: Build) -> None:
 
 
 def test_communication_points_do_not_steer_the_integrator(build: Build) -> None:
-    """Points that both runs visit have bit-identical values, and the steps of the integrator are the same ones."""
+    """Points of both runs have bit-identical values, and the integrator takes the same steps."""
     coarse, fine = Instance(build("oscillator")), Instance(build("oscillator"))
     coarse.initialize()
     fine.initialize()
@@ -64,7 +64,7 @@ def test_equal_value_is_no_change(build: Build) -> None:
 
 
 def test_change_of_parameter_starts_from_the_communication_point(build: Build) -> None:
-    """k = 4 from t = 1 on: x = cos(1)*cos(2*(t - 1)) - sin(1)/2*sin(2*(t - 1))."""
+    """With k = 4 from t = 1 on: x = cos(1)*cos(2*(t - 1)) - sin(1)/2*sin(2*(t - 1))."""
     instance = Instance(build("oscillator"))
     instance.initialize(1e-10)
     assert instance.step(0.0, 1.0) == OK

@@ -35,7 +35,7 @@ def _ball(time: float) -> tuple[float, float, int]:
 
 @pytest.mark.parametrize("steps", [1, 7, 100, 5000])
 def test_bouncing_ball(build: Build, steps: int) -> None:
-    """The flights are parabolas, on which the method has no error: what is left is the location of the bounces."""
+    """The method has no error on parabolas: what is left is the location of the bounces."""
     instance = Instance(build("ball"))
     instance.initialize()
     end = 1.3
@@ -61,7 +61,7 @@ def test_bounces_end_in_an_error_or_a_fall_but_never_hang(build: Build) -> None:
 @pytest.mark.parametrize("width", [1.0, 1e-3, 1e-6])
 @pytest.mark.parametrize("steps", [1, 40])
 def test_there_and_back_within_a_step(build: Build, width: float, steps: int) -> None:
-    """The integrator would go over the window in one step: its area is 1 only if both of its edges are found."""
+    """The integrator would go over the window in one step: the area is 1 only if both edges are found."""
     instance = Instance(build("windows"))
     assert instance.set({4: width}) == OK
     instance.initialize()
@@ -74,7 +74,7 @@ def test_there_and_back_within_a_step(build: Build, width: float, steps: int) ->
 
 
 def test_simultaneous_crossings_are_one_event(build: Build) -> None:
-    """x > centre and not x <= centre change together."""
+    """Both x > centre and not x <= centre change together."""
     instance = Instance(build("windows"))
     assert instance.set({4: 0.0}) == OK, "an empty window"
     instance.initialize()
@@ -114,7 +114,7 @@ def test_events_are_logged_where_asked_for(build: Build) -> None:
 
 
 def test_terminate_discards_the_step(build: Build) -> None:
-    """x = e^t passes 2 at t = ln 2."""
+    """The state e^t passes 2 at t = ln 2."""
     instance = Instance(build("growth"))
     assert instance.set({3: 2.0}) == OK
     instance.initialize(1e-10)

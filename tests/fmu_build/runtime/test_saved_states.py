@@ -1,0 +1,170 @@
+"""Saved states continue bit by bit as the original does, also as bytes and in another instance."""
+
+from __future__ import annotations
+
+import ctypes as c
+import random
+from collections.abc import Callable
+
+import pytest
+
+from tests.fmu_build.runtime.conftest import Build
+from tests.fmu_build.runtime.library import CO_SIMULATION, ERROR, MODEL_EXCHANGE, OK, Instance
+
+_SIZE = 0.003
+
+
+def _steps(instance: Instance, first: int, last: int) -> list[list[float]]:
+    values = []
+    for i in range(first, last):
+        assert instance.step(i * _SIZE, _SIZE) == OK, instance.text
+        values.append(instance.get(0, 1))
+    return values
+
+
+@pytest.mark.parametrize("model", ["joystick", "ball", "oscillator"])
+def test_restored_run_is_bit_identical(build: Build, model: str) -> None:
+    instance = Instance(build(model))
+    instance.initialize()
+    straight = _steps(instance, 0, 300)
+    instance.expect("fmi2Reset")
+    instance.initialize()
+    random.seed(1)
+    done = 0
+    while done < 300:
+        # Goes ahead, and back to where it was: the detour must leave no trace.
+        state = instance.save()
+        detour = min(300, done + random.randint(1, 40))
+        _steps(instance, done, detour)
+        instance.restore(state)
+        instance.discard(state)
+        further = min(300, done + random.randint(1, 40))
+        assert _steps(instance, done, further) == straight[done:further]
+        done = further
+    instance.free()
+
+
+def test_serialized_state_continues_in_another_instance(build: Build) -> None:
+    first, second = Instance(build("joystick")), Instance(build("joystick"))
+    assert first.set({8: 0.012}) == OK
+    first.initialize(1e-9, stop=2.0)
+    _steps(first, 0, 37)
+    state = first.save()
+    data = first.serialize(state)
+    assert data == first.serialize(state)
+    status, copy = second.deserialize(data)
+    assert status == OK
+    second.restore(copy)
+    assert _steps(first, 37, 200) == _steps(second, 37, 200)
+    assert first.get(3, 4, 5, 6, 8) == second.get(3, 4, 5, 6, 8)
+    first.discard(state)
+    second.discard(copy)
+    assert first.statistics() == second.statistics()
+    first.free()
+    second.free()
+
+
+def test_state_is_overwritten_in_place(build: Build) -> None:
+    instance = Instance(build("oscillator"))
+    instance.initialize()
+    state = instance.save()
+    address = state.value
+    _steps(instance, 0, 10)
+    instance.expect("fmi2GetFMUstate", c.byref(state))
+    assert state.value == address
+    expected = _steps(instance, 10, 20)
+    instance.restore(state)
+    assert _steps(instance, 10, 20) == expected
+    instance.discard(state)
+    instance.free()
+
+
+def test_state_holds_inputs_and_their_derivatives(build: Build) -> None:
+    instance = Instance(build("lag"))
+    instance.initialize()
+    assert instance.set({4: 1.0}) == OK
+    assert instance.set_slope(4, 0.5) == OK
+    state = instance.save()
+    assert instance.step(0.0, 0.5) == OK
+    expected = instance.get(1, 4)
+    assert expected[1] == 1.25
+    instance.restore(state)
+    assert instance.get(4) == [1.0]
+    assert instance.step(0.0, 0.5) == OK
+    assert instance.get(1, 4) == expected
+    instance.discard(state)
+    instance.free()
+
+
+def test_state_brings_a_failed_instance_back(build: Build) -> None:
+    instance = Instance(build("slide"))
+    instance.initialize()
+    assert instance.step(0.0, 0.5) == OK
+    state = instance.save()
+    assert instance.step(0.5, 1.0) == ERROR
+    instance.restore(state)
+    assert instance.step(0.5, 0.25) == OK
+    assert instance.get(0)[0] == pytest.approx(0.25, abs=1e-14)
+    instance.discard(state)
+    instance.free()
+
+
+def test_model_exchange_state(build: Build) -> None:
+    instance = Instance(build("ball"), MODEL_EXCHANGE)
+    instance.initialize()
+    instance.expect("fmi2EnterContinuousTimeMode")
+    state = instance.save()
+    instance.expect("fmi2SetTime", 3.0)
+    instance.expect("fmi2SetContinuousStates", (c.c_double * 2)(5.0, 6.0), c.c_size_t(2))
+    instance.expect("fmi2EnterEventMode")
+    instance.restore(state)
+    assert instance.get(0, 1) == [1.0, 0.0]
+    instance.expect("fmi2CompletedIntegratorStep", 1, c.byref(c.c_int()), c.byref(c.c_int()))
+    instance.discard(state)
+    instance.free()
+
+
+def _damaged(data: bytes, where: int) -> bytes:
+    return data[:where] + bytes([data[where] ^ 0x10]) + data[where + 1 :]
+
+
+@pytest.mark.parametrize(
+    ("spoil", "why"),
+    [
+        (lambda data: data[:-1], "size is wrong"),
+        (lambda data: data + b"x", "size is wrong"),
+        (lambda data: data[:10], "too short"),
+        (lambda data: b"", "too short"),
+        (lambda data: _damaged(data, 3), "not a saved FMU state"),
+        (lambda data: _damaged(data, 8), "another version"),
+        (lambda data: _damaged(data, 40), "another model"),
+        (lambda data: _damaged(data, len(data) - 5), "damaged"),
+        (lambda data: _damaged(data, 130), "damaged"),
+    ],
+)
+def test_spoilt_bytes_are_refused(build: Build, spoil: Callable[[bytes], bytes], why: str) -> None:
+    instance = Instance(build("oscillator"))
+    instance.initialize()
+    state = instance.save()
+    data = instance.serialize(state)
+    instance.discard(state)
+    status, nothing = instance.deserialize(spoil(data))
+    assert status == ERROR
+    assert not nothing.value
+    assert why in instance.text
+    assert instance.step(0.0, 0.1) == OK
+    instance.free()
+
+
+def test_bytes_of_another_kind_of_instance_are_refused(build: Build) -> None:
+    exchange, slave = (
+        Instance(build("oscillator"), MODEL_EXCHANGE),
+        Instance(build("oscillator"), CO_SIMULATION),
+    )
+    state = exchange.save()
+    status, _ = slave.deserialize(exchange.serialize(state))
+    assert status == ERROR
+    assert "Model Exchange" in slave.text
+    exchange.discard(state)
+    exchange.free()
+    slave.free()
