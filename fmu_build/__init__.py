@@ -14,7 +14,6 @@ from os import PathLike
 from pathlib import Path
 
 from fmu_build.compilers import compiler_names, get_compiler
-from fmu_build.compilers.base import BuildRequest, BuildResult, FmiType, FmiVersion
 from fmu_build.errors import (
     BuildError,
     ModelicaError,
@@ -23,6 +22,7 @@ from fmu_build.errors import (
     UnknownCompilerError,
     UnsupportedModelError,
 )
+from fmu_build.request import BuildRequest, BuildResult, FmiType, FmiVersion
 
 __all__ = [
     "BuildError",

@@ -2,48 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
-from pathlib import Path
-from typing import Literal, Protocol
+from typing import Protocol
 
-FmiVersion = Literal["2.0"]
-FmiType = Literal["me", "cs"]
-
-
-def _tell_nobody(stage: str) -> None:
-    pass
-
-
-@dataclass(frozen=True, slots=True)
-class BuildRequest:
-    """What to build.
-
-    `model` is a qualified Modelica class name; `library` is the Modelica file or package folder that it
-    is looked up in (default: the PreloadedSprings library of this project); `output` is the folder that
-    receives ``<last part of the class name>.fmu``.
-    """
-
-    model: str
-    output: Path
-    library: Path | None = None
-    fmi_version: FmiVersion = "2.0"
-    fmi_types: Sequence[FmiType] = ("me", "cs")
-    platforms: Sequence[str] = field(default_factory=tuple)
-    """FMI 2 platform names such as ``linux64``; empty means the host's."""
-    on_stage: Callable[[str], None] = _tell_nobody
-    """Called with a short text, such as ``generating C``, when a stage of the build begins."""
-
-
-@dataclass(frozen=True, slots=True)
-class BuildResult:
-    """A finished FMU: where it is, which compiler made it, and what that compiler printed."""
-
-    path: Path
-    compiler: str
-    compiler_version: str
-    log: str
-    seconds: float
+from fmu_build.request import BuildRequest, BuildResult
 
 
 class Compiler(Protocol):

@@ -7,7 +7,6 @@ from importlib import metadata
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from fmu_build.compilers.base import BuildRequest, BuildResult
 from fmu_build.compilers.library import (
     DEFAULT_LIBRARY,
     MODEL_KINDS,
@@ -23,6 +22,7 @@ from fmu_build.compilers.rumoca_errors import native_stderr, syntax_errors, tran
 from fmu_build.description import GeneratedModel
 from fmu_build.errors import ToolchainError
 from fmu_build.packaging import check_request, package_fmu
+from fmu_build.request import BuildRequest, BuildResult
 
 if TYPE_CHECKING:
     import rumoca

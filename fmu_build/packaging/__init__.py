@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from importlib import metadata
 from pathlib import Path
 
-from fmu_build.compilers.base import BuildRequest
 from fmu_build.description import GeneratedModel
 from fmu_build.errors import BuildError
 from fmu_build.packaging.archive import archive_bytes, check_output_folder, replacing
@@ -18,6 +17,7 @@ from fmu_build.packaging.fmi2_xml import generation_time, model_description_xml
 from fmu_build.packaging.icon import model_png
 from fmu_build.packaging.platforms import host_platform, select_platforms
 from fmu_build.packaging.sources import TOKEN_FILE, c_files, collect_sources, content_guid, token_header
+from fmu_build.request import BuildRequest
 
 __all__ = ["PackagedFmu", "check_request", "package_fmu"]
 

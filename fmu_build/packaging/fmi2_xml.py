@@ -9,11 +9,11 @@ from typing import Any
 
 from lxml import etree
 
-from fmu_build.compilers.base import FmiType
 from fmu_build.description import EnumerationType, ModelDescription, Unknown, Variable
 from fmu_build.errors import BuildError
 from fmu_build.packaging.fmi2_units import distinct_display_unit, unit_definitions
 from fmu_build.packaging.text import xml_text
+from fmu_build.request import FmiType
 
 LICENSE = "See documentation/licenses/license.txt"
 

@@ -11,7 +11,6 @@ from typing import Any
 import pytest
 
 from fmu_build.compilers import rumoca as backend
-from fmu_build.compilers.base import BuildRequest
 from fmu_build.compilers.rumoca import RumocaCompiler, generate_model
 from fmu_build.compilers.rumoca_errors import native_stderr
 from fmu_build.errors import (
@@ -21,6 +20,7 @@ from fmu_build.errors import (
     ToolchainError,
     UnsupportedModelError,
 )
+from fmu_build.request import BuildRequest
 
 
 @pytest.fixture

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from fmu_build.compilers.base import BuildRequest
 from fmu_build.description import EnumerationType, GeneratedModel, ModelDescription, Unknown, Variable
+from fmu_build.request import BuildRequest
 
 _MODE = EnumerationType("Test.Mode", (("Slow", "Takes its time"), ("Fast", "")))
 
