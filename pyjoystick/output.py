@@ -22,6 +22,9 @@ def replacing(path: Path) -> Iterator[Path]:
     temporary = path.with_name(f".{path.stem}-{os.getpid()}-{os.urandom(4).hex()}{path.suffix}")
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise OutputFileError(path, f"its folder cannot be made: {error.strerror}") from error
+    try:
         yield temporary
         temporary.replace(path)
     except OSError as error:

@@ -38,3 +38,11 @@ def _sources() -> Iterator[Path]:
         for file in (ROOT / folder).rglob("*"):
             if file.is_file() and file.suffix != ".pyc":
                 yield file
+
+
+@pytest.fixture
+def fmus_by_name(joystick_fmus: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Has ``Joystick`` and the other names mean the FMUs of `joystick_fmus`."""
+    for module in ("pyjoystick.fmu.files", "pyjoystick.cli.fmus"):
+        monkeypatch.setattr(f"{module}.build_folder", lambda: joystick_fmus)
+    return joystick_fmus

@@ -39,12 +39,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except SystemExit as stop:
         return stop.code if isinstance(stop.code, int) else int(stop.code is not None)
     except PyJoystickError as error:
-        print_error(str(error))
+        return _failed(str(error))
     except Exception as error:  # a fault of this program must not end in a traceback
         hint = "" if _state.debug else " (pyjoystick --debug COMMAND shows where)"
-        print_error(f"internal error: {type(error).__name__}: {error}{hint}")
-    else:
-        return 0
+        return _failed(f"internal error: {type(error).__name__}: {error}{hint}")
+    return 0
+
+
+def _failed(message: str) -> int:
+    print_error(message)
     if _state.debug:
         print_traceback()
     return 1

@@ -127,8 +127,8 @@ def read_description(path: Path) -> FmuDescription:
     try:
         return _description(path, files, read_model_description(str(path), validate=False))
     except Exception as error:  # FMPy raises whatever its parser stumbles over
-        message = str(error) or type(error).__name__
-        raise FmuFileError(path, f"its modelDescription.xml cannot be read: {message}") from error
+        reason = f"its modelDescription.xml cannot be read: {type(error).__name__}: {error}"
+        raise FmuFileError(path, reason) from error
 
 
 def _description(path: Path, files: list[str], model: Any) -> FmuDescription:

@@ -1,0 +1,105 @@
+"""The program as a whole: help, version, exit codes, faults."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from pyjoystick.cli import compare, info
+from pyjoystick.versions import version_of
+from tests.pyjoystick.cli.conftest import Command
+
+ROOT = Path(__file__).parents[3]
+
+
+def test_help_names_the_commands(command: Command) -> None:
+    outcome = command("--help")
+    assert outcome.code == 0
+    for name in ("free-oscillation", "compare", "info"):
+        assert name in outcome.out
+
+
+@pytest.mark.parametrize(
+    ("name", "example"),
+    [
+        ("free-oscillation", "pyjoystick free-oscillation --csv run.csv --plot run.png"),
+        ("compare", "pyjoystick compare --damping power-law"),
+        ("info", "pyjoystick info Joystick"),
+    ],
+)
+def test_help_of_a_command_has_examples(command: Command, name: str, example: str) -> None:
+    outcome = command(name, "--help")
+    assert outcome.code == 0
+    assert example in outcome.out
+
+
+def test_version(command: Command) -> None:
+    assert command("--version").out == f"pyjoystick {version_of('pyjoystick')}\n"
+
+
+@pytest.mark.parametrize(
+    "arguments", [("swing",), ("info",), ("compare", "--nonsense"), ("free-oscillation", "-d", "long")]
+)
+def test_wrong_usage_is_exit_code_2(command: Command, arguments: tuple[str, ...]) -> None:
+    outcome = command(*arguments)
+    assert (outcome.code, outcome.out) == (2, "")
+    assert "Usage: pyjoystick" in outcome.err
+
+
+def test_a_fault_of_the_program_is_one_message(command: Command, monkeypatch: pytest.MonkeyPatch) -> None:
+    def breaks(path: Path) -> None:
+        raise ZeroDivisionError("[red]")
+
+    monkeypatch.setattr(info, "read_description", breaks)
+    outcome = command("info", "Joystick")
+    assert (outcome.code, outcome.out) == (1, "")
+    expected = "internal error: ZeroDivisionError: [red] (pyjoystick --debug COMMAND shows where)"
+    assert outcome.message == expected
+
+
+def test_debug_shows_where(
+    command: Command, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    from pyjoystick.cli import main
+
+    def breaks(path: Path) -> None:
+        raise ZeroDivisionError("by zero")
+
+    monkeypatch.setattr(info, "read_description", breaks)
+    assert main(["--debug", "info", "Joystick"]) == 1
+    assert "Traceback" in capsys.readouterr().err
+    assert "Traceback" not in command("info", "Joystick").err  # the next call begins anew
+
+
+def test_an_interrupt_ends_the_program_quietly(command: Command, monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupted(*_: object, **__: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(compare, "compare_tables", interrupted)
+    outcome = command("compare", "-d", "0.1")
+    assert outcome.code != 0
+    assert outcome.out == ""
+
+
+def test_python_m_pyjoystick_works() -> None:
+    done = subprocess.run(
+        [sys.executable, "-m", "pyjoystick", "--help"], cwd=ROOT, capture_output=True, text=True, check=False
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "Usage: pyjoystick" in done.stdout
+
+
+def test_the_exit_code_reaches_the_shell(tmp_path: Path) -> None:
+    done = subprocess.run(
+        [sys.executable, "-m", "pyjoystick", "info", str(tmp_path / "nowhere.fmu")],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert (done.returncode, done.stdout) == (1, "")
+    assert done.stderr.startswith("error: there is no FMU ")
+    assert done.stderr.count("\n") == 1

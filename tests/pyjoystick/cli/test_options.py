@@ -1,0 +1,80 @@
+"""How the text of options is understood."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+from typer import BadParameter
+
+from pyjoystick.cli.options import DampingLaw, joystick_of, parse_angle, parse_assignments
+from pyjoystick.errors import ParameterError, UnknownParameterError
+from pyjoystick.parameters import NOMINAL, NOMINAL_POWER_LAW
+
+
+@pytest.mark.parametrize(
+    ("text", "degrees"),
+    [
+        ("-20", -20.0),
+        ("-20deg", -20.0),
+        (" 15 deg ", 15.0),
+        ("+1.5e1deg", 15.0),
+        ("0", 0.0),
+        ("89.999", 89.999),
+        ("-0.35rad", math.degrees(-0.35)),
+        (".5 rad", math.degrees(0.5)),
+    ],
+)
+def test_angles(text: str, degrees: float) -> None:
+    assert parse_angle(text) == pytest.approx(math.radians(degrees), rel=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("90", "'90' must lie between -90deg and 90deg$"),
+        ("-350deg", "must lie between -90deg and 90deg$"),
+        ("-20rad", "'-20rad' must lie between -90deg and 90deg; did you mean -20deg?"),
+        ("1.5708rad", "did you mean 1.5708deg?"),
+        ("", "'' is no angle; write it as -20deg or -0.35rad"),
+        ("20 grad", "is no angle"),
+        ("nan", "is no angle"),
+        ("inf", "is no angle"),
+        ("1e999", "is no angle"),
+        ("1-2", "is no angle"),
+        ("twenty", "is no angle"),
+    ],
+)
+def test_angles_that_are_refused(text: str, message: str) -> None:
+    with pytest.raises(BadParameter, match=message.replace("?", r"\?")):
+        parse_angle(text)
+
+
+def test_assignments() -> None:
+    texts = ["J=0.012", " damping.C = 5e-2 ", "x=nan"]
+    values = parse_assignments(texts, "--set")
+    assert list(values) == ["J", "damping.C", "x"]
+    assert (values["J"], values["damping.C"]) == (0.012, 0.05)
+    assert math.isnan(values["x"])  # refused later, where the name is known
+    assert parse_assignments([], "--set") == {}
+
+
+@pytest.mark.parametrize("text", ["J", "J=", "=1", "J=1=2", "J=one", ""])
+def test_assignments_that_are_refused(text: str) -> None:
+    with pytest.raises(BadParameter, match="must be NAME=NUMBER"):
+        parse_assignments([text], "--set")
+
+
+def test_a_name_given_twice_is_refused() -> None:
+    with pytest.raises(BadParameter, match="J is given twice"):
+        parse_assignments(["J=1", "J=2"], "--set")
+
+
+def test_the_joystick_of_a_law() -> None:
+    assert joystick_of(DampingLaw.CONSTANT, {}) == NOMINAL
+    changed = joystick_of(DampingLaw.POWER_LAW, {"damping.alpha": 0.5})
+    assert changed == NOMINAL_POWER_LAW.replace({"damping.alpha": 0.5})
+    with pytest.raises(UnknownParameterError, match=r"damping\.alpha"):
+        joystick_of(DampingLaw.CONSTANT, {"damping.alpha": 0.5})
+    with pytest.raises(ParameterError, match=r"theta_start = 0\.1: must be left out .*--release-angle"):
+        joystick_of(DampingLaw.CONSTANT, {"theta_start": 0.1})

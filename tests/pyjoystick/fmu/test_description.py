@@ -1,0 +1,99 @@
+"""What is read from modelDescription.xml, and what is refused."""
+
+from __future__ import annotations
+
+import math
+import re
+import zipfile
+from pathlib import Path
+
+import fmpy
+import pytest
+
+from pyjoystick.fmu import FmuFileError, read_description
+from pyjoystick.parameters import NOMINAL
+from pyjoystick.tables import DisplayUnit
+from tests.pyjoystick.fmu.doctored import FMI_3, doctored, without_co_simulation
+
+
+def test_the_joystick_describes_itself(joystick_path: Path) -> None:
+    description = read_description(joystick_path)
+    assert description.model_name == "PreloadedSprings.Joystick.Joystick"
+    assert description.fmi_version == "2.0"
+    assert description.interfaces == {"CoSimulation": "Joystick", "ModelExchange": "Joystick"}
+    assert fmpy.platform in description.platforms
+    assert description.has_sources
+    assert description.experiment.tolerance == 1e-8
+    assert description.names("input") == ("T",)
+    assert description.names("output") == (
+        *("theta", "omega", "alpha", "x", "f_x", "M_s", "M_d", "M_g", "C", "E"),
+    )
+    assert set(NOMINAL.to_names()) < set(description.settable_names())
+
+
+def test_a_variable_has_unit_range_and_start(joystick_path: Path) -> None:
+    theta = read_description(joystick_path).variables["theta_start"]
+    assert (theta.unit, theta.causality, theta.type) == ("rad", "parameter", "Real")
+    assert theta.display_unit == DisplayUnit("deg", pytest.approx(math.degrees(1.0)))
+    mass = read_description(joystick_path).variables["m"]
+    assert (mass.unit, mass.minimum, mass.maximum) == ("kg", 0.0, None)
+    assert float(mass.start or "nan") == NOMINAL.m
+
+
+def test_attributes_of_the_declared_type_count_where_the_variable_has_none(
+    joystick_path: Path, tmp_path: Path
+) -> None:
+    types = '<SimpleType name="Load"><Real unit="kg" min="0.5" max="2"/></SimpleType>'
+
+    def with_type(text: str) -> str:
+        text, changed = re.subn(
+            r"<Real [^>]*start=\"0\.87\"/>", '<Real declaredType="Load" start="0.87"/>', text
+        )
+        assert changed == 1
+        assert "<TypeDefinitions>" not in text
+        return text.replace(
+            "</UnitDefinitions>", f"</UnitDefinitions><TypeDefinitions>{types}</TypeDefinitions>"
+        )
+
+    path = doctored(joystick_path, tmp_path / "typed.fmu", description=with_type)
+    mass = read_description(path).variables["m"]
+    assert (mass.unit, mass.minimum, mass.maximum) == ("kg", 0.5, 2.0)
+
+
+def test_model_exchange_only_and_fmi_3_can_be_read(joystick_path: Path, tmp_path: Path) -> None:
+    path = doctored(joystick_path, tmp_path / "me.fmu", description=without_co_simulation)
+    assert set(read_description(path).interfaces) == {"ModelExchange"}
+    path = doctored(joystick_path, tmp_path / "3.fmu", description=lambda text: FMI_3)
+    assert read_description(path).fmi_version == "3.0"
+
+
+def test_a_file_that_is_no_archive(tmp_path: Path) -> None:
+    path = tmp_path / "notes.fmu"
+    path.write_text("not an FMU")
+    with pytest.raises(FmuFileError, match=r"notes\.fmu: not an FMU: not a ZIP archive"):
+        read_description(path)
+
+
+def test_an_archive_without_a_model_description(tmp_path: Path) -> None:
+    path = tmp_path / "archive.fmu"
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr("readme.txt", "hello")
+    with pytest.raises(FmuFileError, match=r"archive\.fmu: not an FMU: there is no modelDescription\.xml"):
+        read_description(path)
+
+
+@pytest.mark.parametrize(
+    "text", ["<fmiModelDescription", "<html/>", '<fmiModelDescription fmiVersion="9.1"/>']
+)
+def test_a_broken_model_description(text: str, joystick_path: Path, tmp_path: Path) -> None:
+    path = doctored(joystick_path, tmp_path / "broken.fmu", description=lambda _: text)
+    with pytest.raises(FmuFileError, match=r"broken\.fmu: its modelDescription\.xml cannot be read: \w+: ."):
+        read_description(path)
+
+
+def test_a_truncated_archive(joystick_path: Path, tmp_path: Path) -> None:
+    path = tmp_path / "half.fmu"
+    content = joystick_path.read_bytes()
+    path.write_bytes(content[: len(content) // 2])
+    with pytest.raises(FmuFileError, match=r"half\.fmu: not an FMU: not a ZIP archive"):
+        read_description(path)

@@ -1,0 +1,109 @@
+"""Inputs of a run: straight pieces, jumps, constants, and what is refused."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+
+from pyjoystick.errors import ParameterError, PyJoystickError, SeriesError, UnknownInputError
+from pyjoystick.fmu import Fmu
+from pyjoystick.parameters import NOMINAL
+from pyjoystick.reference import inverse_torque, simulate
+from tests.pyjoystick.fmu.doctored import doctored
+
+TIME = np.linspace(0.0, 1.0, 41)
+#: A ramp up, a kink between two outputs, a jump down at an output, and a hold.
+TORQUE = pd.DataFrame({"T": [0.0, 1.2, 0.4, -0.6, -0.6]}, index=[0.1, 0.313, 0.5, 0.5, 0.7])
+
+
+@pytest.fixture
+def inverse(joystick_fmus: Path) -> Iterator[Fmu]:
+    with Fmu(joystick_fmus / "JoystickInverse.fmu") as fmu:
+        yield fmu
+
+
+def torque(time: float) -> float:
+    """TORQUE with the right-hand value at the jump."""
+    if time < 0.5:
+        return float(np.interp(time, [0.1, 0.313, 0.5], [0.0, 1.2, 0.4]))
+    return -0.6
+
+
+def test_straight_pieces_and_jumps_are_exact(joystick: Fmu) -> None:
+    table = joystick.run(TIME, inputs=TORQUE, parameters={"theta_start": 0.05}, outputs=["theta", "T"])
+    expected = simulate(
+        NOMINAL, time=TIME, theta_start=0.05, torque=torque, torque_breakpoints=[0.1, 0.313, 0.5, 0.7]
+    )
+    assert np.abs(table["theta"] - expected.theta).max() < 1e-7
+    np.testing.assert_allclose(table["T"], expected.T, rtol=0.0, atol=1e-15)
+    assert len(table) == len(TIME)
+
+
+def test_a_constant_input(joystick: Fmu) -> None:
+    table = joystick.run(TIME, inputs={"T": 0.8})
+    expected = simulate(NOMINAL, time=TIME, theta_start=0.0, torque=lambda _: 0.8)
+    assert np.abs(table["theta"] - expected.theta).max() < 1e-7
+
+
+def test_an_fmu_that_cannot_interpolate_holds_the_input_over_a_step(
+    joystick_path: Path, tmp_path: Path
+) -> None:
+    path = doctored(
+        joystick_path,
+        tmp_path / "Joystick.fmu",
+        description=lambda text: text.replace('canInterpolateInputs="true"', 'canInterpolateInputs="false"'),
+    )
+    ramp = pd.DataFrame({"T": [0.0, 1.0]}, index=[0.0, 1.0])
+    with Fmu(path) as fmu:
+        table = fmu.run(TIME, inputs=ramp, outputs=["theta", "T"])
+    steps = simulate(
+        NOMINAL,
+        time=TIME,
+        theta_start=0.0,
+        torque=lambda time: float(TIME[np.searchsorted(TIME, time, side="right") - 1]),
+        torque_breakpoints=TIME,
+    )
+    assert np.abs(table["theta"] - steps.theta).max() < 1e-7
+    np.testing.assert_array_equal(table["T"], TIME)
+
+
+def test_outputs_that_depend_on_inputs_at_once_belong_to_the_same_instant(inverse: Fmu) -> None:
+    time = np.linspace(0.0, 1.0, 101)
+    motion = pd.DataFrame(
+        {
+            "theta": 0.3 * np.sin(9.0 * time),
+            "omega": 2.7 * np.cos(9.0 * time),
+            "alpha": -24.3 * np.sin(9.0 * time),
+        },
+        index=time,
+    )
+    table = inverse.run(time, inputs=motion)
+    expected = inverse_torque(NOMINAL, motion["theta"], motion["omega"], motion["alpha"])
+    for name in ("T", "T_inertia", "T_damping", "T_stiffness"):
+        np.testing.assert_allclose(table[name], getattr(expected, name), rtol=1e-12, atol=1e-12, err_msg=name)
+
+
+@pytest.mark.parametrize(
+    ("inputs", "error", "message"),
+    [
+        ({"torque": 1.0}, UnknownInputError, "no input 'torque'; known are T"),
+        ({"theta": 1.0}, UnknownInputError, "no input 'theta'"),
+        ({"T": math.nan}, ParameterError, r"T = nan: must be a finite number in N\.m"),
+        ({"T": "much"}, ParameterError, "T = much: must be a finite number"),
+        (pd.DataFrame({"T": [1.0, math.nan]}, index=[0.0, 1.0]), ParameterError, "T = nan"),
+        (pd.DataFrame({"T": []}, index=[]), ParameterError, "inputs = an empty table"),
+        (pd.DataFrame({"T": [1.0, 2.0]}, index=[0.5, 0.4]), SeriesError, "is 0.4 at row 1"),
+        (pd.DataFrame({"T": [1.0, 2.0]}, index=[0.5, math.nan]), SeriesError, "is nan at row 1"),
+        (pd.DataFrame({"T": [1.0, 2.0]}, index=["a", "b"]), SeriesError, "must be time in s"),
+    ],
+)
+def test_inputs_that_are_refused(
+    joystick: Fmu, inputs: pd.DataFrame, error: type[PyJoystickError], message: str
+) -> None:
+    with pytest.raises(error, match=message):
+        joystick.run(TIME, inputs=inputs)

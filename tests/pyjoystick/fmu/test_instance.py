@@ -1,0 +1,97 @@
+"""Opening FMUs that cannot be run, and putting everything away."""
+
+from __future__ import annotations
+
+import gc
+import os
+from pathlib import Path
+
+import fmpy
+import pytest
+
+from pyjoystick.errors import PyJoystickError
+from pyjoystick.fmu import Fmu, FmuFileError, UnsupportedFmuError
+from tests.pyjoystick.fmu.doctored import FMI_3, doctored, without_co_simulation
+
+
+def test_without_co_simulation(joystick_path: Path, tmp_path: Path) -> None:
+    path = doctored(joystick_path, tmp_path / "me.fmu", description=without_co_simulation)
+    with pytest.raises(UnsupportedFmuError, match=r"me\.fmu: has no CoSimulation .*it has ModelExchange"):
+        Fmu(path)
+
+
+def test_another_version_of_the_standard(joystick_path: Path, tmp_path: Path) -> None:
+    path = doctored(joystick_path, tmp_path / "3.fmu", description=lambda _: FMI_3)
+    with pytest.raises(UnsupportedFmuError, match=r"3\.fmu: is an FMU of FMI 3\.0; FMI 2\.0 can be run"):
+        Fmu(path)
+
+
+def test_no_binary_for_this_platform(joystick_path: Path, tmp_path: Path) -> None:
+    path = doctored(
+        joystick_path,
+        tmp_path / "other.fmu",
+        rename=lambda name: name.replace(f"binaries/{fmpy.platform}/", "binaries/riscv64-linux/"),
+    )
+    expected = rf"other\.fmu: has no binary for {fmpy.platform} \(it has riscv64-linux\)"
+    with pytest.raises(UnsupportedFmuError, match=expected):
+        Fmu(path)
+
+
+def test_a_binary_that_is_none(joystick_path: Path, tmp_path: Path, unpacking_folder: Path) -> None:
+    path = doctored(
+        joystick_path,
+        tmp_path / "garbage.fmu",
+        content=lambda name, data: b"garbage" if name.startswith("binaries/") else data,
+    )
+    before = Path.cwd()
+    with pytest.raises(FmuFileError, match=r"garbage\.fmu: its binary cannot be loaded"):
+        Fmu(path)
+    assert Path.cwd() == before
+    assert list(unpacking_folder.iterdir()) == []
+
+
+def test_a_binary_that_refuses_says_why(joystick_path: Path, tmp_path: Path, unpacking_folder: Path) -> None:
+    path = doctored(
+        joystick_path, tmp_path / "guid.fmu", description=lambda text: text.replace('guid="{', 'guid="{0')
+    )
+    with pytest.raises(FmuFileError, match=r"guid\.fmu: cannot be instantiated: The GUID is not that of"):
+        Fmu(path)
+    assert list(unpacking_folder.iterdir()) == []
+
+
+def test_a_damaged_archive(joystick_path: Path, tmp_path: Path, unpacking_folder: Path) -> None:
+    content = bytearray(doctored(joystick_path, tmp_path / "damaged.fmu").read_bytes())
+    place = content.index(b"\x7fELF" if os.name == "posix" else b"MZ") + 100
+    content[place] ^= 0xFF
+    (tmp_path / "damaged.fmu").write_bytes(content)
+    with pytest.raises(FmuFileError, match=r"damaged\.fmu: cannot be unpacked: Bad CRC-32"):
+        Fmu(tmp_path / "damaged.fmu")
+    assert list(unpacking_folder.iterdir()) == []
+
+
+def test_what_is_unpacked_is_deleted_on_leaving(joystick_path: Path, unpacking_folder: Path) -> None:
+    with Fmu(joystick_path):
+        assert len(list(unpacking_folder.iterdir())) == 1
+    assert list(unpacking_folder.iterdir()) == []
+
+
+def test_an_fmu_that_is_forgotten_is_put_away(joystick_path: Path, unpacking_folder: Path) -> None:
+    fmu = Fmu(joystick_path)
+    fmu.run([0.0, 0.1])
+    del fmu
+    gc.collect()
+    assert list(unpacking_folder.iterdir()) == []
+
+
+def test_closing_twice_does_no_harm_and_ends_use(joystick_path: Path) -> None:
+    fmu = Fmu(joystick_path)
+    fmu.close()
+    fmu.close()
+    with pytest.raises(PyJoystickError, match=r"Joystick\.fmu has been closed"):
+        fmu.run([0.0, 1.0])
+
+
+def test_an_exception_inside_the_block_puts_away_too(joystick_path: Path, unpacking_folder: Path) -> None:
+    with pytest.raises(KeyboardInterrupt), Fmu(joystick_path):
+        raise KeyboardInterrupt
+    assert list(unpacking_folder.iterdir()) == []

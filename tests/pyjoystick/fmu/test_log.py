@@ -1,0 +1,38 @@
+"""Messages reach the instance they belong to, and FMPy's own users."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import fmpy
+import pytest
+from fmpy.fmi1 import FMICallException
+
+from pyjoystick.fmu import Fmu, FmuRunError
+
+
+def test_messages_of_fmpys_own_runs_are_still_printed(
+    joystick_path: Path, joystick: Fmu, capfd: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(FMICallException):
+        fmpy.simulate_fmu(str(joystick_path), start_values={"J": 0.0})
+    assert "J must be positive, but is 0" in capfd.readouterr().out
+    assert len(joystick._instance.log.messages) == 0
+
+
+def test_a_logger_of_someone_else_does_not_keep_the_messages(joystick_path: Path, joystick: Fmu) -> None:
+    heard: list[bytes] = []
+    with pytest.raises(FMICallException):
+        fmpy.simulate_fmu(
+            str(joystick_path), start_values={"J": 0.0}, logger=lambda *arguments: heard.append(arguments[-1])
+        )
+    assert any(b"J must be positive" in message for message in heard)
+    with pytest.raises(FmuRunError, match="J must be positive"):
+        joystick.run([0.0, 0.1], parameters={"J": 0.0})
+
+
+def test_a_doubled_number_sign_is_one(mixed: Fmu) -> None:
+    # The runtime doubles "%" and "#" as the standard has it; both come back as they were written.
+    with pytest.raises(FmuRunError) as caught:
+        mixed.run([0.0, 0.2], parameters={"last": 0.1})
+    assert any("past the last moment 100 % of #1" in message for message in caught.value.messages)

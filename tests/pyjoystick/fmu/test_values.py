@@ -1,0 +1,109 @@
+"""Parameters and outputs that an FMU does not take."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from pyjoystick.errors import ParameterError, UnknownParameterError, UnknownVariableError
+from pyjoystick.fmu import Fmu, Variable
+from pyjoystick.fmu.values import allowed_values, checked_value
+
+TIME = (0.0, 0.1)
+
+
+def variable(type_: str, minimum: float | None = None, maximum: float | None = None) -> Variable:
+    return Variable("p", type_, "parameter", "fixed", "exact", 1, "", "m", None, "1", minimum, maximum)
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "message"),
+    [
+        ("m", math.nan, "m = nan: must be a finite number, 0 kg or more"),
+        ("m", math.inf, "m = inf: must be a finite number, 0 kg or more"),
+        ("m", -0.1, "m = -0.1: must be a finite number, 0 kg or more"),
+        ("m", "heavy", "m = heavy: must be a finite number, 0 kg or more"),
+        ("m", True, "m = True: must be a finite number, 0 kg or more"),
+        ("m", None, "m = None: must be a finite number, 0 kg or more"),
+        ("m", [0.87], r"m = \[0.87\]: must be a finite number, 0 kg or more"),
+        ("omega_start", math.nan, "omega_start = nan: must be a finite number in rad/s"),
+        (
+            "theta",
+            0.1,
+            r"theta = 0.1: must be left out of the parameters \(it is a variable of kind output\)",
+        ),
+        ("T", 0.1, r"T = 0.1: must be left out of the parameters \(give it as an input\)"),
+        ("time", 0.1, r"time = 0.1: must be left out of the parameters \(it is .* independent\)"),
+    ],
+)
+def test_values_that_are_refused(joystick: Fmu, name: str, value: object, message: str) -> None:
+    with pytest.raises(ParameterError, match=f"^{message}$"):
+        joystick.run(TIME, parameters={name: value})  # type: ignore[dict-item]
+
+
+def test_an_unknown_parameter_gets_the_nearest_ones(joystick: Fmu) -> None:
+    with pytest.raises(UnknownParameterError, match=r"no parameter 'dampingC'; did you mean damping\.C"):
+        joystick.run(TIME, parameters={"dampingC": 0.05})
+
+
+def test_an_unknown_output_gets_the_nearest_ones(joystick: Fmu) -> None:
+    with pytest.raises(UnknownVariableError, match=r"no variable 'tehta'; did you mean theta"):
+        joystick.run(TIME, outputs=["tehta"])
+    with pytest.raises(UnknownVariableError, match="no variable 'time'"):
+        joystick.run(TIME, outputs=["time"])
+
+
+@pytest.mark.parametrize(
+    ("kind", "value", "expected"),
+    [
+        ("Real", 2, 2.0),
+        ("Real", np.float32(0.5), 0.5),
+        ("Integer", 2, 2),
+        ("Integer", np.int64(2), 2),
+        ("Enumeration", 2, 2),
+        ("Boolean", np.True_, True),
+        ("String", "text", "text"),
+    ],
+)
+def test_values_come_in_the_type_of_the_variable(kind: str, value: object, expected: object) -> None:
+    checked = checked_value(variable(kind), value)
+    assert checked == expected
+    assert type(checked) is type(expected)
+
+
+@pytest.mark.parametrize(
+    ("kind", "value", "message"),
+    [
+        ("Integer", 2.0, "an integer"),
+        ("Integer", True, "an integer"),
+        ("Enumeration", "first", "an integer"),
+        ("Boolean", 1, "True or False"),
+        ("String", 1, "text"),
+        ("Real", 1j, "a finite number"),
+    ],
+)
+def test_values_of_another_type_are_refused(kind: str, value: object, message: str) -> None:
+    with pytest.raises(ParameterError, match=f"must be {message}"):
+        checked_value(variable(kind), value)
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "inside", "outside", "words"),
+    [
+        (0.0, 1.0, (0.0, 1.0), (-1e-9, 1.0 + 1e-9), "a finite number from 0 to 1 m"),
+        (0.0, None, (0.0, 1e300), (-1e-300,), "a finite number, 0 m or more"),
+        (None, 1.0, (1.0, -1e300), (1.1,), "a finite number, 1 m or less"),
+        (None, None, (-1e300,), (math.nan,), "a finite number in m"),
+    ],
+)
+def test_the_ends_of_a_range_belong_to_it(
+    low: float | None, high: float | None, inside: tuple[float, ...], outside: tuple[float, ...], words: str
+) -> None:
+    ranged = variable("Real", low, high)
+    assert allowed_values(ranged) == words
+    assert [checked_value(ranged, value) for value in inside] == list(inside)
+    for value in outside:
+        with pytest.raises(ParameterError, match=words):
+            checked_value(ranged, value)
