@@ -76,7 +76,8 @@ def _boundaries(parameters: JoystickParameters) -> list[Boundary]:
 def _branch(parameters: JoystickParameters, torque: Torque | None, lower: float, upper: float) -> Branch:
     assembly = parameters.backward if upper <= 0.0 else parameters.forward
     nearer, farther = sorted((abs(lower), abs(upper)))
-    inside = nearer + 0.5 * (min(farther, 0.5 * math.pi) - nearer)
+    # Kinks of enormous travel round to pi/2, where the travel is infinite.
+    inside = min(nearer + 0.5 * (min(farther, 0.5 * math.pi) - nearer), math.nextafter(0.5 * math.pi, 0.0))
     x = float(contact_travel(parameters, inside))
     segments = [_segment(spring, x) for spring in (assembly.return_spring, assembly.balance_spring)]
     force = sum(segment[0] for segment in segments), sum(segment[1] for segment in segments)

@@ -82,6 +82,5 @@ def _error(length: float, slopes: list[float]) -> float:
     """The estimate: one of fifth order, damped by one of third so that it behaves as one of eighth."""
     fifth = float(sum(map(mul, _ERROR_5, slopes)))
     third = float(sum(map(mul, _ERROR_3, slopes)))
-    if fifth == 0.0:
-        return 0.0
-    return length * fifth * fifth / math.sqrt(fifth * fifth + 0.01 * third * third)
+    # As a ratio, because the squares of slopes near rest can be too small for a float.
+    return length * abs(fifth) * (abs(fifth) / math.hypot(fifth, 0.1 * third)) if fifth != 0.0 else 0.0

@@ -12,6 +12,8 @@ from pyjoystick.reference.dormand_prince import ERROR_ORDER, Step
 from pyjoystick.reference.location import first_zero
 
 _FIRST_LENGTH = 1e-6
+#: Smooth torques and sensible parameters need no steps this short (s); a jump of the torque does.
+_SHORTEST_LENGTH = 1e-12
 _SAFETY, _SMALLEST_FACTOR, _LARGEST_FACTOR = 0.9, 0.2, 6.0
 #: Dips of omega shorter than this (s) are not searched for sign changes.
 _SHORTEST_DIP = 1e-6
@@ -119,7 +121,9 @@ class Integration:
         passes = (theta - boundary) * heading >= 0.0 and step.theta != boundary
         if passes:
             length = _until_angle(step, length, theta, boundary)
-            time, theta, omega = step.time + length, boundary, step.at(length)[1]
+            # Where the motion only touches the boundary, rounding may give omega the other sign.
+            omega = max(0.0, step.at(length)[1] * heading) * heading
+            time, theta = step.time + length, boundary
         if abs(theta) >= 0.5 * math.pi:
             raise SimulationError(time, "the angle has reached pi/2")
         self._time, self._theta, self._omega = time, theta, omega
@@ -142,8 +146,8 @@ class Integration:
                 break
             self.rejected += 1
             length *= max(_SMALLEST_FACTOR, _factor(ratio)) if math.isfinite(ratio) else _SMALLEST_FACTOR
-            if length < 4.0 * math.ulp(step.time) or length < math.ulp(1e-3):
-                reason = "the steps have become too short; does the torque jump here?"
+            if length < _SHORTEST_LENGTH:
+                reason = "the steps have become too short; does the torque jump here, where no breakpoint is?"
                 raise SimulationError(step.time, reason) from cause
         self._length = length * min(_LARGEST_FACTOR, _factor(ratio))
         return length, theta, omega

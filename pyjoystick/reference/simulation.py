@@ -82,7 +82,10 @@ def simulate(
 
 def checked_time(time: ArrayLike) -> FloatArray:
     """`time` (s) as an array (n,), refused unless it has two or more finite, increasing instants."""
-    instants = np.array(time, dtype=np.float64)
+    try:
+        instants = np.array(time, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise ParameterError("time", time, "an array of numbers (s)") from None
     if instants.ndim != 1 or instants.size < 2:
         given = f"array of shape {instants.shape}"
         raise ParameterError("time", given, "one-dimensional with two or more instants")

@@ -28,7 +28,7 @@ def oscillator(length: float) -> tuple[float, float]:
 
 
 def test_method_and_estimate_are_of_eighth_order() -> None:
-    """The error of one step falls as length^9 and its estimate as length^8, over four halvings of the length."""
+    """The error of one step falls as length^9 and its estimate as length^8, over four halvings."""
     coarse, fine = oscillator(1.6), oscillator(0.1)
     assert math.log2(coarse[0] / fine[0]) / 4.0 == pytest.approx(9.0, abs=0.5)
     assert math.log2(coarse[1] / fine[1]) / 4.0 == pytest.approx(8.0, abs=0.5)

@@ -8,7 +8,13 @@ import numpy as np
 import pytest
 
 from pyjoystick.errors import ParameterError
-from pyjoystick.parameters import NOMINAL, NOMINAL_POWER_LAW, ConstantDamping, PowerLawDamping
+from pyjoystick.parameters import (
+    NOMINAL,
+    NOMINAL_POWER_LAW,
+    ConstantDamping,
+    JoystickParameters,
+    PowerLawDamping,
+)
 from pyjoystick.reference import (
     contact_force,
     contact_moment,
@@ -27,14 +33,14 @@ ANGLES = np.concatenate([np.linspace(-1.2, 1.2, 481), [1e-3, -1e-3, 3.2e-3, -3.2
 
 
 @pytest.mark.parametrize("parameters", JOYSTICKS)
-def test_contact_moment_is_conservative(parameters):
+def test_contact_moment_is_conservative(parameters: JoystickParameters) -> None:
     """M_s = f_x*dx/dtheta: the work of the moment is the work of the force."""
     expected = contact_force(parameters, ANGLES) * contact_travel_slope(parameters, ANGLES)
     np.testing.assert_allclose(contact_moment(parameters, ANGLES), expected, rtol=1e-12)
 
 
-def test_eq_5_as_printed_is_not_conservative():
-    """{a*(sign(theta) + d*tan(theta))}*f_x adds a length to a number; the lever is off by percents at 20 degrees."""
+def test_eq_5_as_printed_is_not_conservative() -> None:
+    """{a*(sign(theta) + d*tan(theta))}*f_x adds a length to a number; at 20 degrees it is off by percents."""
     theta = np.radians([-20.0, 20.0])
     force = contact_force(NOMINAL, theta)
     d = contact_travel(NOMINAL, theta) - NOMINAL.b
@@ -44,7 +50,7 @@ def test_eq_5_as_printed_is_not_conservative():
     np.testing.assert_allclose(contact_moment(NOMINAL, theta), expected, rtol=1e-12)
 
 
-def test_each_side_feels_its_own_actuator():
+def test_each_side_feels_its_own_actuator() -> None:
     mirrored = NOMINAL.replace({"backward.returnSpring.k_s": 2.0 * NOMINAL.backward.return_spring.k_s})
     np.testing.assert_array_equal(contact_moment(mirrored, [0.1, 0.0]), contact_moment(NOMINAL, [0.1, 0.0]))
     assert contact_moment(mirrored, -0.1) < contact_moment(NOMINAL, -0.1) < 0.0
@@ -52,7 +58,7 @@ def test_each_side_feels_its_own_actuator():
 
 
 @pytest.mark.parametrize("parameters", JOYSTICKS[:5])
-def test_energy_falls_by_the_work_of_the_moments(parameters):
+def test_energy_falls_by_the_work_of_the_moments(parameters: JoystickParameters) -> None:
     """-dE/dtheta at constant omega is M_g - M_s, and dE/domega is J*omega."""
     theta = np.linspace(-0.35, 0.35, 71) + 1e-4
     h = 1e-6
@@ -64,18 +70,18 @@ def test_energy_falls_by_the_work_of_the_moments(parameters):
     np.testing.assert_allclose(kinetic, 4.5 * parameters.J, rtol=1e-12)
 
 
-def test_energy_is_zero_at_rest_in_the_middle():
+def test_energy_is_zero_at_rest_in_the_middle() -> None:
     assert energy(NOMINAL, 0.0, 0.0) == 0.0
     assert energy(NOMINAL, -1e-3, 0.0) < 0.0  # in the clearance only gravity acts
 
 
-def test_constant_damping_fills_the_shape_of_the_motion():
+def test_constant_damping_fills_the_shape_of_the_motion() -> None:
     np.testing.assert_array_equal(
         damping_coefficient(ConstantDamping(C=0.05), [[0.1], [0.2]], [1.0, 2.0]), 0.05
     )
 
 
-def test_power_law_by_hand_far_from_zero():
+def test_power_law_by_hand_far_from_zero() -> None:
     law = PowerLawDamping(alpha=0.9)
     forward = 0.9 * 0.086 * 0.2**0.084 + 0.1 * 0.051 * 5.0**-0.26
     backward = 0.9 * 0.032 * 0.2**-0.23 + 0.1 * 0.051 * 5.0**-0.26
@@ -85,27 +91,27 @@ def test_power_law_by_hand_far_from_zero():
     )
 
 
-def test_power_law_at_zero_is_finite():
+def test_power_law_at_zero_is_finite() -> None:
     law = PowerLawDamping(alpha=0.5)
     expected = 0.5 * 0.086 * 1e-4**0.084 + 0.5 * 0.051 * 1e-3**-0.26
     assert damping_coefficient(law, 0.0, 0.0) == pytest.approx(expected, rel=1e-14)
 
 
-def test_damping_of_the_two_laws_at_typical_motion_is_alike():
+def test_damping_of_the_two_laws_at_typical_motion_is_alike() -> None:
     """Section 4: C = 0.045 approximates an average of eq. (11)."""
     theta, omega = np.meshgrid(np.linspace(-0.3, 0.3, 31), np.linspace(-6.0, 6.0, 31))
     mean = float(np.mean(damping_coefficient(NOMINAL_POWER_LAW.damping, theta, omega)))
     assert 0.03 < mean < 0.09
 
 
-def test_swing_frequency_of_table_2():
+def test_swing_frequency_of_table_2() -> None:
     assert swing_frequency(NOMINAL) == pytest.approx(1.25, abs=0.01)
     frequency = swing_frequency(NOMINAL)
     inertia = NOMINAL.m * NOMINAL.g * NOMINAL.h / (2.0 * math.pi * frequency) ** 2
     assert inertia == pytest.approx(NOMINAL.J, rel=1e-14)
 
 
-def test_inverse_torque_is_the_sum_of_its_parts():
+def test_inverse_torque_is_the_sum_of_its_parts() -> None:
     theta, omega, alpha = np.array([0.1, -0.2, 0.0]), np.array([1.0, -3.0, 0.0]), np.array([5.0, 50.0, 0.0])
     torque = inverse_torque(NOMINAL, theta, omega, alpha)
     np.testing.assert_array_equal(torque.T, torque.T_inertia + torque.T_damping + torque.T_stiffness)
@@ -119,7 +125,7 @@ def test_inverse_torque_is_the_sum_of_its_parts():
     assert torque.T[2] == 0.0
 
 
-def test_inverse_torque_broadcasts_passes_nan_and_refuses_degrees():
+def test_inverse_torque_broadcasts_passes_nan_and_refuses_degrees() -> None:
     torque = inverse_torque(NOMINAL, [0.1, math.nan], 0.0, [[0.0], [1.0]])
     assert torque.T.shape == torque.T_damping.shape == (2, 2)
     assert np.isnan(torque.T).tolist() == [[False, True], [False, True]]
