@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 import pandas as pd
 
+from pyjoystick.checks import positive
 from pyjoystick.errors import ParameterError, SeriesError, UnknownVariableError
-from pyjoystick.parameters.checks import positive
 from pyjoystick.tables import unit_of
 
 

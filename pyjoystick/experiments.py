@@ -18,10 +18,10 @@ import pandas as pd
 
 from pyjoystick import reference
 from pyjoystick._types import FloatArray
+from pyjoystick.checks import angle, positive
 from pyjoystick.errors import ParameterError
 from pyjoystick.fmu import DEFAULT_TOLERANCE, Fmu, FmuDescription, UnsupportedFmuError
 from pyjoystick.parameters import NOMINAL, ConstantDamping, Damping, JoystickParameters
-from pyjoystick.parameters.checks import angle, positive
 from pyjoystick.tables import DisplayUnit, Quantity, make_table
 
 #: Length of a free oscillation (s): the joystick of the paper has come to rest by then.

@@ -15,8 +15,8 @@ from numpy.polynomial import Polynomial
 from numpy.typing import ArrayLike
 
 from pyjoystick._types import FloatArray
+from pyjoystick.checks import not_negative
 from pyjoystick.errors import SeriesError
-from pyjoystick.parameters.checks import not_negative
 
 _STENCIL = 5
 

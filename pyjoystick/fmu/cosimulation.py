@@ -16,14 +16,13 @@ import pandas as pd
 from numpy.typing import ArrayLike, NDArray
 
 from pyjoystick._types import FloatArray
+from pyjoystick.checks import increasing_times, positive
 from pyjoystick.errors import PyJoystickError
 from pyjoystick.fmu.description import FmuDescription, Variable, read_description
 from pyjoystick.fmu.files import find_fmu
 from pyjoystick.fmu.inputs import Inputs, InputSeries, checked_inputs, communication_points, input_series
 from pyjoystick.fmu.instance import Instance, instantiated
 from pyjoystick.fmu.values import Value, checked_outputs, checked_parameters
-from pyjoystick.parameters.checks import positive
-from pyjoystick.reference.simulation import checked_time
 from pyjoystick.tables import make_table
 
 #: Tolerance that the FMU's integrator is asked to keep.
@@ -112,7 +111,7 @@ class Fmu:
         """
         if not self._close.alive:
             raise PyJoystickError(f"{self.description.path} has been closed")
-        instants = checked_time(time)
+        instants = increasing_times(time)
         tolerance = positive("tolerance", tolerance)
         values = checked_parameters(self.description, parameters or {})
         table = checked_inputs(self.description, {} if inputs is None else inputs)

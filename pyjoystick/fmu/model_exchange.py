@@ -10,13 +10,12 @@ import numpy as np
 import pandas as pd
 from numpy.typing import ArrayLike
 
+from pyjoystick.checks import increasing_times, positive
 from pyjoystick.errors import ParameterError, SimulationError
 from pyjoystick.fmu.description import read_description
 from pyjoystick.fmu.files import find_fmu
 from pyjoystick.fmu.instance import instantiated
 from pyjoystick.fmu.values import Value, checked_outputs, checked_parameters
-from pyjoystick.parameters.checks import positive
-from pyjoystick.reference.simulation import checked_time
 from pyjoystick.tables import make_table
 
 
@@ -49,7 +48,7 @@ def run_model_exchange(
         FmuRunError: the FMU refuses its settings or fails
         SimulationError: the model ended the run by itself
     """
-    instants = checked_time(time)
+    instants = increasing_times(time)
     interval = float(instants[-1] - instants[0]) / (len(instants) - 1)
     grid = instants[0] + interval * np.arange(len(instants))
     if np.max(np.abs(grid - instants)) > 1e-9 * interval:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from pyjoystick import checks
 from pyjoystick.errors import ParameterError
-from pyjoystick.parameters import checks
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TypeVar
 
+from pyjoystick import checks
 from pyjoystick.errors import ParameterError, UnknownParameterError
-from pyjoystick.parameters import checks
 from pyjoystick.parameters.damping import ConstantDamping, Damping, PowerLawDamping
 from pyjoystick.parameters.springs import ActuatorAssembly, RestrainedSpring
 

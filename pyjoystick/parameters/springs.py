@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from pyjoystick import checks
 from pyjoystick.errors import ParameterError
-from pyjoystick.parameters import checks
 
 #: x_1 = x_0 + F_0/k_h is computed, so where it should equal x_2 it may exceed it by rounding.
 _ROUNDING = 1e-12

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pyjoystick._types import FloatArray
+from pyjoystick.checks import angle
 from pyjoystick.parameters import JoystickParameters
-from pyjoystick.parameters.checks import angle
 
 
 def contact_travel(parameters: JoystickParameters, theta: ArrayLike) -> FloatArray:

@@ -12,9 +12,9 @@ from typing import Final
 import numpy as np
 
 from pyjoystick._types import Torque
+from pyjoystick.checks import angle, finite, positive
 from pyjoystick.errors import ParameterError, SimulationError
 from pyjoystick.parameters import JoystickParameters
-from pyjoystick.parameters.checks import angle, finite, positive
 from pyjoystick.reference.branches import Acceleration, PiecewiseEquation
 from pyjoystick.reference.trajectory import Trajectory, trajectory
 

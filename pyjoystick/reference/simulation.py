@@ -10,9 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pyjoystick._types import FloatArray, Torque
-from pyjoystick.errors import ParameterError
+from pyjoystick.checks import angle, finite, increasing_times, positive
 from pyjoystick.parameters import JoystickParameters
-from pyjoystick.parameters.checks import angle, finite, positive
 from pyjoystick.reference.branches import PiecewiseEquation
 from pyjoystick.reference.dormand_prince import Step
 from pyjoystick.reference.integration import Integration
@@ -52,7 +51,7 @@ def simulate(
         ParameterError: a start value, a time or the tolerance is not finite or outside its range
         SimulationError: the motion reaches pi/2, or the torque is not finite or jumps between breakpoints
     """
-    instants = checked_time(time)
+    instants = increasing_times(time)
     integration = Integration(
         PiecewiseEquation(parameters, torque),
         float(instants[0]),
@@ -78,22 +77,6 @@ def simulate(
         accepted=integration.accepted,
         rejected=integration.rejected,
     )
-
-
-def checked_time(time: ArrayLike) -> FloatArray:
-    """`time` (s) as an array (n,), refused unless it has two or more finite, increasing instants."""
-    try:
-        instants = np.array(time, dtype=np.float64)
-    except (TypeError, ValueError):
-        raise ParameterError("time", time, "an array of numbers (s)") from None
-    if instants.ndim != 1 or instants.size < 2:
-        given = f"array of shape {instants.shape}"
-        raise ParameterError("time", given, "one-dimensional with two or more instants")
-    for i, value in enumerate(instants):
-        finite(f"time[{i}]", value, "s")
-    for i in np.flatnonzero(np.diff(instants) <= 0.0)[:1]:
-        raise ParameterError(f"time[{i + 1}]", instants[i + 1], f"above time[{i}] = {instants[i]} s")
-    return instants
 
 
 def _spans(

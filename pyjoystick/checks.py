@@ -1,10 +1,14 @@
-"""Range checks of the parameter classes. Each returns the value as a float or raises ParameterError."""
+"""Checks of values that a user gives: each returns what was checked, or raises ParameterError."""
 
 from __future__ import annotations
 
 import math
 from numbers import Real
 
+import numpy as np
+from numpy.typing import ArrayLike
+
+from pyjoystick._types import FloatArray
 from pyjoystick.errors import ParameterError
 
 
@@ -41,3 +45,19 @@ def angle(field: str, value: object) -> float:
         hint = f"in degrees? {number:g} degrees are {math.radians(number):.6g} rad"
         raise ParameterError(field, value, allowed, hint)
     return number
+
+
+def increasing_times(time: ArrayLike) -> FloatArray:
+    """`time` (s) as an array (n,), refused unless it has two or more finite, increasing instants."""
+    try:
+        instants = np.array(time, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise ParameterError("time", time, "an array of numbers (s)") from None
+    if instants.ndim != 1 or instants.size < 2:
+        given = f"array of shape {instants.shape}"
+        raise ParameterError("time", given, "one-dimensional with two or more instants")
+    for i, value in enumerate(instants):
+        finite(f"time[{i}]", value, "s")
+    for i in np.flatnonzero(np.diff(instants) <= 0.0)[:1]:
+        raise ParameterError(f"time[{i + 1}]", instants[i + 1], f"above time[{i}] = {instants[i]} s")
+    return instants

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from pyjoystick.errors import ParameterError
-from pyjoystick.parameters import checks
+from pyjoystick import checks
 
 
 @pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf, "1", None, True, 1j, [1.0]])
