@@ -15,7 +15,7 @@ JOYSTICKS = ("Joystick", "JoystickPowerLaw", "JoystickInverse")
 
 @pytest.fixture(scope="session")
 def joystick_fmus(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The folder with the three joystick FMUs: those of ``make fmu`` if they are up to date, else new ones."""
+    """The folder with the three joystick FMUs: those of ``make fmu`` where up to date, else new ones."""
     made = ROOT / "build" / "fmi2"
     if _is_up_to_date(made):
         return made
