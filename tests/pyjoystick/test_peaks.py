@@ -90,7 +90,7 @@ def test_uneven_samples_of_a_parabola_give_its_vertex(gaps: list[float], vertex:
 def test_displacement_peaks_are_the_turning_points_of_the_reference(parameters: JoystickParameters) -> None:
     """At 600 Hz, the rate of the paper's processed data, over its nine peaks.
 
-    Measured: 3e-8 s and 1e-9 rad with omega, 9e-8 s and 4e-9 rad without; at 60 Hz 8e-6 s and 6e-6 rad with it.
+    Measured: 3e-8 s and 1e-9 rad with omega, 9e-8 s and 4e-9 rad without it.
     """
     run = simulate(parameters, time=np.linspace(0.0, 0.8, 481), theta_start=math.radians(-20.0))
     turns = run.turning_points[:9]
