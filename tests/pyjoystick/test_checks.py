@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from pyjoystick.errors import ParameterError
 from pyjoystick import checks
+from pyjoystick.errors import ParameterError
 
 
 @pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf, "1", None, True, 1j, [1.0]])
