@@ -12,6 +12,7 @@ from typing import Any
 
 import rumoca
 
+from fmu_build.codegen.functions.definitions import bodies
 from fmu_build.codegen.lowered import LoweredModel, lower
 from fmu_build.codegen.source import ModelSource
 from fmu_build.codegen.start_values import StartValues
@@ -46,9 +47,10 @@ def _search(
 def _equations(source: ModelSource, values: Mapping[str, str]) -> object:
     """The equations for other parameter values, None where the model does not compile with them."""
     try:
-        return _plain(lower(source.variant(values)).solve)
+        variant = lower(source.variant(values))
     except (rumoca.RumocaError, RuntimeError, UnsupportedModelError):
         return None
+    return _plain(variant.solve), bodies(variant.dae)
 
 
 def _plain(tree: Any) -> Any:

@@ -53,7 +53,7 @@ class AssignmentWriter:
 
     def _keeps_value(self, assignment: Assignment) -> bool:
         operation = self._dae.operation(assignment.rhs)
-        return (
+        return bool(
             operation["kind"] == "function_value"
             and operation["value"] == assignment.target
             and operation["definition"] == self._expressions.current.get(assignment.target)
@@ -61,9 +61,8 @@ class AssignmentWriter:
 
     def _is_needed(self, assignment: Assignment, pending: Sequence[Assignment]) -> bool:
         """Whether another assignment still reads the old value of the target."""
-        return any(
-            self._reads([other.rhs], assignment.target) for other in pending if other is not assignment
-        )
+        others = [other.rhs for other in pending if other is not assignment]
+        return self._reads(others, assignment.target)
 
     def _reads(self, roots: Sequence[int], target: int) -> bool:
         return any(value == target for value, _ in reads(self._dae.by_id, roots))
@@ -113,16 +112,11 @@ class AssignmentWriter:
         for number, branch in enumerate(branches[:-1]):
             if number:
                 self._code.close(f"else if ({conditions[number]}) {{")
-            self._branch(branch)
+            self.write(branch)
         if not all(map(self._keeps_value, branches[-1])):
             self._code.close("else {")
-            self._branch(branches[-1])
+            self.write(branches[-1])
         self._code.close()
-
-    def _branch(self, assignments: Sequence[Assignment]) -> None:
-        self._expressions.forget_calls()
-        self.write(assignments)
-        self._expressions.forget_calls()
 
     # arrays
 
@@ -148,10 +142,7 @@ class AssignmentWriter:
 
     def _copy_back(self, copy: str, assignment: Assignment) -> None:
         name = self._expressions.variables[assignment.target]
-        size = self._dae.size(assignment.rhs)
-        self._expressions.for_each(
-            (size,), lambda at: self._code.line(f"{name}[{at[0].text()}] = {copy}[{at[0].text()}];")
-        )
+        self._expressions.loops.copy(name, copy, self._dae.size(assignment.rhs))
 
     def _fill(self, name: str, rhs: int) -> None:
         """Set all elements of a C array that the right-hand side does not read."""
@@ -168,11 +159,11 @@ class AssignmentWriter:
             for at in positions(dimensions):
                 store(at)
         else:
-            self._expressions.for_each(dimensions, store)
+            self._expressions.loops.for_each(dimensions, store)
 
     def _updates(self, rhs: int) -> tuple[list[dict[str, Any]], int]:
         """The element assignments that the right-hand side is made of, in order, and the array below them."""
-        updates = []
+        updates: list[dict[str, Any]] = []
         while (operation := self._dae.operation(rhs))["kind"] == "array_update":
             updates.insert(0, operation)
             rhs = operation["base"]
@@ -202,7 +193,7 @@ class AssignmentWriter:
             value = self._code.text(self._expressions.element(update["value"], at))
             self._code.line(self._expressions.subscripts.store(name, dimensions, where, value))
 
-        self._expressions.for_each(self._dae.dimensions(update["value"]), store)
+        self._expressions.loops.for_each(self._dae.dimensions(update["value"]), store)
 
 
 def _inputs(update: dict[str, Any]) -> list[int]:

@@ -1,8 +1,8 @@
 """The algorithm of a Modelica function as a C function.
 
-rumoca hands algorithms over in static single assignment form: every assignment is a definition of its own, and
-every read names the definition that it means. Here the definitions of one variable share one C variable; each
-read is checked against the definition whose value the C variable has at that point.
+rumoca hands algorithms over in static single assignment form: every assignment is a definition of its own,
+and every read names the definition that it means. Here the definitions of one variable share one C variable;
+each read is checked against the definition whose value the C variable has at that point.
 """
 
 from __future__ import annotations
@@ -75,7 +75,7 @@ class _FunctionWriter:
 
     def _statements(self, statements: Sequence[Statement], is_outermost: bool = False) -> None:
         for statement in statements:
-            self._expressions.forget_calls()
+            self._code.new_statement()
             match statement["kind"]:
                 case "assignment":
                     self._group([statement["definition"]], is_outermost)
@@ -147,19 +147,20 @@ class _FunctionWriter:
 
     def _is_declaration(self, assignment: Assignment) -> bool:
         """Whether an assignment can stand in the declaration of its variable."""
-        is_array = bool(self._dimensions[assignment.target])
-        return (
-            assignment.target not in self._declared
-            and not is_array
-            and not self._assignments.is_if(assignment)
-        )
+        if assignment.target in self._declared or self._assignments.is_if(assignment):
+            return False
+        return not self._dimensions[assignment.target] or self._expressions.is_list(assignment.rhs)
 
     def _declare_with_value(self, assignment: Assignment) -> None:
         self._declared.add(assignment.target)
         name = self._expressions.variables[assignment.target]
-        text = self._expressions.text(assignment.rhs)
+        if self._dimensions[assignment.target]:
+            elements = self._expressions.elements(assignment.rhs)
+            declaration = f"{name}[{len(elements)}] = {{{', '.join(elements)}}}"
+        else:
+            declaration = f"{name} = {self._expressions.text(assignment.rhs)}"
         definitions = [d for d in self._live if self._definitions[d]["target"] == assignment.target]
-        self._code.line(f"{'const ' if len(definitions) == 1 else ''}double {name} = {text};")
+        self._code.line(f"{'const ' if len(definitions) == 1 else ''}double {declaration};")
 
     def _declare(self, target: int) -> None:
         if target in self._declared:
@@ -205,12 +206,8 @@ class _FunctionWriter:
         return offset + math.prod(dimensions)
 
     def _store_array(self, name: str, dimensions: tuple[int, ...], offset: int) -> int:
-        size = math.prod(dimensions)
         if dimensions:
-            self._expressions.for_each(
-                (size,),
-                lambda at: self._code.line(f"result[{(at[0] + offset).text()}] = {name}[{at[0].text()}];"),
-            )
+            self._expressions.loops.copy("result", name, math.prod(dimensions), offset)
         else:
             self._code.line(f"result[{offset}] = {name};")
-        return offset + size
+        return offset + math.prod(dimensions)

@@ -34,7 +34,9 @@ class CallSites:
         found = self._found.get(site["owner"])
         if found is not None:
             return found
-        fitting = {call["function"] for call in self._all_calls() if self._fits(call["function"], site)}
+        fitting: set[int] = {
+            call["function"] for call in self._all_calls() if self._fits(call["function"], site)
+        }
         if len(fitting) == 1:
             return fitting.pop()
         names = sorted({self._functions[number]["name"] for number in fitting})

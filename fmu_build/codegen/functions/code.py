@@ -13,79 +13,13 @@ from fmu_build.codegen.functions.index import Index
 _WORTH_A_VARIABLE = 6
 """Operations from which on a part that occurs twice in a statement is computed once."""
 
-_RESERVED = frozenset(
-    [
-        "auto",
-        "break",
-        "case",
-        "char",
-        "const",
-        "continue",
-        "default",
-        "do",
-        "double",
-        "else",
-        "enum",
-        "extern",
-        "float",
-        "for",
-        "goto",
-        "if",
-        "inline",
-        "int",
-        "long",
-        "register",
-        "restrict",
-        "return",
-        "short",
-        "signed",
-        "sizeof",
-        "static",
-        "struct",
-        "switch",
-        "typedef",
-        "union",
-        "unsigned",
-        "void",
-        "volatile",
-        "while",
-        "bool",
-        "true",
-        "false",
-        "result",
-        "sign",
-        "fabs",
-        "sqrt",
-        "exp",
-        "log",
-        "log10",
-        "sin",
-        "cos",
-        "tan",
-        "asin",
-        "acos",
-        "atan",
-        "sinh",
-        "cosh",
-        "tanh",
-        "floor",
-        "ceil",
-        "trunc",
-        "pow",
-        "atan2",
-        "fmin",
-        "fmax",
-        "at",
-        "put",
-        "within",
-        "NAN",
-        "INFINITY",
-        "NULL",
-        "EOF",
-        "BUFSIZ",
-        "HUGE_VAL",
-    ]
-)
+_RESERVED = """
+    auto break case char const continue default do double else enum extern float for goto if inline int long
+    register restrict return short signed sizeof static struct switch typedef union unsigned void volatile
+    while bool true false result sign fabs sqrt exp log log10 sin cos tan asin acos atan sinh cosh tanh floor
+    ceil trunc pow atan2 fmin fmax at put within NAN INFINITY NULL EOF BUFSIZ HUGE_VAL
+"""
+"""Names that a Modelica variable may have but that mean something else in the C code."""
 
 
 class FunctionCode:
@@ -94,10 +28,11 @@ class FunctionCode:
     def __init__(self) -> None:
         self.lines: list[str] = []
         self._depth = 0
-        self._taken: set[str] = set(_RESERVED)
+        self._taken: set[str] = set(_RESERVED.split())
         self._texts: dict[Expression, str] = {}
         self._leaves: dict[str, Expression] = {}
         self._costly: set[Expression] = set()
+        self._called: dict[str, str] = {}
 
     def name(self, wanted: str) -> str:
         """A C identifier like `wanted` that nothing else in the function has."""
@@ -114,7 +49,7 @@ class FunctionCode:
         self._taken.discard(name)
 
     def leaf(self, text: str, is_costly: bool = False) -> Expression:
-        """A value that stands in C as `text`, which binds as tightly as a name; a costly one is computed once."""
+        """A value that stands in C as `text`, which binds like a name; a costly one is computed once."""
         if text not in self._leaves:
             leaf = Expression("text", payload=len(self._leaves))
             self._leaves[text] = leaf
@@ -150,12 +85,27 @@ class FunctionCode:
         text = self.text(node)
         return text if node.operator in ex.TRUTH else f"{text} != 0.0"
 
+    def results(self, call: str, placeholder: str, size: int) -> str:
+        """The array with the results of a call; its name replaces the placeholder in the text of the call."""
+        if call not in self._called:
+            name = self._called[call] = self.name("r")
+            self.line(f"double {name}[{size}];")
+            self.line(f"{call.replace(placeholder, name)};")
+        return self._called[call]
+
+    def new_statement(self) -> None:
+        """Results of calls are not used again: variables may have changed."""
+        self._called.clear()
+
     def line(self, text: str) -> None:
+        """A line at the present indentation."""
         self.lines.append("    " * self._depth + text)
 
     def open(self, head: str) -> None:
+        """Begin a block after `head`."""
         self.line(f"{head} {{")
         self._depth += 1
+        self.new_statement()
 
     def close(self, tail: str = "") -> None:
         """End a block; `tail` is what follows its brace, such as ``else {``, which opens the next one."""
@@ -163,3 +113,4 @@ class FunctionCode:
         self.line(f"}} {tail}".rstrip())
         if tail:
             self._depth += 1
+        self.new_statement()

@@ -12,6 +12,10 @@ from fmu_build.errors import UnsupportedModelError
 _TYPES = ("real", "integer", "boolean", "enumeration")
 
 
+Operation = Mapping[str, Any]
+"""What an expression of the DAE does: its kind and what it applies to."""
+
+
 class FunctionDae:
     """Looks up expressions, types and loops by their ids, and refuses what `function` may not have."""
 
@@ -24,16 +28,20 @@ class FunctionDae:
         self._types = [entry["value_type"] for entry in model.dae["value_types"]]
 
     def operation(self, number: int) -> dict[str, Any]:
+        """What the expression with this id does."""
         operation: dict[str, Any] = self.by_id[number]["operation"]
         return operation
 
     def dimensions(self, number: int) -> tuple[int, ...]:
+        """The array sizes of an expression, empty for a scalar."""
         return tuple(self.by_id[number]["value_type"]["dimensions"])
 
     def size(self, number: int) -> int:
+        """How many scalars an expression has."""
         return math.prod(self.dimensions(number))
 
     def dimensions_of_type(self, kind: int) -> tuple[int, ...]:
+        """The array sizes of a type."""
         return tuple(self._types[kind]["dimensions"])
 
     def loops(self, domain: int) -> list[dict[str, Any]]:
@@ -43,7 +51,8 @@ class FunctionDae:
 
     def is_generated(self, number: int) -> bool:
         """Whether rumoca made a conditional expression from an if-statement."""
-        return self.by_id[number]["provenance"]["origin"] == {"generated": "function_condition_lowering"}
+        origin = self.by_id[number]["provenance"]["origin"]
+        return bool(origin == {"generated": "function_condition_lowering"})
 
     def declared_dimensions(self, declared: Mapping[str, Any]) -> tuple[int, ...]:
         """The array sizes of a parameter or variable; refuses records, strings and empty arrays."""
@@ -57,7 +66,6 @@ class FunctionDae:
 
     def refuse(self, what: str, where: Mapping[str, Any] | int | None = None) -> UnsupportedModelError:
         """The error for a construct at an expression or a provenance of the DAE."""
-        if isinstance(where, int):
-            where = self.by_id[where]["provenance"]
-        span = (where or self._function["declaration"])["span"]
+        provenance = self.by_id[where]["provenance"] if isinstance(where, int) else where
+        span = (provenance or self._function["declaration"])["span"]
         return self._model.refuse(f"{what} in function {self._function['name']} is not supported", span)

@@ -1,4 +1,4 @@
-"""What the definitions of a function's algorithm read, and which of them matter."""
+"""What the definitions of an algorithm read, which of them matter, and what makes two algorithms equal."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def live_definitions(function: Mapping[str, Any], expressions: Expressions) -> f
 
 
 def _carried(folds: Iterable[Mapping[str, Any]]) -> dict[int, tuple[int, int]]:
-    """What a loop hands on: values at the start of a turn and at the end stem from before and from the last turn."""
+    """Values at the start of a turn and after a loop stem from before the loop and from the last turn."""
     carried: dict[int, tuple[int, int]] = {}
     for fold in folds:
         starts, updates = fold["initial_definitions"], fold["update_definitions"]
@@ -100,3 +100,34 @@ def _head(operation: Mapping[str, Any]) -> dict[str, Any]:
         head["value"] = operation["value"]
     head["subscripts"] = [subscript["kind"] for subscript in operation.get("subscripts", ())]
     return head
+
+
+def bodies(dae: Mapping[str, Any]) -> object:
+    """The algorithms of all functions, without places in the source and numbers of expressions.
+
+    Two models have equal functions where this compares equal.
+    """
+    expressions = {expression["id"]: expression for expression in dae["expressions"]}
+    loops = {domain["id"]: domain["domain"]["binders"] for domain in dae["domains"]}
+    numbers: dict[int, int] = {}
+    operations: list[object] = []
+
+    def number(expression: int) -> int:
+        if expression not in numbers:
+            operation = expressions[expression]["operation"]
+            inner = [number(operand) for operand in operands(operation)]
+            operations.append((_head(operation), loops.get(operation.get("domain", -1)), inner))
+            numbers[expression] = len(numbers)
+        return numbers[expression]
+
+    functions = [
+        (
+            function["name"],
+            function["results"],
+            [(definition["target"], number(definition["rhs"])) for definition in function["definitions"]],
+            [(s["kind"], s.get("definition"), s.get("fold")) for s in flattened(function["statements"])],
+            [loops[fold["domain"]] for fold in function["folds"]],
+        )
+        for function in dae["functions"]
+    ]
+    return functions, operations

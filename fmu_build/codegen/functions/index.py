@@ -25,10 +25,12 @@ class Index:
 
     @staticmethod
     def of(variable: LoopVariable) -> Index:
+        """The value of a loop variable."""
         return Index(0, ((variable, 1),))
 
     @property
     def is_constant(self) -> bool:
+        """Whether the value is a number that is known here."""
         return not self.terms
 
     def __add__(self, other: Index | int) -> Index:
@@ -67,8 +69,8 @@ class Index:
 
 
 Position = Index | Expression
-"""Where an element stands: an `Index` inside the bounds, counted from zero, or, if that is only known when the
-code runs, an expression that counts from one as Modelica does."""
+"""Where an element stands: an `Index` inside the bounds, counted from zero, or, if that is only known when
+the code runs, an expression that counts from one as Modelica does."""
 
 
 def flat(positions: tuple[Index, ...], dimensions: tuple[int, ...]) -> Index:

@@ -49,7 +49,7 @@ class FunctionLibrary:
         return signature.name
 
     def signature(self, function: int) -> FunctionSignature:
-        """How a function is called; its source and that of the functions that it calls are written on the way."""
+        """How a function is called; its source and those of the functions that it calls are written here."""
         if function not in self._signatures:
             declared = self._functions[function]
             if declared["external"] is not None:
@@ -84,7 +84,7 @@ class FunctionLibrary:
         return candidate
 
     def sources(self) -> FunctionSources:
-        """C source of the functions that `name_of` was asked for, and of those that they call, callees first."""
+        """C source of the functions that `name_of` named, and of those that they call, callees first."""
         source = "\n".join(self._sources.values())
         helpers = [text for name, text in HELPERS.items() if re.search(rf"\b{name}\(", source)]
         signatures = {self._signatures[number].name: self._signatures[number] for number in self._sources}

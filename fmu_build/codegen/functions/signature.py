@@ -21,5 +21,5 @@ class FunctionSignature:
     returns_value: bool
 
     def call(self, arguments: Sequence[str], results: str = "") -> str:
-        """The C text of a call; `results` is the array for them where the function does not return a value."""
+        """The C text of a call; `results` is the array for the results of a function that returns none."""
         return f"{self.name}({', '.join(filter(None, (*arguments, results)))})"

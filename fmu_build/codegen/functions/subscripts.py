@@ -1,4 +1,4 @@
-"""Subscripts in bodies of Modelica functions: places in C arrays, checked where they are not known to be inside."""
+"""Subscripts in bodies of Modelica functions: places in C arrays, checked where they may lie outside."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ static double at(const double *array, int size, double index)
     return index >= 1.0 && index <= size ? array[(int)index - 1] : NAN;
 }
 """,
-    "put": """/* array[index] = value as Modelica counts from one; beyond the bounds the array is lost: NaN. */
+    "put": """/* array[index] = value, counted from one; beyond the bounds all elements become NaN. */
 static void put(double *array, int size, double index, double value)
 {
     if (index >= 1.0 && index <= size) {
@@ -56,9 +56,7 @@ class Subscripts:
         """An element of a C array that starts at `offset`, or a C variable where there are no dimensions."""
         place = self._place(dimensions, at)
         if isinstance(place, Index):
-            if not dimensions and not offset:
-                return self._code.leaf(name)
-            return self._code.leaf(f"{name}[{(place + offset).text()}]")
+            return self._code.leaf(f"{name}[{(place + offset).text()}]" if dimensions else name)
         array = f"{name} + {offset}" if offset else name
         return self._code.leaf(
             f"at({array}, {math.prod(dimensions)}, {self._code.text(place)})", is_costly=True
@@ -98,8 +96,8 @@ class Subscripts:
         rest = list(at)
         result: list[Position] = []
         for place, dimension in enumerate(dimensions):
-            subscript = subscripts[place] if place < len(subscripts) else {"kind": "whole"}
-            if subscript["kind"] == "whole":
+            subscript = subscripts[place] if place < len(subscripts) else None
+            if subscript is None or subscript["kind"] == "whole":
                 result.append(rest.pop(0))
                 continue
             number = subscript["expression"]
@@ -134,8 +132,7 @@ class Subscripts:
             case "builtin" if operation["builtin"] == "size" and len(operation["arguments"]) == 2:
                 return self._size(operation)
             case "range" if isinstance(at[0], Index):
-                step = operation["explicit_step"]
-                return at[0] * (1 if step is None else step["value"]) + operation["start"]["value"]
+                return _in_range(operation, at[0])
             case "array" if isinstance(at[0], Index) and at[0].is_constant:
                 return self.integer(operation["elements"][at[0].constant], at[1:])
         return None
@@ -158,3 +155,12 @@ class Subscripts:
         if place is None or not place.is_constant:
             return None
         return Index(self._dae.dimensions(array)[place.constant - 1])
+
+
+def _in_range(operation: Mapping[str, Any], place: Index) -> Index | None:
+    """The number at a place of ``start:step:stop``, where start and step are known."""
+    start, step = operation["start"]["value"], operation["explicit_step"]
+    increment = 1 if step is None else step["value"]
+    if not isinstance(start, int) or not isinstance(increment, int):
+        return None
+    return place * increment + start

@@ -1,0 +1,71 @@
+"""C loops over the elements of arrays."""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Callable
+
+from fmu_build.codegen import expression as ex
+from fmu_build.codegen.expression import Expression
+from fmu_build.codegen.functions.code import FunctionCode
+from fmu_build.codegen.functions.index import Index, LoopVariable, positions
+
+_UNROLLED = 3
+"""Up to so many elements are written one by one instead of in a loop."""
+
+REDUCTIONS = {
+    "sum": ("Add", 0.0),
+    "product": ("Mul", 1.0),
+    "min": ("Min", math.inf),
+    "max": ("Max", -math.inf),
+}
+"""What combines two elements, and where the combination of many starts."""
+
+At = tuple[Index, ...]
+
+
+class ArrayLoops:
+    """Does something with every element: one by one where they are few, else in loops."""
+
+    def __init__(self, code: FunctionCode) -> None:
+        self._code = code
+
+    def for_each(self, dimensions: tuple[int, ...], action: Callable[[At], None]) -> None:
+        """Write the statements that `action` writes for a position, for all positions."""
+        if math.prod(dimensions) <= _UNROLLED:
+            for position in positions(dimensions):
+                action(position)
+            return
+        variables = [LoopVariable(self._code.name("i"), 0, dimension - 1) for dimension in dimensions]
+        for loop in variables:
+            self._code.open(f"for (int {loop.name} = 0; {loop.name} <= {loop.maximum}; ++{loop.name})")
+        action(tuple(Index.of(variable) for variable in variables))
+        for variable in variables:
+            self._code.close()
+            self._code.release(variable.name)
+
+    def copy(self, target: str, source: str, size: int, offset: int = 0) -> None:
+        """Copy a whole array to `offset` of another one."""
+        self.for_each(
+            (size,),
+            lambda at: self._code.line(f"{target}[{(at[0] + offset).text()}] = {source}[{at[0].text()}];"),
+        )
+
+    def reduced(
+        self, reduction: str, dimensions: tuple[int, ...], term: Callable[[At], Expression]
+    ) -> Expression:
+        """Sum, product, minimum or maximum of the terms at all positions."""
+        operator, start = REDUCTIONS[reduction]
+        if math.prod(dimensions) <= _UNROLLED:
+            terms = [term(position) for position in positions(dimensions)] or [ex.number(start)]
+            return functools.reduce(lambda a, b: ex.binary(operator, a, b), terms)
+        name = self._code.name(reduction)
+        total = self._code.leaf(name)
+        self._code.line(f"double {name} = {self._code.text(ex.number(start))};")
+
+        def add(position: At) -> None:
+            self._code.line(f"{name} = {self._code.text(ex.binary(operator, total, term(position)))};")
+
+        self.for_each(dimensions, add)
+        return total

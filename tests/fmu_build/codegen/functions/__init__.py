@@ -1,0 +1,1 @@
+"""Tests of Modelica functions as C functions."""
