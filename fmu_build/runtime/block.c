@@ -26,11 +26,15 @@ typedef struct {
     size_t *pivot;
 } Newton;
 
+static void evaluate(const Newton *newton)
+{
+    newton->block->residual(newton->time, newton->y, newton->p, newton->residual);
+}
+
 /* Sum of squares of the scaled residual; NaN and infinity count as infinitely bad. */
 static double merit(const Newton *newton)
 {
     double sum = 0.0;
-    newton->block->residual(newton->time, newton->y, newton->p, newton->residual);
     for (size_t i = 0; i < newton->block->size; ++i) {
         const double scaled = newton->residual[i] / newton->scale[i];
         sum += scaled * scaled;
@@ -79,6 +83,7 @@ static bool search_along_step(const Newton *newton, double before)
     double fraction = 1.0;
     for (int halving = 0; halving < MAX_HALVINGS; ++halving, fraction *= 0.5) {
         move(newton, fraction);
+        evaluate(newton);
         if (merit(newton) <= before * (1.0 - 1e-4 * fraction))
             return true;
     }
@@ -88,6 +93,7 @@ static bool search_along_step(const Newton *newton, double before)
 static bool iterate(Newton *newton)
 {
     const size_t n = newton->block->size;
+    evaluate(newton);
     for (int iteration = 0; iteration < MAX_ITERATIONS; ++iteration) {
         for (size_t i = 0; i < n; ++i)
             newton->point[i] = newton->y[newton->block->unknowns[i]];

@@ -6,8 +6,14 @@
 
 enum { MAX_CROWD = 1000 };
 
-/* Events closer together than this, relative to the time or to a second, count as being at one time. */
-static const double crowd_width = 1e-12;
+/* What lies closer together than this, relative to the time or to a second, is practically at one time: importers
+ * add up step sizes, so that their points miss the times that they mean by rounding. */
+static const double relative_instant = 1e-12;
+
+static double instant_at(double time)
+{
+    return relative_instant * fmax(1.0, fabs(time));
+}
 
 static Status fail(Instance *instance, double time, const char *why)
 {
@@ -52,7 +58,7 @@ static const char *relation_text(size_t relation)
 static Status count_event(Instance *instance, double time)
 {
     Progress *progress = &instance->progress;
-    if (time - progress->crowd_start > crowd_width * fmax(1.0, fabs(time))) {
+    if (time - progress->crowd_start > instant_at(time)) {
         progress->crowd_start = time;
         progress->crowd = 0;
     }
@@ -115,8 +121,8 @@ static Status take_step(Instance *instance, double limit)
 {
     Progress *progress = &instance->progress;
     Integrator *integrator = &instance->integrator;
-    const double from = integrator->record.time;
-    switch (integrator_step(integrator, fmin(limit, progress->next_time_event))) {
+    const double from = integrator->record.time, next = progress->next_time_event;
+    switch (integrator_step(integrator, next <= limit + instant_at(limit) ? next : limit)) {
     case STEP_DONE:
         break;
     case STEP_TOO_SMALL:
@@ -135,7 +141,7 @@ static Status take_step(Instance *instance, double limit)
         break;
     case ROOTS_NOT_CROSSED:
         progress->relation = model.n_relations;
-        progress->event_pending = integrator->record.time >= progress->next_time_event;
+        progress->event_pending = integrator->record.time >= next;
         break;
     }
     return STATUS_OK;
@@ -166,7 +172,7 @@ Status cosimulation_start(Instance *instance)
 static bool reaches(const Instance *instance, double target)
 {
     const double end = instance->integrator.record.time;
-    return end > target || (end == target && !instance->progress.event_pending);
+    return instance->progress.event_pending ? end > target + instant_at(target) : end >= target;
 }
 
 Status cosimulation_advance(Instance *instance, double target)
@@ -189,6 +195,7 @@ Status cosimulation_advance(Instance *instance, double target)
     }
     if (status != STATUS_OK)
         return status;
+    target = fmax(target, instance->values.time);
     if (instance->values.time != target || instance->integrator.record.time != target)
         move_to(instance, target);
     instance->changed.any = instance->inputs.active;

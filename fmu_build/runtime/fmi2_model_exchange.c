@@ -70,6 +70,7 @@ fmi2Status fmi2CompletedIntegratorStep(fmi2Component c, fmi2Boolean noSetFMUStat
         !fmi2_has_array(instance, CALL_COMPLETED_INTEGRATOR_STEP, 1, terminateSimulation))
         return fmi2Error;
     const EventReporter reporter = instance_reporter(instance);
+    evaluation_update_parameters(instance);
     const EventStatus status = event_check_asserts(&instance->values, &reporter);
     *enterEventMode = fmi2False;
     *terminateSimulation = status == EVENT_TERMINATE;

@@ -19,8 +19,7 @@ fmi2Status fmi2SetFMUstate(fmi2Component c, fmi2FMUstate FMUstate)
     Instance *instance = fmi2_enter(c, CALL_SET_FMU_STATE);
     if (instance == NULL || !fmi2_has_array(instance, CALL_SET_FMU_STATE, 1, FMUstate))
         return fmi2Error;
-    state_restore(instance, FMUstate);
-    return fmi2OK;
+    return state_restore(instance, FMUstate) ? fmi2OK : fmi2Error;
 }
 
 fmi2Status fmi2FreeFMUstate(fmi2Component c, fmi2FMUstate *FMUstate)

@@ -7,6 +7,7 @@
 enum { FORMAT_VERSION = 1, TOKEN_SIZE = 64 };
 static const char magic[8] = {'F', 'M', 'U', 's', 't', 'a', 't', 'e'};
 static const uint32_t byte_order = 0x01020304u;
+static const char other_interface[] = "it belongs to the other of Model Exchange and Co-Simulation";
 
 typedef struct {
     char magic[8];
@@ -77,9 +78,18 @@ bool state_save(const Instance *instance, SavedState **state)
     return true;
 }
 
-void state_restore(Instance *instance, const SavedState *state)
+static void refuse(const Instance *instance, const char *why)
+{
+    log_message(&instance->log, LOG_STATUS_ERROR, STATUS_ERROR, "The saved FMU state is refused: %s.", why);
+}
+
+bool state_restore(Instance *instance, const SavedState *state)
 {
     const Plain *plain = &state->plain;
+    if (plain->co_simulation != instance->co_simulation) {
+        refuse(instance, other_interface);
+        return false;
+    }
     instance->phase = plain->phase;
     instance->experiment = plain->experiment;
     instance->changed = plain->changed;
@@ -91,6 +101,7 @@ void state_restore(Instance *instance, const SavedState *state)
     instance->inputs.active = plain->inputs_active;
     memcpy(instance->block, state->block, instance->block_count * sizeof(double));
     instance_apply_experiment(instance);
+    return true;
 }
 
 void state_free(SavedState *state)
@@ -137,12 +148,12 @@ SavedState *state_read(const Instance *instance, const void *bytes, size_t size)
             if (checksum(state) != header.checksum)
                 why = "its content is damaged";
             else if (state->plain.co_simulation != instance->co_simulation)
-                why = "it belongs to the other of Model Exchange and Co-Simulation";
+                why = other_interface;
         }
     }
     if (why == NULL)
         return state;
     free(state);
-    log_message(&instance->log, LOG_STATUS_ERROR, STATUS_ERROR, "The serialized FMU state is refused: %s.", why);
+    refuse(instance, why);
     return NULL;
 }

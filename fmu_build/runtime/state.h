@@ -9,7 +9,8 @@ typedef struct SavedState SavedState;
 
 /* Saves into *state, which is allocated where it is NULL; false where memory is short. */
 bool state_save(const Instance *instance, SavedState **state);
-void state_restore(Instance *instance, const SavedState *state);
+/* False, after a message, where the state is not one of such an instance. */
+bool state_restore(Instance *instance, const SavedState *state);
 void state_free(SavedState *state);
 
 /* The state as bytes, for the same model in the same kind of binary. */

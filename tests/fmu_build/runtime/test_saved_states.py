@@ -165,6 +165,7 @@ def test_bytes_of_another_kind_of_instance_are_refused(build: Build) -> None:
     status, _ = slave.deserialize(exchange.serialize(state))
     assert status == ERROR
     assert "Model Exchange" in slave.text
+    assert slave.call("fmi2SetFMUstate", state) == ERROR
     exchange.discard(state)
     exchange.free()
     slave.free()

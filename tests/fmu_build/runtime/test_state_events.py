@@ -83,6 +83,44 @@ def test_simultaneous_crossings_are_one_event(build: Build) -> None:
     instance.free()
 
 
+def test_relation_that_starts_at_zero(build: Build) -> None:
+    """At x = centre neither x > centre nor the window has begun; x > centre holds at once afterwards."""
+    instance = Instance(build("windows"))
+    assert instance.set({0: 1.0, 4: 0.0}) == OK
+    instance.initialize()
+    x, area, after = instance.run(1.0, 4, (0, 1, 2))[-1]
+    assert x == pytest.approx(2.0, abs=1e-14)
+    assert area == 0.0
+    assert after == pytest.approx(1.0, abs=1e-14)
+    assert instance.statistics()["events"] == 1
+    instance.free()
+
+
+def test_root_that_stays_zero_is_no_event(build: Build) -> None:
+    """The input lies exactly on the threshold of u > 1.5."""
+    instance = Instance(build("lag"))
+    instance.initialize()
+    assert instance.set({4: 1.5}) == OK
+    assert instance.step(0.0, 5.0) == OK
+    assert instance.get_one("Boolean", 10) == 0
+    assert instance.statistics()["events"] == 0
+    instance.free()
+
+
+def test_change_before_an_event_that_is_already_known(build: Build) -> None:
+    """The bounce at 0.447 is known when g is doubled at t = 0.2: the ball then bounces at 0.4."""
+    instance = Instance(build("ball"), debug=True)
+    instance.initialize()
+    assert instance.step(0.0, 0.2) == OK
+    assert instance.set({G: 20.0}) == OK
+    assert instance.step(0.2, 0.3) == OK
+    # It arrives with 2 + 20*0.2 = 6 m/s and leaves with 3 m/s.
+    assert instance.get(H, V, BOUNCES) == pytest.approx(
+        [3.0 * 0.1 - 10.0 * 0.01, 3.0 - 20.0 * 0.1, 1.0], abs=1e-12
+    )
+    instance.free()
+
+
 def test_event_at_a_communication_point(build: Build) -> None:
     """The event lies at a point or an ulp beside it: whichever it is, nothing is lost or done twice."""
     instance = Instance(build("windows"))

@@ -1,0 +1,62 @@
+/* sampler.c - der(x) = 1; every tenth of a second `held` takes the value of x and `ticks` counts. */
+#include "model.h"
+#include "parts.h"
+#include "token.h"
+
+#include <math.h>
+
+enum { X, N_Y };
+enum { TICK, HELD, TICKS, PRE_HELD, PRE_TICKS, N_P };
+
+static const double y_start[N_Y] = {0.0}, p_start[N_P] = {0.0}, state_nominal[] = {1.0};
+static const Variable variables[] = {STATE("x", X, 0.0), DISCRETE("held", HELD), DISCRETE("ticks", TICKS)};
+static const PeriodicClock clocks[] = {{TICK, 1.0, 10.0, 0.0, 1.0}};
+static const PreBinding pre[] = {{PRE_HELD, STORE_PARAMETER, HELD}, {PRE_TICKS, STORE_PARAMETER, TICKS}};
+static const DiscreteTarget discrete[] = {{DISCRETE_ASSIGN, STORE_PARAMETER, HELD},
+                                          {DISCRETE_ASSIGN, STORE_PARAMETER, TICKS}};
+
+const Model model = {
+    .name = "Test.Sampler",
+    .token = MODEL_TOKEN,
+    .n_states = 1,
+    .n_y = N_Y,
+    .n_p = N_P,
+    .y_start = y_start,
+    .p_start = p_start,
+    .state_nominal = state_nominal,
+    .n_variables = sizeof variables / sizeof *variables,
+    .variables = variables,
+    .n_pre = 2,
+    .pre = pre,
+    .n_discrete = 2,
+    .discrete = discrete,
+    .n_clocks = 1,
+    .clocks = clocks,
+    .initial_event_slot = NO_SLOT,
+};
+
+bool model_derivatives(double time, double *y, const double *p, double *der)
+{
+    (void)time, (void)y, (void)p;
+    der[X] = 1.0;
+    return true;
+}
+
+bool model_algebraics(double time, double *y, const double *p)
+{
+    (void)time, (void)y, (void)p;
+    return true;
+}
+
+void model_discrete(double time, const double *y, const double *p, double *value)
+{
+    (void)time;
+    value[0] = p[TICK] != 0.0 ? y[X] : p[PRE_HELD];
+    value[1] = p[TICK] != 0.0 ? p[PRE_TICKS] + 1.0 : p[PRE_TICKS];
+}
+
+NO_ROOTS
+NO_TIME_RELATIONS
+NO_DEPENDENT_PARAMETERS
+NO_INITIAL_EQUATIONS
+NO_ACTIONS
