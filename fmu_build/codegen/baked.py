@@ -2,92 +2,140 @@
 
 Array sizes, the arguments of ``sample()``, conditions of conditional components and the like are evaluated
 when the model is compiled, and nothing in rumoca's output says which parameters went into them. They are
-found by trying: a parameter that is free can have another value without a change to the equations.
+found by trying: a parameter that is free can have another value without a change to the equations, and every
+parameter that follows it is computed from it when the FMU is initialised.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import rumoca
 
 from fmu_build.codegen.functions.definitions import bodies
-from fmu_build.codegen.lowered import LoweredModel, lower
-from fmu_build.codegen.source import ModelSource
+from fmu_build.codegen.lowered import LoweredModel, read_mapping
+from fmu_build.codegen.source import SETTING_PREFIX, ModelSource, Setting
 from fmu_build.codegen.start_values import StartValues
-from fmu_build.errors import UnsupportedModelError
 
-_IGNORED = frozenset({"provenance", "owner", "site", "origin", "scheduled_time_events"})
-"""What may differ between equal equations: places in the source, and event times (see relations.py)."""
+_TARGET = Path(__file__).parent / "target" / "variant"
 
 
 def baked_parameters(source: ModelSource, model: LoweredModel, starts: StartValues) -> frozenset[str]:
     """Names of the parameters (of whole arrays) that cannot be set after compiling."""
-    others = dict(_other_values(model, starts))
-    if not others:
-        return frozenset()
-    return frozenset(_search(source, _equations(source, {}), list(others), others))
+    candidates = {candidate.name: candidate for candidate in _candidates(model, starts)}
+    return (
+        frozenset(_search(source, _computed(model), list(candidates.values()))) if candidates else frozenset()
+    )
 
 
-def _search(
-    source: ModelSource, unchanged: object, names: Sequence[str], others: Mapping[str, str]
-) -> Iterator[str]:
+@dataclass(frozen=True, slots=True)
+class _Candidate:
+    """A parameter with its present value and another one."""
+
+    name: str
+    present: Setting
+    other: Setting
+
+
+def _computed(model: LoweredModel) -> frozenset[str]:
+    """Parameters that the model itself computes from others at initialisation."""
+    bindings = model.solve["layout"]["bindings"]
+    slots = {t["P"]["index"] for t in model.solve["initialization"]["update_targets"] if "P" in t}
+    return frozenset(
+        variable["name"]
+        for variable in model.dae["variables"]
+        if all(
+            bindings.get(scalar, {}).get("P", {}).get("index") in slots for scalar in variable["scalar_names"]
+        )
+    )
+
+
+def _search(source: ModelSource, computed: frozenset[str], group: Sequence[_Candidate]) -> Iterator[str]:
     """Halve a group of parameters until it is free together, or a single one that is not."""
-    if _equations(source, {name: others[name] for name in names}) == unchanged:
+    if _is_free(source, computed, group):
         return
-    if len(names) == 1:
-        yield names[0]
+    if len(group) == 1:
+        yield group[0].name
         return
-    middle = len(names) // 2
-    yield from _search(source, unchanged, names[:middle], others)
-    yield from _search(source, unchanged, names[middle:], others)
+    middle = len(group) // 2
+    yield from _search(source, computed, group[:middle])
+    yield from _search(source, computed, group[middle:])
 
 
-def _equations(source: ModelSource, values: Mapping[str, str]) -> object:
-    """The equations for other parameter values, None where the model does not compile with them."""
+def _is_free(source: ModelSource, computed: frozenset[str], group: Sequence[_Candidate]) -> bool:
+    present = _variant(source, [candidate.present for candidate in group])
+    other = _variant(source, [candidate.other for candidate in group])
+    if present is None or other is None or present["equations"] != other["equations"]:
+        return False
+    if present["functions"] and bodies(present["functions"]) != bodies(other["functions"]):
+        return False
+    changed = {
+        name
+        for name, value in present["values"].items()
+        if value != other["values"].get(name) and not name.startswith(SETTING_PREFIX)
+    }
+    return changed <= computed | {candidate.name for candidate in group}
+
+
+def _variant(source: ModelSource, settings: Sequence[Setting]) -> dict[str, Any] | None:
+    """The equations with other parameter values, None where the model does not compile with them."""
     try:
-        variant = lower(source.variant(values))
-    except (rumoca.RumocaError, RuntimeError, UnsupportedModelError):
+        return read_mapping(source.variant(settings).codegen(str(_TARGET)).files[0].content)
+    except (rumoca.RumocaError, RuntimeError):
         return None
-    return _plain(variant.solve), bodies(variant.dae)
 
 
-def _plain(tree: Any) -> Any:
-    if isinstance(tree, dict):
-        return {k: _plain(v) for k, v in tree.items() if k not in _IGNORED and "span" not in k}
-    return [_plain(item) for item in tree] if isinstance(tree, list) else tree
-
-
-def _other_values(model: LoweredModel, starts: StartValues) -> Iterator[tuple[str, str]]:
-    """Another value for every parameter that could be set, as Modelica text."""
+def _candidates(model: LoweredModel, starts: StartValues) -> Iterator[_Candidate]:
+    """Every parameter that could be set, if it is not baked."""
     bindings = model.solve["layout"]["bindings"]
     finals = model.flat.get("variable_final_flags", {})
     for entry in model.dae["variables"]:
-        name = entry["name"]
-        flat = model.flat["variables"].get(name)
-        is_open = flat is not None and not flat["is_protected"] and not finals.get(name, False)
+        flat = model.flat["variables"].get(entry["name"])
+        is_open = flat is not None and not flat["is_protected"] and not finals.get(entry["name"], False)
         if entry["role"] != "parameter" or not is_open or not entry["attributes"]["tunable"]:
             continue
         slots = [bindings[scalar]["P"]["index"] for scalar in entry["scalar_names"] if scalar in bindings]
-        present = [starts.of(("p", slot)) for slot in slots]
-        values = [_other(model, starts, name, entry["value_type"]["scalar"], value) for value in present]
-        if values and None not in values:
-            yield name, _array([str(value) for value in values], entry["value_type"]["dimensions"])
+        values = [starts.of(("p", slot)) for slot in slots]
+        texts = [_texts(model, starts, entry, value) for value in values]
+        if texts and None not in texts:
+            present, other = zip(*(text for text in texts if text), strict=True)
+            dimensions = entry["value_type"]["dimensions"]
+            kind = _kind(model, starts, entry)
+            yield _Candidate(
+                entry["name"],
+                Setting(entry["name"], kind, tuple(dimensions), _array(present, dimensions)),
+                Setting(entry["name"], kind, tuple(dimensions), _array(other, dimensions)),
+            )
 
 
-def _other(model: LoweredModel, starts: StartValues, name: str, kind: str, value: float) -> str | None:
-    if kind == "real":
-        return repr(value * 1.0625 + 0.03125)
-    if kind == "integer":
-        return str(int(value) + 1)
-    if kind == "boolean":
-        return "false" if value else "true"
-    enumeration = starts.enumeration_of(model.flat["variable_type_names"].get(name, ""))
+def _kind(model: LoweredModel, starts: StartValues, entry: Mapping[str, Any]) -> str:
+    """The name of a parameter's type in Modelica."""
+    enumeration = starts.enumeration_of(model.flat["variable_type_names"].get(entry["name"], ""))
+    kind = entry["value_type"]["scalar"]
+    return enumeration.name if kind == "enumeration" and enumeration else kind.capitalize()
+
+
+def _texts(
+    model: LoweredModel, starts: StartValues, entry: Mapping[str, Any], value: float
+) -> tuple[str, str] | None:
+    """A value and another one of the same type; None where there is no other."""
+    match entry["value_type"]["scalar"]:
+        case "real":
+            return repr(value), repr(value * 1.0625 + 0.03125)
+        case "integer":
+            return str(int(value)), str(int(value) + 1)
+        case "boolean":
+            return ("true", "false") if value else ("false", "true")
+    enumeration = starts.enumeration_of(model.flat["variable_type_names"].get(entry["name"], ""))
     if enumeration is None or len(enumeration.literals) < 2:
         return None
-    literal = enumeration.literals[int(value) % len(enumeration.literals)][0]
-    return f"{enumeration.name}.{literal}"
+    present = int(value) - 1
+    other = (present + 1) % len(enumeration.literals)
+    names = [f"{enumeration.name}.{enumeration.literals[i][0]}" for i in (present, other)]
+    return names[0], names[1]
 
 
 def _array(values: Sequence[str], dimensions: Sequence[int]) -> str:

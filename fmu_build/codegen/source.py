@@ -2,12 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import rumoca
 
 _VARIANT = "FmuBuildVariant"
+SETTING_PREFIX = "fmuBuildSetting"
+"""What the names of the parameters begin with that a variant has more than its model."""
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """A parameter's dotted name, Modelica type, array dimensions and value as Modelica text."""
+
+    name: str
+    type: str
+    dimensions: tuple[int, ...]
+    value: str
 
 
 @dataclass(frozen=True)
@@ -17,13 +29,25 @@ class ModelSource:
     session: rumoca.Session
     model: rumoca.Model
 
-    def variant(self, values: Mapping[str, str]) -> rumoca.Model:
-        """The model with other parameter values, given as Modelica text by dotted name.
+    def variant(self, settings: Sequence[Setting]) -> rumoca.Model:
+        """The model with other parameter values.
 
-        Raises what rumoca raises where the variant does not compile.
+        Each value is a parameter of the variant: rumoca folds literals in modifiers into the equations, which
+        would make a parameter constant that is none. Raises what rumoca raises where this does not compile.
         """
-        text = f"model {_VARIANT} extends {self.model.name}{_modifier(values)}; end {_VARIANT};"
-        return self.session.loads(text, model=_VARIANT)
+        names = {setting.name: f"{SETTING_PREFIX}{number}" for number, setting in enumerate(settings)}
+        declarations = " ".join(
+            f"parameter {setting.type} {names[setting.name]}{_subscripts(setting.dimensions)} = {setting.value};"
+            for setting in settings
+        )
+        extension = f"extends {self.model.name}{_modifier(names)};"
+        return self.session.loads(
+            f"model {_VARIANT} {declarations} {extension} end {_VARIANT};", model=_VARIANT
+        )
+
+
+def _subscripts(dimensions: tuple[int, ...]) -> str:
+    return f"[{', '.join(map(str, dimensions))}]" if dimensions else ""
 
 
 def _modifier(values: Mapping[str, str]) -> str:

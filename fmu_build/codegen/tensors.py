@@ -56,15 +56,20 @@ def transposed(fields: Fields, registers: Registers) -> None:
 
 
 def element(fields: Fields, registers: Registers) -> Expression:
-    """``array[i, j, ...]`` with indices that are known at run time; NaN outside of the array."""
-    dimensions = fields["dimensions"]
-    position: Expression = ZERO
-    for size, index in zip(dimensions, fields["indices"], strict=True):
-        ((kind, value),) = index.items()
-        number = registers[value] if kind == "Runtime" else ex.number(value)
-        position = binary("Add", binary("Mul", position, ex.number(size)), binary("Sub", number, ONE))
+    """``array[i, j, ...]``; NaN where an index that is known at run time only lies outside of its bounds."""
     chosen = ex.number(math.nan)
-    for i in reversed(range(math.prod(dimensions))):
-        here = Expression("Eq", (position, ex.number(i)))
-        chosen = ex.select(here, registers[fields["base"] + i * fields["stride"]], chosen)
+    places = product(*(range(size) for size in fields["dimensions"]))
+    for offset, place in reversed(list(enumerate(places))):
+        here: Expression = ONE
+        for index, position in zip(fields["indices"], place, strict=True):
+            here = binary("And", here, _is_at(index, position, registers))
+        chosen = ex.select(here, registers[fields["base"] + offset * fields["stride"]], chosen)
     return chosen
+
+
+def _is_at(index: Fields, position: int, registers: Registers) -> Expression:
+    """Whether an index has a position, counted from 0; run-time indices count from 1, as Modelica's do."""
+    ((kind, value),) = index.items()
+    if kind == "Runtime":
+        return Expression("Eq", (registers[value], ex.number(position + 1)))
+    return ONE if value == position else ZERO
