@@ -1,0 +1,88 @@
+package Algebraic "Algebraic loops, tearing, and models without states"
+  model LinearLoop "Three linear equations that have to be solved together"
+    parameter Real a = 2;
+    Real x(start=1, fixed=true);
+    Real u, v, w;
+  equation
+    der(x) = -u;
+    2*u + v - w = a*x;
+    u - 3*v + w = x;
+    u + v + 4*w = 1 + x;
+  end LinearLoop;
+
+  model NonlinearLoop "Three nonlinear equations in three unknowns"
+    Real x(start=0, fixed=true);
+    Real u(start=1), v(start=1), w(start=1);
+  equation
+    der(x) = 1;
+    u + v*v = 2 + x;
+    v + w*w*w = 2 + x;
+    w + exp(u - 1) = 2 + x;
+  end NonlinearLoop;
+
+  model Kepler "A nonlinear equation in one unknown at every instant"
+    parameter Real eccentricity(min=0, max=0.999) = 0.5;
+    Real mean "Mean anomaly";
+    Real E(start=0) "Eccentric anomaly";
+    Real r "Distance";
+  equation
+    mean = time;
+    mean = E - eccentricity*sin(E);
+    r = 1 - eccentricity*cos(E);
+  end Kepler;
+
+  model NoStates "Algebra from inputs to outputs"
+    input Real u(start=1);
+    input Real w(start=2);
+    parameter Real gain = 3;
+    output Real sum;
+    output Real product;
+    output Real root;
+  equation
+    sum = u + gain*w;
+    product = u*w;
+    root = sqrt(u*u + w*w);
+  end NoStates;
+
+  model DiodeBridge "A linear loop whose coefficients switch with an if-relation on the loop's unknown"
+    parameter Real R(unit="Ohm") = 2;
+    parameter Real g_off(unit="S") = 1e-3 "Conductance of the diode when it blocks";
+    parameter Real g_on(unit="S") = 10;
+    Real u(unit="V") "Source";
+    Real v(unit="V") "Voltage over the diode";
+    Real i(unit="A");
+    Real q(start=0, fixed=true) "Charge";
+  equation
+    u = sin(time);
+    u = R*i + v;
+    i = if v > 0 then g_on*v else g_off*v;
+    der(q) = i;
+  end DiodeBridge;
+
+  model Aliases "a = b and a = -b with start values on the aliases"
+    Real x(start=2, fixed=true);
+    Real same;
+    Real opposite;
+    Real twice_opposite;
+    Real v;
+  equation
+    same = x;
+    opposite = -same;
+    twice_opposite = -opposite;
+    v = der(same);
+    v = opposite + 0*twice_opposite;
+  end Aliases;
+
+  model Kinks "min, max, abs and sign in equations"
+    Real u;
+    Real lowest, highest, absolute, direction;
+    Real z(start=0, fixed=true) "Integral of |sin|";
+  equation
+    u = sin(2*time);
+    lowest = min(u, 0.25);
+    highest = max(u, -0.25);
+    absolute = abs(u);
+    direction = sign(u);
+    der(z) = absolute;
+  end Kinks;
+end Algebraic;

@@ -1,0 +1,64 @@
+package Arrays "Vectors, matrices and loops"
+  model Table "Piecewise-linear table by for-loops: each segment adds its change of slope beyond its breakpoint"
+    parameter Integer n = 4 "Number of breakpoints";
+    parameter Real x_i[n] = {0.1, 0.3, 0.6, 0.8} "Breakpoints";
+    parameter Real k_i[n] = {5, 1, 10, 2} "Slope beyond each breakpoint";
+    Real u;
+    Real part[n] "Contribution of each breakpoint";
+    Real y;
+  equation
+    u = 0.5 - 0.5*cos(time);
+    part[1] = if u > x_i[1] then k_i[1]*(u - x_i[1]) else 0;
+    for i in 2:n loop
+      part[i] = if u > x_i[i] then (k_i[i] - k_i[i - 1])*(u - x_i[i]) else 0;
+    end for;
+    y = sum(part);
+  end Table;
+
+  model MatrixVector "A linear system as a matrix-vector product"
+    parameter Real A[3, 3] = [-1, 2, 0; -2, -1, 1; 0, -1, -0.5];
+    parameter Real b[3] = {1, 0, -1};
+    Real x[3](start={1, 2, 3}, each fixed=true);
+    Real norm "Squared length";
+    Real total;
+    Real quadratic "x' A' x";
+    Real biggest;
+  equation
+    der(x) = A*x + b;
+    norm = x*x;
+    total = sum(x);
+    quadratic = x*(transpose(A)*x);
+    biggest = max(x);
+  end MatrixVector;
+
+  model Heat "A rod in n pieces, by loops"
+    parameter Integer n = 8;
+    parameter Real diffusivity = 0.1;
+    Real T[n](each start=0, each fixed=true);
+    Real mean;
+  equation
+    der(T[1]) = diffusivity*n*n*(T[2] - T[1]) + 1;
+    for i in 2:n - 1 loop
+      der(T[i]) = diffusivity*n*n*(T[i + 1] - 2*T[i] + T[i - 1]);
+    end for;
+    der(T[n]) = diffusivity*n*n*(T[n - 1] - T[n]);
+    mean = sum(T)/n;
+  end Heat;
+
+  model Products "Outer and elementwise products, fill, slices"
+    parameter Real a[3] = {1, 2, 3};
+    Real c[3];
+    Real M[2, 3];
+    Real s;
+    Real slice[2];
+  equation
+    c = time*a .* {2, 3, 4} + fill(1.0, 3);
+    for i in 1:2 loop
+      for j in 1:3 loop
+        M[i, j] = i*c[j];
+      end for;
+    end for;
+    s = sum(M[i, j] for i in 1:2, j in 1:3);
+    slice = c[2:3];
+  end Products;
+end Arrays;

@@ -1,0 +1,45 @@
+package Friction "Stick and slip with discrete modes"
+  model StickSlip "A mass on a moving belt, held by a spring: Coulomb friction with a Boolean mode"
+    parameter Real m(unit="kg") = 1 "Mass";
+    parameter Real k(unit="N/m") = 1 "Stiffness";
+    parameter Real v_belt(unit="m/s") = 0.2 "Speed of the belt";
+    parameter Real f_static(unit="N") = 1.0 "Largest friction force while sticking";
+    parameter Real f_slip(unit="N") = 0.6 "Friction force while slipping";
+    Real x(start=0, fixed=true, unit="m") "Stretch of the spring";
+    Real v(start=0.2, fixed=true, unit="m/s") "Velocity of the mass";
+    Boolean slipping(start=false, fixed=true) "Mode";
+    discrete Integer slips(start=0, fixed=true) "Number of slips so far";
+  equation
+    der(x) = v;
+    m*der(v) = if slipping then f_slip - k*x else 0;
+    when {k*x > f_static, pre(slipping) and v > v_belt} then
+      slipping = not pre(slipping);
+      slips = pre(slips) + (if slipping then 1 else 0);
+      reinit(v, v_belt);
+    end when;
+  end StickSlip;
+
+  model Brake "A sliding body that comes to rest: Integer mode, forward, stuck, backward"
+    parameter Real mu_g(unit="m/s2") = 2 "Deceleration by friction";
+    parameter Real drive(unit="m/s2") = 3 "Amplitude of the driving acceleration";
+    Real v(start=1, fixed=true, unit="m/s");
+    Real s(start=0, fixed=true, unit="m");
+    Real u(unit="m/s2") "Drive: a ramp";
+    Integer mode(start=1, fixed=true) "1 forward, 0 stuck, -1 backward";
+  equation
+    u = -drive + drive*time;
+    der(s) = v;
+    der(v) = if mode == 0 then 0 else u - mode*mu_g;
+    when v < 0 and pre(mode) == 1 then
+      mode = if u < -mu_g then -1 else 0;
+      reinit(v, 0);
+    elsewhen v > 0 and pre(mode) == -1 then
+      mode = if u > mu_g then 1 else 0;
+      reinit(v, 0);
+    elsewhen pre(mode) == 0 and u > mu_g then
+      mode = 1;
+    elsewhen pre(mode) == 0 and u < -mu_g then
+      mode = -1;
+    end when;
+  end Brake;
+end Friction;

@@ -1,0 +1,271 @@
+package StateEvents "Models whose events are found by zero crossings of continuous variables"
+  model BouncingBall "A ball that loses a part of its speed at every bounce"
+    parameter Real e(min=0, max=1) = 0.7 "Coefficient of restitution";
+    parameter Real g(unit="m/s2") = 9.81 "Gravity";
+    Real h(start=1, fixed=true, unit="m") "Height";
+    Real v(start=0, fixed=true, unit="m/s") "Velocity";
+    discrete Integer bounces(start=0, fixed=true) "Number of bounces";
+    discrete Real t_bounce(start=0, fixed=true, unit="s") "Time of the latest bounce";
+  equation
+    der(h) = v;
+    der(v) = -g;
+    when h < 0 then
+      reinit(v, -e*pre(v));
+      bounces = pre(bounces) + 1;
+      t_bounce = time;
+    end when;
+  end BouncingBall;
+
+  model PlanarBounce "Two states are reinitialised at the same event"
+    parameter Real e = 0.8 "Restitution normal to the floor";
+    parameter Real mu = 0.5 "Part of the tangential velocity that is kept";
+    Real x(start=0, fixed=true) "Horizontal position";
+    Real y(start=2, fixed=true) "Height";
+    Real vx(start=3, fixed=true) "Horizontal velocity";
+    Real vy(start=0, fixed=true) "Vertical velocity";
+  equation
+    der(x) = vx;
+    der(y) = vy;
+    der(vx) = 0;
+    der(vy) = -10;
+    when y < 0 then
+      reinit(vx, mu*pre(vx));
+      reinit(vy, -e*pre(vy));
+    end when;
+  end PlanarBounce;
+
+  model Relay "Hysteresis: a thermostat that remembers its state with pre()"
+    parameter Real low = 0.4 "Switch on below";
+    parameter Real high = 0.6 "Switch off above";
+    parameter Real gain = 1 "Level that the heater drives towards";
+    Real x(start=0, fixed=true) "Temperature";
+    Boolean on(start=true, fixed=true) "Heater";
+    discrete Integer switches(start=0, fixed=true) "Number of changes of the heater";
+  equation
+    on = x < low or pre(on) and x <= high;
+    der(x) = (if on then gain else 0) - x;
+    when change(on) then
+      switches = pre(switches) + 1;
+    end when;
+  end Relay;
+
+  model Limiter "A sine cut off by if-relations; its integral is known in closed form"
+    parameter Real level = 0.5 "Limit";
+    Real u "Sine";
+    Real y "Limited sine";
+    Real z(start=0, fixed=true) "Integral of y";
+  equation
+    u = sin(time);
+    y = if u > level then level elseif u < -level then -level else u;
+    der(z) = y;
+  end Limiter;
+
+  model Grazing "A sine that touches a level from below without crossing it, and one that does cross"
+    Real x(start=0, fixed=true);
+    Real v(start=1, fixed=true);
+    Boolean above_one "x > 1.0001: never";
+    Boolean above_most "x > 0.995: a short while in every period";
+    discrete Integer hits(start=0, fixed=true) "Number of rising edges of above_most";
+    discrete Integer misses(start=0, fixed=true) "Number of rising edges of above_one";
+  equation
+    der(x) = v;
+    der(v) = -x;
+    above_one = x > 1.0001;
+    above_most = x > 0.995;
+    when above_most then
+      hits = pre(hits) + 1;
+    end when;
+    when above_one then
+      misses = pre(misses) + 1;
+    end when;
+  end Grazing;
+
+  model Simultaneous "Two relations that change at exactly the same time, and one just after"
+    Real x(start=0, fixed=true);
+    Real y(start=0, fixed=true);
+    discrete Integer a(start=0, fixed=true);
+    discrete Integer b(start=0, fixed=true);
+    discrete Integer both(start=0, fixed=true) "Counts the events at which both conditions become true";
+    Real z(start=0, fixed=true);
+  equation
+    der(x) = 1;
+    der(y) = 2;
+    when x > 0.5 then
+      a = pre(a) + 1;
+    end when;
+    when y > 1 then
+      b = pre(b) + 1;
+    end when;
+    when x > 0.5 and y > 1 then
+      both = pre(both) + 1;
+    end when;
+    der(z) = if x > 0.5000001 then 2 elseif y > 1 then 1 else 0;
+  end Simultaneous;
+
+  model EventChain "One event sets off the next at the same time: the iteration needs several passes"
+    Real x(start=0, fixed=true);
+    discrete Integer first(start=0, fixed=true);
+    discrete Integer second(start=0, fixed=true);
+    discrete Integer third(start=0, fixed=true);
+    discrete Real t_third(start=-1, fixed=true);
+  equation
+    der(x) = 1;
+    when x > 0.3 then
+      first = pre(first) + 1;
+    end when;
+    when pre(first) > 0 then
+      second = pre(second) + 10;
+    end when;
+    when pre(second) > 5 then
+      third = pre(third) + 100;
+      t_third = time;
+    end when;
+  end EventChain;
+
+  model WhenPriority "when with elsewhen: the first true branch wins"
+    Real x(start=0, fixed=true);
+    discrete Integer k(start=0, fixed=true);
+    discrete Integer n(start=0, fixed=true);
+  equation
+    der(x) = 1;
+    when x > 0.2 then
+      k = 1;
+      n = pre(n) + 1;
+    elsewhen x > 0.4 then
+      k = 2;
+      n = pre(n) + 1;
+    elsewhen {x > 0.6, x > 0.8} then
+      k = pre(k) + 10;
+      n = pre(n) + 1;
+    end when;
+  end WhenPriority;
+
+  model EdgeAndChange "edge() and change() of Booleans and Integers"
+    Real x(start=0.6, fixed=true);
+    Real v(start=0.8, fixed=true);
+    Boolean positive(start=true) "x > 0";
+    Integer quadrant(start=1) "1 to 4";
+    discrete Integer rising(start=0, fixed=true);
+    discrete Integer falling(start=0, fixed=true);
+    discrete Integer turns(start=0, fixed=true);
+  equation
+    der(x) = v;
+    der(v) = -x;
+    positive = x > 0;
+    quadrant = if x > 0 then (if v > 0 then 1 else 2) else (if v > 0 then 4 else 3);
+    when edge(positive) then
+      rising = pre(rising) + 1;
+    end when;
+    when not positive then
+      falling = pre(falling) + 1;
+    end when;
+    when change(quadrant) then
+      turns = pre(turns) + 1;
+    end when;
+  end EdgeAndChange;
+
+  model Thresholds "Arrays of Booleans and Integers that are given in loops and as a whole"
+    Real x(start=0, fixed=true);
+    Boolean above[3];
+    Integer level[3];
+    Boolean pair[2];
+    Real z(start=0, fixed=true);
+  equation
+    der(x) = 1;
+    for i in 1:3 loop
+      above[i] = x > 0.2*i;
+      level[i] = if above[i] then i else 0;
+    end for;
+    pair = {x > 0.3, x > 0.7};
+    der(z) = sum(level);
+  end Thresholds;
+
+  model StartsOnRoot "The relation is exactly at its threshold at the start, and true right after"
+    Real x(start=0, fixed=true);
+    Real z(start=0, fixed=true);
+    Boolean positive;
+    discrete Integer rises(start=0, fixed=true);
+  equation
+    der(x) = 1;
+    positive = x > 0;
+    der(z) = if positive then 2 else 0;
+    when positive then
+      rises = pre(rises) + 1;
+    end when;
+  end StartsOnRoot;
+
+  model TrueAtStart "A when-condition that holds from the start does not fire until it has been false"
+    Real x(start=1, fixed=true);
+    Real v(start=0, fixed=true);
+    discrete Integer n(start=0, fixed=true);
+  equation
+    der(x) = v;
+    der(v) = -x;
+    when x > 0.5 then
+      n = pre(n) + 1;
+    end when;
+  end TrueAtStart;
+
+  model ReinitChain "A reinit that sets off a second one at the same instant"
+    Real x(start=0, fixed=true);
+    Real y(start=0, fixed=true);
+  equation
+    der(x) = 1;
+    der(y) = 1;
+    when x > 0.5 then
+      reinit(y, 2*x);
+    end when;
+    when y > 0.9 then
+      reinit(x, 10*y);
+    end when;
+  end ReinitChain;
+
+  model IntegerEvents "floor, ceil, mod, rem, div and integer of a continuous variable"
+    Real u;
+    Real f, c, m, r, d;
+    Integer i;
+    Real z(start=0, fixed=true) "Integral of the floor";
+  equation
+    u = 3*sin(time) + 0.1;
+    f = floor(u);
+    c = ceil(u);
+    m = mod(u, 0.7);
+    r = rem(u, 0.7);
+    d = div(u, 0.7);
+    i = integer(u);
+    der(z) = f;
+  end IntegerEvents;
+
+  model NoEvents "noEvent and smooth: the same kinks without events"
+    Real x(start=-1, fixed=true);
+    Real kinked "max(x, 0) written with noEvent";
+    Real smoothed "A smooth join";
+    Real z(start=0, fixed=true);
+  equation
+    der(x) = 1;
+    kinked = noEvent(if x > 0 then x else 0);
+    smoothed = smooth(1, if x > 0.5 then (x - 0.5)^2 else 0);
+    der(z) = kinked + smoothed;
+  end NoEvents;
+
+  model Stopping "terminate() at a state event"
+    Real h(start=1, fixed=true);
+    Real v(start=0, fixed=true);
+  equation
+    der(h) = v;
+    der(v) = -2;
+    when h < 0 then
+      terminate("the body has reached the ground");
+    end when;
+  end Stopping;
+
+  model Asserting "An assert of each level"
+    parameter Real limit = 10 "Error above";
+    parameter Real warn = 10 "Warning above";
+    Real x(start=0, fixed=true);
+  equation
+    der(x) = 1;
+    assert(x < warn, "x is large", AssertionLevel.warning);
+    assert(x < limit, "x has passed its limit");
+  end Asserting;
+end StateEvents;

@@ -1,0 +1,55 @@
+package TimeEvents "Events at times that are known beforehand"
+  model Steps "Several comparisons with time, two of them depending on parameters"
+    parameter Real t_1(unit="s") = 0.5;
+    parameter Real duration(unit="s") = 0.25;
+    Real x(start=0, fixed=true);
+    Real y(start=0, fixed=true);
+    discrete Real t_when(start=0, fixed=true);
+    discrete Integer n(start=0, fixed=true);
+  equation
+    der(x) = if time < t_1 then 1 elseif time < t_1 + duration then -2 else 3;
+    der(y) = if time > t_1 then 1 else 0;
+    when time >= 2*t_1 - 0.1 then
+      t_when = time;
+      n = pre(n) + 1;
+    elsewhen time >= 1.5 then
+      t_when = time;
+      n = pre(n) + 10;
+    end when;
+  end Steps;
+
+  model SelfScheduling "Each event sets the time of the next: 0.1, 0.3, 0.7, 1.5, ..."
+    discrete Real t_next(start=0.1, fixed=true, unit="s");
+    discrete Integer n(start=0, fixed=true);
+    Real x(start=0, fixed=true);
+  equation
+    der(x) = n;
+    when time >= pre(t_next) then
+      t_next = 2*pre(t_next) + 0.1;
+      n = pre(n) + 1;
+    end when;
+  end SelfScheduling;
+
+  model Ramp "A ramp between two times"
+    parameter Real t_start(unit="s") = 0.3;
+    parameter Real duration(unit="s", min=0) = 0.4;
+    parameter Real height = 2;
+    Real y;
+    Real z(start=0, fixed=true) "Integral of the ramp";
+  equation
+    y = if time < t_start then 0 elseif time < t_start + duration then
+      height*(time - t_start)/duration else height;
+    der(z) = y;
+  end Ramp;
+
+  model InitialWhen "when initial() and a discrete start value"
+    parameter Real start_value = 3;
+    discrete Real held(start=0, fixed=true);
+    Real x(start=0, fixed=true);
+  equation
+    der(x) = held;
+    when {initial(), time >= 1} then
+      held = if time < 0.5 then start_value else 2*pre(held);
+    end when;
+  end InitialWhen;
+end TimeEvents;

@@ -1,0 +1,58 @@
+package Failing "Models that build, and whose run must end with a message"
+  model SingularLoop "Two equations that say the same"
+    Real x(start=0, fixed=true);
+    Real y, z;
+  equation
+    der(x) = y;
+    y + z = x;
+    2*y + 2*z = 2*x;
+  end SingularLoop;
+
+  model NoSolution "From t = 0.5 on the equation has no solution"
+    Real x(start=1);
+  equation
+    x*x + x^4 = 0.5 - time;
+  end NoSolution;
+
+  model ImpossibleStart "No start value satisfies the initial equation"
+    Real x(start=1);
+  initial equation
+    x*x = -1;
+  equation
+    der(x) = -x;
+  end ImpossibleStart;
+
+  model EndlessEvents "From t = 0.5 on two when-clauses set each other off"
+    Real x(start=0, fixed=true);
+    Boolean a(start=false, fixed=true), b(start=false, fixed=true);
+  equation
+    der(x) = 1;
+    when {x > 0.5, pre(b), not pre(b)} then
+      a = not pre(a);
+    end when;
+    when {pre(a), not pre(a)} then
+      b = not pre(b);
+    end when;
+  end EndlessEvents;
+
+  model Chattering "From t = 0.5 on the state is held at its threshold by ever more events"
+    Real x(start=0, fixed=true);
+  equation
+    der(x) = if x > 0.5 then -1 else 1;
+  end Chattering;
+
+  model OutOfBounds "From t = 0.5 on the index is beyond the array"
+    parameter Real a[3] = {1, 2, 3};
+    Integer k;
+    Real y;
+  equation
+    k = if time < 0.5 then 2 else 4;
+    y = a[k];
+  end OutOfBounds;
+
+  model Pole "The derivative becomes infinite at t = 1"
+    Real x(start=1, fixed=true);
+  equation
+    der(x) = x*x;
+  end Pole;
+end Failing;

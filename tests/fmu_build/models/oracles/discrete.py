@@ -1,0 +1,111 @@
+"""Oracles of Sampling.mo."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from ..case import Array, Case, Values
+from .state_events import at, count, latest
+from .time_events import ramps
+
+
+def ticks(first: float, period: float) -> Callable[[float], Array]:
+    def times(stop: float) -> Array:
+        return first + period * np.arange(int((stop - first) / period + 1e-9) + 1, dtype=np.float64)
+
+    return times
+
+
+def counter(t: Array) -> Values:
+    n = np.floor(t / 0.125) + 1
+    return {"k": 2 * n, "odd": n % 2, "y": n}
+
+
+def sampled_pi(t: Array) -> Values:
+    """Between ticks x goes to u as exp(-t); the controller is iterated tick by tick."""
+    times = np.concatenate([[0.0], ticks(0.1, 0.1)(float(t.max()))])
+    table = [(0.0, 0.0, 0.0, 0.0)]
+    for span in np.diff(times):
+        x, _, s, u = table[-1]
+        x = u + (x - u) * np.exp(-span)
+        e = 1 - x
+        table.append((x, e, s + e, 2 * e + 0.5 * (s + e)))
+    x, e, s, u = np.array(table)[np.searchsorted(times, t, side="right") - 1].T
+    since = t - latest(t, times, 0.0)
+    return {"x": u + (x - u) * np.exp(-since), "e": e, "s": s, "u": u}
+
+
+def two_rates(t: Array) -> Values:
+    fast, slow = count(t, ticks(0.1, 0.1)(3.0)), count(t, ticks(0.2, 0.2)(3.0))
+    times = ticks(0.1, 0.1)(3.0)
+    n = np.arange(len(times) + 1)
+    return {
+        "fast": fast,
+        "slow": slow,
+        "seen": 2 * slow,
+        "delayed": np.maximum(2 * slow - 1, 0),
+        "x": ramps(t, times, n - n // 2),
+    }
+
+
+def pulse_events(stop: float) -> Array:
+    starts = ticks(0.05, 0.1)(stop)
+    return np.sort(np.concatenate([starts, starts + 0.03]))
+
+
+def pulse_train(t: Array) -> Values:
+    starts = ticks(0.05, 0.1)(float(t.max()))
+    since = t[:, np.newaxis] - starts
+    high = ((since >= 0) & (since < 0.03)).any(axis=1)
+    return {"y": 2.0 * high, "high": high.astype(float), "z": 2 * np.clip(since, 0, 0.03).sum(axis=1)}
+
+
+def held_sine(t: Array) -> Values:
+    n = np.floor(t / 0.25)
+    sums = np.concatenate([[0.0], np.cumsum(np.sin(0.25 * np.arange(200)))]) * 0.25
+    held = np.sin(0.25 * n)
+    return {
+        "x": np.sin(t),
+        "held": held,
+        "previous": np.sin(0.25 * np.maximum(n - 1, 0)),
+        "z": sums[n.astype(int)] + held * (t - 0.25 * n),
+    }
+
+
+def sampled_reset(t: Array) -> Values:
+    """Just after tick n, x_n = (x_(n-1) + 0.25)/2, that is 0.25*(1 - 2^-n)."""
+    n = np.floor(t / 0.25)
+    return {"x": 0.25 * (1 - 0.5**n) + t - 0.25 * n}
+
+
+SAMPLES_AND_CROSSING = (0.1, 0.3, 0.45, 0.5, 0.7, 0.9)
+
+
+def sample_or_state(t: Array) -> Values:
+    times = np.array(SAMPLES_AND_CROSSING)
+    return {"n": count(t, times), "t_last": latest(t, times, 0.0)}
+
+
+def guarded(t: Array) -> Values:
+    n = count(t, np.array([0.5, 0.7, 0.9, 1.1, 1.3]))
+    return {"n": n, "changes": n, "t_third": np.where(t > 0.9, 0.9, -1.0)}
+
+
+def sampled_algorithm(t: Array) -> Values:
+    n = np.floor(t / 0.1 + 1e-9)
+    return {"n": n, "k": 2 * n + np.where(n >= 4, 100.0, 0.0), "t_n": 0.1 * n}
+
+
+CASES = (
+    Case("Sampling.Counter", 1.0, counter, events=ticks(0.0, 0.125)),
+    Case("Sampling.SampledPI", 2.0, sampled_pi, events=ticks(0.1, 0.1)),
+    Case("Sampling.TwoRates", 1.0, two_rates, events=ticks(0.1, 0.1)),
+    Case("Sampling.PulseTrain", 1.0, pulse_train, events=pulse_events),
+    Case("Sampling.HeldSine", 5.0, held_sine, events=ticks(0.0, 0.25)),
+    Case("Sampling.SampledReset", 2.0, sampled_reset, events=ticks(0.25, 0.25)),
+    Case("Sampling.SampleOrState", 1.0, sample_or_state, events=at(*SAMPLES_AND_CROSSING)),
+    Case("Sampling.Guarded", 1.4, guarded, events=ticks(0.1, 0.2)),
+    Case("Sampling.SampledAlgorithm", 1.0, sampled_algorithm, events=ticks(0.1, 0.1)),
+)

@@ -1,0 +1,72 @@
+"""Oracles of TimeEvents.mo."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from ..case import Array, Case, Values
+from .state_events import at, count, latest
+
+
+def ramps(t: Array, corners: Any, slopes: Any) -> Array:
+    """A piecewise-linear function from 0: `slopes[k]` up to `corners[k]`, and the last one from there on."""
+    edges = np.concatenate([[0.0], corners, [np.inf]])
+    return sum(
+        (slope * (np.clip(t, edges[k], edges[k + 1]) - edges[k]) for k, slope in enumerate(slopes)),
+        start=np.zeros_like(t),
+    )
+
+
+def steps_case(t_1: float, duration: float, label: str) -> Case:
+    when = (2 * t_1 - 0.1, 1.5)
+
+    def expected(t: Array) -> Values:
+        counts = np.searchsorted(sorted(when), t, side="right")
+        added = [1.0, 10.0] if when[0] < when[1] else [10.0, 1.0]
+        return {
+            "x": ramps(t, [t_1, t_1 + duration], [1, -2, 3]),
+            "y": ramps(t, [t_1], [0, 1]),
+            "t_when": latest(t, np.array(sorted(when)), 0.0),
+            "n": np.concatenate([[0.0], np.cumsum(added)])[counts],
+        }
+
+    parameters = {"t_1": t_1, "duration": duration}
+    events = at(t_1, t_1 + duration, *when)
+    return Case("TimeEvents.Steps", 2.0, expected, events=events, parameters=parameters, label=label)
+
+
+SCHEDULED = np.array([0.1, 0.3, 0.7, 1.5, 3.1])
+
+
+def self_scheduling(t: Array) -> Values:
+    n = count(t, SCHEDULED)
+    t_next = np.concatenate([SCHEDULED, [6.3]])[n.astype(int)]
+    return {"n": n, "t_next": t_next, "x": ramps(t, SCHEDULED, range(6))}
+
+
+def ramp_case(t_start: float, duration: float, label: str) -> Case:
+    def expected(t: Array) -> Values:
+        since = np.clip(t - t_start, 0, duration)
+        after = np.maximum(t - t_start - duration, 0)
+        return {"y": 2 * since / duration, "z": since**2 / duration + 2 * after}
+
+    parameters = {"t_start": t_start, "duration": duration}
+    events = at(t_start, t_start + duration)
+    return Case("TimeEvents.Ramp", 1.5, expected, events=events, parameters=parameters, label=label)
+
+
+def initial_when(t: Array) -> Values:
+    return {"held": np.where(t < 1, 3.0, 6.0), "x": ramps(t, [1.0], [3, 6])}
+
+
+CASES = (
+    steps_case(0.5, 0.25, "default"),
+    steps_case(0.65, 0.4, "other times"),
+    steps_case(0.9, 0.3, "other order"),
+    Case("TimeEvents.SelfScheduling", 4.0, self_scheduling, events=at(*SCHEDULED)),
+    ramp_case(0.3, 0.4, "default"),
+    ramp_case(0.55, 0.7, "other times"),
+    Case("TimeEvents.InitialWhen", 2.0, initial_when, events=at(1.0)),
+)

@@ -1,0 +1,9 @@
+model AtTheEnd "terminal()"
+  Real x(start=0, fixed=true);
+  discrete Real last(start=0, fixed=true);
+equation
+  der(x) = 1;
+  when terminal() then
+    last = x;
+  end when;
+end AtTheEnd;

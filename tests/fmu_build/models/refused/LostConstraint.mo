@@ -1,0 +1,9 @@
+model LostConstraint "Modifiers of a constraining class"
+  model Part
+    parameter Real k = 1;
+    Real y;
+  equation
+    y = k*time;
+  end Part;
+  replaceable Part part constrainedby Part(k=4); // here
+end LostConstraint;

@@ -1,0 +1,103 @@
+"""Runs that end early: terminate(), assert(), and models that cannot go on."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+from fmpy import extract, read_model_description, simulate_fmu
+from fmpy.fmi1 import FMICallException
+
+from fmu_build import build_fmu
+
+MODELS = Path(__file__).parent
+FAILING = MODELS / "failing" / "Failing.mo"
+STATE_EVENTS = MODELS / "StateEvents.mo"
+TYPES = ("CoSimulation", "ModelExchange")
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("endings")
+
+
+class Run:
+    """One run, with the messages that the FMU logged."""
+
+    def __init__(self, model: str, library: Path, folder: Path) -> None:
+        self.folder = folder / model
+        self.messages: list[str] = []
+        if not self.folder.exists():
+            extract(build_fmu(model, folder, library=library).path, self.folder)
+        self.description = read_model_description(self.folder)
+
+    def __call__(self, fmi_type: str, stop_time: float = 1.5, **start_values: float) -> Any:
+        return simulate_fmu(
+            self.folder,
+            model_description=self.description,
+            fmi_type=fmi_type,
+            stop_time=stop_time,
+            output_interval=0.01,
+            relative_tolerance=1e-8,
+            start_values=start_values,
+            logger=lambda _, __, ___, ____, message: self.messages.append(message.decode()),
+        )
+
+
+@pytest.mark.parametrize("fmi_type", TYPES)
+def test_terminate_ends_the_run(fmi_type: str, folder: Path) -> None:
+    run = Run("StateEvents.Stopping", STATE_EVENTS, folder)
+    result = run(fmi_type)
+    assert result["time"][-1] == pytest.approx(1.0, abs=0.0101)
+    assert any("the body has reached the ground" in message for message in run.messages), run.messages
+
+
+@pytest.mark.parametrize("fmi_type", TYPES)
+def test_an_assertion_stops_the_run_with_its_message(fmi_type: str, folder: Path) -> None:
+    run = Run("StateEvents.Asserting", STATE_EVENTS, folder)
+    with pytest.raises(FMICallException):
+        run(fmi_type, limit=0.5)
+    assert any("x has passed its limit" in message for message in run.messages), run.messages
+
+
+@pytest.mark.parametrize("fmi_type", TYPES)
+def test_an_assertion_of_level_warning_only_warns(fmi_type: str, folder: Path) -> None:
+    run = Run("StateEvents.Asserting", STATE_EVENTS, folder)
+    result = run(fmi_type, warn=0.5)
+    assert result["time"][-1] == pytest.approx(1.5)
+    assert any("x is large" in message for message in run.messages), run.messages
+
+
+def test_nothing_is_said_where_all_is_well(folder: Path) -> None:
+    run = Run("StateEvents.Asserting", STATE_EVENTS, folder)
+    run("CoSimulation")
+    assert run.messages == []
+
+
+@pytest.mark.parametrize("fmi_type", TYPES)
+@pytest.mark.parametrize(
+    ("model", "message"),
+    [
+        ("SingularLoop", "algebraic equations could not be solved"),
+        ("NoSolution", "has no solution"),
+        ("ImpossibleStart", "initial"),
+        ("EndlessEvents", "event iteration does not end"),
+        ("OutOfBounds", "index"),
+    ],
+)
+def test_a_model_that_cannot_go_on_says_why(model: str, message: str, fmi_type: str, folder: Path) -> None:
+    run = Run(f"Failing.{model}", FAILING, folder)
+    with pytest.raises(FMICallException):
+        run(fmi_type)
+    assert any(message in logged for logged in run.messages), run.messages
+
+
+@pytest.mark.parametrize(
+    ("model", "message"), [("Chattering", "events at practically the same time"), ("Pole", "not finite")]
+)
+def test_co_simulation_gives_up_with_a_reason(model: str, message: str, folder: Path) -> None:
+    run = Run(f"Failing.{model}", FAILING, folder)
+    with pytest.raises(FMICallException):
+        run("CoSimulation")
+    assert any(message in logged for logged in run.messages), run.messages

@@ -1,0 +1,109 @@
+"""Models that cannot be carried, or are wrong: each is refused with a typed error that names the place."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+from fmu_build import ModelicaError, ModelNotFoundError, UnsupportedModelError, build_fmu
+from fmu_build.errors import BuildError
+
+REFUSED = Path(__file__).parent / "refused"
+
+
+@dataclass(frozen=True)
+class Refusal:
+    """A model, the error it must raise, and what the message must name.
+
+    Where the source has a line marked ``// here``, the message must name that line too.
+    """
+
+    model: str
+    error: type[BuildError]
+    names: str
+
+    @property
+    def file(self) -> Path:
+        return REFUSED / f"{self.model}.mo"
+
+    @property
+    def line(self) -> int | None:
+        lines = self.file.read_text("utf-8").splitlines()
+        return next((k for k, line in enumerate(lines, 1) if "// here" in line), None)
+
+
+REFUSALS = (
+    Refusal("AssignedTwice", UnsupportedModelError, r"assigned again"),
+    Refusal("AtTheEnd", UnsupportedModelError, r"terminal\(\)"),
+    Refusal("BooleanLoop", ModelicaError, r"`a`"),
+    Refusal("CartesianPendulum", UnsupportedModelError, r"constraints between its states"),
+    Refusal("ContradictoryStart", UnsupportedModelError, r"more initial equations"),
+    Refusal("Delayed", UnsupportedModelError, r"delay\(\)"),
+    Refusal("DerivativeOfProduct", UnsupportedModelError, r"der\(x\*x\)"),
+    Refusal("EarlyReturn", UnsupportedModelError, r"return"),
+    Refusal("ExternalFunction", UnsupportedModelError, r"external.*outside"),
+    Refusal("Incomplete", ModelNotFoundError, r"partial"),
+    Refusal("InitialDiscrete", UnsupportedModelError, r"initial equation for a discrete variable"),
+    Refusal("InputChange", ModelicaError, r"change\("),
+    Refusal("InputDerivative", UnsupportedModelError, r"der\(u\)"),
+    Refusal("LostConstraint", UnsupportedModelError, r"constraining class"),
+    Refusal("LostModifiers", UnsupportedModelError, r"modifiers of a class that is redeclared"),
+    Refusal("RecordArray", UnsupportedModelError, r"der\(r\[i\]\.a\)"),
+    Refusal("SampledElsewhen", UnsupportedModelError, r"sample\("),
+    Refusal("SecondDerivative", UnsupportedModelError, r"der\(der\(x\)\)"),
+    Refusal("SequentialAlgorithm", UnsupportedModelError, r"`y`"),
+    Refusal("StartFromInput", UnsupportedModelError, r"start"),
+    Refusal("StringVariable", UnsupportedModelError, r"String"),
+    Refusal("SyntaxError", ModelicaError, r"unexpected `;`"),
+    Refusal("TooFewEquations", ModelicaError, r"2 equations, 3 unknowns"),
+    Refusal("TooManyEquations", ModelicaError, r"2 equations, 1 unknowns"),
+    Refusal("Transport", UnsupportedModelError, r"spatialDistribution"),
+    Refusal("UnbalancedConnector", ModelicaError, r"'Port'"),
+    Refusal("UnknownClass", ModelicaError, r"'NoSuchClass'"),
+    Refusal("UnknownParameter", UnsupportedModelError, r"\bk\b"),
+    Refusal("UnknownVariable", ModelicaError, r"'missing_variable'"),
+    Refusal("WrongType", ModelicaError, r"Boolean"),
+)
+
+
+@pytest.mark.parametrize("refusal", REFUSALS, ids=lambda refusal: refusal.model)
+def test_refusal(refusal: Refusal, tmp_path: Path) -> None:
+    earlier = tmp_path / f"{refusal.model}.fmu"
+    earlier.write_bytes(b"from an earlier build")
+    with pytest.raises(refusal.error) as caught:
+        build_fmu(refusal.model, tmp_path, library=refusal.file)
+    message = str(caught.value)
+    assert type(caught.value) is refusal.error
+    assert re.search(refusal.names, message), message
+    assert refusal.file.name in message, message
+    if refusal.line is not None:
+        assert f"{refusal.file.name}:{refusal.line}" in message, message
+    assert list(tmp_path.iterdir()) == [earlier]
+    assert earlier.read_bytes() == b"from an earlier build"
+
+
+def test_every_refused_model_is_tried() -> None:
+    assert {path.stem for path in REFUSED.glob("*.mo")} == {refusal.model for refusal in REFUSALS}
+
+
+@pytest.mark.parametrize(
+    ("model", "library"),
+    [
+        ("Oscillators.NoSuchModel", "Oscillators.mo"),
+        ("NoSuchPackage.Model", "Oscillators.mo"),
+        ("Oscillators.Harmonic", "no_such_file.mo"),
+        ("Oscillators", "Oscillators.mo"),
+        ("Functions.square", "Functions.mo"),
+        ("Components.Flange", "Components.mo"),
+    ],
+)
+def test_not_a_model(model: str, library: str, tmp_path: Path) -> None:
+    output = tmp_path / "output"
+    with pytest.raises(
+        ModelNotFoundError, match=re.escape(model if library != "no_such_file.mo" else library)
+    ):
+        build_fmu(model, output, library=REFUSED.parent / library)
+    assert not output.exists()

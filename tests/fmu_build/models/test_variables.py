@@ -1,0 +1,75 @@
+"""What importers may set: parameters, inputs of every type, and what is fixed in the code."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from fmpy import read_model_description, simulate_fmu
+
+from fmu_build import build_fmu
+
+MODELS = Path(__file__).parent
+
+
+def build(model: str, folder: Path) -> Path:
+    return build_fmu(model, folder, library=MODELS / f"{model.partition('.')[0]}.mo").path
+
+
+@pytest.mark.parametrize(
+    ("model", "parameter"),
+    [
+        ("Sampling.SampledAlgorithm", "T"),
+        ("Arrays.Heat", "n"),
+        ("Components.Conditional", "stiffened"),
+        ("Components.Chain", "n"),
+    ],
+)
+def test_what_the_compiler_has_used_up_cannot_be_set(model: str, parameter: str, tmp_path: Path) -> None:
+    """A sample period, an array size, the condition of a component: another value would be ignored."""
+    path = build(model, tmp_path)
+    variables = {variable.name: variable for variable in read_model_description(path).modelVariables}
+    assert variables[parameter].variability == "constant"
+    assert variables[parameter].causality == "local"
+
+
+@pytest.mark.parametrize(
+    ("model", "parameter"),
+    [
+        ("Components.GearBox", "ratio"),
+        ("Components.GearBox", "braked"),
+        ("Components.GearBox", "selected"),
+        ("Components.Chain", "body[2].m"),
+        ("TimeEvents.Steps", "t_1"),
+        ("Arrays.Table", "x_i[2]"),
+    ],
+)
+def test_what_stays_a_parameter(model: str, parameter: str, tmp_path: Path) -> None:
+    path = build(model, tmp_path)
+    variables = {variable.name: variable for variable in read_model_description(path).modelVariables}
+    assert variables[parameter].causality == "parameter"
+    assert variables[parameter].variability in {"fixed", "tunable"}
+
+
+def test_integer_and_boolean_inputs(tmp_path: Path) -> None:
+    """The gear goes from 1 to 3 at t = 1, and into reverse at t = 2."""
+    path = build("Oscillators.DiscreteInputs", tmp_path)
+    signals = np.array(
+        [(0.0, 1, False), (1.0, 1, False), (1.0, 3, False), (2.0, 3, False), (2.0, 3, True), (3.0, 3, True)],
+        dtype=[("time", float), ("gear", int), ("reverse", bool)],
+    )
+    result = simulate_fmu(
+        path,
+        fmi_type="CoSimulation",
+        stop_time=3.0,
+        output_interval=0.25,
+        input=signals,
+        output=["speed", "doubled", "forward"],
+    )
+    t = result["time"]
+    speed = np.where(t <= 1, t, np.where(t <= 2, 1 + 3 * (t - 1), 4 - 3 * (t - 2)))
+    np.testing.assert_allclose(result["speed"], speed, atol=1e-12)
+    settled = (np.abs(t - 1) > 0.1) & (np.abs(t - 2) > 0.1)
+    np.testing.assert_array_equal(result["doubled"][settled], np.where(t[settled] < 1, 2, 6))
+    np.testing.assert_array_equal(result["forward"][settled], t[settled] < 2)
