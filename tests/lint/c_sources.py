@@ -1,4 +1,4 @@
-"""Compiles the runtime and the generated joystick models with every warning an error.
+"""Compiles the runtime, the generated joystick models and the benchmarks with every warning an error.
 
 ``python -m tests.lint.c_sources``: with the C compiler that pip installs, and with gcc where it is there.
 """
@@ -19,6 +19,7 @@ from fmu_build.compilers.library import default_library, entry_file
 
 STRICT = ("-std=c11", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-O2", "-c")
 RUNTIME = Path(__file__).parents[2] / "fmu_build" / "runtime"
+BENCHMARKS = Path(__file__).parents[2] / "benchmarks"
 MODELS = ("Joystick", "JoystickPowerLaw", "JoystickInverse")
 
 
@@ -28,7 +29,7 @@ def main() -> int:
     if gcc := shutil.which("gcc"):
         compilers["gcc"] = [gcc]
     with tempfile.TemporaryDirectory() as folder:
-        files = [*sorted(RUNTIME.glob("*.c")), *_generated(Path(folder))]
+        files = [*sorted(RUNTIME.glob("*.c")), *sorted(BENCHMARKS.glob("*.c")), *_generated(Path(folder))]
         headers = [f"-I{RUNTIME}", f"-I{folder}", "-isystem", str(Path(fmpy.__file__).parent / "c-code")]
         return sum(
             _complains(name, [*command, *STRICT, *headers], files) for name, command in compilers.items()

@@ -1,0 +1,62 @@
+"""All contenders side by side: A B C A B C ..., so that a busy machine slows all of them alike."""
+
+from __future__ import annotations
+
+import statistics
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from benchmarks.contender import Contender
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """A measured contender.
+
+    Attributes:
+        name: what it is
+        tolerance: what its integrator was asked to keep
+        milliseconds: time of a run (ms), median over the rounds
+        ratio: that time over the yardstick's of the same round, median over the rounds
+        ratio_spread: first and third quartile of that ratio
+        error: largest error of theta (rad)
+        evaluations: of the equation of motion, None where not known
+    """
+
+    name: str
+    tolerance: float
+    milliseconds: float
+    ratio: float
+    ratio_spread: tuple[float, float]
+    error: float
+    evaluations: int | None
+
+
+def measure(contenders: Sequence[Contender], rounds: int, on_round: Callable[[], None]) -> list[Row]:
+    """The rows in the order of `contenders`, of which the first is the yardstick.
+
+    Args:
+        contenders: one or more
+        rounds: 2 or more; each contender is timed once a round
+        on_round: called after every round
+    """
+    times: list[list[float]] = []
+    for _ in range(rounds):
+        times.append([contender.seconds() for contender in contenders])
+        on_round()
+    rows = []
+    for i, contender in enumerate(contenders):
+        ratios = [of_round[i] / of_round[0] for of_round in times]
+        quartiles = statistics.quantiles(ratios, n=4, method="inclusive")
+        rows.append(
+            Row(
+                name=contender.name,
+                tolerance=contender.tolerance,
+                milliseconds=1e3 * statistics.median(of_round[i] for of_round in times),
+                ratio=statistics.median(ratios),
+                ratio_spread=(quartiles[0], quartiles[2]),
+                error=contender.error(),
+                evaluations=contender.evaluations,
+            )
+        )
+    return rows
