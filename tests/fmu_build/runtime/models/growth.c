@@ -74,7 +74,8 @@ void model_actions(double time, const double *y, const double *p, bool *active)
 
 void model_action_message(size_t action, double time, const double *y, const double *p, char *text, size_t size)
 {
-    static const char *const what[] = {"x is large enough", "x grows 100% faster than #wanted#", "x is above its limit"};
+    static const char *const what[] = {"x is large enough", "x grows 100% faster than #wanted#",
+                                       "x is above its limit"};
     (void)time, (void)p;
     snprintf(text, size, "%s: %g", what[action], y[X]);
 }

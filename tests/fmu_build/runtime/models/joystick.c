@@ -40,7 +40,8 @@ static const Relation relations[] = {
     {6, RELEASED + 2, false}, {7, CONTACT + 3, false}, {8, RELEASED + 3, false},
 };
 
-static const char *const root_texts[] = {"-theta", "x - x_0", "x - x_1", "x - x_2", "x - x_3", "x - x_4", "x - x_5", "x - x_6", "x - x_7"};
+static const char *const root_texts[] = {"-theta",  "x - x_0", "x - x_1", "x - x_2", "x - x_3",
+                                         "x - x_4", "x - x_5", "x - x_6", "x - x_7"};
 
 const Model model = {
     .name = "Test.Joystick",
