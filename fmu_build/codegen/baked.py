@@ -8,6 +8,7 @@ parameter that follows it is computed from it when the FMU is initialised.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -20,24 +21,25 @@ from fmu_build.codegen.lowered import LoweredModel, read_mapping
 from fmu_build.codegen.source import SETTING_PREFIX, ModelSource, Setting
 from fmu_build.codegen.start_values import StartValues
 
+_SUBSCRIPTS = re.compile(r"\[[\d,]+\]")
 _TARGET = Path(__file__).parent / "target" / "variant"
 
 
 def baked_parameters(source: ModelSource, model: LoweredModel, starts: StartValues) -> frozenset[str]:
     """Names of the parameters (of whole arrays) that cannot be set after compiling."""
-    candidates = {candidate.name: candidate for candidate in _candidates(model, starts)}
-    return (
-        frozenset(_search(source, _computed(model), list(candidates.values()))) if candidates else frozenset()
-    )
+    candidates = list(_candidates(model, starts))
+    return frozenset(_search(source, _computed(model), candidates)) if candidates else frozenset()
 
 
 @dataclass(frozen=True, slots=True)
 class _Candidate:
-    """A parameter with its present value and another one."""
+    """Names of parameters that are set together, with their present values and others."""
 
-    name: str
+    names: tuple[str, ...]
     present: Setting
     other: Setting
+    fallback: _Candidate | None = None
+    """Another way of setting them, for where the first does not compile."""
 
 
 def _computed(model: LoweredModel) -> frozenset[str]:
@@ -58,7 +60,8 @@ def _search(source: ModelSource, computed: frozenset[str], group: Sequence[_Cand
     if _is_free(source, computed, group):
         return
     if len(group) == 1:
-        yield group[0].name
+        fallback = group[0].fallback
+        yield from _search(source, computed, [fallback]) if fallback else group[0].names
         return
     middle = len(group) // 2
     yield from _search(source, computed, group[:middle])
@@ -77,7 +80,7 @@ def _is_free(source: ModelSource, computed: frozenset[str], group: Sequence[_Can
         for name, value in present["values"].items()
         if value != other["values"].get(name) and not name.startswith(SETTING_PREFIX)
     }
-    return changed <= computed | {candidate.name for candidate in group}
+    return changed <= computed | {name for candidate in group for name in candidate.names}
 
 
 def _variant(source: ModelSource, settings: Sequence[Setting]) -> dict[str, Any] | None:
@@ -90,25 +93,44 @@ def _variant(source: ModelSource, settings: Sequence[Setting]) -> dict[str, Any]
 
 def _candidates(model: LoweredModel, starts: StartValues) -> Iterator[_Candidate]:
     """Every parameter that could be set, if it is not baked."""
-    bindings = model.solve["layout"]["bindings"]
     finals = model.flat.get("variable_final_flags", {})
+    groups: dict[str, list[Mapping[str, Any]]] = {}
     for entry in model.dae["variables"]:
         flat = model.flat["variables"].get(entry["name"])
         is_open = flat is not None and not flat["is_protected"] and not finals.get(entry["name"], False)
-        if entry["role"] != "parameter" or not is_open or not entry["attributes"]["tunable"]:
-            continue
-        slots = [bindings[scalar]["P"]["index"] for scalar in entry["scalar_names"] if scalar in bindings]
-        values = [starts.of(("p", slot)) for slot in slots]
-        texts = [_texts(model, starts, entry, value) for value in values]
-        if texts and None not in texts:
-            present, other = zip(*(text for text in texts if text), strict=True)
-            dimensions = entry["value_type"]["dimensions"]
-            kind = _kind(model, starts, entry)
-            yield _Candidate(
-                entry["name"],
-                Setting(entry["name"], kind, tuple(dimensions), _array(present, dimensions)),
-                Setting(entry["name"], kind, tuple(dimensions), _array(other, dimensions)),
-            )
+        if entry["role"] == "parameter" and is_open and entry["attributes"]["tunable"]:
+            groups.setdefault(_SUBSCRIPTS.sub("", entry["name"]), []).append(entry)
+    for path, entries in groups.items():
+        candidate = _candidate(model, starts, path, entries)
+        if candidate is not None:
+            yield candidate
+
+
+def _candidate(
+    model: LoweredModel, starts: StartValues, path: str, entries: Sequence[Mapping[str, Any]]
+) -> _Candidate | None:
+    """A parameter, or all those of one name in an array of components, which a modifier sets together."""
+    bindings = model.solve["layout"]["bindings"]
+    scalars = [scalar for entry in entries for scalar in entry["scalar_names"] if scalar in bindings]
+    values = [starts.of(("p", bindings[scalar]["P"]["index"])) for scalar in scalars]
+    texts = [_texts(model, starts, entries[0], value) for value in values]
+    if not texts or None in texts:
+        return None
+    present, other = zip(*(text for text in texts if text), strict=True)
+    last = [int(n) for group in _SUBSCRIPTS.findall(entries[-1]["name"]) for n in group[1:-1].split(",")]
+    dimensions = (*last, *entries[0]["value_type"]["dimensions"])
+    kind = _kind(model, starts, entries[0])
+    names = tuple(entry["name"] for entry in entries)
+    whole = _Candidate(
+        names,
+        Setting(path, kind, dimensions, _array(present, dimensions)),
+        Setting(path, kind, dimensions, _array(other, dimensions)),
+    )
+    if len(names) == 1 or len(set(present)) > 1:
+        return whole
+    # A modifier for the whole array does not take the place of one that was given with "each".
+    one, another = (Setting(path, kind, (), value, each=True) for value in (present[0], other[0]))
+    return _Candidate(names, one, another, fallback=whole)
 
 
 def _kind(model: LoweredModel, starts: StartValues, entry: Mapping[str, Any]) -> str:

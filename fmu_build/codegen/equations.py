@@ -142,10 +142,24 @@ class _Reader:
             elif slot[1] in conditions:
                 kind = "condition"
             result.append(DiscreteRow(kind, slot, self._guarded_by_tick(rows[number], slot, ticks.get(slot))))
+        self._refuse_missing_rows({row.slot for row in result})
         floors = (
             DiscreteRow("assign", ("p", memory), value) for value, memory in self.relations.floors.items()
         )
         return (*result, *floors)
+
+    def _refuse_missing_rows(self, slots: set[Slot]) -> None:
+        """The equations of discrete arrays are dropped by rumoca outside of when-clauses."""
+        bindings = self.solve["layout"]["bindings"]
+        for variable in self.model.dae["variables"]:
+            if variable["role"].startswith("discrete"):
+                for scalar in variable["scalar_names"]:
+                    if scalar in bindings and _slot(bindings[scalar]) not in slots:
+                        raise self.model.refuse(
+                            f"the equation of the discrete array {variable['name']} is not supported; "
+                            "write one for each element",
+                            variable["declaration"]["span"],
+                        )
 
     def _guarded_by_tick(self, value: Expression, slot: Slot, tick: int | None) -> Expression:
         """The bodies of ``when sample(...)`` come from rumoca without their guard; here they get it."""

@@ -21,6 +21,8 @@ _TENSOR_OPERATIONS: dict[str, Callable[[tensors.Fields, tensors.Registers], None
     "TensorBinary": tensors.elementwise,
     "MatrixMultiply": tensors.matrix_product,
     "TensorTranspose": tensors.transposed,
+    "TensorFill": tensors.filled,
+    "TensorConcatenate": tensors.concatenated,
 }
 
 

@@ -14,12 +14,16 @@ SETTING_PREFIX = "fmuBuildSetting"
 
 @dataclass(frozen=True, slots=True)
 class Setting:
-    """A parameter's dotted name, Modelica type, array dimensions and value as Modelica text."""
+    """A parameter's dotted name, Modelica type, array dimensions and value as Modelica text.
+
+    With `each` the one value is given to the parameter of that name in every element of an array of components.
+    """
 
     name: str
     type: str
     dimensions: tuple[int, ...]
     value: str
+    each: bool = False
 
 
 @dataclass(frozen=True)
@@ -40,7 +44,10 @@ class ModelSource:
             f"parameter {setting.type} {names[setting.name]}{_subscripts(setting.dimensions)} = {setting.value};"
             for setting in settings
         )
-        extension = f"extends {self.model.name}{_modifier(names)};"
+        bindings = {
+            setting.name: ("each " if setting.each else "", names[setting.name]) for setting in settings
+        }
+        extension = f"extends {self.model.name}{_modifier(bindings)};"
         return self.session.loads(
             f"model {_VARIANT} {declarations} {extension} end {_VARIANT};", model=_VARIANT
         )
@@ -50,13 +57,13 @@ def _subscripts(dimensions: tuple[int, ...]) -> str:
     return f"[{', '.join(map(str, dimensions))}]" if dimensions else ""
 
 
-def _modifier(values: Mapping[str, str]) -> str:
+def _modifier(bindings: Mapping[str, tuple[str, str]]) -> str:
     """Dotted names as nested modifiers: ``a.b`` and ``a.c`` become ``(a(b = ..., c = ...))``."""
-    direct = [f"{name} = {value}" for name, value in values.items() if "." not in name]
-    nested: dict[str, dict[str, str]] = {}
-    for name, value in values.items():
+    direct = [f"{prefix}{name} = {value}" for name, (prefix, value) in bindings.items() if "." not in name]
+    nested: dict[str, dict[str, tuple[str, str]]] = {}
+    for name, binding in bindings.items():
         first, dot, rest = name.partition(".")
         if dot:
-            nested.setdefault(first, {})[rest] = value
+            nested.setdefault(first, {})[rest] = binding
     parts = [*direct, *(f"{first}{_modifier(inner)}" for first, inner in nested.items())]
     return f"({', '.join(parts)})" if parts else ""

@@ -55,7 +55,8 @@ class StartValues:
     def _start(self, variable: dict[str, Any], number: int) -> float:
         attributes = variable["attributes"]
         is_parameter = variable["role"] in ("parameter", "constant")
-        for kind in ("binding", "start") if is_parameter else ("start",):
+        has_binding = is_parameter or variable["role"] == "input"
+        for kind in ("binding", "start") if has_binding else ("start",):
             numbers = attributes[f"{kind}_values"]
             if numbers:
                 return float(numbers[number] if len(numbers) > 1 else numbers[0])

@@ -55,6 +55,25 @@ def transposed(fields: Fields, registers: Registers) -> None:
         registers[fields["dst_start"] + (j * rows + i) * width + k] = registers[source]
 
 
+def filled(fields: Fields, registers: Registers) -> None:
+    """``fill(value, ...)``."""
+    for i in range(fields["count"]):
+        registers[fields["dst_start"] + i] = registers[fields["value_start"]]
+
+
+def concatenated(fields: Fields, registers: Registers) -> None:
+    """``cat(axis + 1, ...)`` of row-major arrays."""
+    axis = fields["axis"]
+    outer = math.prod(fields["dimensions"][:axis])
+    position = fields["dst_start"]
+    for i in range(outer):
+        for source in fields["sources"]:
+            length = math.prod(source["dimensions"][axis:])
+            for k in range(length):
+                registers[position] = registers[source["start"] + i * length + k]
+                position += 1
+
+
 def element(fields: Fields, registers: Registers) -> Expression:
     """``array[i, j, ...]``; NaN where an index that is known at run time only lies outside of its bounds."""
     chosen = ex.number(math.nan)

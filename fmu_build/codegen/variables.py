@@ -75,8 +75,10 @@ class VariableReader:
         return (*stored, *self._derivatives(stored))
 
     def _is_visible(self, entry: dict[str, Any]) -> bool:
+        """Protected variables stay inside, but for states: FMI lists all of them."""
         flat = self._model.flat["variables"].get(entry["name"])
-        return entry["attributes"]["origin"] == "source" and not (flat and flat["is_protected"])
+        is_hidden = flat is not None and flat["is_protected"] and entry["role"] != "state"
+        return entry["attributes"]["origin"] == "source" and not is_hidden
 
     def _scalars(self, entry: dict[str, Any]) -> Iterator[StoredVariable]:
         if entry["value_type"]["scalar"] not in _TYPES:
@@ -165,7 +167,7 @@ class VariableReader:
         names = self._model.solve["solve_layout"]["solver_maps"]["names"]
         for index in range(self._equations.n_states):
             if index not in references:
-                raise self._model.refuse(f"the state {names[index]} is protected and cannot be shown")
+                raise self._model.refuse(f"the state {names[index]} is none of the model's own variables")
             state = stored[references[index]].variable
             derivative = Variable(
                 name=f"der({names[index]})",
