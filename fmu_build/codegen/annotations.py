@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 
 from fmu_build.codegen.lowered import LoweredModel
-from fmu_build.codegen.source_text import STRING, blanked
 from fmu_build.description import DefaultExperiment
+from fmu_build.source_text import STRING, blanked
 
 _ESCAPES = {"n": "\n", "t": "\t", "r": "\r"}
 

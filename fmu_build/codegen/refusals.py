@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
+from fmu_build.codegen.compiled import Span
 from fmu_build.codegen.lowered import LoweredModel
-from fmu_build.codegen.source_text import blanked
+from fmu_build.source_text import blanked, inside_parentheses
 
 _LOST_MODIFIERS = (
     (
@@ -26,19 +27,19 @@ _LOST_MODIFIERS = (
 
 def refuse_unfaithful(model: LoweredModel) -> None:
     """Raises `UnsupportedModelError` for the first construct of the model that would come out wrong."""
-    _refuse_delays(model)
+    _refuse_operators(model)
     _refuse_dynamic_state_selection(model)
     _refuse_loose_initial_equations(model)
+    _refuse_undetermined_parameters(model)
     _refuse_repeated_assignments(model)
     _refuse_lost_modifiers(model)
 
 
-def _refuse_delays(model: LoweredModel) -> None:
+def _refuse_operators(model: LoweredModel) -> None:
     temporal = model.dae["systems"]["temporal"]
-    for delay in temporal["delays"]:
-        raise model.refuse("delay() is not supported", delay.get("provenance", {}).get("span"))
-    if temporal["terminals"]:
-        raise model.refuse("terminal() is not supported")
+    for kind in ("delay", "terminal"):
+        for call in temporal[f"{kind}s"]:
+            raise model.refuse(f"{kind}() is not supported", call["provenance"]["span"])
 
 
 def _refuse_dynamic_state_selection(model: LoweredModel) -> None:
@@ -52,13 +53,44 @@ def _refuse_dynamic_state_selection(model: LoweredModel) -> None:
 
 
 def _refuse_loose_initial_equations(model: LoweredModel) -> None:
-    for role in model.solve["initialization"]["row_roles"]:
+    initialization = model.solve["initialization"]
+    spans = dict(_row_spans(initialization["residual"]["nodes"]))
+    for row, role in enumerate(initialization["row_roles"]):
         if role == "SurplusCheck":
-            raise model.refuse("there are more initial equations than values to be found")
+            raise model.refuse("there are more initial equations than values to be found", spans.get(row))
         if isinstance(role, dict) and "UnownedCoordinate" in role:
             raise model.refuse(
-                "an initial equation for a discrete variable is supported only as pre(v) = ..."
+                "an initial equation for a discrete variable is supported only as pre(v) = ...",
+                spans.get(row),
             )
+
+
+def _row_spans(nodes: Iterable[Any]) -> Iterator[tuple[int, Span]]:
+    """The source of the rows whose programs have one output each."""
+    for node in nodes:
+        table = node.get("ScalarPrograms", {"output_indices": [], "program_spans": []})
+        if len(table["output_indices"]) == len(table["program_spans"]):
+            yield from zip(table["output_indices"], table["program_spans"], strict=True)
+
+
+def _refuse_undetermined_parameters(model: LoweredModel) -> None:
+    """A parameter with ``fixed = false`` gets its value from the initial equations or not at all."""
+    initialization = model.solve["initialization"]
+    blocks = initialization["projection_plan"]["blocks"]
+    slots = [*initialization["update_targets"], *(slot for block in blocks for slot in block["unknowns"])]
+    determined = {slot["P"]["index"] for slot in slots if "P" in slot}
+    bindings = model.solve["layout"]["bindings"]
+    for entry in model.dae["variables"]:
+        attributes = entry["attributes"]
+        if attributes["fixed"] is not False or attributes["binding"] is not None:
+            continue
+        for name in entry["scalar_names"]:
+            slot = bindings.get(name, {})
+            if entry["role"] == "parameter" and "P" in slot and slot["P"]["index"] not in determined:
+                raise model.refuse(
+                    f"the parameter {name} has fixed = false, and no initial equation determines it",
+                    entry["declaration"]["span"],
+                )
 
 
 def _refuse_repeated_assignments(model: LoweredModel) -> None:
@@ -89,15 +121,10 @@ def _refuse_lost_modifiers(model: LoweredModel) -> None:
         plain = blanked(text)
         for pattern, why in _LOST_MODIFIERS:
             for match in pattern.finditer(plain):
-                if _inside_parentheses(plain, match.start()) or "constrainedby" in match.group():
+                # As an element of a class body a redeclared class keeps its modifiers.
+                if inside_parentheses(plain, match.start()) or "constrainedby" in match.group():
                     start = len(plain[: match.start()].encode())
                     raise model.refuse(why, {"source": number, "start": start})
-
-
-def _inside_parentheses(text: str, position: int) -> bool:
-    """Whether a redeclaration stands in a modifier; as an element of a class body it keeps its modifiers."""
-    statement = text[text.rfind(";", 0, position) + 1 : position]
-    return statement.count("(") > statement.count(")")
 
 
 def _sources(tree: Any) -> Iterator[int]:

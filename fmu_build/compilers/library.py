@@ -4,22 +4,16 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from importlib import resources
 from pathlib import Path
 
 from fmu_build.errors import ModelicaError, ModelNotFoundError
+from fmu_build.source_text import declarations
 
 DEFAULT_LIBRARY = "PreloadedSprings"
 MODEL_KINDS = ("model", "block", "class")
-
-_TOKEN = re.compile(
-    r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\])*"'  # comments and strings, skipped
-    r"|'(?:\\.|[^'\\])*'|[A-Za-z_][A-Za-z0-9_]*|[=;.]",
-    re.DOTALL,
-)
-_KINDS = frozenset({*MODEL_KINDS, "package", "function", "record", "connector", "type", "operator"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,6 +58,13 @@ def source_files(library: Path) -> list[Path]:
     return sorted(library.rglob("*.mo")) if library.is_dir() else [library]
 
 
+def readable_files(library: Path) -> list[Path]:
+    """The files that a compiler may read for a model: also those beside a single file, and this project's."""
+    beside = () if library.is_dir() else filter(Path.is_file, sorted(library.parent.glob("*.mo")))
+    own = source_files(default_library())
+    return list({file.resolve(): file for file in (*own, *beside, *source_files(library))}.values())
+
+
 def read_classes(library: Path) -> dict[str, ModelicaClass]:
     """The classes that the library's files declare, by qualified name; inherited ones are not among them.
 
@@ -71,8 +72,8 @@ def read_classes(library: Path) -> dict[str, ModelicaClass]:
     """
     classes: dict[str, ModelicaClass] = {}
     for file in source_files(library):
-        for name, kind in _declarations(_read(file)):
-            classes.setdefault(name, ModelicaClass(name, kind, file))
+        for declared in declarations(read_text(file)):
+            classes.setdefault(declared.name, ModelicaClass(declared.name, declared.kind, file))
     return classes
 
 
@@ -99,37 +100,12 @@ def not_found(
 def mentions(library: Path, name: str) -> bool:
     """Whether the library's source has `name` as a word."""
     pattern = re.compile(rf"\b{re.escape(name)}\b")
-    return any(pattern.search(_read(file)) for file in source_files(library))
+    return any(pattern.search(read_text(file)) for file in source_files(library))
 
 
-def _read(file: Path) -> str:
+def read_text(file: Path) -> str:
+    """A file's text, line ends as they are; raises `ModelicaError` where it cannot be read."""
     try:
-        return file.read_text("utf-8", errors="replace")
+        return file.read_bytes().decode("utf-8", errors="replace")
     except OSError as error:
         raise ModelicaError(f"cannot read {file}: {error.strerror}") from error
-
-
-def _declarations(text: str) -> Iterator[tuple[str, str]]:
-    """(qualified name, kind) of the classes that a file declares, read from its tokens alone."""
-    tokens = [token for token in _TOKEN.findall(text) if not token.startswith(("//", "/*", '"'))]
-    scope: list[str] = []
-    prefix = _within(tokens)
-    for position, token in enumerate(tokens):
-        previous = tokens[position - 1] if position else ";"
-        if previous == "end" and scope and token == scope[-1]:
-            scope.pop()
-        elif token in _KINDS and previous not in ("end", "."):
-            name, following = (*tokens[position + 1 : position + 3], "", "")[:2]
-            if not name or name in _KINDS or not (name[0].isalpha() or name[0] in "_'"):
-                continue
-            if name == "extends":
-                name, following = following, ""
-            yield ".".join((*prefix, *scope, name)), f"partial {token}" if previous == "partial" else token
-            if following != "=":
-                scope.append(name)
-
-
-def _within(tokens: list[str]) -> list[str]:
-    if tokens[:1] != ["within"]:
-        return []
-    return [token for token in tokens[1 : tokens.index(";")] if token != "."] if ";" in tokens else []

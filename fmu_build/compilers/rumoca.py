@@ -16,6 +16,7 @@ from fmu_build.compilers.library import (
     mentions,
     not_found,
     read_classes,
+    readable_files,
     source_files,
 )
 from fmu_build.compilers.rumoca_errors import native_stderr, syntax_errors, translated_errors
@@ -62,11 +63,12 @@ def generate_model(request: BuildRequest) -> tuple[GeneratedModel, str]:
     known = classes.get(request.model)
     if known is None or known.kind not in MODEL_KINDS:
         raise not_found(request.model, library, classes, syntax_errors(source_files(library)))
-    with native_stderr() as loading, translated_errors(request.model, known.file):
+    files = readable_files(library)
+    with native_stderr() as loading, translated_errors(request.model, known.file, files):
         session = _session(library, classes)
         model = session.load(str(entry), model=request.model)
     request.on_stage("generating C")
-    with native_stderr() as generating, translated_errors(request.model, known.file):
+    with native_stderr() as generating, translated_errors(request.model, known.file, files):
         generated = generate(ModelSource(session, model))
     return generated, loading() + generating()
 

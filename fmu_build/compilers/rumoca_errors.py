@@ -10,9 +10,12 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from fmu_build.compilers.constructs import ModelText
+from fmu_build.compilers.rumoca_messages import meaning_of
 from fmu_build.errors import BuildError, ModelicaError, UnsupportedModelError
+from fmu_build.places import located
 
-_LOCATED = re.compile(r"(?P<text>[^;\[\]][^\[\]]*?) \[(?P<place>[^\[\]\n]+\.mo:\d+:\d+)\]")
+_LOCATED = re.compile(r"(?:; )?(?P<text>.+?) \[(?P<place>[^\[\]\n]+\.mo:\d+:\d+)\]", re.DOTALL)
 _IN_FILE = re.compile(r"^- (?P<file>.+\.mo) \[\w+\]: ", re.MULTILINE)
 _SNIPPET = re.compile(
     r"\u00d7\s*(?P<text>[^\n]*)\n\s*╭─\[.*?:(?P<line>\d+):(?P<column>\d+)\]\n(?P<snippet>.*?)\n\s*╰─",
@@ -20,6 +23,7 @@ _SNIPPET = re.compile(
 )
 _QUOTED = re.compile(r"[`']([A-Za-z_][\w.\[\], ]*)[`']")
 _SPAN = re.compile(r"Span \{[^}]*start: BytePos\((\d+)\), end: BytePos\((\d+)\)")
+_DERIVATIVE = r"der\s*\(.*\)"
 _UNEXPLAINED = "because resolve/parse failed"
 _PHASE = re.compile(r"^\w+ failed: \S+ failed in \w+: ")
 
@@ -45,23 +49,24 @@ def native_stderr() -> Iterator[Callable[[], str]]:
 
 
 @contextmanager
-def translated_errors(model: str, file: Path) -> Iterator[None]:
-    """Turns rumoca's exceptions into build errors; `file` is where the model is declared."""
+def translated_errors(model: str, file: Path, files: Iterable[Path]) -> Iterator[None]:
+    """Turns rumoca's exceptions into build errors.
+
+    `file` is where the model is declared, `files` are all that it may be made of.
+    """
     import rumoca
 
     try:
         yield
     except BuildError:
         raise
-    except rumoca.RumocaError as error:
-        raise ModelicaError(_describe(str(error), model, file)) from error
-    except RuntimeError as error:
-        raise UnsupportedModelError(f"rumoca cannot lower {model}: {error}") from error
+    except (rumoca.RumocaError, RuntimeError) as error:
+        raise _translated(str(error), model, file, files) from error
     except BaseException as error:
         # A panic of the Rust code; its class derives from BaseException and cannot be imported.
         if type(error).__module__ != "pyo3_runtime":
             raise
-        raise _panic(str(error), model, file) from error
+        raise _panic(str(error), model, file, files) from error
 
 
 def syntax_errors(files: Iterable[Path]) -> list[str]:
@@ -69,19 +74,28 @@ def syntax_errors(files: Iterable[Path]) -> list[str]:
     return [error for file in files if (error := _syntax_error(file)) is not None]
 
 
-def _describe(text: str, model: str, file: Path) -> str:
+def _translated(text: str, model: str, file: Path, files: Iterable[Path]) -> BuildError:
     broken = _IN_FILE.search(text)
     if broken is not None or _UNEXPLAINED in text:
         syntax = _syntax_error(Path(broken["file"]) if broken is not None else file)
         if syntax is not None:
-            return syntax
+            return ModelicaError(syntax)
     message = _PHASE.sub("", text)
-    located = [f"{match['place']}: {match['text'].strip()}" for match in _LOCATED.finditer(message)]
-    if located:
-        return "\n".join(located)
+    places = [f"{match['place']}: {match['text'].strip()}" for match in _LOCATED.finditer(message)]
+    if places:
+        return ModelicaError("\n".join(places))
     message = message.partition("\nRelated failures")[0]
     message = message.removeprefix(f"{model} could not be compiled: ")
-    return f"{_place(message, file)}: {message}"
+    source = ModelText(model, files)
+    meaning = meaning_of(message)
+    if meaning is not None:
+        found = meaning.search(message, source)
+        what = meaning.text(message, found)
+        return meaning.error(located(what, [construct.place for construct in found], model, file))
+    quoted = _QUOTED.search(message)
+    found = source.find([rf"(?<![\w.]){re.escape(quoted[1])}(?!\w)"]) if quoted is not None else []
+    error = UnsupportedModelError if "unsupported" in message else ModelicaError
+    return error(located(message, [construct.place for construct in found], model, file))
 
 
 def _syntax_error(file: Path) -> str | None:
@@ -99,33 +113,13 @@ def _syntax_error(file: Path) -> str | None:
     return None
 
 
-def _place(message: str, file: Path) -> str:
-    """The file, with line and column where the name that the message quotes occurs in it exactly once."""
-    quoted = _QUOTED.search(message)
-    text = file.read_text("utf-8", errors="replace")
-    if quoted is None:
-        return str(file)
-    found = list(re.finditer(rf"(?<![\w.]){re.escape(quoted[1])}(?!\w)", text))
-    return _position(file, text, found[0].start()) if len(found) == 1 else str(file)
-
-
-def _panic(text: str, model: str, file: Path) -> BuildError:
+def _panic(text: str, model: str, file: Path, files: Iterable[Path]) -> BuildError:
     """A panic names its construct and the bytes where it is written, but not the file."""
+    meaning, span = meaning_of(text), _SPAN.search(text)
+    if meaning is not None and span is not None:
+        found = ModelText(model, files).at_bytes(int(span[1]), int(span[2]), _DERIVATIVE)
+        what = meaning.text(text, found)
+        return meaning.error(located(what, [construct.place for construct in found], model, file))
     detail = re.search(r'detail: "([^"]*)"', text)
-    message = f"rumoca cannot compile {model}: {detail[1] if detail else text}"
-    span = _SPAN.search(text)
-    if span is not None:
-        content = file.read_bytes()
-        construct = content[int(span[1]) : int(span[2])].decode(errors="replace")
-        if construct.startswith("der("):
-            place = _position(
-                file, content.decode(errors="replace"), len(content[: int(span[1])].decode(errors="replace"))
-            )
-            return UnsupportedModelError(f"{place}: {construct}: {message}")
+    message = located(f"rumoca cannot compile this: {detail[1] if detail else text}", [], model, file)
     return UnsupportedModelError(message) if "Unsupported" in text else BuildError(message)
-
-
-def _position(file: Path, text: str, offset: int) -> str:
-    line = text.count("\n", 0, offset) + 1
-    column = offset - (text.rfind("\n", 0, offset) + 1) + 1
-    return f"{file}:{line}:{column}"

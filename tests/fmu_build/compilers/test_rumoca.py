@@ -146,7 +146,7 @@ def test_a_panic_of_the_compiler_is_an_error(tmp_path: Path, capfd: pytest.Captu
         "input Real u; Real y;",
         "der(u) = y;",
         UnsupportedModelError,
-        r"M\.mo:4:3: der\(u\): rumoca cannot compile M",
+        r"M\.mo:4:3: der\(u\): the derivative of an input",
     )
     assert capfd.readouterr().err == ""
 
@@ -164,7 +164,7 @@ def test_an_interruption_passes(library: Path, monkeypatch: pytest.MonkeyPatch) 
     def interrupted(*arguments: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(backend, "_load", interrupted)
+    monkeypatch.setattr(backend, "_session", interrupted)
     with pytest.raises(KeyboardInterrupt):
         _generate("Lib.Good", library)
 
@@ -177,7 +177,7 @@ def test_an_error_of_the_code_generator_passes_unchanged(
     def refusing(*arguments: object) -> None:
         raise original
 
-    monkeypatch.setattr(backend, "_load", refusing)
+    monkeypatch.setattr(backend, "_session", refusing)
     with pytest.raises(UnsupportedModelError) as caught:
         _generate("Lib.Good", library)
     assert caught.value is original

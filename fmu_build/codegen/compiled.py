@@ -1,0 +1,52 @@
+"""A model as rumoca compiles it, before it is lowered: its flat form and its source."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from fmu_build.errors import UnsupportedModelError
+from fmu_build.places import Place, located, place_at
+from fmu_build.source_text import declarations
+
+Span = Mapping[str, int]
+"""Bytes of a source file: ``source`` is the number of the file, ``start`` and ``end`` are offsets."""
+
+
+@dataclass(frozen=True)
+class CompiledModel:
+    """A compiled model; `flat` has what later stages do not keep (display units, final flags)."""
+
+    name: str
+    flat: dict[str, Any]
+    source_files: tuple[tuple[int, str, str], ...]
+
+    @cached_property
+    def _sources(self) -> dict[int, tuple[str, str]]:
+        return {number: (path, text) for number, path, text in self.source_files}
+
+    @cached_property
+    def _file(self) -> str:
+        """The file that declares the model."""
+        for path, text in self._sources.values():
+            if any(declared.name == self.name for declared in declarations(text)):
+                return path
+        return self.name
+
+    def text(self, span: Span) -> str:
+        """What stands in the source at a span."""
+        return self._sources[span["source"]][1].encode()[span["start"] : span["end"]].decode()
+
+    def place(self, span: Span | None) -> Place | None:
+        """The place of a source span, None where the compiler gave none."""
+        if span is None or span.get("source") not in self._sources:
+            return None
+        path, text = self._sources[span["source"]]
+        return place_at(path, text, len(text.encode()[: span["start"]].decode(errors="ignore")))
+
+    def refuse(self, what: str, span: Span | None = None) -> UnsupportedModelError:
+        """The error for a construct that cannot be carried faithfully, with its place in the source."""
+        place = self.place(span)
+        return UnsupportedModelError(located(what, [place] if place else [], self.name, self._file))

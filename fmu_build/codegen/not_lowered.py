@@ -1,0 +1,114 @@
+"""Why rumoca could not lower a model: it does not say where, but the flat model shows it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from typing import Any
+
+from fmu_build.codegen.compiled import CompiledModel, Span
+from fmu_build.errors import UnsupportedModelError
+from fmu_build.source_text import blanked
+
+_STAGE = re.compile(r"^(?:Target rendering error: |Lower Solve IR for target capability validation: )*")
+_ATTRIBUTES = ("start", "min", "max", "nominal")
+
+Obstacles = Iterator[tuple[str, Span | None]]
+"""What stands in the way, and where."""
+
+
+def not_lowered(model: CompiledModel, message: str) -> UnsupportedModelError:
+    """The error for a model that compiles and cannot be lowered; `message` is what rumoca says."""
+    for pattern, obstacles in _FINDERS:
+        match = re.search(pattern, message)
+        if match is not None:
+            for what, span in obstacles(model, match):
+                return model.refuse(what, span)
+    return model.refuse(f"rumoca cannot lower this model: {_STAGE.sub('', message)}")
+
+
+def _strings(model: CompiledModel, _: re.Match[str]) -> Obstacles:
+    string = model.flat["predefined_types"]["string"]
+    for name, variable in model.flat["variables"].items():
+        declared = model.flat["effective_types"].get(str(variable["type_id"]))
+        if declared and declared["canonical_type"] == string and not _is_fixed(variable):
+            yield f"the variable {name} of type String is not supported", variable["source_span"]
+
+
+def _variable_attributes(model: CompiledModel, _: re.Match[str]) -> Obstacles:
+    """Attributes must be known before the simulation; parameters are, inputs and unknowns are not."""
+    variables = model.flat["variables"]
+    for name, variable in variables.items():
+        for attribute in _ATTRIBUTES:
+            for reference in _found(variable[attribute], "VarRef"):
+                other = reference["name"]["name"]
+                if other in variables and not _is_fixed(variables[other]):
+                    what = f"{attribute} of {name} depends on {other}, which is no parameter"
+                    yield what, reference["span"]
+
+
+def _external_functions(model: CompiledModel, _: re.Match[str]) -> Obstacles:
+    for name, function in model.flat["functions"].items():
+        if function["external"] is None:
+            continue
+        span = dict(function["span"])
+        keyword = re.search(r"\bexternal\b", blanked(model.text(span)))
+        if keyword is not None:
+            span["start"] += len(model.text(span)[: keyword.start()].encode())
+        yield f"the external function {name} is not supported", span
+
+
+def _recursive_functions(model: CompiledModel, _: re.Match[str]) -> Obstacles:
+    for qualified, function in model.flat["functions"].items():
+        name = qualified.rpartition(".")[2]
+        if re.search(rf"\b{re.escape(name)}\s*\(", blanked(model.text(function["span"]))):
+            yield f"the recursive function {name} is not supported", function["span"]
+    yield "functions that call each other in turn are not supported", None
+
+
+def _partly_sampled_clauses(model: CompiledModel, _: re.Match[str]) -> Obstacles:
+    for chain in model.flat["when_chains"]:
+        for branch in chain["else_when"] and (chain["first"], *chain["else_when"]):
+            for sample in _calls(branch["condition"], "Sample"):
+                yield "sample() in one of several branches of a when-clause is not supported", sample["span"]
+    yield "a when-clause with a sampled and another branch is not supported", None
+
+
+def _dependent_equations(_: CompiledModel, message: re.Match[str]) -> Obstacles:
+    yield (
+        f"only {message[1]} of {message[2]} equations determine an unknown of their own: some repeat or "
+        "contradict others, or the derivative of an input is needed",
+        None,
+    )
+
+
+_FINDERS: tuple[tuple[str, Callable[[CompiledModel, re.Match[str]], Obstacles]], ...] = (
+    ("", _strings),
+    ("", _external_functions),
+    ("depends on a runtime coordinate", _variable_attributes),
+    ("checked recursion limit", _recursive_functions),
+    ("clock activation owners", _partly_sampled_clauses),
+    (r"structurally singular system: (\d+) matched out of (\d+) equations", _dependent_equations),
+)
+"""What rumoca says, and where to look then; Strings and external functions are in the way of any message."""
+
+
+def _is_fixed(variable: dict[str, Any]) -> bool:
+    """Whether a variable is a parameter or a constant."""
+    return any(kind in variable["variability"] for kind in ("Parameter", "Constant"))
+
+
+def _calls(tree: Any, function: str) -> Iterator[dict[str, Any]]:
+    return (call for call in _found(tree, "BuiltinCall") if call["function"] == function)
+
+
+def _found(tree: Any, kind: str) -> Iterator[dict[str, Any]]:
+    """All expressions of a kind inside a tree."""
+    if isinstance(tree, dict):
+        if kind in tree:
+            yield tree[kind]
+        tree = tree.values()
+    elif not isinstance(tree, list):
+        return
+    for child in tree:
+        yield from _found(child, kind)

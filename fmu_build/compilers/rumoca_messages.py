@@ -1,0 +1,165 @@
+"""What rumoca's messages mean in Modelica's terms, and what to look for in the source to give their place."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from fmu_build.compilers.constructs import Construct, ModelText
+from fmu_build.errors import BuildError, ModelicaError, UnsupportedModelError
+
+_NAME = r"(?:[^`']*\.)?(?P<name>\w+)(?:\[[^`'.]*\])?"
+"""The last part of a qualified name, as it stands in the source."""
+
+_VARIABLE = r"\s*\w+(?:\[[^\[\]]*\])?(?:\.\w+(?:\[[^\[\]]*\])?)*\s*"
+
+
+@dataclass(frozen=True, slots=True)
+class Meaning:
+    """What a message stands for.
+
+    `message` is a pattern; `says` may use its named groups. `constructs` are patterns of what is to blame in
+    the source, the likeliest first, with NAME for the group of that name. `called` is set where the message
+    begins with the construct itself, and stands for it where several different ones come into question.
+    """
+
+    message: str
+    error: type[BuildError]
+    says: str
+    constructs: tuple[str, ...] = ()
+    called: str = ""
+
+    def search(self, message: str, source: ModelText) -> list[Construct]:
+        """The constructs in the source that the message may be about."""
+        match = re.search(self.message, message)
+        name = re.escape(match.groupdict().get("name") or "") if match is not None else ""
+        return source.find([pattern.replace("NAME", name) for pattern in self.constructs])
+
+    def text(self, message: str, found: Sequence[Construct]) -> str:
+        """What to tell of the message."""
+        match = re.search(self.message, message)
+        told = self.says.format(**match.groupdict()) if match is not None else self.says
+        texts = {construct.text for construct in found}
+        subject = texts.pop() if len(texts) == 1 else self.called
+        return f"{subject}: {told}" if self.called else told
+
+
+MEANINGS = (
+    Meaning(
+        r"`derivative expression`",
+        UnsupportedModelError,
+        "der() is supported for variables, not for expressions or members of the elements of an array; "
+        "differentiate a variable that is equal to it",
+        (rf"\bder\s*\((?!{_VARIABLE}\))", r"\bder\s*\((?=[\w\s.]*\[[^\[\]]*\]\s*\.)"),
+        "der(...)",
+    ),
+    Meaning(
+        r'feature: "derivative target"',
+        UnsupportedModelError,
+        "the derivative of an input, or of another variable that cannot become a state, is not supported",
+        (),
+        "der(...)",
+    ),
+    Meaning(
+        r"unresolved Flat reference `(?P<name>spatialDistribution)`",
+        UnsupportedModelError,
+        "{name}() is not supported",
+        (r"\bNAME\s*(?=\()",),
+    ),
+    Meaning(
+        r"`function return`",
+        UnsupportedModelError,
+        "a return inside a loop or a nested branch of a function is not supported",
+        (r"\breturn\b",),
+    ),
+    Meaning(
+        rf"`function (?:loop reduction|statement)`: `{_NAME}`",
+        UnsupportedModelError,
+        "the function {name} has a statement that is not supported, such as a break, or a while loop whose "
+        "condition depends on what it computes",
+        (r"\bfunction\s+NAME\b",),
+    ),
+    Meaning(
+        rf"sequential read of `{_NAME}`",
+        UnsupportedModelError,
+        "an algorithm section that uses the value of `{name}` and then assigns it again is not supported; "
+        "give the first value a variable of its own",
+        (r"(?<![\w.])NAME\s*(?:\[[^\[\]]*\]\s*)?(?=:=)",),
+    ),
+    Meaning(
+        r"unsupported model algorithm",
+        UnsupportedModelError,
+        "this algorithm section is not supported; assign every variable once, or write a function",
+        (r"\balgorithm\b",),
+    ),
+    Meaning(
+        r"owned by clock identity",
+        UnsupportedModelError,
+        "a when-clause that has sample() in one branch and another condition in another is not supported",
+        (r"\belsewhen\b[^;]*?\bsample\s*\(", r"\belsewhen\b"),
+        "elsewhen",
+    ),
+    Meaning(
+        r"`(?:history operator|pre) expression`: (?P<name>\w+)\(\.\.\.\) must have exactly one",
+        ModelicaError,
+        "{name}() is of variables, not of expressions",
+        (rf"\bNAME\s*\((?!{_VARIABLE}\))",),
+        "edge(...), pre(...) or change(...)",
+    ),
+    Meaning(
+        r"`change expression`: change\(\.\.\.\) must name a discrete coordinate",
+        ModelicaError,
+        "change() is of discrete variables only",
+        (r"\bchange\s*\(",),
+        "change(...)",
+    ),
+    Meaning(
+        rf"`pre expression`: pre\(`{_NAME}`",
+        ModelicaError,
+        "pre() of the continuous variable {name} has a meaning inside a when-clause only",
+        (r"\bpre\s*\(\s*(?:[\w.]+\.)?NAME\s*(?:\[[^\[\]]*\])?\s*\)",),
+        "pre(...)",
+    ),
+    Meaning(
+        rf"reinit\(\) can only be applied to state variables: {_NAME}",
+        ModelicaError,
+        "reinit() can be applied to states only: {name} is none",
+        (r"\breinit\s*\((?=\s*(?:[\w.]+\.)?NAME\s*[,\[])",),
+        "reinit(...)",
+    ),
+    Meaning(
+        r"duplicate discrete \w+ when owner",
+        ModelicaError,
+        "a discrete variable is assigned in two when-clauses",
+    ),
+    Meaning(
+        rf"`{_NAME}` participates in a current-value dependency cycle",
+        ModelicaError,
+        "the discrete variable `{name}` depends on itself at the same instant",
+        (r"(?<![\w.])NAME\s*(?:\[[^\[\]]*\]\s*)?:?=",),
+    ),
+    Meaning(
+        r"if-equation branches have mismatched equation counts",
+        ModelicaError,
+        "the branches of an if-equation have different numbers of equations",
+    ),
+    Meaning(
+        rf"`{_NAME}` cannot be evaluated: division by zero",
+        ModelicaError,
+        "the value of {name} is divided by zero",
+        (r"(?<![\w.])NAME\s*(?=[=(])",),
+    ),
+    Meaning(r"(?P<all>unbalanced model: \d+ equations, \d+ unknowns)", ModelicaError, "{all}"),
+    Meaning(
+        rf"(?P<all>connector '{_NAME}' is unbalanced: .*)",
+        ModelicaError,
+        "{all}",
+        (r"\bconnector\s+NAME\b",),
+    ),
+)
+
+
+def meaning_of(message: str) -> Meaning | None:
+    """What a message stands for, None where that is not known."""
+    return next((meaning for meaning in MEANINGS if re.search(meaning.message, message)), None)

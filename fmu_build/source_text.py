@@ -1,0 +1,85 @@
+"""Modelica source as text, where the compiler does not hand on what is in it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+STRING = r'"(?:[^"\\]|\\.)*"'
+
+_SKIPPED = re.compile(rf"('(?:[^'\\\n]|\\.)*')|{STRING}|//[^\n]*|/\*.*?\*/", re.DOTALL)
+_TOKEN = re.compile(r"'(?:[^'\\\n]|\\.)*'|[A-Za-z_][A-Za-z0-9_]*|[=;.]")
+_KINDS = frozenset(
+    {"model", "block", "class", "package", "function", "record", "connector", "type", "operator"}
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Declaration:
+    """A class that a file declares: its qualified name, its restriction ("model", "partial model", ...).
+
+    `start` and `end` are offsets into the text; `in_modifier` is true for ``(redeclare model A = B)``.
+    """
+
+    name: str
+    kind: str
+    start: int
+    end: int
+    in_modifier: bool
+
+
+def blanked(text: str) -> str:
+    """The text with spaces for comments and strings, so that places and lines stay what they are."""
+    return _SKIPPED.sub(lambda match: match[1] or re.sub(r"[^\n]", " ", match.group()), text)
+
+
+def declarations(text: str) -> Iterator[Declaration]:
+    """The classes that a file declares, the inner ones first, read from its tokens alone.
+
+    Reads leniently: a class that is never closed reaches to the end of the text.
+    """
+    plain = blanked(text)
+    tokens = list(_TOKEN.finditer(plain))
+    words = [token.group() for token in tokens]
+    prefix = _within(words)
+    scope: list[tuple[str, str, int]] = []
+
+    def closed(end: int) -> Declaration:
+        name = ".".join((*prefix, *(name for name, _, _ in scope)))
+        _, kind, start = scope.pop()
+        return Declaration(name, kind, start, end, in_modifier=False)
+
+    for position, word in enumerate(words):
+        previous = words[position - 1] if position else ";"
+        if previous == "end" and scope and word == scope[-1][0]:
+            yield closed(tokens[position].end())
+        elif word in _KINDS and previous not in ("end", "."):
+            name, following = (*words[position + 1 : position + 3], "", "")[:2]
+            if not name or name in _KINDS or not (name[0].isalpha() or name[0] in "_'"):
+                continue
+            if name == "extends":
+                name, following = following, ""
+            kind = f"partial {word}" if previous == "partial" else word
+            start = tokens[position].start()
+            if following == "=":
+                qualified = ".".join((*prefix, *(outer for outer, _, _ in scope), name))
+                semicolon = plain.find(";", start)
+                end = semicolon if semicolon >= 0 else len(plain)
+                yield Declaration(qualified, kind, start, end, inside_parentheses(plain, start))
+            else:
+                scope.append((name, kind, start))
+    while scope:
+        yield closed(len(plain))
+
+
+def inside_parentheses(text: str, position: int) -> bool:
+    """Whether something stands in a modifier; `text` is blanked."""
+    statement = text[text.rfind(";", 0, position) + 1 : position]
+    return statement.count("(") > statement.count(")")
+
+
+def _within(words: list[str]) -> list[str]:
+    if words[:1] != ["within"]:
+        return []
+    return [word for word in words[1 : words.index(";")] if word != "."] if ";" in words else []
