@@ -71,7 +71,10 @@ def _measure_all(fmus: Path, folder: Path, rounds: int) -> dict[Law, list[Row]]:
 
 
 def _contenders(law: Law, fmu: UnpackedFmu, programs: dict[str, Path], folder: Path) -> list[Contender]:
-    """The yardstick first. It and CVode get the tolerance at which they are as accurate as the FMU."""
+    """The yardstick, the FMU in C, then the others.
+
+    The yardstick and CVode get the tolerance at which they are as accurate as the FMU.
+    """
     loop = fmu_loop(programs["fmu_loop"], fmu, law, TOLERANCE, folder)
     target = loop.error()
     by_hand = as_accurate(

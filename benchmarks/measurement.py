@@ -19,6 +19,7 @@ class Row:
         milliseconds: time of a run (ms), median over the rounds
         ratio: that time over the yardstick's of the same round, median over the rounds
         ratio_spread: first and third quartile of that ratio
+        ratio_to_second: likewise over the time of the second contender
         error: largest error of theta (rad)
         evaluations: of the equation of motion, None where not known
     """
@@ -28,6 +29,7 @@ class Row:
     milliseconds: float
     ratio: float
     ratio_spread: tuple[float, float]
+    ratio_to_second: float
     error: float
     evaluations: int | None
 
@@ -36,7 +38,7 @@ def measure(contenders: Sequence[Contender], rounds: int, on_round: Callable[[],
     """The rows in the order of `contenders`, of which the first is the yardstick.
 
     Args:
-        contenders: one or more
+        contenders: two or more
         rounds: 2 or more; each contender is timed once a round
         on_round: called after every round
     """
@@ -55,6 +57,7 @@ def measure(contenders: Sequence[Contender], rounds: int, on_round: Callable[[],
                 milliseconds=1e3 * statistics.median(of_round[i] for of_round in times),
                 ratio=statistics.median(ratios),
                 ratio_spread=(quartiles[0], quartiles[2]),
+                ratio_to_second=statistics.median(of_round[i] / of_round[1] for of_round in times),
                 error=contender.error(),
                 evaluations=contender.evaluations,
             )

@@ -129,18 +129,19 @@ def test_ratios_are_taken_within_a_round() -> None:
     )
     assert len(rounds) == 3
     assert [row.ratio for row in rows] == [1.0, 3.0]
+    assert [row.ratio_to_second for row in rows] == [1.0 / 3.0, 1.0]
     assert rows[1].ratio_spread == (3.0, 3.0)
     assert rows[1].milliseconds == 6000.0
     assert rows[1].error == pytest.approx(2e-8, rel=1e-6)
 
 
-ROW = Row("a run", 1e-8, 0.25, 2.0, (1.9, 2.1), 3e-9, None)
+ROW = Row("a run", 1e-8, 0.25, 2.0, (1.9, 2.1), 0.5, 3e-9, None)
 
 
 def test_table() -> None:
     lines = as_markdown({LAW: [ROW]}).splitlines()
     assert lines[0] == "## Damping law: constant"
-    assert lines[-1] == "| a run | 1.0e-08 | 0.25 | 3.0e-09 |  | 2 (1.9 to 2.1) |"
+    assert lines[-1] == "| a run | 1.0e-08 | 0.25 | 3.0e-09 |  | 2 (1.9 to 2.1) | 0.5 |"
 
 
 def test_json() -> None:
