@@ -48,11 +48,11 @@ def matrix_product(fields: Fields, registers: Registers) -> None:
 
 
 def transposed(fields: Fields, registers: Registers) -> None:
-    """A row-major matrix of elements of `element_width` scalars each."""
+    """A row-major matrix of elements of `element_width` scalars each; the shape given is the result's."""
     rows, columns, width = fields["rows"], fields["columns"], fields["element_width"]
     for i, j, k in product(range(rows), range(columns), range(width)):
-        source = fields["src_start"] + (i * columns + j) * width + k
-        registers[fields["dst_start"] + (j * rows + i) * width + k] = registers[source]
+        source = fields["src_start"] + (j * rows + i) * width + k
+        registers[fields["dst_start"] + (i * columns + j) * width + k] = registers[source]
 
 
 def filled(fields: Fields, registers: Registers) -> None:

@@ -45,6 +45,27 @@ package Arrays "Vectors, matrices and loops"
     mean = sum(T)/n;
   end Heat;
 
+  model Shapes "Matrices that are not square: transpose, concatenation, slices, fill, linspace, diagonal"
+    parameter Real g = 3;
+    Real A[2, 3];
+    Real B[3, 2];
+    Real C[2, 2];
+    Real row[3], column[2], long[4];
+    Real d[2, 2];
+    Real t[3, 2] "Transpose of an expression";
+    Real k[3];
+  equation
+    A = [1, 2, time; 4, 5, 6];
+    B = transpose(A);
+    C = A*B;
+    row = A[2, :];
+    column = A[:, end];
+    long = cat(1, {time, g}, fill(g*time, 2));
+    d = diagonal({g, time});
+    t = 2*transpose(A + [time, 0, 0; 0, 0, 1]);
+    k = time*linspace(0, g, 3);
+  end Shapes;
+
   model Products "Outer and elementwise products, fill, slices"
     parameter Real a[3] = {1, 2, 3};
     Real c[3];

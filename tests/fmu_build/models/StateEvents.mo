@@ -164,19 +164,19 @@ package StateEvents "Models whose events are found by zero crossings of continuo
     end when;
   end EdgeAndChange;
 
-  model Thresholds "Arrays of Booleans and Integers that are given in loops and as a whole"
+  model Thresholds "Arrays of Booleans and Integers, given element by element"
     Real x(start=0, fixed=true);
     Boolean above[3];
     Integer level[3];
-    Boolean pair[2];
     Real z(start=0, fixed=true);
   equation
     der(x) = 1;
-    for i in 1:3 loop
-      above[i] = x > 0.2*i;
-      level[i] = if above[i] then i else 0;
-    end for;
-    pair = {x > 0.3, x > 0.7};
+    above[1] = x > 0.2;
+    above[2] = x > 0.4;
+    above[3] = x > 0.6;
+    level[1] = if above[1] then 1 else 0;
+    level[2] = if above[2] then 2 else 0;
+    level[3] = if above[3] then 3 else 0;
     der(z) = sum(level);
   end Thresholds;
 

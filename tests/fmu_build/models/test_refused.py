@@ -43,6 +43,8 @@ REFUSALS = (
     Refusal("ContradictoryStart", UnsupportedModelError, r"more initial equations"),
     Refusal("Delayed", UnsupportedModelError, r"delay\(\)"),
     Refusal("DerivativeOfProduct", UnsupportedModelError, r"der\(x\*x\)"),
+    Refusal("DiscreteArray", UnsupportedModelError, r"array above"),
+    Refusal("DiscreteLoop", UnsupportedModelError, r"array level"),
     Refusal("EarlyReturn", UnsupportedModelError, r"return"),
     Refusal("ExternalFunction", UnsupportedModelError, r"external.*outside"),
     Refusal("Incomplete", ModelNotFoundError, r"partial"),

@@ -106,6 +106,33 @@ def rotation(t: Array) -> Values:
     }
 
 
+def shapes_case(g: float) -> Case:
+    def at_time(t: float) -> dict[str, float]:
+        a = np.array([[1, 2, t], [4, 5, 6]])
+        arrays = {
+            "A": a,
+            "B": a.T,
+            "C": a @ a.T,
+            "row": a[1],
+            "column": a[:, 2],
+            "long": np.array([t, g, g * t, g * t]),
+            "d": np.diag([g, t]),
+            "t": 2 * (a + np.array([[t, 0, 0], [0, 0, 1]])).T,
+            "k": t * np.linspace(0, g, 3),
+        }
+        return {
+            f"{name}[{','.join(str(i + 1) for i in index)}]": float(array[index])
+            for name, array in arrays.items()
+            for index in np.ndindex(array.shape)
+        }
+
+    def expected(t: Array) -> Values:
+        rows = [at_time(time) for time in t]
+        return {name: np.array([row[name] for row in rows]) for name in rows[0]}
+
+    return Case("Arrays.Shapes", 1.0, expected, 1e-12, 1e-12, parameters={"g": g}, label=f"{g}")
+
+
 BREAKPOINTS = np.array([0.1, 0.3, 0.6, 0.8])
 
 
@@ -175,5 +202,7 @@ CASES = (
     table_case((1.0, 4.0, 0.0, 3.0), "other slopes"),
     Case("Arrays.MatrixVector", 4.0, matrix_vector),
     Case("Arrays.Heat", 1.0, heat),
+    shapes_case(3.0),
+    shapes_case(-0.7),
     Case("Arrays.Products", 1.0, products, accuracy=1e-12, me_accuracy=1e-12),
 )

@@ -3,7 +3,7 @@ model AtTheEnd "terminal()"
   discrete Real last(start=0, fixed=true);
 equation
   der(x) = 1;
-  when terminal() then
+  when terminal() then // here
     last = x;
   end when;
 end AtTheEnd;
