@@ -10,6 +10,9 @@ enum { MAX_CROWD = 1000 };
  * add up step sizes, so that their points miss the times that they mean by rounding. */
 static const double relative_instant = 1e-12;
 
+/* So many instants hold a crowd of events, each of which is located to a thousandth of an instant or so. */
+static const double crowd_width = 100.0;
+
 static double instant_at(double time)
 {
     return relative_instant * fmax(1.0, fabs(time));
@@ -28,6 +31,8 @@ static Status restart(Instance *instance)
     progress->event_pending = false;
     progress->next_time_event = event_next_time(values);
     integrator_restart(&instance->integrator, values->time, values->y);
+    double *suggestion = &instance->integrator.record.suggestion;
+    *suggestion = step_memory_switch(&instance->steps, values->p, *suggestion);
     return evaluation_roots(instance, instance->roots.start) ? STATUS_OK : STATUS_ERROR;
 }
 
@@ -58,7 +63,7 @@ static const char *relation_text(size_t relation)
 static Status count_event(Instance *instance, double time)
 {
     Progress *progress = &instance->progress;
-    if (time - progress->crowd_start > instant_at(time)) {
+    if (time - progress->crowd_start > crowd_width * instant_at(time)) {
         progress->crowd_start = time;
         progress->crowd = 0;
     }

@@ -17,11 +17,6 @@ static inline void evaluation_invalidate(Instance *instance)
     instance->current.derivatives = false;
 }
 
-/* For the integrator and the search of events; `instance` is an Instance. They use values.y as their scratch
- * and leave no message. */
-bool evaluation_derivatives_at(void *instance, double time, double *der);
-bool evaluation_roots_at(void *instance, double time, double *root);
-
 /* The time derivative of a continuous variable along the solution with inputs held: exact for states, a central
  * difference along the tangent for algebraic variables. False for variables that have none. */
 bool evaluation_time_derivative(Instance *instance, const Variable *variable, double *derivative);

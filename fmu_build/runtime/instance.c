@@ -15,7 +15,7 @@ static const double largest_step_fraction = 0.02;
 
 static size_t block_count(size_t n_inputs)
 {
-    return 2 * values_count() + model.n_states + integrator_count(model.n_states) + roots_count() + 2 * n_inputs;
+    return 2 * values_count() + model.n_states + integrator_count() + roots_count() + 2 * n_inputs;
 }
 
 static void bind(Instance *instance)
@@ -28,7 +28,7 @@ static void bind(Instance *instance)
     instance->derivatives = next;
     next += model.n_states;
     integrator_bind(&instance->integrator, next);
-    next += integrator_count(model.n_states);
+    next += integrator_count();
     roots_bind(&instance->roots, next);
     next += roots_count();
     instance->inputs.base = next;
@@ -38,11 +38,8 @@ static void bind(Instance *instance)
 static void connect(Instance *instance)
 {
     Integrator *integrator = &instance->integrator;
-    integrator->size = model.n_states;
     integrator->nominal = model.state_nominal;
-    integrator->derivatives = evaluation_derivatives_at;
     integrator->context = instance;
-    instance->roots.evaluate = evaluation_roots_at;
     instance->roots.context = instance;
     bind(instance);
     integrator->argument = instance->values.y;
@@ -97,6 +94,7 @@ void instance_reset(Instance *instance)
     instance->changed = (Changes){0};
     instance->current = (UpToDate){0};
     instance->progress = (Progress){0};
+    instance->steps = (StepMemory){0};
     instance->integrator.record = (StepRecord){0};
     instance->inputs.since = 0.0;
     instance->inputs.active = false;

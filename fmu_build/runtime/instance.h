@@ -10,6 +10,7 @@
 #include "integrator.h"
 #include "location.h"
 #include "log.h"
+#include "step_memory.h"
 #include "values.h"
 
 typedef enum {
@@ -64,6 +65,7 @@ typedef struct {
     Changes changed;
     UpToDate current;
     Progress progress;
+    StepMemory steps;
     bool warned; /* a warning was reported since this was last cleared */
 
     Values start;  /* what the importer sets before and during initialisation */

@@ -1,4 +1,5 @@
 #include "integrator.h"
+#include "model.h"
 
 #include <float.h>
 #include <math.h>
@@ -23,14 +24,14 @@ static const double safety = 0.9, smallest_factor = 0.1, largest_factor = 5.0;
 
 enum { ARRAYS = 1 + 7 + 5 };
 
-size_t integrator_count(size_t size)
+size_t integrator_count(void)
 {
-    return ARRAYS * size;
+    return ARRAYS * model.n_states;
 }
 
 void integrator_bind(Integrator *integrator, double *block)
 {
-    const size_t n = integrator->size;
+    const size_t n = model.n_states;
     integrator->states = block;
     for (size_t i = 0; i < 7; ++i)
         integrator->slopes[i] = block + (1 + i) * n;
@@ -44,22 +45,22 @@ void integrator_restart(Integrator *integrator, double time, const double *state
     record->time = record->base = time;
     record->step = 0.0;
     record->slope_known = false;
-    if (integrator->size > 0)
-        memmove(integrator->states, states, integrator->size * sizeof(double));
+    if (model.n_states > 0)
+        memmove(integrator->states, states, model.n_states * sizeof(double));
 }
 
 void integrator_interpolate(const Integrator *integrator, double time, double *states)
 {
     const StepRecord *record = &integrator->record;
     if (time == record->time) {
-        if (integrator->size > 0)
-            memcpy(states, integrator->states, integrator->size * sizeof(double));
+        if (model.n_states > 0)
+            memcpy(states, integrator->states, model.n_states * sizeof(double));
         return;
     }
     const double s = (time - record->base) / record->step, r = 1.0 - s;
     const double *r1 = integrator->dense[0], *r2 = integrator->dense[1], *r3 = integrator->dense[2],
                  *r4 = integrator->dense[3], *r5 = integrator->dense[4];
-    for (size_t i = 0; i < integrator->size; ++i)
+    for (size_t i = 0; i < model.n_states; ++i)
         states[i] = r1[i] + s * (r2[i] + r * (r3[i] + s * (r4[i] + r * r5[i])));
 }
 
@@ -74,10 +75,23 @@ void integrator_truncate(Integrator *integrator, double time)
     record->suggestion = fmin(record->suggestion, record->step);
 }
 
+/* x^(-1/10) to half a percent, which is plenty for a step size; unlike pow() the same number on every platform. */
+static double inverse_tenth_root(double x)
+{
+    static const double powers[10] = {1.0,      0.933033, 0.870551, 0.812252, 0.757858,
+                                      0.707107, 0.659754, 0.615572, 0.574349, 0.535887}; /* 2^(-i/10) */
+    if (!(x > 1e-200))
+        return 1e20;
+    int exponent;
+    const double mantissa = frexp(x, &exponent); /* in [0.5, 1) */
+    const int whole = exponent >= 0 ? exponent / 10 : -((9 - exponent) / 10);
+    return ldexp(powers[exponent - 10 * whole], -whole) * (1.0 + 0.143547 * (1.0 - mantissa));
+}
+
 static bool evaluate(Integrator *integrator, double time, double *slope)
 {
     ++integrator->record.evaluations;
-    return integrator->derivatives(integrator->context, time, slope);
+    return integrator_derivatives(integrator->context, time, slope);
 }
 
 static double weight(const Integrator *integrator, size_t i, double magnitude)
@@ -88,7 +102,7 @@ static double weight(const Integrator *integrator, size_t i, double magnitude)
 /* A first step from the sizes of the first and second derivatives (Hairer, Norsett and Wanner, section II.4). */
 static bool guess_step(Integrator *integrator)
 {
-    const size_t n = integrator->size;
+    const size_t n = model.n_states;
     StepRecord *record = &integrator->record;
     const double *slope = integrator->slopes[0];
     double *other = integrator->slopes[1];
@@ -115,7 +129,7 @@ static bool guess_step(Integrator *integrator)
 /* The stages of one step of size h; the result of order 5 is left in `argument`. */
 static bool stages(Integrator *integrator, double h)
 {
-    const size_t n = integrator->size;
+    const size_t n = model.n_states;
     const double t = integrator->record.time;
     const double *y = integrator->states;
     double *out = integrator->argument;
@@ -153,19 +167,19 @@ static double squared_error(const Integrator *integrator, double h)
 {
     double *const *k = integrator->slopes;
     double sum = 0.0;
-    for (size_t i = 0; i < integrator->size; ++i) {
+    for (size_t i = 0; i < model.n_states; ++i) {
         const double error = e1 * k[0][i] + e3 * k[2][i] + e4 * k[3][i] + e5 * k[4][i] + e6 * k[5][i] + e7 * k[6][i];
         const double rounding = DBL_EPSILON * (integrator->argument[i] - integrator->states[i]);
         const double scaled = (fabs(h * error) + fabs(rounding)) * weight(integrator, i, fabs(integrator->states[i]));
         sum += scaled * scaled;
     }
-    return integrator->size > 0 ? sum / (double)integrator->size : 0.0;
+    return model.n_states > 0 ? sum / (double)model.n_states : 0.0;
 }
 
 /* Takes the step over: the dense output, the new states and the first slope of the next step. */
 static void accept(Integrator *integrator, double h, double end)
 {
-    const size_t n = integrator->size;
+    const size_t n = model.n_states;
     StepRecord *record = &integrator->record;
     double *const *k = integrator->slopes;
     double *const *r = integrator->dense;
@@ -192,8 +206,8 @@ static bool prepare(Integrator *integrator)
 {
     StepRecord *record = &integrator->record;
     if (!record->slope_known) {
-        if (integrator->size > 0)
-            memcpy(integrator->argument, integrator->states, integrator->size * sizeof(double));
+        if (model.n_states > 0)
+            memcpy(integrator->argument, integrator->states, model.n_states * sizeof(double));
         if (!evaluate(integrator, record->time, integrator->slopes[0]))
             return false;
         record->slope_known = true;
@@ -217,7 +231,7 @@ StepResult integrator_step(Integrator *integrator, double limit)
         const bool computed = stages(integrator, h);
         const double error = computed ? squared_error(integrator, h) : INFINITY;
         if (error <= 1.0) {
-            const double factor = fmin(safety * pow(error, -0.1), rejected ? 1.0 : largest_factor);
+            const double factor = fmin(safety * inverse_tenth_root(error), rejected ? 1.0 : largest_factor);
             const double next = h * fmax(factor, smallest_factor);
             record->suggestion = limited ? fmax(next, record->suggestion) : next;
             accept(integrator, h, limited ? limit : record->time + h);
@@ -225,7 +239,7 @@ StepResult integrator_step(Integrator *integrator, double limit)
         }
         ++record->rejected;
         rejected = true;
-        h *= isfinite(error) ? fmax(safety * pow(error, -0.1), smallest_factor) : smallest_factor;
+        h *= isfinite(error) ? fmax(safety * inverse_tenth_root(error), smallest_factor) : smallest_factor;
         record->suggestion = h;
         if (!(h > smallest))
             return isfinite(error) ? STEP_TOO_SMALL : STEP_NOT_COMPUTABLE;

@@ -1,6 +1,7 @@
 /* integrator.h - the Runge-Kutta method of order 5(4) of Dormand and Prince (J. Comp. Appl. Math. 6, 1980)
  * with the dense output of order 4 of Hairer, Norsett and Wanner (Solving Ordinary Differential Equations I,
- * section II.6). Pure numerics: it knows neither events nor inputs. */
+ * section II.6). It knows neither events nor inputs. `size` below is model.n_states, which is a constant to a
+ * compiler that optimizes across files. */
 #ifndef INTEGRATOR_H
 #define INTEGRATOR_H
 
@@ -17,12 +18,10 @@ typedef struct {
 } StepRecord;
 
 typedef struct {
-    size_t size;
     const double *nominal; /* [size] magnitudes of the states, for the absolute tolerance */
     double tolerance;
     double largest_step;
     double *argument; /* [size] where `derivatives` finds the states */
-    bool (*derivatives)(void *context, double time, double *der);
     void *context;
 
     StepRecord record;
@@ -37,7 +36,12 @@ typedef enum {
     STEP_NOT_COMPUTABLE, /* the derivatives could not be computed, or were not finite */
 } StepResult;
 
-size_t integrator_count(size_t size); /* doubles in the block */
+size_t integrator_count(void); /* doubles in the block */
+
+/* The derivatives at integrator->argument, which the user of the integrator supplies; false where they cannot be
+ * computed. */
+bool integrator_derivatives(void *context, double time, double *der);
+
 void integrator_bind(Integrator *integrator, double *block);
 
 /* Starts anew from a point; the size of the step before is kept as a first guess. */

@@ -43,7 +43,7 @@ size_t roots_first_changed(const double *root, const double *p)
 static bool sample(const RootFinder *finder, Sample *at, double time)
 {
     at->time = time;
-    return finder->evaluate(finder->context, time, at->root);
+    return roots_evaluate(finder->context, time, at->root);
 }
 
 static void swap(Sample *a, Sample *b)
@@ -81,24 +81,31 @@ static double next_fraction(double ta, double a, double tb, double b, double tc,
     return a / (b - a) * (c / (b - c)) + (tc - ta) / (tb - ta) * (a / (c - a)) * (b / (c - b));
 }
 
-/* Narrows the bracket, nothing changed in `before` and something in `after`, to the spacing of the numbers
- * around it. `third` is another sample near by. */
+/* How long before `after` root k crossed zero, by a straight line from `before`. */
+static double since_crossing(const Sample *before, const Sample *after, size_t k)
+{
+    return (after->time - before->time) * (after->root[k] / (after->root[k] - before->root[k]));
+}
+
+/* Narrows the bracket, nothing changed in `before` and something in `after`, until `after` lies within the spacing
+ * of the numbers after the crossing. `third` is another sample near by. */
 static Crossing narrow(const RootFinder *finder, const double *p, Sample before, Sample after, Sample third,
                        Sample spare)
 {
+    const double resolution = 2.0 * DBL_EPSILON * fmax(fabs(before.time), fabs(after.time));
     size_t relation = first_by_secant(&before, &after, p);
     bool newest_is_after = third.time > after.time;
     for (int iteration = 0; iteration < MAX_ITERATIONS; ++iteration) {
         const double width = after.time - before.time;
-        const double resolution = 2.0 * DBL_EPSILON * fmax(fabs(before.time), fabs(after.time));
-        if (width <= resolution)
-            break;
         const size_t k = model.relations[relation].root;
+        if (width <= resolution || (iteration > 0 && since_crossing(&before, &after, k) <= resolution))
+            break;
         const Sample *a = newest_is_after ? &after : &before, *b = newest_is_after ? &before : &after;
-        double fraction = next_fraction(a->time, a->root[k], b->time, b->root[k], third.time, third.root[k]);
-        fraction = newest_is_after ? 1.0 - fraction : fraction;
+        const double fraction = next_fraction(a->time, a->root[k], b->time, b->root[k], third.time, third.root[k]);
+        /* Aims a little past the crossing, so that a good guess falls on its far side and is the last one. */
         const double least = fmin(0.5, resolution / width);
-        const double time = before.time + fmin(fmax(fraction, least), 1.0 - least) * width;
+        const double aim = (newest_is_after ? 1.0 - fraction : fraction) + 0.5 * least;
+        const double time = before.time + fmin(fmax(aim, least), 1.0 - least) * width;
         if (!(time > before.time && time < after.time))
             break;
         if (!sample(finder, &spare, time))
@@ -106,7 +113,8 @@ static Crossing narrow(const RootFinder *finder, const double *p, Sample before,
         newest_is_after = roots_first_changed(spare.root, p) < model.n_relations;
         swap(&third, newest_is_after ? &after : &before);
         swap(newest_is_after ? &after : &before, &spare);
-        relation = first_by_secant(&before, &after, p);
+        if (newest_is_after)
+            relation = first_by_secant(&before, &after, p);
     }
     return (Crossing){.result = ROOTS_CROSSED, .time = after.time, .relation = relation};
 }
@@ -161,6 +169,27 @@ static bool may_touch_zero(double a, double b, double c)
     return bend * b > 0.0 && fabs(c - a) < 2.0 * fabs(bend);
 }
 
+/* What three equidistant samples of a step tell. */
+typedef struct {
+    bool changed_in_middle, changed_at_end, has_vertex;
+} Overview;
+
+static Overview look_over(const double *start, const double *middle, const double *end, const double *p)
+{
+    Overview overview = {false, false, false};
+    for (size_t i = 0; i < model.n_relations; ++i) {
+        const Relation *relation = &model.relations[i];
+        const size_t k = relation->root;
+        if (k >= model.n_roots)
+            continue;
+        const bool held = p[relation->memory] != 0.0;
+        overview.changed_in_middle |= relation_holds(relation, middle[k]) != held;
+        overview.changed_at_end |= relation_holds(relation, end[k]) != held;
+        overview.has_vertex |= may_touch_zero(start[k], middle[k], end[k]);
+    }
+    return overview;
+}
+
 /* A relation that changes and changes back within the step: what was found is put into `after`. */
 static RootResult search_double(const RootFinder *finder, const double *p, const Sample *start, const Sample *middle,
                                 const Sample *end, Sample *after, Sample *spare)
@@ -192,23 +221,23 @@ Crossing roots_search(RootFinder *finder, const double *p, double from, double t
         return none;
     if (!sample(finder, &end, to) || !sample(finder, &middle, from + 0.5 * (to - from)))
         return failed;
-    const bool changed_in_middle = roots_first_changed(middle.root, p) < model.n_relations;
-    const bool changed_at_end = roots_first_changed(end.root, p) < model.n_relations;
-    if (changed_in_middle) {
+    const Overview overview = look_over(start.root, middle.root, end.root, p);
+    if (overview.changed_in_middle) {
         const size_t at_start = roots_first_changed(start.root, p);
         if (at_start < model.n_relations)
             return (Crossing){.result = ROOTS_CROSSED, .time = from, .relation = at_start};
     }
 
-    const RootResult within = search_double(finder, p, &start, &middle, &end, &between, &spare);
+    const RootResult within =
+        overview.has_vertex ? search_double(finder, p, &start, &middle, &end, &between, &spare) : ROOTS_NOT_CROSSED;
     if (within == ROOTS_NOT_COMPUTABLE)
         return failed;
-    if (within == ROOTS_CROSSED && between.time < (changed_in_middle ? middle.time : end.time))
+    if (within == ROOTS_CROSSED && between.time < (overview.changed_in_middle ? middle.time : end.time))
         return between.time < middle.time ? narrow(finder, p, start, between, middle, spare)
                                           : narrow(finder, p, middle, between, end, spare);
-    if (changed_in_middle)
+    if (overview.changed_in_middle)
         return narrow(finder, p, start, middle, end, spare);
-    if (changed_at_end)
+    if (overview.changed_at_end)
         return narrow(finder, p, middle, end, start, spare);
     memcpy(finder->start, end.root, model.n_roots * sizeof(double));
     return none;

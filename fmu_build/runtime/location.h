@@ -5,7 +5,6 @@
 #include "model.h"
 
 typedef struct {
-    bool (*evaluate)(void *context, double time, double *root); /* root[0..model.n_roots) within the step */
     void *context;
     double *start;   /* [n_roots] at the start of the step, kept from step to step */
     double *work[4]; /* [n_roots] each */
@@ -21,6 +20,10 @@ typedef struct {
 
 size_t roots_count(void); /* doubles in the block */
 void roots_bind(RootFinder *finder, double *block);
+
+/* root[0..model.n_roots) at a time within the step, which the user of the search supplies; false where they cannot
+ * be computed. */
+bool roots_evaluate(void *context, double time, double *root);
 
 /* Whether a relation holds for a value of its root. */
 static inline bool relation_holds(const Relation *relation, double root)

@@ -24,6 +24,7 @@ typedef struct {
     Changes changed;
     UpToDate current;
     Progress progress;
+    StepMemory steps;
     StepRecord step;
     double time, inputs_since;
     bool inputs_active;
@@ -70,6 +71,7 @@ bool state_save(const Instance *instance, SavedState **state)
     plain->changed = instance->changed;
     plain->current = instance->current;
     plain->progress = instance->progress;
+    plain->steps = instance->steps;
     plain->step = instance->integrator.record;
     plain->time = instance->values.time;
     plain->inputs_since = instance->inputs.since;
@@ -95,6 +97,7 @@ bool state_restore(Instance *instance, const SavedState *state)
     instance->changed = plain->changed;
     instance->current = plain->current;
     instance->progress = plain->progress;
+    instance->steps = plain->steps;
     instance->integrator.record = plain->step;
     instance->values.time = plain->time;
     instance->inputs.since = plain->inputs_since;
