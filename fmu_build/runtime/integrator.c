@@ -75,17 +75,17 @@ void integrator_truncate(Integrator *integrator, double time)
     record->suggestion = fmin(record->suggestion, record->step);
 }
 
-/* x^(-1/10) to half a percent, which is plenty for a step size; unlike pow() the same number on every platform. */
+/* x^(-1/10) within 0.7 % between the values of it that no step size uses, 0.1 and 6.3. That is plenty for a
+ * step size, takes far less time than pow(), and gives the same number on every platform. */
 static double inverse_tenth_root(double x)
 {
     static const double powers[10] = {1.0,      0.933033, 0.870551, 0.812252, 0.757858,
                                       0.707107, 0.659754, 0.615572, 0.574349, 0.535887}; /* 2^(-i/10) */
-    if (!(x > 1e-200))
-        return 1e20;
     int exponent;
-    const double mantissa = frexp(x, &exponent); /* in [0.5, 1) */
+    const double mantissa = frexp(fmin(fmax(x, 1e-8), 1e10), &exponent); /* in [0.5, 1) */
     const int whole = exponent >= 0 ? exponent / 10 : -((9 - exponent) / 10);
-    return ldexp(powers[exponent - 10 * whole], -whole) * (1.0 + 0.143547 * (1.0 - mantissa));
+    const double power = whole >= 0 ? 1.0 / (1 << whole) : 1 << -whole;
+    return powers[exponent - 10 * whole] * power * (1.0 + 0.143547 * (1.0 - mantissa));
 }
 
 static bool evaluate(Integrator *integrator, double time, double *slope)
