@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
+from functools import reduce
 
 from fmu_build.codegen import expression as ex
 from fmu_build.codegen.algebraics import NewtonBlock, Step, needed
 from fmu_build.codegen.c_function import FunctionBody
 from fmu_build.codegen.c_message import message_call
 from fmu_build.codegen.c_tables import tables
-from fmu_build.codegen.equations import Equations
+from fmu_build.codegen.equations import Equations, watched_conditions
 from fmu_build.codegen.expression import Expression, Slot
 from fmu_build.codegen.functions import FunctionSources
 from fmu_build.codegen.lowered import LoweredModel
@@ -108,6 +109,7 @@ class _Code:
                 f"void model_initial_residual({read_y}, double *residual)",
                 self._stores("residual", e.initial_residuals),
             ),
+            self._watched_actions(),
             _function(
                 f"void model_discrete({read_y}, double *value)",
                 self._stores("value", [row.value for row in e.discrete]),
@@ -128,22 +130,30 @@ class _Code:
 
     def _stores(self, array: str, values: Sequence[Expression], as_truth: bool = False) -> list[str]:
         body = self._body(values)
+        self._store(body, array, values, as_truth)
+        return body.lines
+
+    def _store(self, body: FunctionBody, array: str, values: Sequence[Expression], as_truth: bool) -> None:
         for number, value in enumerate(values):
             text = body.value(value)
             body.lines.append(f"{array}[{number}] = {f'({text}) != 0.0' if as_truth else text};")
-        return body.lines
 
-    def _evaluation(self, name: str, output: str, values: Sequence[Expression], array: str) -> str:
+    def _evaluation(
+        self, name: str, output: str, values: Sequence[Expression], array: str, as_truth: bool = False
+    ) -> str:
         """A function of the states: the algebraic variables that it needs, then its values."""
         steps = needed(self._equations.algebraics, values)
         in_blocks = _read_by_blocks(steps)
         body = self._body([*_parts(steps), *values])
         body.steps(steps, self._block_names, stored=lambda unknown: unknown in in_blocks)
-        for number, value in enumerate(values):
-            text = body.value(value)
-            body.lines.append(f"{array}[{number}] = {text};")
+        self._store(body, array, values, as_truth)
         body.lines.append("return true;")
         return _function(f"bool {name}(double time, double *y, const double *p, {output})", body.lines)
+
+    def _watched_actions(self) -> str:
+        conditions = watched_conditions(self._equations)
+        due = reduce(lambda a, b: ex.binary("Or", a, b), conditions, ex.ZERO)
+        return self._evaluation("model_watched_actions", "bool *due", [due], "due", as_truth=True)
 
     def _algebraics(self) -> str:
         steps = self._equations.algebraics

@@ -7,8 +7,8 @@ from collections.abc import Mapping, Sequence
 
 from fmu_build.codegen import expression as ex
 from fmu_build.codegen.c_message import c_string
-from fmu_build.codegen.equations import Equations
-from fmu_build.codegen.expression import Slot
+from fmu_build.codegen.equations import Equations, watched_conditions
+from fmu_build.codegen.expression import Expression, Slot
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.modelica_text import modelica_texts
 from fmu_build.codegen.start_values import StartValues
@@ -103,7 +103,9 @@ def tables(
         f".name = {c_string(model.name)}",
         ".token = MODEL_TOKEN",
         *(f".{field} = {count}" for field, count in counts.items()),
-        f".actions_follow_states = {_bool(_follow_states(e))}",
+        f".actions_follow_states = {_bool(bool(watched_conditions(e)))}",
+        f".actions_read_algebraic = {_bool(_read_algebraic(e, [action.condition for action in e.actions]))}",
+        f".discrete_reads_algebraic = {_bool(_read_algebraic(e, [row.value for row in e.discrete]))}",
         f".initial_event_slot = {initial_event}",
         *(f".{name} = {name}" for name in writer.defined),
     ]
@@ -112,10 +114,10 @@ def tables(
     )
 
 
-def _follow_states(equations: Equations) -> bool:
-    """Whether some action can become due without an event: it reads what changes between events."""
-    read = ex.leaves(*(action.condition for action in equations.actions))
-    return any(leaf.operator in ("y", "time") for leaf in read)
+def _read_algebraic(equations: Equations, expressions: Sequence[Expression]) -> bool:
+    """Whether one of the expressions reads an algebraic variable."""
+    read = ex.leaves(*expressions)
+    return any(leaf.operator == "y" and leaf.index >= equations.n_states for leaf in read)
 
 
 class _Tables:

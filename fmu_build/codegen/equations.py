@@ -260,6 +260,15 @@ def _slot(target: Mapping[str, Any]) -> Slot:
     return ("p", int(target["P"]["index"]))
 
 
+def watched_conditions(equations: Equations) -> list[Expression]:
+    """Conditions of the actions that can become due without an event: they read y or time."""
+    return [
+        action.condition
+        for action in equations.actions
+        if any(leaf.operator in ("y", "time") for leaf in ex.leaves(action.condition))
+    ]
+
+
 def acting_expressions(equations: Equations) -> Sequence[Expression]:
     """Every expression that acts on the solution after initialisation; asserts only judge it."""
     return (

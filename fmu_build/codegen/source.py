@@ -16,7 +16,7 @@ SETTING_PREFIX = "fmuBuildSetting"
 class Setting:
     """A parameter's dotted name, Modelica type, array dimensions and value as Modelica text.
 
-    With `each` the one value is given to the parameter of that name in every element of an array of components.
+    With `each` the one value is given to the parameter of that name in every element of an array.
     """
 
     name: str
@@ -36,13 +36,12 @@ class ModelSource:
     def variant(self, settings: Sequence[Setting]) -> rumoca.Model:
         """The model with other parameter values.
 
-        Each value is a parameter of the variant: rumoca folds literals in modifiers into the equations, which
-        would make a parameter constant that is none. Raises what rumoca raises where this does not compile.
+        Each value is a parameter of the variant: rumoca folds literals in modifiers into the equations,
+        which would make a parameter constant that is none. Raises what rumoca raises in compiling.
         """
         names = {setting.name: f"{SETTING_PREFIX}{number}" for number, setting in enumerate(settings)}
         declarations = " ".join(
-            f"parameter {setting.type} {names[setting.name]}{_subscripts(setting.dimensions)} = {setting.value};"
-            for setting in settings
+            f"parameter {s.type} {names[s.name]}{_subscripts(s.dimensions)} = {s.value};" for s in settings
         )
         bindings = {
             setting.name: ("each " if setting.each else "", names[setting.name]) for setting in settings

@@ -37,7 +37,9 @@ class Structure:
     def derivatives(self) -> tuple[Unknown, ...]:
         """What every derivative depends on, in continuous time."""
         return tuple(
-            self._unknown(n, self._value(s)) for n, s in enumerate(self._variables) if s.store == "derivative"
+            self._unknown(n, self._value(s))
+            for n, s in enumerate(self._variables)
+            if s.variable.derivative_of is not None
         )
 
     def initial_unknowns(self) -> tuple[Unknown, ...]:
@@ -55,7 +57,7 @@ class Structure:
             wanted = (
                 s.variable.causality in ("output", "calculatedParameter")
                 or is_state
-                or s.store == "derivative"
+                or s.variable.derivative_of is not None
             )
             if wanted and s.variable.initial in ("calculated", "approx"):
                 reached = self._reach_initially(s)

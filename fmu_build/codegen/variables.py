@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 from fmu_build.codegen import expression as ex
+from fmu_build.codegen.algebraics import Assignment
 from fmu_build.codegen.equations import Equations, acting_expressions
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.start_values import StartValues
@@ -54,6 +55,11 @@ class VariableReader:
         self._tunable = self._parameters_in_use()
         self._given = _given_by_when(equations)
         self._baked = baked
+        self._copies = {
+            step.unknown: step.value
+            for step in equations.algebraics
+            if isinstance(step, Assignment) and not step.value.arguments
+        }
 
     def _parameters_in_use(self) -> frozenset[int]:
         """Indices of parameters that still act after initialisation, directly or through others."""
@@ -92,7 +98,27 @@ class VariableReader:
                 continue  # removed by the compiler, such as an array of size zero
             ((store, place),) = binding.items()
             slot: ex.Slot = (store.lower(), place["index"])
-            yield StoredVariable(self._variable(entry, name, number, slot), slot[0], slot[1])
+            variable = self._variable(entry, name, number, slot)
+            yield StoredVariable(variable, *self._place(slot))
+
+    def _place(self, slot: ex.Slot) -> tuple[Store, int]:
+        """Where a value is read from: an algebraic variable that is a derivative, such as alpha, from there.
+
+        Importers read it as often as the states, and the derivatives cost less than all algebraic variables.
+        """
+        if slot[0] == "y" and slot[1] >= self._equations.n_states:
+            value = self._resolved(ex.y(slot[1]))
+            derivatives = [self._resolved(derivative) for derivative in self._equations.derivatives]
+            is_state = value.operator == "y" and value.index < self._equations.n_states
+            if value in derivatives and not is_state:
+                return "derivative", derivatives.index(value)
+        return slot
+
+    def _resolved(self, value: ex.Expression) -> ex.Expression:
+        """What an alias stands for, through any number of others."""
+        while value.operator == "y" and value.index in self._copies:
+            value = self._copies[value.index]
+        return value
 
     def _variable(self, entry: dict[str, Any], name: str, number: int, slot: ex.Slot) -> Variable:
         attributes = entry["attributes"]

@@ -2,6 +2,12 @@
 
 #include <stdlib.h>
 
+static EventStatus fail(const EventReporter *reporter, const char *what)
+{
+    reporter->report(reporter->context, ACTION_ERROR, what);
+    return EVENT_ERROR;
+}
+
 static void report(const Values *values, size_t action, const EventReporter *reporter)
 {
     char message[1024];
@@ -9,32 +15,49 @@ static void report(const Values *values, size_t action, const EventReporter *rep
     reporter->report(reporter->context, model.actions[action], message);
 }
 
+/* The conditions; true in *any where one holds. The messages may read all algebraic variables. */
+static bool evaluate(Values *values, bool *active, bool *any)
+{
+    if (model.actions_read_algebraic && !model_algebraics(values->time, values->y, values->p))
+        return false;
+    model_actions(values->time, values->y, values->p, active);
+    *any = false;
+    for (size_t i = 0; i < model.n_actions; ++i)
+        *any |= active[i];
+    return !*any || model_algebraics(values->time, values->y, values->p);
+}
+
 EventStatus actions_take(Values *values, bool *active, const EventReporter *reporter)
 {
     EventStatus status = EVENT_OK;
-    model_actions(values->time, values->y, values->p, active);
-    for (size_t i = 0; i < model.n_actions; ++i) {
+    bool any = false;
+    if (!evaluate(values, active, &any))
+        return fail(reporter, "the algebraic equations could not be solved");
+    for (size_t i = 0; any && i < model.n_actions; ++i) {
         if (active[i] && (model.actions[i] != ACTION_WARNING || values->reported[i] == 0.0))
             report(values, i, reporter);
-        values->reported[i] = active[i];
         if (active[i] && model.actions[i] == ACTION_ERROR)
             status = EVENT_ERROR;
         else if (active[i] && model.actions[i] == ACTION_TERMINATE && status == EVENT_OK)
             status = EVENT_TERMINATE;
     }
+    if (any || *values->any_reported != 0.0)
+        for (size_t i = 0; i < model.n_actions; ++i)
+            values->reported[i] = active[i];
+    *values->any_reported = any;
     return status;
 }
 
 EventStatus event_check_asserts(Values *values, const EventReporter *reporter)
 {
+    bool due = false;
     if (!model.actions_follow_states)
         return EVENT_OK;
+    if (model_watched_actions(values->time, values->y, values->p, &due) && !due && *values->any_reported == 0.0)
+        return EVENT_OK;
     bool *active = malloc(model.n_actions * sizeof(bool));
-    if (active == NULL || !model_algebraics(values->time, values->y, values->p)) {
-        free(active);
-        reporter->report(reporter->context, ACTION_ERROR, "the algebraic equations could not be solved");
-        return EVENT_ERROR;
-    }
+    if (active == NULL)
+        return fail(reporter, "out of memory");
     const EventStatus status = actions_take(values, active, reporter);
     free(active);
     return status;

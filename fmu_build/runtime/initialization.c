@@ -159,6 +159,8 @@ static const char *settle_together(const InitialSystem *system, Iteration *itera
         if (model.n_initial_unknowns > 0 && !solve(system))
             return "the initial equations could not be solved";
         const double solved = evaluate(system, system->residual);
+        if (solved == INFINITY)
+            return "the algebraic equations could not be solved";
         const char *problem = settle_with_initial_whens(iteration, system->values);
         if (problem != NULL)
             return problem;

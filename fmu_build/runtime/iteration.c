@@ -74,7 +74,7 @@ static bool update_assigned(const Iteration *iteration, Values *values)
 const char *iteration_settle(Iteration *iteration, Values *values)
 {
     for (int round = 0; round < MAX_ROUNDS; ++round) {
-        if (!model_algebraics(values->time, values->y, values->p) ||
+        if ((model.discrete_reads_algebraic && !model_algebraics(values->time, values->y, values->p)) ||
             !model_roots(values->time, values->y, values->p, iteration->root))
             return "the algebraic equations could not be solved";
         model_time_relations(time_just_after(values->time), values->p, iteration->root + model.n_roots);

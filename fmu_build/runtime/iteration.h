@@ -17,8 +17,8 @@ void iteration_free(Iteration *iteration);
 /* p[slot of pre(v)] = v for all v; true where one of them was different. */
 bool iteration_copy_pre(Values *values);
 
-/* Algebraic variables, relations and discrete equations, again and again until none of them changes; pre() values,
- * condition memories and states stay. NULL on success, else what went wrong. */
+/* Relations and discrete equations, again and again until none of them changes; pre() values, condition memories
+ * and states stay. NULL on success, else what went wrong. */
 const char *iteration_settle(Iteration *iteration, Values *values);
 
 /* Sets condition memories from the pass that has settled; true where one was different. */

@@ -125,7 +125,9 @@ typedef struct {
     size_t n_time_events; /* see model_time_events */
     size_t n_actions;
     const ActionKind *actions;
-    bool actions_follow_states; /* some action can become due between events */
+    bool actions_follow_states;    /* some action can become due between events */
+    bool actions_read_algebraic;   /* the condition of some action reads an algebraic variable */
+    bool discrete_reads_algebraic; /* and some discrete equation */
     size_t initial_event_slot; /* p[slot] is 1 during initialisation, or NO_SLOT */
 
     size_t n_initial_unknowns;
@@ -154,7 +156,10 @@ void model_start_values(double *y, double *p);
 /* residual[0..n_initial_unknowns) of the initial equations; the algebraic variables of y are up to date. */
 void model_initial_residual(double time, const double *y, const double *p, double *residual);
 
-/* value[0..n_discrete) = right-hand sides of the discrete equations; y's algebraic variables are up to date. */
+/* *due = whether an action is due that can become so between events; computes no more than that needs. */
+bool model_watched_actions(double time, double *y, const double *p, bool *due);
+/* value[0..n_discrete) = right-hand sides of the discrete equations; y's algebraic variables are up to date
+ * where discrete_reads_algebraic says that they are read. */
 void model_discrete(double time, const double *y, const double *p, double *value);
 /* when[0..n_time_events) = the times of time events; past ones and NaN count as none. */
 void model_time_events(const double *p, double *when);

@@ -4,7 +4,7 @@
 
 size_t values_count(void)
 {
-    return model.n_y + model.n_p + model.n_clocks + model.n_actions;
+    return model.n_y + model.n_p + model.n_clocks + model.n_actions + 1;
 }
 
 void values_bind(Values *values, double *block)
@@ -13,6 +13,7 @@ void values_bind(Values *values, double *block)
     values->p = values->y + model.n_y;
     values->clock_tick = values->p + model.n_p;
     values->reported = values->clock_tick + model.n_clocks;
+    values->any_reported = values->reported + model.n_actions;
 }
 
 void values_reset(Values *values)
@@ -26,4 +27,5 @@ void values_reset(Values *values)
         values->clock_tick[i] = 0.0;
     for (size_t i = 0; i < model.n_actions; ++i)
         values->reported[i] = 0.0;
+    *values->any_reported = 0.0;
 }

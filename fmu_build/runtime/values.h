@@ -10,6 +10,7 @@ typedef struct {
     double *p;          /* [model.n_p] */
     double *clock_tick; /* [model.n_clocks] number of the next tick of each periodic clock */
     double *reported;   /* [model.n_actions] 1 where a warning was reported and its condition still holds */
+    double *any_reported;
 } Values;
 
 /* One block of values_count() doubles holds all arrays; values_bind points the arrays into it. */

@@ -118,7 +118,7 @@ def _acceleration(
         return free
 
     def driven(time: float, theta: float, omega: float) -> float:
-        driving = torque(time)
+        driving = float(torque(time))
         if not math.isfinite(driving):
             raise SimulationError(time, f"the torque is {driving} N m")
         return free(time, theta, omega) + driving / inertia

@@ -20,8 +20,8 @@ protected
   Units.Ratio t "Slope of the plate";
   Units.Ratio t_half "Tangent of half the angle";
 equation
-  t = tan(flange.phi);
   t_half = tan(flange.phi/2);
+  t = 2*t_half/((1 - t_half)*(1 + t_half)) "= tan(flange.phi), from the half angle to save a tangent";
   flange_forward.s = t*(a - b*t_half);
   flange_backward.s = -t*(a + b*t_half);
   M_s = -flange_forward.f*(a + (flange_forward.s - b)*t) - flange_backward.f*((flange_backward.s - b)*t - a);

@@ -75,6 +75,15 @@ void model_discrete(double time, const double *y, const double *p, double *value
 
 void model_time_events(const double *p, double *when) { (void)p, (void)when; }
 
+bool model_watched_actions(double time, double *y, const double *p, bool *due)
+{
+    (void)time;
+    (void)y;
+    (void)p;
+    *due = false;
+    return true;
+}
+
 void model_actions(double time, const double *y, const double *p, bool *active) {
     (void)time, (void)y, (void)p, (void)active;
 }

@@ -64,6 +64,13 @@ bool model_roots(double time, double *y, const double *p, double *root)
     return true;
 }
 
+bool model_watched_actions(double time, double *y, const double *p, bool *due)
+{
+    (void)time;
+    *due = !(y[X] < p[LIMIT]);
+    return true;
+}
+
 void model_actions(double time, const double *y, const double *p, bool *active)
 {
     (void)time;

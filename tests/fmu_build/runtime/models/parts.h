@@ -47,6 +47,12 @@
         (void)time, (void)y, (void)p, (void)value;                                                                    \
     }
 #define NO_ACTIONS                                                                                                    \
+    bool model_watched_actions(double time, double *y, const double *p, bool *due)                                    \
+    {                                                                                                                 \
+        (void)time, (void)y, (void)p;                                                                                 \
+        *due = false;                                                                                                 \
+        return true;                                                                                                  \
+    }                                                                                                                 \
     void model_actions(double time, const double *y, const double *p, bool *active)                                   \
     {                                                                                                                 \
         (void)time, (void)y, (void)p, (void)active;                                                                   \
