@@ -9,7 +9,7 @@ from collections.abc import Iterable, Mapping
 from fmu_build.codegen import expression as ex
 from fmu_build.codegen.expression import Expression
 
-_CONDITIONAL, _OR, _AND, _EQUAL, _ORDER, _SUM, _PRODUCT, _UNARY, _PRIMARY = range(9)
+_CONDITIONAL, _OR, _AND, _EQUAL, _ORDER, _SUM, _PRODUCT, _UNARY, PRIMARY = range(9)
 
 _INFIX = {
     "Add": ("+", _SUM),
@@ -76,7 +76,7 @@ class Writer:
     def _text(self, node: Expression) -> tuple[str, int]:
         name = self._names.get(node)
         if name is not None:
-            return name, _PRIMARY
+            return name, PRIMARY
         operator = node.operator
         if operator == "number":
             return _number(node.value)
@@ -90,7 +90,7 @@ class Writer:
             return self._select(node)
         if operator in _FUNCTIONS:
             arguments = ", ".join(self.text(argument) for argument in node.arguments)
-            return f"{_FUNCTIONS[operator]}({arguments})", _PRIMARY
+            return f"{_FUNCTIONS[operator]}({arguments})", PRIMARY
         raise AssertionError(f"no name for {operator} {node.payload}")
 
     def _within(self, node: Expression, level: int) -> str:
@@ -112,7 +112,7 @@ class Writer:
 
     def _truth(self, node: Expression) -> tuple[str, int]:
         if node.operator == "Not":
-            return f"!{self._condition(node.arguments[0], _PRIMARY)}", _UNARY
+            return f"!{self._condition(node.arguments[0], PRIMARY)}", _UNARY
         symbol, level = ("&&", _AND) if node.operator == "And" else ("||", _OR)
         # && inside || gets parentheses, which compilers ask for.
         a, b = (self._condition(argument, _EQUAL) for argument in node.arguments)
@@ -128,8 +128,8 @@ class Writer:
 
 def _number(value: float) -> tuple[str, int]:
     if math.isinf(value):
-        return ("INFINITY", _PRIMARY) if value > 0 else ("-INFINITY", _UNARY)
+        return ("INFINITY", PRIMARY) if value > 0 else ("-INFINITY", _UNARY)
     if math.isnan(value):
-        return "NAN", _PRIMARY
+        return "NAN", PRIMARY
     text = repr(value)
-    return text, _UNARY if value < 0 else _PRIMARY
+    return text, _UNARY if value < 0 else PRIMARY

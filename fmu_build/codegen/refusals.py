@@ -2,27 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator
 from typing import Any
 
 from fmu_build.codegen.compiled import Span
+from fmu_build.codegen.lost_modifiers import refuse_lost_modifiers
 from fmu_build.codegen.lowered import LoweredModel
-from fmu_build.source_text import blanked, inside_parentheses
-
-_LOST_MODIFIERS = (
-    (
-        re.compile(
-            r"\bredeclare\s+(?:replaceable\s+)?(?:model|block|record|type|package|class)\s+\w+\s*=\s*[\w.]+\s*\("
-        ),
-        "the modifiers of a class that is redeclared inside a modifier are lost; "
-        "give the class with its modifiers a name of its own",
-    ),
-    (
-        re.compile(r"\bconstrainedby\s+[\w.]+\s*\("),
-        "the modifiers of a constraining class are lost; put them on the component",
-    ),
-)
 
 
 def refuse_unfaithful(model: LoweredModel) -> None:
@@ -32,7 +17,7 @@ def refuse_unfaithful(model: LoweredModel) -> None:
     _refuse_loose_initial_equations(model)
     _refuse_undetermined_parameters(model)
     _refuse_repeated_assignments(model)
-    _refuse_lost_modifiers(model)
+    refuse_lost_modifiers(model)
 
 
 def _refuse_operators(model: LoweredModel) -> None:
@@ -111,29 +96,3 @@ def _refuse_repeated_assignments(model: LoweredModel) -> None:
             )
         if activation["guard"] == activation["trigger"]:
             unconditional.add(key)
-
-
-def _refuse_lost_modifiers(model: LoweredModel) -> None:
-    used = set(_sources(model.flat))
-    for number, _, text in model.source_files:
-        if number not in used:
-            continue
-        plain = blanked(text)
-        for pattern, why in _LOST_MODIFIERS:
-            for match in pattern.finditer(plain):
-                # As an element of a class body a redeclared class keeps its modifiers.
-                if inside_parentheses(plain, match.start()) or "constrainedby" in match.group():
-                    start = len(plain[: match.start()].encode())
-                    raise model.refuse(why, {"source": number, "start": start})
-
-
-def _sources(tree: Any) -> Iterator[int]:
-    """The numbers of the files that a model is made from."""
-    if isinstance(tree, dict):
-        if isinstance(tree.get("source"), int):
-            yield tree["source"]
-        tree = tree.values()
-    elif not isinstance(tree, list):
-        return
-    for child in tree:
-        yield from _sources(child)

@@ -10,8 +10,9 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from fmu_build.compilers.constructs import ModelText
+from fmu_build.compilers.library import read_text
 from fmu_build.compilers.rumoca_messages import meaning_of
+from fmu_build.constructs import ModelText
 from fmu_build.errors import BuildError, ModelicaError, UnsupportedModelError
 from fmu_build.places import located
 
@@ -86,7 +87,7 @@ def _translated(text: str, model: str, file: Path, files: Iterable[Path]) -> Bui
         return ModelicaError("\n".join(places))
     message = message.partition("\nRelated failures")[0]
     message = message.removeprefix(f"{model} could not be compiled: ")
-    source = ModelText(model, files)
+    source = ModelText(model, {file: read_text(file) for file in files})
     meaning = meaning_of(message)
     if meaning is not None:
         found = meaning.search(message, source)
@@ -117,7 +118,9 @@ def _panic(text: str, model: str, file: Path, files: Iterable[Path]) -> BuildErr
     """A panic names its construct and the bytes where it is written, but not the file."""
     meaning, span = meaning_of(text), _SPAN.search(text)
     if meaning is not None and span is not None:
-        found = ModelText(model, files).at_bytes(int(span[1]), int(span[2]), _DERIVATIVE)
+        found = ModelText(model, {file: read_text(file) for file in files}).at_bytes(
+            int(span[1]), int(span[2]), _DERIVATIVE
+        )
         what = meaning.text(text, found)
         return meaning.error(located(what, [construct.place for construct in found], model, file))
     detail = re.search(r'detail: "([^"]*)"', text)

@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from fmu_build.compilers.constructs import Construct, ModelText
+from fmu_build.constructs import Construct, ModelText
 from fmu_build.errors import BuildError, ModelicaError, UnsupportedModelError
 
 _NAME = r"(?:[^`']*\.)?(?P<name>\w+)(?:\[[^`'.]*\])?"

@@ -47,17 +47,12 @@ bool iteration_copy_pre(Values *values)
     return changed;
 }
 
-static bool holds(const Relation *relation, double root)
-{
-    return root < 0.0 || (root == 0.0 && relation->holds_at_zero);
-}
-
 static bool update_relations(const Iteration *iteration, Values *values)
 {
     bool changed = false;
     for (size_t i = 0; i < model.n_relations; ++i) {
         const Relation *relation = &model.relations[i];
-        changed |= set(&values->p[relation->memory], holds(relation, iteration->root[relation->root]));
+        changed |= set(&values->p[relation->memory], relation_holds(relation, iteration->root[relation->root]));
     }
     return changed;
 }

@@ -25,12 +25,6 @@ void roots_bind(RootFinder *finder, double *block);
  * be computed. */
 bool roots_evaluate(void *context, double time, double *root);
 
-/* Whether a relation holds for a value of its root. */
-static inline bool relation_holds(const Relation *relation, double root)
-{
-    return root < 0.0 || (root == 0.0 && relation->holds_at_zero);
-}
-
 /* Position of the first relation whose memory in p disagrees with the roots, or model.n_relations. */
 size_t roots_first_changed(const double *root, const double *p);
 

@@ -71,6 +71,12 @@ typedef struct {
     bool holds_at_zero;
 } Relation;
 
+/* Whether a relation holds for a value of its root. */
+static inline bool relation_holds(const Relation *relation, double root)
+{
+    return root < 0.0 || (root == 0.0 && relation->holds_at_zero);
+}
+
 /* What a discrete equation sets, and when:
  * ASSIGN     in every pass of the event iteration,
  * CONDITION  the memory from which edges are found: committed when a pass has settled,

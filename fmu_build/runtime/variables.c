@@ -31,6 +31,15 @@ const Variable *variable_find(const Instance *instance, size_t reference, ValueT
     return variable;
 }
 
+static bool fail_not_a_number(const Instance *instance, const Variable *variable)
+{
+    log_message(&instance->log, LOG_STATUS_ERROR, STATUS_ERROR,
+                "At time %.9g %s is not a number: a function outside of its domain, zero divided by zero, or an index "
+                "out of its bounds.",
+                instance->values.time, variable->name);
+    return false;
+}
+
 bool variable_get(Instance *instance, const Variable *variable, double *value)
 {
     if (instance->phase == PHASE_INITIALIZATION && instance_initialize(instance) != STATUS_OK)
@@ -41,7 +50,7 @@ bool variable_get(Instance *instance, const Variable *variable, double *value)
         if (variable->index >= model.n_states && !evaluation_update_algebraics(instance))
             return false;
         *value = values->y[variable->index];
-        return true;
+        return !isnan(*value) || fail_not_a_number(instance, variable);
     case STORE_PARAMETER:
         evaluation_update_parameters(instance);
         *value = values->p[variable->index];

@@ -41,7 +41,7 @@ def test_energy_is_lost_to_damping_alone(case: RandomCase, joystick_fmus: Path) 
         run.run(np.array([0.0, end]), NAMES)
         events = [event.time for event in run.events() if event.time < end]
     # The damping of eq. (11) jumps in the middle, so each stretch between two events is integrated by itself;
-    # it changes within 1e-3 rad/s of standstill and 1e-4 rad of the middle, so the steps are of 2 microseconds.
+    # it changes within 1e-3 rad/s of standstill and 1e-4 rad of the middle, hence steps of 2 microseconds.
     stretches = [
         np.linspace(start + margin, stop - margin, 2 * max(1, round((stop - start) / 4e-6)) + 1)
         for start, stop in pairwise([0.0, *events, end])

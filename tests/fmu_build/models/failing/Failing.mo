@@ -44,7 +44,7 @@ package Failing "Models that build, and whose run must end with a message"
   model OutOfBounds "From t = 0.5 on the index is beyond the array"
     parameter Real a[3] = {1, 2, 3};
     Integer k;
-    Real y;
+    output Real y;
   equation
     k = if time < 0.5 then 2 else 4;
     y = a[k];
