@@ -25,7 +25,7 @@ run: fmu
 	$(BIN)/python scenarios/free_oscillation.py
 
 test: fmu
-	$(BIN)/python -m pytest
+	$(BIN)/python -m pytest --numprocesses auto
 
 fmu: build/fmi2/.built
 
