@@ -21,6 +21,14 @@ package Functions "User functions"
     end for;
   end horner;
 
+  function value "The value alone"
+    input Real a[:];
+    input Real x;
+    output Real y;
+  algorithm
+    (y,) := horner(a, x);
+  end value;
+
   function interpolate "Piecewise-linear table with straight continuation"
     input Real x[:];
     input Real y[size(x, 1)];
@@ -86,6 +94,17 @@ package Functions "User functions"
   equation
     y = newton_root(1 + 3*time);
   end Newton;
+
+  model Threshold "A relation on the value of a function makes an event"
+    parameter Real a[3] = {1, 1, 1} "x^2 + x + 1";
+    Real x(start=0, fixed=true);
+    Real y(start=0, fixed=true);
+    Boolean above;
+  equation
+    der(x) = 1;
+    above = value(a, x) > 1.75;
+    der(y) = if value(a, x) > 3 then 2 elseif above then 1 else 0;
+  end Threshold;
 
   model Rotation "A function with an array result"
     Real x[2](start={1, 0}, each fixed=true);

@@ -61,17 +61,18 @@ package StateEvents "Models whose events are found by zero crossings of continuo
   end Limiter;
 
   model Grazing "A sine that touches a level from below without crossing it, and one that does cross"
+    parameter Real level = 0.995;
     Real x(start=0, fixed=true);
     Real v(start=1, fixed=true);
     Boolean above_one "x > 1.0001: never";
-    Boolean above_most "x > 0.995: a short while in every period";
+    Boolean above_most "x > level: a short while in every period";
     discrete Integer hits(start=0, fixed=true) "Number of rising edges of above_most";
     discrete Integer misses(start=0, fixed=true) "Number of rising edges of above_one";
   equation
     der(x) = v;
     der(v) = -x;
     above_one = x > 1.0001;
-    above_most = x > 0.995;
+    above_most = x > level;
     when above_most then
       hits = pre(hits) + 1;
     end when;

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -41,6 +42,15 @@ def test_model_exchange(case: Case, workshop: Workshop) -> None:
         if np.abs(found - time).min(initial=np.inf) > margin
     ]
     assert not missed, f"{case.name}: no event at {missed}"
+
+
+@pytest.mark.parametrize("case", [case for case in CASES if case.model == "StateEvents.Grazing"])
+@pytest.mark.parametrize("level", [0.999, 0.9999, 0.99999])
+def test_a_short_excursion_is_not_missed(case: Case, level: float, workshop: Workshop) -> None:
+    """The sine is above the level for as little as 9 ms, far less than a step of the integrator takes."""
+    fmu = workshop.fmu(case.model)
+    result = fmu.run(replace(case, parameters={"level": level}), "CoSimulation", case.stop_time / 3)
+    assert list(result["hits"]) == [0, 1, 2, 3]
 
 
 def test_there_are_many_models() -> None:

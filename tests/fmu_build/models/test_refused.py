@@ -87,6 +87,12 @@ def test_refusal(refusal: Refusal, tmp_path: Path) -> None:
     assert earlier.read_bytes() == b"from an earlier build"
 
 
+def test_what_a_model_does_not_use_does_not_matter(tmp_path: Path) -> None:
+    """The file has a class that would be refused; the model beside it is built."""
+    result = build_fmu("LostModifiers.Part", tmp_path, library=REFUSED / "LostModifiers.mo")
+    assert result.path.is_file()
+
+
 def test_every_refused_model_is_tried() -> None:
     assert {path.stem for path in REFUSED.glob("*.mo")} == {refusal.model for refusal in REFUSALS}
 

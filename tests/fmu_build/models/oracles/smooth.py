@@ -97,6 +97,11 @@ def newton(t: Array) -> Values:
     return {"y": np.sqrt(1 + 3 * t)}
 
 
+def function_threshold(t: Array) -> Values:
+    """The polynomial x^2 + x + 1 passes 1.75 at x = 0.5 and 3 at x = 1."""
+    return {"above": (t > 0.5).astype(float), "y": ramps(t, [0.5, 1.0], [0, 1, 2])}
+
+
 def rotation(t: Array) -> Values:
     return {
         "x[1]": np.cos(t),
@@ -197,6 +202,7 @@ CASES = (
     Case("Functions.Polynomial", 4.0, polynomial),
     Case("Functions.Table", 1.0, function_table, accuracy=1e-12, me_accuracy=1e-12),
     Case("Functions.Newton", 1.0, newton, accuracy=1e-12, me_accuracy=1e-12),
+    Case("Functions.Threshold", 1.5, function_threshold, events=at(0.5, 1.0)),
     Case("Functions.Rotation", 6.0, rotation),
     table_case((5.0, 1.0, 10.0, 2.0), "default"),
     table_case((1.0, 4.0, 0.0, 3.0), "other slopes"),
