@@ -3,6 +3,7 @@
 # make fmu    the three FMUs in build/fmi2/
 # make lint   ruff, mypy, the C compilers with every warning an error, the Modelica checks
 # make bench  speed as ratios within one run
+# make figure  the figure of the README
 # make lock   pin the newest versions that pyproject.toml allows
 # make clean  remove what was made (the environment stays; "make distclean" removes it too)
 
@@ -19,7 +20,7 @@ FMU_SOURCES := $(shell find modelica fmu_build -name '*.mo' -o -name 'package.or
 	-o -name '*.py' -o -name '*.toml' -o -name '*.jinja')
 
 .DELETE_ON_ERROR:
-.PHONY: run test fmu lint bench lock clean distclean
+.PHONY: run test fmu lint bench figure lock clean distclean
 
 run: fmu
 	$(BIN)/python scenarios/free_oscillation.py
@@ -50,6 +51,9 @@ $(READY): requirements.lock pyproject.toml
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements.lock
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --editable .
 	touch $@
+
+figure: fmu
+	$(BIN)/python docs/free_oscillation.py
 
 lock:
 	$(BIN)/python -m pip install --quiet uv

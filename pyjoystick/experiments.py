@@ -98,7 +98,7 @@ def _require_joystick(description: FmuDescription) -> None:
     """Raise `UnsupportedFmuError` unless the FMU has what a free oscillation sets and reads."""
     missing = [name for name in ("theta_start", *COLUMNS) if name not in description.variables]
     if missing:
-        reason = f"has not the interface of Joystick: it lacks {', '.join(missing)}"
+        reason = f"does not have the interface of Joystick: it lacks {', '.join(missing)}"
         raise UnsupportedFmuError(description.path, reason)
 
 

@@ -39,7 +39,9 @@ class RumocaCompiler:
         try:
             return metadata.version("rumoca")
         except metadata.PackageNotFoundError as error:
-            raise ToolchainError("the Modelica compiler is missing: pip install rumoca") from error
+            raise ToolchainError(
+                "the Modelica compiler is missing: pip install 'pyjoystick[build]' (rumoca)"
+            ) from error
 
     def build(self, request: BuildRequest) -> BuildResult:
         """Builds the FMU; raises a `BuildError` and leaves every file as it was where that fails."""

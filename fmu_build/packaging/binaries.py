@@ -38,7 +38,7 @@ _CACHE_PLACES = ("ZIG_GLOBAL_CACHE_DIR", "XDG_CACHE_HOME", "HOME", "LOCALAPPDATA
 def toolchain_version() -> str:
     """Name and version of the C compiler; raises `ToolchainError` where it is not installed."""
     if importlib.util.find_spec("ziglang") is None:
-        raise ToolchainError("the C compiler is missing: pip install ziglang")
+        raise ToolchainError("the C compiler is missing: pip install 'pyjoystick[build]' (ziglang)")
     return f"ziglang {metadata.version('ziglang')}"
 
 

@@ -131,5 +131,12 @@ OutputInterval = Annotated[
     float, typer.Option("--output-interval", metavar="SECONDS", help="Time between two rows of the result.")
 ]
 Tolerance = Annotated[
-    float, typer.Option("--tolerance", metavar="NUMBER", help="Tolerance that the FMU's integrator keeps.")
+    float,
+    typer.Option(
+        "--tolerance",
+        metavar="NUMBER",
+        min=1e-13,
+        max=1e-2,
+        help="Tolerance that the FMU's integrator keeps, 1e-13 to 0.01.",
+    ),
 ]

@@ -47,7 +47,7 @@ def checked_inputs(description: FmuDescription, inputs: Inputs) -> pd.DataFrame:
     for name in inputs:
         if name not in known:
             raise UnknownInputError(str(name), known)
-    table = inputs if isinstance(inputs, pd.DataFrame) else pd.DataFrame(dict(inputs), index=[0.0])
+    table = inputs if isinstance(inputs, pd.DataFrame) else _constant_inputs(inputs)
     if table.empty and len(table.columns):
         raise ParameterError("inputs", "an empty table", "at least one row")
     for name in table:
@@ -60,6 +60,15 @@ def checked_inputs(description: FmuDescription, inputs: Inputs) -> pd.DataFrame:
     for i in np.flatnonzero(~np.isfinite(time) | (np.diff(time, prepend=-np.inf) < 0.0))[:1]:
         raise SeriesError("index of the inputs", f"is {time[i]} at row {i}; must be finite and not fall")
     return table
+
+
+def _constant_inputs(inputs: Mapping[str, object]) -> pd.DataFrame:
+    """One row of values that hold for the whole run."""
+    for name, value in inputs.items():
+        if not np.isscalar(value):
+            allowed = "a number; a table (pandas DataFrame indexed by time in s) gives values that change"
+            raise ParameterError(name, f"a {type(value).__name__}", allowed)
+    return pd.DataFrame(dict(inputs), index=[0.0])
 
 
 def communication_points(instants: FloatArray, table: pd.DataFrame) -> FloatArray:

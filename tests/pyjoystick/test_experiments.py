@@ -128,7 +128,9 @@ def test_what_the_fmu_does_not_take(
 
 
 def test_an_fmu_that_is_no_joystick(fmus_by_name: Path) -> None:
-    with pytest.raises(UnsupportedFmuError, match=r"has not the interface of Joystick: it lacks theta_start"):
+    with pytest.raises(
+        UnsupportedFmuError, match=r"does not have the interface of Joystick: it lacks theta_start"
+    ):
         free_oscillation(RELEASE, fmu="JoystickInverse")
 
 

@@ -188,7 +188,7 @@ def test_rumoca_is_not_installed(monkeypatch: pytest.MonkeyPatch, tmp_path: Path
         raise metadata.PackageNotFoundError(name)
 
     monkeypatch.setattr(metadata, "version", missing)
-    with pytest.raises(ToolchainError, match="pip install rumoca"):
+    with pytest.raises(ToolchainError, match=r"pip install 'pyjoystick\[build\]'"):
         RumocaCompiler().build(BuildRequest("M", tmp_path))
 
 

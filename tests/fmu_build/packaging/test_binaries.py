@@ -113,9 +113,9 @@ def test_ziglang_is_not_installed(monkeypatch: pytest.MonkeyPatch) -> None:
         return None if name == "ziglang" else find_spec(name, package)
 
     monkeypatch.setattr(importlib.util, "find_spec", without_ziglang)
-    with pytest.raises(ToolchainError, match="pip install ziglang"):
+    with pytest.raises(ToolchainError, match=r"pip install 'pyjoystick\[build\]'"):
         toolchain_version()
-    with pytest.raises(ToolchainError, match="pip install ziglang"):
+    with pytest.raises(ToolchainError, match=r"pip install 'pyjoystick\[build\]'"):
         compile_library(_GOOD, "Model", _LINUX)
 
 

@@ -95,6 +95,8 @@ def test_outputs_that_depend_on_inputs_at_once_belong_to_the_same_instant(invers
         ({"theta": 1.0}, UnknownInputError, "no input 'theta'"),
         ({"T": math.nan}, ParameterError, r"T = nan: must be a finite number in N\.m"),
         ({"T": "much"}, ParameterError, "T = much: must be a finite number"),
+        ({"T": pd.Series([1.0, 2.0])}, ParameterError, "T = a Series: must be a number; a table"),
+        ({"T": [1.0, 2.0]}, ParameterError, "T = a list: must be a number; a table"),
         (pd.DataFrame({"T": [1.0, math.nan]}, index=[0.0, 1.0]), ParameterError, "T = nan"),
         (pd.DataFrame({"T": []}, index=[]), ParameterError, "inputs = an empty table"),
         (pd.DataFrame({"T": [1.0, 2.0]}, index=[0.5, 0.4]), SeriesError, "is 0.4 at row 1"),
