@@ -126,7 +126,8 @@ def test_torque_of_a_motion_makes_that_motion() -> None:
     np.testing.assert_allclose(result["inverse.T_inertia"], physics.J * result["motion.alpha"], rtol=1e-14)
     np.testing.assert_allclose(result["inverse.T_damping"], 0.045 * result["motion.omega"], rtol=1e-14)
     assert np.max(result["motion.theta"]) == pytest.approx(np.deg2rad(15.0), rel=1e-4)
-    np.testing.assert_allclose(result["deviation"], 0.0, atol=2e-5)
+    # rumoca's own solver leaves 4e-9 rad.
+    np.testing.assert_allclose(result["deviation"], 0.0, atol=1e-7)
     stiffness, damping, inertia = (np.max(np.abs(share)) for share in shares)
     assert 0.3 < inertia / stiffness < 1.5
     assert 0.03 < damping / (stiffness + inertia) < 0.15
@@ -140,7 +141,8 @@ def test_prescribed_motion_is_consistent_with_its_derivatives() -> None:
     time, at = np.unique(result["time"], return_index=True)
     for value, rate in (("theta", "omega"), ("omega", "alpha")):
         change = np.gradient(result[f"c.{value}"][at], time)
-        np.testing.assert_allclose(change[1:-1], result[f"c.{rate}"][at][1:-1], atol=2e-3)
+        # Central differences over 0.1 ms are off by up to 3e-5, a sixth of the third derivative times h^2.
+        np.testing.assert_allclose(change[1:-1], result[f"c.{rate}"][at][1:-1], atol=1e-4)
 
 
 def test_swing_test_gives_the_moment_of_inertia() -> None:
