@@ -67,7 +67,7 @@ def test_assembly_of_springs_and_of_a_table_have_equal_force_and_energy(side: st
     np.testing.assert_allclose(result[f"{side}Table.f"], force, rtol=1e-12, atol=1e-12)
     np.testing.assert_allclose(result[f"{side}Table.E"], energy, rtol=1e-12, atol=1e-15)
     work = np.concatenate([[0.0], np.cumsum(_trapezoids(result["press.s"], force))])
-    # The force is straight between samples, which the events make one of every kink: the trapezoids are exact.
+    # The force is straight between samples, and every kink is one: the trapezoids are exact.
     np.testing.assert_allclose(energy, work, atol=1e-12)
 
 
