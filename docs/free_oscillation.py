@@ -12,7 +12,7 @@ from pyjoystick.parameters import NOMINAL, NOMINAL_POWER_LAW
 from pyjoystick.plots import plot_motion
 
 # The same bytes every time, and no more points than the eye can tell apart.
-mpl.rcParams.update({"svg.hashsalt": "pyjoystick", "path.simplify_threshold": 0.5})
+mpl.rcParams.update({"svg.hashsalt": "pyjoystick", "path.simplify_threshold": 0.1})
 runs = {
     label: free_oscillation(math.radians(-20), parameters=joystick, output_interval=2e-3)
     for label, joystick in {"constant damping": NOMINAL, "power-law damping": NOMINAL_POWER_LAW}.items()
