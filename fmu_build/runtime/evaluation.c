@@ -46,13 +46,6 @@ bool evaluation_roots(Instance *instance, double *root)
     return model_roots(values->time, values->y, values->p, root) || fail(instance, "event indicators");
 }
 
-bool integrator_derivatives(void *context, double time, double *der)
-{
-    const Instance *instance = context;
-    inputs_apply(&instance->inputs, time, instance->values.p);
-    return model_derivatives(time, instance->values.y, instance->values.p, der);
-}
-
 bool roots_evaluate(void *context, double time, double *root)
 {
     const Instance *instance = context;
