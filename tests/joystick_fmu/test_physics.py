@@ -19,7 +19,8 @@ CASES += [RandomCase("paper, power law", NOMINAL_POWER_LAW, np.deg2rad(-20.0))]
 CASES += both_laws(2)
 NAMES = ("theta", "omega", "alpha", "x", "f_x", "M_s", "M_d", "M_g", "C", "E")
 
-pytestmark = pytest.mark.parametrize("case", CASES, ids=[case.name for case in CASES])
+every_case = pytest.mark.parametrize("case", CASES, ids=[case.name for case in CASES])
+CONSTANT = [case for case in CASES if "damping.C" in case.parameters.to_names()]
 
 
 def _run(case: RandomCase, folder: Path, times: NDArray[np.float64]) -> Columns:
@@ -28,11 +29,13 @@ def _run(case: RandomCase, folder: Path, times: NDArray[np.float64]) -> Columns:
         return run.run(times, NAMES)
 
 
+@every_case
 def test_energy_never_rises(case: RandomCase, joystick_fmus: Path) -> None:
     energy = _run(case, joystick_fmus, np.linspace(0.0, 1.5, 15001))["E"]
     assert np.diff(energy).max() < 1e-9
 
 
+@every_case
 def test_energy_is_lost_to_damping_alone(case: RandomCase, joystick_fmus: Path) -> None:
     """dE/dt = -C*omega^2, integrated (physics.md, section 1)."""
     end, margin = 0.3, 1e-11
@@ -53,6 +56,7 @@ def test_energy_is_lost_to_damping_alone(case: RandomCase, joystick_fmus: Path) 
     assert run_of["E"][0] - run_of["E"][-1] == pytest.approx(lost, abs=1e-8)
 
 
+@every_case
 def test_contact_moment_is_conservative(case: RandomCase, joystick_fmus: Path) -> None:
     """M_s = f_x*dx/dtheta, the corrected eq. (5), with eq. (3) differentiated by hand."""
     run = _run(case, joystick_fmus, np.linspace(0.0, 1.5, 1501))
@@ -62,6 +66,7 @@ def test_contact_moment_is_conservative(case: RandomCase, joystick_fmus: Path) -
     assert np.abs(run["M_s"] - expected).max() <= 1e-12 * np.abs(expected).max()
 
 
+@every_case
 def test_moments_balance(case: RandomCase, joystick_fmus: Path) -> None:
     """J*alpha + M_d + M_s = M_g, and M_d = C*omega, M_g = m*g*h*sin(theta): eq. (1)."""
     run = _run(case, joystick_fmus, np.linspace(0.0, 1.5, 1501))
@@ -73,10 +78,9 @@ def test_moments_balance(case: RandomCase, joystick_fmus: Path) -> None:
     assert np.abs(sum_of_moments).max() <= 1e-13 * largest
 
 
+@pytest.mark.parametrize("case", CONSTANT, ids=[case.name for case in CONSTANT])
 def test_inverse_returns_no_torque_for_free_motion(case: RandomCase, joystick_fmus: Path) -> None:
     """JoystickInverse (eq. 13) on a free oscillation: nothing drives it. It has the constant damping law."""
-    if "damping.C" not in case.parameters.to_names():
-        pytest.skip("JoystickInverse has the constant damping law")
     times = np.linspace(0.0, 0.5, 101)
     motion = _run(case, joystick_fmus, times)
     outputs = ("T", "T_inertia", "T_damping", "T_stiffness")
