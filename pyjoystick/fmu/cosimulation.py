@@ -144,7 +144,8 @@ def _initialize(
     series: Sequence[InputSeries],
 ) -> None:
     fmi = instance.fmi
-    fmi.setupExperiment(tolerance=tolerance, startTime=float(points[0]), stopTime=float(points[-1]))
+    stop_time = float(points[-1]) if instance.description.takes_stop_time else None
+    fmi.setupExperiment(tolerance=tolerance, startTime=float(points[0]), stopTime=stop_time)
     for name, value in values.items():
         _set(fmi, instance.description.variables[name], value)
     fmi.enterInitializationMode()

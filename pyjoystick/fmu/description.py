@@ -101,6 +101,11 @@ class FmuDescription:
         """Names of the platforms that there are binaries for, such as ``linux64``."""
         return tuple(sorted({file.split("/")[0] for file in self.binaries if "/" in file}))
 
+    @property
+    def takes_stop_time(self) -> bool:
+        """Co-Simulation may be told when the run ends: OpenModelica up to 1.14 goes there in its first step."""
+        return not self.generation_tool.startswith("OpenModelica")
+
     def names(self, causality: str) -> tuple[str, ...]:
         """Names of the variables of one causality, in the order of the file."""
         return tuple(name for name, variable in self.variables.items() if variable.causality == causality)

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 import pickle
+import re
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pandas as pd
 import pytest
+from fmpy.fmi2 import FMU2Slave
 
 from pyjoystick.errors import ParameterError, PyJoystickError
 from pyjoystick.fmu import Fmu, FmuRunError
@@ -200,3 +202,30 @@ def test_an_fmu_with_fixed_steps_gets_the_output_instants_only(joystick_path: Pa
         fmu._instance.fmi.doStep = lambda start, length: steps.append(start) or do_step(start, length)
         fmu.run([0.0, 0.25, 0.5], inputs=torque)
     assert steps == [0.0, 0.25]
+
+
+@pytest.mark.parametrize(
+    ("tool", "stop_time"), [("pyjoystick", 0.5), ("OpenModelica Compiler OMCompiler v1.14.2", None)]
+)
+def test_openmodelica_is_not_told_when_the_run_ends(
+    tool: str, stop_time: float | None, joystick_path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Old ones would go there in the first step; the run itself is the same."""
+    told = []
+    setup = FMU2Slave.setupExperiment
+
+    def listening(fmi: FMU2Slave, **settings: Any) -> None:
+        told.append(settings["stopTime"])
+        setup(fmi, **settings)
+
+    monkeypatch.setattr(FMU2Slave, "setupExperiment", listening)
+    renamed = doctored(
+        joystick_path,
+        tmp_path / "renamed.fmu",
+        description=lambda text: re.sub('generationTool="[^"]*"', f'generationTool="{tool}"', text),
+    )
+    with Fmu(renamed) as fmu:
+        table = fmu.run(TIME, parameters=RELEASE)
+    assert told == [stop_time]
+    expected = simulate(NOMINAL, time=TIME, theta_start=RELEASE["theta_start"])
+    assert np.abs(table["theta"] - expected.theta).max() < 1e-7
