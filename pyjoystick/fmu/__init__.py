@@ -1,5 +1,6 @@
 """FMUs: finding, describing and running them through FMPy."""
 
+from pyjoystick.fmu.batch import BatchResult
 from pyjoystick.fmu.cosimulation import DEFAULT_TOLERANCE, Fmu
 from pyjoystick.fmu.description import (
     DefaultExperiment,
@@ -11,17 +12,26 @@ from pyjoystick.fmu.errors import FmuFileError, FmuNotFoundError, FmuRunError, U
 from pyjoystick.fmu.files import MODELS, build_folder, find_fmu
 from pyjoystick.fmu.inputs import Inputs
 from pyjoystick.fmu.model_exchange import run_model_exchange
+from pyjoystick.fmu.plan import Plan
+from pyjoystick.fmu.reductions import Extremes, Final, Loss, Peaks, Reduction
 
 __all__ = [
     "DEFAULT_TOLERANCE",
     "MODELS",
+    "BatchResult",
     "DefaultExperiment",
+    "Extremes",
+    "Final",
     "Fmu",
     "FmuDescription",
     "FmuFileError",
     "FmuNotFoundError",
     "FmuRunError",
     "Inputs",
+    "Loss",
+    "Peaks",
+    "Plan",
+    "Reduction",
     "UnsupportedFmuError",
     "Variable",
     "build_folder",

@@ -22,6 +22,7 @@ from pyjoystick.fmu.description import FmuDescription, Variable, read_descriptio
 from pyjoystick.fmu.files import find_fmu
 from pyjoystick.fmu.inputs import Inputs, InputSeries, checked_inputs, communication_points, input_series
 from pyjoystick.fmu.instance import Instance, instantiated
+from pyjoystick.fmu.plan import Plan
 from pyjoystick.fmu.values import Value, checked_outputs, checked_parameters
 from pyjoystick.tables import make_table
 
@@ -124,6 +125,32 @@ class Fmu:
             columns = _carry_out(self._instance, points, np.isin(points, instants), series, recorded)
             self._instance.fmi.terminate()
         return make_table(instants, columns, [variable.quantity for variable in recorded])
+
+    def plan(
+        self,
+        time: ArrayLike,
+        *,
+        varied: Iterable[str] = (),
+        parameters: Mapping[str, Value] | None = None,
+        inputs: Inputs | None = None,
+        outputs: Iterable[str] | None = None,
+        tolerance: float = DEFAULT_TOLERANCE,
+    ) -> Plan:
+        """Prepare many runs that differ in a few parameters; everything else is checked here, once.
+
+        Args:
+            time: as in `run`
+            varied: names of the parameters and start values that each run gives
+            parameters: values that all runs share, as in `run`
+            inputs: as in `run`
+            outputs: as in `run`
+            tolerance: as in `run`
+
+        Raises:
+            UnknownParameterError, UnknownInputError, UnknownVariableError: a name is not one of the FMU's
+            ParameterError, SeriesError: a value or series is not allowed, or a name is given twice
+        """
+        return Plan(self, time, varied, parameters or {}, inputs, outputs, tolerance)
 
     def _make_ready(self, start: float) -> None:
         """Bring the instance back to where it was after instantiation."""

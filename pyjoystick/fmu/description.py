@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import re
 import zipfile
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Literal
+from xml.etree import ElementTree
 
 from fmpy import read_model_description
 
-from pyjoystick.fmu.errors import FmuFileError
+from pyjoystick.fmu.errors import FmuFileError, UnsupportedFmuError
 from pyjoystick.tables import DisplayUnit, Quantity
 
 Interface = Literal["CoSimulation", "ModelExchange"]
@@ -103,7 +105,7 @@ class FmuDescription:
 
     @property
     def takes_stop_time(self) -> bool:
-        """Co-Simulation may be told when the run ends: OpenModelica up to 1.14 goes there in its first step."""
+        """Co-Simulation may be told when the run ends; OpenModelica up to 1.14 goes there in its first step."""
         return not self.generation_tool.startswith("OpenModelica")
 
     def names(self, causality: str) -> tuple[str, ...]:
@@ -116,24 +118,39 @@ class FmuDescription:
 
 
 def read_description(path: Path) -> FmuDescription:
-    """Read the description without loading the FMU's binary; FMI 1.0, 2.0 and 3.0 are understood.
+    """Read the description without loading the FMU's binary; FMI 2.0 and 3.0 are understood.
 
     Raises:
         FmuFileError: the file is not a ZIP archive, or its modelDescription.xml is missing or unreadable
+        UnsupportedFmuError: the FMU is of another FMI version
     """
     try:
         with zipfile.ZipFile(path) as archive:
             files = archive.namelist()
+            version = _fmi_version(archive) if "modelDescription.xml" in files else None
     except (zipfile.BadZipFile, OSError) as error:
         reason = "not a ZIP archive" if isinstance(error, zipfile.BadZipFile) else error.strerror
         raise FmuFileError(path, f"not an FMU: {reason}") from error
     if "modelDescription.xml" not in files:
         raise FmuFileError(path, "not an FMU: there is no modelDescription.xml in it")
+    if version is not None and not re.fullmatch(r"2\.0|3\..*", version):
+        raise UnsupportedFmuError(path, f"is an FMU of FMI {version}; FMI 2.0 and 3.0 are understood")
     try:
         return _description(path, files, read_model_description(str(path), validate=False))
     except Exception as error:  # FMPy raises whatever its parser stumbles over
         reason = f"its modelDescription.xml cannot be read: {type(error).__name__}: {error}"
         raise FmuFileError(path, reason) from error
+
+
+def _fmi_version(archive: zipfile.ZipFile) -> str | None:
+    """The version that the description names; None where it names none or is no XML."""
+    with archive.open("modelDescription.xml") as file:
+        try:
+            for _, root in ElementTree.iterparse(file, events=("start",)):
+                return root.get("fmiVersion")
+        except ElementTree.ParseError:
+            pass
+    return None
 
 
 def _description(path: Path, files: list[str], model: Any) -> FmuDescription:

@@ -1,0 +1,111 @@
+"""What a batch keeps of each run in place of its whole trajectory.
+
+Each reduction names the columns that it adds to the table of results. Values are in the unit of the variable,
+times in s. A cell is NaN where there is nothing to tell: a run that failed, a peak that did not come.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from pyjoystick.checks import not_negative
+from pyjoystick.errors import ParameterError, UnknownVariableError
+
+
+@dataclass(frozen=True, slots=True)
+class Final:
+    """The last sample of a variable: ``theta.final``."""
+
+    variable: str
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """Names of the result columns."""
+        return (f"{self.variable}.final",)
+
+
+@dataclass(frozen=True, slots=True)
+class Extremes:
+    """Largest and smallest sample with their times: ``theta.max``, ``.max_time``, ``.min``, ``.min_time``."""
+
+    variable: str
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """Names of the result columns."""
+        return tuple(f"{self.variable}.{what}" for what in ("max", "max_time", "min", "min_time"))
+
+
+@dataclass(frozen=True, slots=True)
+class Peaks:
+    """The first peaks, of both signs, as `pyjoystick.peaks.find_peaks` finds them between the samples.
+
+    The columns are ``theta.peak1``, ``theta.peak1_time``, ``theta.peak2`` and so on.
+
+    Attributes:
+        variable: the series
+        count: number of peaks to keep, 1 or more
+        derivative: the variable that is its derivative with respect to time (``omega`` for ``theta``), which
+            must be recorded as well; where not given, peaks are found from the samples alone
+        minimum_height: peaks with a smaller absolute value are left out
+        minimum_prominence: see `find_peaks`
+    """
+
+    variable: str
+    count: int
+    derivative: str | None = None
+    minimum_height: float = 0.0
+    minimum_prominence: float = 0.0
+
+    def __post_init__(self) -> None:
+        if isinstance(self.count, bool) or not isinstance(self.count, int) or self.count < 1:
+            raise ParameterError("count", self.count, "a whole number, 1 or more")
+        not_negative("minimum_height", self.minimum_height)
+        not_negative("minimum_prominence", self.minimum_prominence)
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """Names of the result columns."""
+        names = (f"{self.variable}.peak{number}" for number in range(1, self.count + 1))
+        return tuple(column for name in names for column in (name, f"{name}_time"))
+
+
+@dataclass(frozen=True, slots=True)
+class Loss:
+    """How much a variable falls from the first to the last sample, the energy ``E`` for one: ``E.loss``."""
+
+    variable: str
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """Names of the result columns."""
+        return (f"{self.variable}.loss",)
+
+
+#: Any of them.
+Reduction = Final | Extremes | Peaks | Loss
+
+
+def checked_reductions(reductions: Iterable[Reduction], outputs: Sequence[str]) -> tuple[Reduction, ...]:
+    """The reductions, refused unless their variables are recorded and their columns differ.
+
+    Raises:
+        UnknownVariableError: a variable is not among the outputs of the plan
+        ParameterError: there is none, one is of no known kind, or two have a column in common
+    """
+    checked = tuple(reductions)
+    if not checked:
+        raise ParameterError("reductions", "an empty sequence", "one or more, or None to keep the samples")
+    columns: set[str] = set()
+    for reduction in checked:
+        if not isinstance(reduction, Reduction):
+            raise ParameterError("reductions", reduction, "made of Final, Extremes, Peaks and Loss")
+        for name in (reduction.variable, getattr(reduction, "derivative", None)):
+            if name is not None and name not in outputs:
+                raise UnknownVariableError(name, outputs)
+        for column in reduction.columns:
+            if column in columns:
+                raise ParameterError("reductions", reduction, f"without a second column {column}")
+            columns.add(column)
+    return checked
