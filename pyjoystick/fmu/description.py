@@ -105,7 +105,7 @@ class FmuDescription:
 
     @property
     def takes_stop_time(self) -> bool:
-        """Co-Simulation may be told when the run ends; OpenModelica up to 1.14 goes there in its first step."""
+        """Co-Simulation may be told when a run ends; OpenModelica up to 1.14 goes there in its first step."""
         return not self.generation_tool.startswith("OpenModelica")
 
     def names(self, causality: str) -> tuple[str, ...]:
@@ -127,30 +127,30 @@ def read_description(path: Path) -> FmuDescription:
     try:
         with zipfile.ZipFile(path) as archive:
             files = archive.namelist()
-            version = _fmi_version(archive) if "modelDescription.xml" in files else None
     except (zipfile.BadZipFile, OSError) as error:
         reason = "not a ZIP archive" if isinstance(error, zipfile.BadZipFile) else error.strerror
         raise FmuFileError(path, f"not an FMU: {reason}") from error
     if "modelDescription.xml" not in files:
         raise FmuFileError(path, "not an FMU: there is no modelDescription.xml in it")
-    if version is not None and not re.fullmatch(r"2\.0|3\..*", version):
-        raise UnsupportedFmuError(path, f"is an FMU of FMI {version}; FMI 2.0 and 3.0 are understood")
     try:
+        _require_known_version(path)
         return _description(path, files, read_model_description(str(path), validate=False))
+    except FmuFileError:
+        raise
     except Exception as error:  # FMPy raises whatever its parser stumbles over
         reason = f"its modelDescription.xml cannot be read: {type(error).__name__}: {error}"
         raise FmuFileError(path, reason) from error
 
 
-def _fmi_version(archive: zipfile.ZipFile) -> str | None:
-    """The version that the description names; None where it names none or is no XML."""
-    with archive.open("modelDescription.xml") as file:
-        try:
-            for _, root in ElementTree.iterparse(file, events=("start",)):
-                return root.get("fmiVersion")
-        except ElementTree.ParseError:
-            pass
-    return None
+def _require_known_version(path: Path) -> None:
+    """Raise `UnsupportedFmuError` for versions of FMI whose descriptions are written otherwise."""
+    with zipfile.ZipFile(path) as archive, archive.open("modelDescription.xml") as file:
+        _, root = next(iter(ElementTree.iterparse(file, events=("start",))))
+    version = root.get("fmiVersion")
+    if version is None:
+        raise FmuFileError(path, f"its modelDescription.xml names no FMI version in its element {root.tag}")
+    if not re.fullmatch(r"2\.0|3\..*", version):
+        raise UnsupportedFmuError(path, f"is an FMU of FMI {version}; FMI 2.0 and 3.0 are understood")
 
 
 def _description(path: Path, files: list[str], model: Any) -> FmuDescription:

@@ -10,7 +10,7 @@ from pathlib import Path
 import fmpy
 import pytest
 
-from pyjoystick.fmu import FmuFileError, read_description
+from pyjoystick.fmu import Fmu, FmuFileError, UnsupportedFmuError, read_description
 from pyjoystick.parameters import NOMINAL
 from pyjoystick.tables import DisplayUnit
 from tests.pyjoystick.fmu.doctored import FMI_3, doctored, without_co_simulation
@@ -83,12 +83,27 @@ def test_an_archive_without_a_model_description(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    "text", ["<fmiModelDescription", "<html/>", '<fmiModelDescription fmiVersion="9.1"/>']
+    ("text", "message"),
+    [
+        ("<fmiModelDescription", r"its modelDescription\.xml cannot be read: \w+: ."),
+        ("<html/>", r"its modelDescription\.xml names no FMI version in its element html"),
+        ('<fmiModelDescription fmiVersion="2.0"><ModelVariables/>', "cannot be read: XMLSyntaxError: ."),
+    ],
 )
-def test_a_broken_model_description(text: str, joystick_path: Path, tmp_path: Path) -> None:
+def test_a_broken_model_description(text: str, message: str, joystick_path: Path, tmp_path: Path) -> None:
     path = doctored(joystick_path, tmp_path / "broken.fmu", description=lambda _: text)
-    with pytest.raises(FmuFileError, match=r"broken\.fmu: its modelDescription\.xml cannot be read: \w+: ."):
+    with pytest.raises(FmuFileError, match=rf"broken\.fmu: .*{message}"):
         read_description(path)
+
+
+@pytest.mark.parametrize("version", ["1.0", "9.1", "2.1"])
+def test_another_fmi_version_is_named(version: str, joystick_path: Path, tmp_path: Path) -> None:
+    text = f'<fmiModelDescription fmiVersion="{version}" modelName="M" modelIdentifier="M" guid="g"/>'
+    path = doctored(joystick_path, tmp_path / "other.fmu", description=lambda _: text)
+    message = rf"other\.fmu: is an FMU of FMI {version}; FMI 2\.0 and 3\.0 are understood"
+    for read in (read_description, Fmu):
+        with pytest.raises(UnsupportedFmuError, match=message):
+            read(path)
 
 
 def test_a_truncated_archive(joystick_path: Path, tmp_path: Path) -> None:
