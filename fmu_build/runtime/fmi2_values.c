@@ -35,10 +35,11 @@ fmi2Status fmi2GetInteger(fmi2Component c, const fmi2ValueReference vr[], size_t
     if (instance == NULL)
         return fmi2Error;
     for (size_t i = 0; i < nvr; ++i) {
-        double number;
-        if (!read(instance, vr[i], TYPE_INTEGER, &number))
+        const Variable *variable = variable_find(instance, vr[i], TYPE_INTEGER);
+        int32_t number;
+        if (variable == NULL || !variable_get_int32(instance, variable, &number))
             return fmi2Error;
-        value[i] = (fmi2Integer)number;
+        value[i] = number;
     }
     return fmi2OK;
 }

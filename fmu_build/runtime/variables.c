@@ -1,6 +1,7 @@
 #include "variables.h"
 #include "evaluation.h"
 
+#include <inttypes.h>
 #include <math.h>
 
 static const char *const type_names[] = {[TYPE_REAL] = "Real", [TYPE_INTEGER] = "Integer", [TYPE_BOOLEAN] = "Boolean"};
@@ -65,6 +66,21 @@ bool variable_get(Instance *instance, const Variable *variable, double *value)
         return true;
     }
     return false;
+}
+
+bool variable_get_int32(Instance *instance, const Variable *variable, int32_t *value)
+{
+    double number;
+    if (!variable_get(instance, variable, &number))
+        return false;
+    if (!(number >= INT32_MIN && number <= INT32_MAX)) {
+        log_message(&instance->log, LOG_STATUS_ERROR, STATUS_ERROR,
+                    "At time %.9g %s is %.17g, outside of the range of 32-bit integers, %" PRId32 " to %" PRId32 ".",
+                    instance->values.time, variable->name, number, INT32_MIN, INT32_MAX);
+        return false;
+    }
+    *value = (int32_t)number;
+    return true;
 }
 
 /* What may be set when: FMI 2.0.4, the notes to the tables of sections 3.2.3 and 4.2.4. */

@@ -32,7 +32,9 @@ class Run:
             extract(build_fmu(model, folder, library=library).path, self.folder)
         self.description = read_model_description(self.folder)
 
-    def __call__(self, fmi_type: str, stop_time: float = 1.5, **start_values: float) -> Any:
+    def __call__(
+        self, fmi_type: str, stop_time: float = 1.5, output: list[str] | None = None, **start_values: float
+    ) -> Any:
         return simulate_fmu(
             self.folder,
             model_description=self.description,
@@ -41,6 +43,7 @@ class Run:
             output_interval=0.01,
             relative_tolerance=1e-8,
             start_values=start_values,
+            output=output,
             logger=lambda _, __, ___, ____, message: self.messages.append(message.decode()),
         )
 
@@ -91,6 +94,21 @@ def test_a_model_that_cannot_go_on_says_why(model: str, message: str, fmi_type: 
     with pytest.raises(FMICallException):
         run(fmi_type)
     assert any(message in logged for logged in run.messages), run.messages
+
+
+@pytest.mark.parametrize("fmi_type", TYPES)
+@pytest.mark.parametrize("name", ["k", "l"])
+def test_an_integer_beyond_32_bits_is_an_error(name: str, fmi_type: str, folder: Path) -> None:
+    run = Run("Failing.HugeInteger", FAILING, folder)
+    assert run(fmi_type, output=[name], n=46340)[name][-1] == (46340**2 if name == "k" else -(46340**2))
+    assert run.messages == []
+    with pytest.raises(FMICallException):
+        run(fmi_type, output=[name])
+    sign = "" if name == "k" else "-"
+    expected = (
+        f"{name} is {sign}{46341**2}, outside of the range of 32-bit integers, -2147483648 to 2147483647"
+    )
+    assert any(f"At time 0.5 {expected}" in logged for logged in run.messages), run.messages
 
 
 @pytest.mark.parametrize(

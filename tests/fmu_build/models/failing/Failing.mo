@@ -50,6 +50,15 @@ package Failing "Models that build, and whose run must end with a message"
     y = a[k];
   end OutOfBounds;
 
+  model HugeInteger "From t = 0.5 on the integers leave the range of FMI's"
+    parameter Integer n = 46341 "Its square is above 2^31 - 1, that of 46340 is below";
+    output Integer k;
+    output Integer l;
+  equation
+    k = if time < 0.5 then n else n*n;
+    l = -k;
+  end HugeInteger;
+
   model Pole "The derivative becomes infinite at t = 1"
     Real x(start=1, fixed=true);
   equation
