@@ -2,6 +2,7 @@ within PreloadedSprings;
 package Constants "Mathematical constants"
   extends Icons.Package;
   constant Units.Ratio pi = 3.14159265358979323846 "Ratio of a circle's circumference to its diameter";
+  constant Units.Ratio small = 1e-60 "Least value of what must be positive, since the attribute min includes its value";
 
   annotation (
     Icon(coordinateSystem(extent = {{-100, -100}, {100, 100}}), graphics = {

@@ -96,6 +96,8 @@ def _variables(variables: list[Variable]) -> Table:
 
 def _range(variable: Variable) -> str:
     low, high = variable.minimum, variable.maximum
+    if variable.must_be_positive and high is None:
+        return "> 0"
     if low is not None and high is not None:
         return f"{low:g} to {high:g}"
     if low is not None:

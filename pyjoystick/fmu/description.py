@@ -8,13 +8,16 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any, Literal
+from typing import Any, Final, Literal
 from xml.etree import ElementTree
 
 from fmpy import read_model_description
 
 from pyjoystick.fmu.errors import FmuFileError, UnsupportedFmuError
 from pyjoystick.tables import DisplayUnit, Quantity
+
+#: What a minimum means that is no larger; Modelica.Constants.small is 1e-60.
+_SMALL: Final = 1e-50
 
 Interface = Literal["CoSimulation", "ModelExchange"]
 
@@ -46,6 +49,11 @@ class Variable:
         if self.causality in ("input", "independent") or self.variability == "constant":
             return False
         return self.initial in ("exact", "approx")
+
+    @property
+    def must_be_positive(self) -> bool:
+        """The minimum stands for "above zero", for which Modelica and FMI have no other way of writing."""
+        return self.minimum is not None and 0.0 < self.minimum <= _SMALL
 
     @property
     def quantity(self) -> Quantity:

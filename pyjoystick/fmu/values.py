@@ -64,6 +64,8 @@ def allowed_values(variable: Variable) -> str:
     """The range of a number in words, with the unit."""
     number = "an integer" if variable.type in _INTEGERS else "a finite number"
     unit = f" {variable.unit}" if variable.unit else ""
+    if variable.must_be_positive and variable.maximum is None:
+        return f"{number} above 0{unit} (at least {variable.minimum:g})"
     if variable.minimum is not None and variable.maximum is not None:
         return f"{number} from {variable.minimum:g} to {variable.maximum:g}{unit}"
     if variable.minimum is not None:

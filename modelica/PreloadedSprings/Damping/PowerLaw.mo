@@ -9,8 +9,9 @@ model PowerLaw "Damping coefficient from powers of angle and angular velocity (e
   parameter Units.Ratio n_neg = -0.23 "Exponent of the angle where it is negative";
   parameter Units.RotationalDamping B = 0.051 "Coefficient at 1 rad/s";
   parameter Units.Ratio m = -0.26 "Exponent of the angular velocity";
-  parameter Units.Angle eps_theta(min = 0) = 1e-4 "Angle below which the law is smoothed";
-  parameter Units.AngularVelocity eps_omega(min = 0) = 1e-3 "Angular velocity below which the law is smoothed";
+  parameter Units.Angle eps_theta(min = Constants.small) = 1e-4 "Angle below which the law is smoothed";
+  parameter Units.AngularVelocity eps_omega(min = Constants.small) = 1e-3
+    "Angular velocity below which the law is smoothed";
 protected
   Units.Angle phi_abs "Smoothed magnitude of the angle";
   Units.AngularVelocity omega_abs "Smoothed magnitude of the angular velocity";

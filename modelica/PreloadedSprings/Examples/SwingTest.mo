@@ -7,7 +7,7 @@ model SwingTest "Moment of inertia from the swing of the inverted handle (sectio
   discrete Units.Time passage(start = 0, fixed = true) "Time at which the handle last passed the bottom";
   Integer passages(start = 0, fixed = true) "How often the handle has passed the bottom in the same direction";
   discrete Units.Frequency f_n(start = 0, fixed = true) "Frequency of the swing, zero before it is known";
-  discrete Units.MomentOfInertia J_swing(start = 0, fixed = true)
+  discrete Units.MomentOfInertia J_swing(min = 0, start = 0, fixed = true)
     "Moment of inertia from the frequency, zero before it is known";
   Joystick.Handle handle(J = 0.01135) "Inertia of the handle"
     annotation (Placement(transformation(extent = {{0, 20}, {60, 80}})));

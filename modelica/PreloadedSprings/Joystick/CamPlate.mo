@@ -1,6 +1,6 @@
 within PreloadedSprings.Joystick;
 model CamPlate "Plate that turns with the handle and pushes one of two plungers (eqs. 2-5)"
-  parameter Units.Length a(start = 0.02398) "Distance from the pivot to the plunger axes";
+  parameter Units.Length a(min = Constants.small, start = 0.02398) "Distance from the pivot to the plunger axes";
   parameter Units.Length b(start = 0.005) "Distance from the pivot to the cam surface";
   Interfaces.RotationalFlange flange "Shaft of the plate"
     annotation (Placement(transformation(extent = {{-110, -10}, {-90, 10}})));

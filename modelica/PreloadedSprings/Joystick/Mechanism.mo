@@ -8,7 +8,7 @@ partial model Mechanism "Handle, cam plate with its two actuators, and weight on
     annotation (Dialog(group = "Handle"));
   parameter Units.Acceleration g(min = 0) = 9.80665 "Acceleration of gravity"
     annotation (Dialog(group = "Handle"));
-  parameter Units.Length a = 0.02398 "Distance from the pivot to the plunger axes"
+  parameter Units.Length a(min = Constants.small) = 0.02398 "Distance from the pivot to the plunger axes"
     annotation (Dialog(group = "Cam plate"));
   parameter Units.Length b = 0.005 "Distance from the pivot to the cam surface"
     annotation (Dialog(group = "Cam plate"));

@@ -3,7 +3,7 @@ type Mass = Real(
   final quantity = "Mass",
   final unit = "kg",
   displayUnit = "kg",
-  min = 0) "Mass"
+  min = Constants.small) "Mass"
   annotation (Documentation(info = "<html>
-<p>Masses are in kg.</p>
+<p>Masses are in kg. They are positive.</p>
 </html>"));

@@ -21,7 +21,8 @@ def test_what_an_fmu_is(command: Command) -> None:
     assert _line(outcome.out, "FMI") == "FMI 2.0, CoSimulation and ModelExchange"
     assert "tolerance 1e-08" in _line(outcome.out, "experiment")
     assert _line(outcome.out, "theta_start").startswith("theta_start rad 0.0")
-    assert _line(outcome.out, "m").startswith("m kg 0.87 >= 0 Mass of the handle")
+    assert _line(outcome.out, "m").startswith("m kg 0.87 > 0 Mass of the handle")
+    assert _line(outcome.out, "h").startswith("h m 0.082 >= 0 Distance")
     assert _line(outcome.out, "T").startswith("T N.m 0.0")
     for title in ("Inputs", "Outputs", "Parameters"):
         assert title in outcome.out

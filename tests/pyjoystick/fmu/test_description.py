@@ -36,7 +36,9 @@ def test_a_variable_has_unit_range_and_start(joystick_path: Path) -> None:
     assert (theta.unit, theta.causality, theta.type) == ("rad", "parameter", "Real")
     assert theta.display_unit == DisplayUnit("deg", pytest.approx(math.degrees(1.0)))
     mass = read_description(joystick_path).variables["m"]
-    assert (mass.unit, mass.minimum, mass.maximum) == ("kg", 0.0, None)
+    assert (mass.unit, mass.minimum, mass.maximum) == ("kg", 1e-60, None)
+    assert mass.must_be_positive
+    assert not read_description(joystick_path).variables["h"].must_be_positive
     assert float(mass.start or "nan") == NOMINAL.m
 
 

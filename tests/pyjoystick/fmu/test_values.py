@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from pyjoystick.errors import ParameterError, UnknownParameterError, UnknownVariableError
-from pyjoystick.fmu import Fmu, Variable
+from pyjoystick.fmu import Fmu, FmuRunError, Variable
 from pyjoystick.fmu.values import allowed_values, checked_value
 
 TIME = (0.0, 0.1)
@@ -21,13 +21,15 @@ def variable(type_: str, minimum: float | None = None, maximum: float | None = N
 @pytest.mark.parametrize(
     ("name", "value", "message"),
     [
-        ("m", math.nan, "m = nan: must be a finite number, 0 kg or more"),
-        ("m", math.inf, "m = inf: must be a finite number, 0 kg or more"),
-        ("m", -0.1, "m = -0.1: must be a finite number, 0 kg or more"),
-        ("m", "heavy", "m = heavy: must be a finite number, 0 kg or more"),
-        ("m", True, "m = True: must be a finite number, 0 kg or more"),
-        ("m", None, "m = None: must be a finite number, 0 kg or more"),
-        ("m", [0.87], r"m = \[0.87\]: must be a finite number, 0 kg or more"),
+        ("m", 0, r"m = 0: must be a finite number above 0 kg \(at least 1e-60\)"),
+        ("h", -0.1, "h = -0.1: must be a finite number, 0 m or more"),
+        ("m", math.nan, r"m = nan: must be a finite number above 0 kg \(at least 1e-60\)"),
+        ("m", math.inf, r"m = inf: must be a finite number above 0 kg \(at least 1e-60\)"),
+        ("m", -0.1, r"m = -0.1: must be a finite number above 0 kg \(at least 1e-60\)"),
+        ("m", "heavy", r"m = heavy: must be a finite number above 0 kg \(at least 1e-60\)"),
+        ("m", True, r"m = True: must be a finite number above 0 kg \(at least 1e-60\)"),
+        ("m", None, r"m = None: must be a finite number above 0 kg \(at least 1e-60\)"),
+        ("m", [0.87], r"m = \[0.87\]: must be a finite number above 0 kg \(at least 1e-60\)"),
         ("omega_start", math.nan, "omega_start = nan: must be a finite number in rad/s"),
         (
             "theta",
@@ -41,6 +43,25 @@ def variable(type_: str, minimum: float | None = None, maximum: float | None = N
 def test_values_that_are_refused(joystick: Fmu, name: str, value: object, message: str) -> None:
     with pytest.raises(ParameterError, match=f"^{message}$"):
         joystick.run(TIME, parameters={name: value})  # type: ignore[dict-item]
+
+
+def test_the_joystick_takes_the_least_values_that_it_declares(joystick: Fmu) -> None:
+    """Which bounds are refused for reasons that a minimum cannot express is said by the FMU itself."""
+    bounded = {
+        name: joystick.description.variables[name].minimum
+        for name in joystick.description.settable_names()
+        if joystick.description.variables[name].minimum is not None
+    }
+    assert len(bounded) > 20
+    refused = {}
+    for name, value in bounded.items():
+        try:
+            joystick.run(TIME, parameters={name: value})
+        except FmuRunError as error:
+            refused[name] = str(error)
+    assert set(refused) == {"theta_start", "forward.balanceSpring.x_0", "backward.balanceSpring.x_0"}
+    assert "theta_start must be between -pi/2 and pi/2" in refused.pop("theta_start")
+    assert all("must not be less than returnSpring.x_0" in said for said in refused.values())
 
 
 def test_an_unknown_parameter_gets_the_nearest_ones(joystick: Fmu) -> None:

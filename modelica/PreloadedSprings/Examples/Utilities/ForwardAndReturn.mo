@@ -2,7 +2,7 @@ within PreloadedSprings.Examples.Utilities;
 block ForwardAndReturn "One smooth motion forward and back"
   parameter Units.Angle theta_max(start = 0.25) "Largest angle";
   parameter Units.Time start_time = 0 "Time at which the motion begins";
-  parameter Units.Time duration(min = 0, start = 0.3) "Time that the motion takes";
+  parameter Units.Time duration(min = Constants.small, start = 0.3) "Time that the motion takes";
   Interfaces.Signals.AngleOutput theta "Angle"
     annotation (Placement(transformation(extent = {{100, 50}, {120, 70}})));
   Interfaces.Signals.AngularVelocityOutput omega "Angular velocity"
