@@ -28,8 +28,8 @@ def test_it_follows_the_reference(joystick_path: Path, unpacking_folder: Path) -
 
 
 def test_a_failure_carries_what_the_fmu_said(joystick_path: Path, unpacking_folder: Path) -> None:
-    with pytest.raises(FmuRunError, match="J must be positive"):
-        run_model_exchange(joystick_path, TIME, parameters={"J": 0.0})
+    with pytest.raises(FmuRunError, match=r"balanceSpring\.x_0 must not be less"):
+        run_model_exchange(joystick_path, TIME, parameters={"forward.balanceSpring.x_0": 0.0})
     assert list(unpacking_folder.iterdir()) == []
 
 
