@@ -8,12 +8,12 @@ PosixPath('build/fmi2/Joystick.fmu')
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from os import PathLike
 from pathlib import Path
 
-from fmu_build.compilers import compiler_names, get_compiler
+from fmu_build.compilers import build, compiler_names
 from fmu_build.errors import (
     BuildError,
     ModelicaError,
@@ -27,6 +27,8 @@ from fmu_build.request import BuildRequest, BuildResult, FmiType, FmiVersion
 __all__ = [
     "BuildError",
     "BuildResult",
+    "FmiType",
+    "FmiVersion",
     "ModelNotFoundError",
     "ModelicaError",
     "ToolchainError",
@@ -46,6 +48,7 @@ def build_fmu(
     fmi_version: FmiVersion = "2.0",
     fmi_types: Sequence[FmiType] = ("me", "cs"),
     platforms: Sequence[str] = (),
+    options: Mapping[str, str] | None = None,
     on_stage: Callable[[str], None] | None = None,
 ) -> BuildResult:
     """Builds the FMU of a Modelica model.
@@ -56,9 +59,10 @@ def build_fmu(
         compiler: name of the Modelica compiler; see `compiler_names`.
         library: Modelica file or package folder with the model; the PreloadedSprings library by default.
             A library of your own may use PreloadedSprings without naming it here.
-        fmi_version: the version of the FMI standard.
+        fmi_version: the version of the FMI standard; 3.0 with some versions of OpenModelica alone.
         fmi_types: Model Exchange, Co-Simulation, or both in one FMU.
         platforms: FMI 2 platform names such as ``linux64``; none means this machine's.
+        options: settings that only the chosen compiler has, by name; docs/compilers.md lists them.
         on_stage: called with a short text when a stage of the build begins.
 
     Raises:
@@ -72,7 +76,8 @@ def build_fmu(
         fmi_version=fmi_version,
         fmi_types=tuple(fmi_types),
         platforms=tuple(platforms),
+        options=dict(options or {}),
     )
     if on_stage is not None:
         request = replace(request, on_stage=on_stage)
-    return get_compiler(compiler).build(request)
+    return build(compiler, request)

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Iterable
 from pathlib import Path
-from typing import Annotated, NoReturn
+from typing import Annotated, Literal, NoReturn
 
 import typer
 from rich.console import Console
 from rich.markup import escape
 
-from fmu_build import BuildError, build_fmu, compiler_names
+from fmu_build import BuildError, FmiVersion, build_fmu, compiler_names
 from fmu_build.packaging.platforms import PLATFORMS
 
 _EXAMPLE = """
@@ -32,6 +33,16 @@ def _known_platforms(names: list[str]) -> list[str]:
         if name not in PLATFORMS:
             raise typer.BadParameter(f"{name!r} is not one of {', '.join(PLATFORMS)}")
     return names
+
+
+def _settings(texts: Iterable[str]) -> dict[str, str]:
+    settings = {}
+    for text in texts:
+        name, separator, value = text.partition("=")
+        if not name or not separator:
+            raise typer.BadParameter(f"{text!r} is not of the form NAME=VALUE")
+        settings[name] = value
+    return settings
 
 
 def main(
@@ -63,12 +74,29 @@ def main(
             show_default=False,
         ),
     ] = None,
+    fmi_version: Annotated[
+        FmiVersion, typer.Option(help="Version of the FMI standard, as far as the compiler has it.")
+    ] = "2.0",
+    fmi_type: Annotated[
+        Literal["me", "cs", "both"],
+        typer.Option(help="Model Exchange, Co-Simulation or both in one FMU."),
+    ] = "both",
+    option: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="NAME=VALUE",
+            help="A setting that the compiler alone has, repeatable. For openmodelica: omc=PATH, "
+            "port-file=FILE, docker=IMAGE, timeout=SECONDS, cs-solver=cvode|euler.",
+            show_default=False,
+        ),
+    ] = None,
     verbose: Annotated[bool, typer.Option("--verbose", "-v", help="Show what the compilers print.")] = False,
 ) -> None:
-    """Build FMUs (FMI 2.0, Model Exchange and Co-Simulation) from Modelica models.
+    """Build FMUs from Modelica models.
 
     The paths of the finished FMUs are printed on standard output, everything else on standard error.
     """
+    settings = _settings(option or ())
     for model in models:
         try:
             result = build_fmu(
@@ -76,7 +104,10 @@ def main(
                 output,
                 compiler=compiler,
                 library=library,
+                fmi_version=fmi_version,
+                fmi_types=("me", "cs") if fmi_type == "both" else (fmi_type,),
                 platforms=platform or (),
+                options=settings,
                 on_stage=_Progress(model),
             )
         except BuildError as error:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Literal
 
-FmiVersion = Literal["2.0"]
+FmiVersion = Literal["2.0", "3.0"]
 FmiType = Literal["me", "cs"]
 
 
@@ -31,6 +31,8 @@ class BuildRequest:
     fmi_types: Sequence[FmiType] = ("me", "cs")
     platforms: Sequence[str] = field(default_factory=tuple)
     """FMI 2 platform names such as ``linux64``; empty means the host's."""
+    options: Mapping[str, str] = field(default_factory=dict)
+    """Settings that only one compiler has, by its own names for them; see `Compiler.options`."""
     on_stage: Callable[[str], None] = _tell_nobody
     """Called with a short text, such as ``generating C``, when a stage of the build begins."""
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from fmu_build.compilers.base import Compiler
-from fmu_build.errors import UnknownCompilerError
+from fmu_build.errors import BuildError, UnknownCompilerError
+from fmu_build.request import BuildRequest, BuildResult
 
-__all__ = ["compiler_names", "get_compiler"]
+__all__ = ["build", "compiler_names", "get_compiler"]
 
 
 def _rumoca() -> Compiler:
@@ -16,8 +17,14 @@ def _rumoca() -> Compiler:
     return RumocaCompiler()
 
 
+def _openmodelica() -> Compiler:
+    from fmu_build.compilers.openmodelica import OpenModelicaCompiler
+
+    return OpenModelicaCompiler()
+
+
 # Imported on first use: a compiler's Python package may be large, or not be installed.
-_COMPILERS: dict[str, Callable[[], Compiler]] = {"rumoca": _rumoca}
+_COMPILERS: dict[str, Callable[[], Compiler]] = {"rumoca": _rumoca, "openmodelica": _openmodelica}
 
 
 def compiler_names() -> tuple[str, ...]:
@@ -30,3 +37,13 @@ def get_compiler(name: str) -> Compiler:
     if name not in _COMPILERS:
         raise UnknownCompilerError(f"unknown compiler {name!r}; there is {', '.join(_COMPILERS)}")
     return _COMPILERS[name]()
+
+
+def build(compiler: str, request: BuildRequest) -> BuildResult:
+    """Builds with the compiler of that name; raises `BuildError` for an option that it does not have."""
+    backend = get_compiler(compiler)
+    unknown = [name for name in request.options if name not in backend.options]
+    if unknown:
+        known = f"it has {', '.join(backend.options)}" if backend.options else "it has none"
+        raise BuildError(f"the compiler {compiler} has no option {unknown[0]!r}; {known}")
+    return backend.build(request)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Protocol
 
 from fmu_build.request import BuildRequest, BuildResult
@@ -11,6 +12,8 @@ class Compiler(Protocol):
     """A Modelica compiler that can make FMUs."""
 
     name: str
+    options: Mapping[str, str]
+    """The names of the options that `BuildRequest.options` may have for it, each with what it means."""
 
     def version(self) -> str:
         """The version of the installed compiler; raises `ToolchainError` where it is not installed."""

@@ -65,6 +65,29 @@ def readable_files(library: Path) -> list[Path]:
     return list({file.resolve(): file for file in (*own, *beside, *source_files(library))}.values())
 
 
+def needed_files(library: Path) -> list[Path]:
+    """The entry files to open for a library: those of the libraries that it mentions, then its own.
+
+    Such are this project's library and, for a single file, the other files in its folder, in so far as their
+    top-level classes are mentioned. Raises `ModelNotFoundError` where there is no library.
+    """
+    entry = entry_file(library)
+    own = {name for name in read_classes(library) if "." not in name}
+    others = {DEFAULT_LIBRARY: default_library()}
+    if not library.is_dir():
+        for file in sorted(library.parent.glob("*.mo")):
+            others.update((name, file) for name in read_classes(file) if "." not in name)
+    needed: list[Path] = []
+    waiting = [library]
+    while waiting:
+        user = waiting.pop()
+        for name, other in others.items():
+            if name not in own and other not in needed and other != user and mentions(user, name):
+                needed.append(other)
+                waiting.append(other)
+    return [*(entry_file(other) for other in reversed(needed)), entry]
+
+
 def read_classes(library: Path) -> dict[str, ModelicaClass]:
     """The classes that the library's files declare, by qualified name; inherited ones are not among them.
 

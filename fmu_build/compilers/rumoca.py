@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Mapping
 from importlib import metadata
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -33,6 +34,7 @@ class RumocaCompiler:
     """Implements `fmu_build.compilers.base.Compiler`."""
 
     name = "rumoca"
+    options: Mapping[str, str] = {}
 
     def version(self) -> str:
         """The installed version; raises `ToolchainError` where rumoca is not installed."""

@@ -63,6 +63,31 @@ def unit_definitions(variables: Iterable[Variable]) -> list[etree._Element]:
     return [definitions]
 
 
+def add_unit_definitions(model_description: bytes) -> tuple[bytes, list[str]]:
+    """An FMI 2 model description with a definition for every unit of its variables; and which were added.
+
+    A unit that is not a Modelica unit gets a definition of its name alone, which the standard allows. Other
+    versions of FMI, and descriptions with all definitions, stay as they are.
+    """
+    root = etree.fromstring(model_description)
+    used = {variable.get("unit") for variable in root.iterfind("ModelVariables/ScalarVariable/Real")}
+    defined = {unit.get("name") for unit in root.iterfind("UnitDefinitions/Unit")}
+    missing = sorted(unit for unit in used - defined if unit)
+    if root.get("fmiVersion") != "2.0" or not missing:
+        return model_description, []
+    definitions = root.find("UnitDefinitions")
+    if definitions is None:
+        definitions = etree.Element("UnitDefinitions")
+        interfaces = [child for child in root if child.tag in ("ModelExchange", "CoSimulation")]
+        interfaces[-1].addnext(definitions)
+    for name in missing:
+        try:
+            definitions.append(_unit(name, []))
+        except UnitError:
+            etree.SubElement(definitions, "Unit", name=name)
+    return etree.tostring(root, xml_declaration=True, encoding="UTF-8"), missing
+
+
 def _unit(name: str, display_units: list[str]) -> etree._Element:
     element = etree.Element("Unit", name=name)
     element.append(_base_unit(parse_unit(name)))

@@ -9,17 +9,23 @@ import sys
 
 from fmpy import read_model_description
 from fmpy.fmi2 import FMU2Model, FMU2Slave
+from fmpy.fmi3 import FMU3Model, FMU3Slave
+
+_CLASSES = {"2.0": (FMU2Model, FMU2Slave), "3.0": (FMU3Model, FMU3Slave)}
 
 
 def load(folder: str, fmi_types: list[str]) -> None:
     """Raises whatever FMPy raises for a library that does not load or refuses the GUID."""
-    description = read_model_description(folder)
+    description = read_model_description(folder, validate=False)
+    model_class, slave_class = _CLASSES[description.fmiVersion]
     interfaces = {
-        "me": (FMU2Model, description.modelExchange),
-        "cs": (FMU2Slave, description.coSimulation),
+        "me": (model_class, description.modelExchange),
+        "cs": (slave_class, description.coSimulation),
     }
     for fmi_type in fmi_types:
         fmu_class, interface = interfaces[fmi_type]
+        if interface is None:
+            raise ValueError(f"the FMU lacks the FMI type {fmi_type!r}")
         fmu = fmu_class(
             guid=description.guid,
             unzipDirectory=folder,

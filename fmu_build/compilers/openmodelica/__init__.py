@@ -1,0 +1,115 @@
+"""The OpenModelica backend: omc makes the whole FMU, in a session through OMPython or by a script."""
+
+from __future__ import annotations
+
+import re
+import tempfile
+import time
+from collections.abc import Mapping, Sequence
+from contextlib import nullcontext
+from dataclasses import dataclass
+from pathlib import Path
+
+from fmu_build.compilers.library import (
+    MODEL_KINDS,
+    ModelicaClass,
+    default_library,
+    needed_files,
+    not_found,
+    read_classes,
+)
+from fmu_build.compilers.openmodelica.build import Attempt, identifier, read_attempt, statements
+from fmu_build.compilers.openmodelica.failures import failure
+from fmu_build.compilers.openmodelica.finding import find_omc, omc_version
+from fmu_build.compilers.openmodelica.options import OPTIONS, Options, read_options
+from fmu_build.compilers.openmodelica.sessions import Opened, open_session
+from fmu_build.compilers.openmodelica.shared import left_as_found
+from fmu_build.errors import BuildError
+from fmu_build.packaging.foreign import check_request, place
+from fmu_build.request import BuildRequest, BuildResult
+
+__all__ = ["OpenModelicaCompiler"]
+
+_IDENTIFIER = r"(?:[A-Za-z_]\w*|'(?:[^'\\]|\\.)+')"
+_CLASS_NAME = re.compile(rf"{_IDENTIFIER}(?:\.{_IDENTIFIER})*", re.ASCII)
+
+
+@dataclass(frozen=True, slots=True)
+class _Sources:
+    """The library that the model is looked up in, what it declares, and all files to load for it."""
+
+    library: Path
+    classes: dict[str, ModelicaClass]
+    files: Sequence[Path]
+
+
+class OpenModelicaCompiler:
+    """Implements `fmu_build.compilers.base.Compiler`."""
+
+    name = "openmodelica"
+    options: Mapping[str, str] = OPTIONS
+
+    def version(self) -> str:
+        """The version of the omc that is found; raises `ToolchainError` where there is none."""
+        return omc_version(find_omc(None))
+
+    def build(self, request: BuildRequest) -> BuildResult:
+        """Builds the FMU; raises a `BuildError` and leaves every file as it was where that fails."""
+        start = time.perf_counter()
+        options = read_options(request.options)
+        check_request(request, "OpenModelica")
+        sources = _sources(request)
+        # omc surrounds an FMU with dozens of files, and deletes the old one before it makes the new.
+        with tempfile.TemporaryDirectory(prefix="fmu_build-", ignore_cleanup_errors=True) as name:
+            folder = Path(name).resolve()
+            request.on_stage("starting OpenModelica")
+            with open_session(options, folder, sources.files, request.on_stage) as opened:
+                request.on_stage("compiling Modelica and C with OpenModelica")
+                attempt = _attempt(opened, request, options, sources, folder)
+            made = folder / f"{identifier(request.model)}.fmu"
+            if not made.is_file():
+                # Nothing else is asked: omc may give the name of an FMU that it has failed to make.
+                raise _reason(attempt, request, sources)
+            request.on_stage("checking the FMU")
+            path, checks = place(made, request)
+        log = _log(opened, attempt, request, options) + checks
+        return BuildResult(path, self.name, attempt.version, log, time.perf_counter() - start)
+
+
+def _sources(request: BuildRequest) -> _Sources:
+    library = (request.library or default_library()).absolute()
+    files, classes = needed_files(library), read_classes(library)
+    if not _CLASS_NAME.fullmatch(request.model):  # it becomes a part of a statement
+        raise not_found(request.model, library, classes)
+    return _Sources(library, classes, files)
+
+
+def _attempt(
+    opened: Opened, request: BuildRequest, options: Options, sources: _Sources, folder: Path
+) -> Attempt:
+    asked = statements(request, sources.files, folder, options.cs_solver)
+    top_level = {name: file for file in sources.files for name in read_classes(file) if "." not in name}
+    with left_as_found(opened.session, top_level) if opened.shared else nullcontext():
+        answers = opened.session.run(list(asked.values()))
+    return read_attempt(dict(zip(asked, answers, strict=False)))
+
+
+def _reason(attempt: Attempt, request: BuildRequest, sources: _Sources) -> BuildError:
+    """Why there is no FMU after the attempt."""
+    known = sources.classes.get(request.model)
+    if known is None or known.kind not in MODEL_KINDS:
+        reasons = [str(message) for message in attempt.load_errors]
+        return not_found(request.model, sources.library, sources.classes, reasons)
+    return failure(attempt.load_errors or attempt.messages, request.model, known.file)
+
+
+def _log(opened: Opened, attempt: Attempt, request: BuildRequest, options: Options) -> str:
+    lines = [f"OpenModelica {attempt.version}: {opened.what}", opened.log().strip()]
+    if "cs" in request.fmi_types:
+        lines.append(
+            f"co-simulation: {options.cs_solver} was asked for"
+            if attempt.solver_offered
+            else "co-simulation: this OpenModelica offers no choice of the integrator: explicit Euler"
+        )
+    lines += map(str, attempt.messages)
+    return "".join(f"{line}\n" for line in lines if line)

@@ -1,0 +1,53 @@
+"""omc in a Docker image: what is shared with the container, and how it is run there."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from collections.abc import Sequence
+from pathlib import Path
+
+from fmu_build.errors import ToolchainError
+
+_SECONDS_TO_INSPECT = 60
+
+
+def check_image(image: str) -> None:
+    """Raises `ToolchainError` where Docker does not run or does not have the image.
+
+    OMPython would wait for minutes for either.
+    """
+    command = ["docker", "image", "inspect", "--format", "{{.Id}}", image]
+    try:
+        done = subprocess.run(
+            command,
+            capture_output=True,
+            text=True,
+            errors="replace",
+            timeout=_SECONDS_TO_INSPECT,
+            check=False,
+        )
+    except (OSError, subprocess.TimeoutExpired) as error:
+        raise ToolchainError(f"docker={image}: Docker does not run: {error}") from error
+    if done.returncode != 0:
+        raise ToolchainError(
+            f"docker={image}: {done.stderr.strip()} (docker pull {image} fetches an image; "
+            "openmodelica/openmodelica:v1.26.3-minimal is one)"
+        )
+
+
+def mounts(folder: Path, libraries: Sequence[Path]) -> list[str]:
+    """Arguments of ``docker run`` that show it `folder` and, to read only, `libraries` at their own paths."""
+    shared = {str(path if path.is_dir() else path.parent): ":ro" for path in libraries}
+    shared[str(folder)] = ""
+    return [word for path, mode in shared.items() for word in ("--volume", f"{path}:{path}{mode}")]
+
+
+def run_in_container(image: str, folder: Path, libraries: Sequence[Path]) -> list[str]:
+    """The command that runs omc once in a container, as the present user and in `folder`."""
+    user = ["--user", str(os.getuid())] if os.name == "posix" else []
+    return [
+        *("docker", "run", "--rm", *user, "--workdir", str(folder)),
+        *mounts(folder, libraries),
+        *(image, "omc"),
+    ]

@@ -1,0 +1,129 @@
+"""A session with omc, of the kind that the options ask for and the user may have."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import ExitStack, contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Protocol
+
+from fmu_build.compilers.openmodelica.docker import check_image, mounts, run_in_container
+from fmu_build.compilers.openmodelica.finding import find_omc
+from fmu_build.compilers.openmodelica.messages import Answer
+from fmu_build.compilers.openmodelica.options import Options
+from fmu_build.compilers.openmodelica.script import ScriptSession
+from fmu_build.compilers.openmodelica.server import RootRefusedError, local_server, read_port_file
+from fmu_build.errors import ToolchainError
+
+ROOT_NOTE = (
+    "omc refuses to serve the root user: running it on a script instead, which gives the same FMU (start "
+    "this as another user for a session)"
+)
+
+
+class Session(Protocol):
+    """Something that runs statements of OpenModelica's scripting language."""
+
+    def run(self, statements: Sequence[str]) -> list[Answer]:
+        """The answers; the last one has the reason where there are fewer of them than statements."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Opened:
+    """A session and what it is a session with."""
+
+    session: Session
+    what: str
+    shared: bool = False
+    """Whether the server was there before, and is to be left as it was."""
+    log: Callable[[], str] = field(default=lambda: "")
+    """What was noted on the way."""
+
+
+@contextmanager
+def open_session(
+    options: Options,
+    folder: Path,
+    libraries: Sequence[Path] = (),
+    tell: Callable[[str], None] = lambda stage: None,
+) -> Iterator[Opened]:
+    """Opens a session that can write to `folder` and read `libraries`; ends what it has started.
+
+    Raises `ToolchainError`. Where omc refuses the root user, it falls back to the script form and says so
+    through `tell`.
+    """
+    if options.docker is not None:
+        opened = _in_docker(options.docker, options, folder, libraries, tell)
+    elif options.port_file is not None:
+        opened = _running_already(options.port_file, options, folder)
+    else:
+        opened = _local(find_omc(options.omc), options, folder, tell)
+    with opened as session:
+        yield session
+
+
+@contextmanager
+def _local(omc: Path, options: Options, folder: Path, tell: Callable[[str], None]) -> Iterator[Opened]:
+    environment = dict(os.environ)
+    if options.omc is not None:
+        environment.pop("OPENMODELICAHOME", None)  # it may belong to another installation
+    with ExitStack() as stack:
+        try:
+            server = stack.enter_context(local_server(omc, folder, environment))
+        except RootRefusedError:
+            tell(ROOT_NOTE)
+            script = ScriptSession([str(omc)], folder, environment, options.timeout)
+            yield Opened(script, f"{omc} in its script form", log=lambda: ROOT_NOTE)
+            return
+        _require_ompython()
+        from fmu_build.compilers.openmodelica.connection import connected, log_of_ompython
+
+        log = stack.enter_context(log_of_ompython())
+        connection = stack.enter_context(connected(server.address, options.timeout, server.check))
+        yield Opened(connection, f"{omc} as a server", log=log)
+        connection.quit()
+
+
+@contextmanager
+def _running_already(port_file: Path, options: Options, folder: Path) -> Iterator[Opened]:
+    address = read_port_file(port_file)
+    if os.name == "posix" and os.geteuid() == 0:
+        # The server belongs to another user, since root gets none; it has to write here.
+        os.chown(folder, port_file.stat().st_uid, -1)
+    _require_ompython()
+    from fmu_build.compilers.openmodelica.connection import connected, log_of_ompython
+
+    with log_of_ompython() as log, connected(address, options.timeout) as connection:
+        yield Opened(connection, f"the omc server at {address}", shared=True, log=log)
+
+
+@contextmanager
+def _in_docker(
+    image: str, options: Options, folder: Path, libraries: Sequence[Path], tell: Callable[[str], None]
+) -> Iterator[Opened]:
+    check_image(image)
+    if os.name == "posix" and os.geteuid() == 0:
+        # OMPython runs the container as the user who asks.
+        tell(ROOT_NOTE)
+        command = run_in_container(image, folder, libraries)
+        script = ScriptSession(command, folder, os.environ, options.timeout)
+        yield Opened(script, f"omc of the Docker image {image} in its script form", log=lambda: ROOT_NOTE)
+        return
+    _require_ompython()
+    from fmu_build.compilers.openmodelica.connection import container, log_of_ompython
+
+    with log_of_ompython() as log, container(image, mounts(folder, libraries), options.timeout) as connection:
+        yield Opened(connection, f"omc of the Docker image {image} as a server", log=log)
+
+
+def _require_ompython() -> None:
+    try:
+        import OMPython  # noqa: F401
+    except ImportError as error:
+        raise ToolchainError(
+            "OMPython, which talks to OpenModelica, is missing: pip install 'pyjoystick[openmodelica]'. "
+            "The default compiler, rumoca, does not need it."
+        ) from error

@@ -1,0 +1,51 @@
+"""A server that others use too: it is left as it was found."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+
+from fmu_build.compilers.openmodelica.messages import quoted
+from fmu_build.compilers.openmodelica.sessions import Session
+from fmu_build.errors import ToolchainError
+
+_FLAGS = re.compile(r"--fmiFlags=[^\s\"]*")
+
+
+@contextmanager
+def left_as_found(session: Session, classes: Mapping[str, Path]) -> Iterator[None]:
+    """Takes back, on leaving, what a build changes in a server: classes, folder and the solver asked for.
+
+    `classes` are the top-level classes that will be loaded, with their files. Raises `ToolchainError` where
+    the server has one of them from elsewhere, because loading would replace it.
+    """
+    folder, names, flags = (answer.value for answer in session.run(_STATE))
+    before = _names(names)
+    for name in before & classes.keys():
+        source = session.run([f"getSourceFile({name})"])[0].text
+        if Path(source).resolve() != classes[name].resolve():
+            raise ToolchainError(
+                f"the server has a class {name} already, from {source or 'no file'}; it would be replaced by "
+                f"that of {classes[name]}. Delete it there, or use another server"
+            )
+    try:
+        yield
+    finally:
+        added = _names(session.run(_STATE)[1].value) - before
+        solver = _FLAGS.search(flags)
+        session.run(
+            [
+                *(f"deleteClass({name})" for name in sorted(added)),
+                f"setCommandLineOptions({quoted(solver.group() if solver else '--fmiFlags=none')})",
+                f"cd({folder})",
+            ]
+        )
+
+
+_STATE = ("cd()", "getClassNames()", "getCommandLineOptions()")
+
+
+def _names(array: str) -> set[str]:
+    return {name.strip() for name in array.strip().strip("{}").split(",") if name.strip()}

@@ -1,0 +1,69 @@
+"""FMUs that another tool has packaged: checked as far as they can be, and put in place."""
+
+from __future__ import annotations
+
+import io
+import zipfile
+from pathlib import Path
+
+from fmpy.validation import validate_fmu
+
+from fmu_build.errors import BuildError
+from fmu_build.packaging.archive import check_output_folder, replacing
+from fmu_build.packaging.check import check_loads
+from fmu_build.packaging.fmi2_units import add_unit_definitions
+from fmu_build.packaging.platforms import host_platform
+from fmu_build.request import BuildRequest
+
+_DESCRIPTION = "modelDescription.xml"
+_VERSIONS = ("2.0", "3.0")
+
+
+def check_request(request: BuildRequest, tool: str) -> None:
+    """Refuses what such a tool cannot do before any work is done; raises `BuildError`."""
+    if request.fmi_version not in _VERSIONS:
+        raise BuildError(
+            f"FMI version {request.fmi_version!r} is not supported; supported are {' and '.join(_VERSIONS)}"
+        )
+    if not request.fmi_types or not set(request.fmi_types) <= {"me", "cs"}:
+        raise BuildError(f"FMI types {list(request.fmi_types)!r}: allowed are 'me', 'cs' or both")
+    host = host_platform()
+    others = [name for name in request.platforms if host is None or name != host.name]
+    if others:
+        own = f" ({host.name})" if host is not None else ""
+        raise BuildError(f"{tool} builds for this machine{own} alone, not for {', '.join(others)}")
+    check_output_folder(request.output)
+
+
+def place(made: Path, request: BuildRequest) -> tuple[Path, str]:
+    """Puts an FMU that loads on this machine into the output folder.
+
+    Returns where it is and what was found. Raises `BuildError`, with the old FMU in its place, where it is
+    damaged, does not load, or lacks one of the FMI types that were asked for. What FMPy's validation finds
+    is only told, but for units without a definition, which are given one.
+    """
+    if not zipfile.is_zipfile(made):
+        raise BuildError(f"{made.name} is not a ZIP archive: it was not written to its end")
+    content, log = _with_unit_definitions(made.read_bytes())
+    target = request.output / made.name
+    with replacing(target, content) as new:
+        log += check_loads(new, request.fmi_types)
+        log += "".join(f"FMPy's validation: {finding}\n" for finding in validate_fmu(str(new)))
+    return target, log
+
+
+def _with_unit_definitions(content: bytes) -> tuple[bytes, str]:
+    """The archive with a definition for every unit that its variables have; and what was added.
+
+    Importers that validate, FMPy among them, refuse an FMU without; old versions of OpenModelica write none.
+    """
+    with zipfile.ZipFile(io.BytesIO(content)) as old:
+        description, units = add_unit_definitions(old.read(_DESCRIPTION))
+        if not units:
+            return content, ""
+        new = io.BytesIO()
+        with zipfile.ZipFile(new, "w", zipfile.ZIP_DEFLATED) as archive:
+            for entry in old.infolist():
+                is_description = entry.filename == _DESCRIPTION
+                archive.writestr(entry, description if is_description else old.read(entry))
+    return new.getvalue(), f"unit definitions added to the FMU: {', '.join(units)}\n"
