@@ -1,0 +1,54 @@
+"""The runs that are left, handed out in chunks that take about the same time each."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+#: A chunk has at most so many times the runs of the largest one that has been timed.
+_GROWTH: Final = 8
+
+
+class Chunks:
+    """Runs still to be done.
+
+    The rate is measured as the work goes on. Towards the end chunks become smaller, so that all who work are
+    done at about the same time.
+    """
+
+    def __init__(self, runs: NDArray[np.int64], *, seconds: float, slots: int, least: int = 1) -> None:
+        """Take up the runs.
+
+        Args:
+            runs: their numbers, in the order in which they are to be handed out
+            seconds: what a chunk should take
+            slots: how many chunks are worked on at a time
+            least: runs of a chunk at least, and of the first ones
+        """
+        self._runs = runs
+        self._seconds = seconds
+        self._least = least
+        self._largest = least
+        self._rate = 0.0
+        self.slots = slots
+
+    @property
+    def left(self) -> int:
+        """Number of runs not handed out."""
+        return int(self._runs.size)
+
+    def take(self) -> NDArray[np.int64]:
+        """The next chunk, empty when there are no more."""
+        wanted = min(int(self._rate * self._seconds), _GROWTH * self._largest)
+        if self.slots > 1:
+            wanted = min(wanted, -(-self.left // (2 * self.slots)))
+        size = max(wanted, self._least)
+        chunk, self._runs = self._runs[:size], self._runs[size:]
+        return chunk
+
+    def timed(self, runs: int, seconds: float) -> None:
+        """Learn from a finished chunk."""
+        self._rate = runs / max(seconds, 1e-9)
+        self._largest = max(self._largest, runs)

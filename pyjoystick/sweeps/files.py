@@ -1,0 +1,105 @@
+"""Results of sweeps as Parquet or CSV files that carry their settings."""
+
+from __future__ import annotations
+
+import csv
+import json
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Final
+
+import pandas as pd
+
+from pyjoystick.errors import OutputFileError
+from pyjoystick.output import replacing
+from pyjoystick.sweeps.errors import MissingPackageError, SweepFileError
+from pyjoystick.sweeps.sweep import Document
+
+_SUFFIXES: Final = (".parquet", ".csv")
+#: Key of the settings in ``DataFrame.attrs``, and with it in the metadata of a Parquet file.
+_ATTRIBUTE: Final = "sweep"
+
+
+def check_target(path: Path) -> None:
+    """Raise unless the name says a format that can be written.
+
+    Raises:
+        OutputFileError: another suffix than .parquet or .csv
+        MissingPackageError: Parquet without pyarrow
+    """
+    if path.suffix.lower() not in _SUFFIXES:
+        raise OutputFileError(path, f"the name must end in {' or '.join(_SUFFIXES)}")
+    if _is_parquet(path) and find_spec("pyarrow") is None:
+        raise MissingPackageError("Parquet files", "parquet")
+
+
+def write_sweep(path: Path, table: pd.DataFrame, document: Document) -> None:
+    """Write the results of a sweep with its settings, whole or not at all.
+
+    Parquet keeps the document as JSON in its metadata, where pandas keeps ``DataFrame.attrs``; CSV in lines
+    that begin with ``#``.
+
+    Raises:
+        OutputFileError: the file cannot be written
+    """
+    check_target(path)
+    with replacing(path) as temporary:
+        if _is_parquet(path):
+            described = table.copy(deep=False)
+            described.attrs = {_ATTRIBUTE: document}
+            described.to_parquet(temporary, engine="pyarrow")
+        else:
+            with temporary.open("w", encoding="utf-8", newline="") as file:
+                file.writelines(f"# {line}\n" for line in json.dumps(document, indent=2).splitlines())
+                # Quoted text may hold a "#" without beginning a comment.
+                table.to_csv(file, quoting=csv.QUOTE_NONNUMERIC, lineterminator="\n")
+
+
+def read_sweep(path: Path) -> pd.DataFrame:
+    """The results of a sweep, one row a run; ``attrs["sweep"]`` has its settings, FMU, versions and units.
+
+    The columns are the varied parameters, the results, ``failed`` and ``message``; the index is ``run``.
+
+    Raises:
+        SweepFileError: there is no such file, or it is no result of a sweep
+        MissingPackageError: Parquet without pyarrow
+    """
+    check_target(path)
+    try:
+        table = _read_parquet(path) if _is_parquet(path) else _read_csv(path)
+    except FileNotFoundError as error:
+        raise SweepFileError(path, "the file does not exist") from error
+    except (OSError, ValueError, KeyError) as error:
+        raise SweepFileError(path, f"is no result of a sweep: {error}") from error
+    if _ATTRIBUTE not in table.attrs:
+        raise SweepFileError(path, "is no result of a sweep: it carries no settings")
+    return table
+
+
+def _is_parquet(path: Path) -> bool:
+    return path.suffix.lower() == ".parquet"
+
+
+def _read_parquet(path: Path) -> pd.DataFrame:
+    return pd.read_parquet(path, engine="pyarrow")
+
+
+def _read_csv(path: Path) -> pd.DataFrame:
+    with path.open(encoding="utf-8") as file:
+        header = []
+        for line in file:
+            if not line.startswith("#"):
+                break
+            header.append(line.removeprefix("#"))
+    table = pd.read_csv(
+        path,
+        comment="#",
+        index_col="run",
+        float_precision="round_trip",
+        dtype={"message": str},
+        keep_default_na=True,
+    )
+    table["message"] = table["message"].fillna("")
+    if header:
+        table.attrs[_ATTRIBUTE] = json.loads("".join(header))
+    return table
