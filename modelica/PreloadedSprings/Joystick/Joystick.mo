@@ -12,11 +12,11 @@ model Joystick "Joystick with constant damping: torque in, motion out (eq. 1)"
     annotation (Placement(transformation(extent = {{-220, -10}, {-200, 10}}),
       iconTransformation(extent = {{-120, -10}, {-100, 10}})));
   Interfaces.Signals.AngleOutput theta(start = theta_start, fixed = true, nominal = 0.1,
-    stateSelect = StateSelect.always) "Angle from the neutral position, positive forward"
+    stateSelect = StateSelect.prefer) "Angle from the neutral position, positive forward"
     annotation (Placement(transformation(extent = {{200, 100}, {220, 120}}),
       iconTransformation(extent = {{100, 82}, {116, 98}})));
   Interfaces.Signals.AngularVelocityOutput omega(start = omega_start, fixed = true,
-    stateSelect = StateSelect.always) "Angular velocity"
+    stateSelect = StateSelect.prefer) "Angular velocity"
     annotation (Placement(transformation(extent = {{200, 55}, {220, 75}}),
       iconTransformation(extent = {{100, 62}, {116, 78}})));
   Interfaces.Signals.AngularAccelerationOutput alpha "Angular acceleration"
