@@ -24,6 +24,7 @@ class Difference:
         relative: the same in parts of the reference's largest magnitude over the run (0 where both are zero)
         time: where it occurs (s)
         limit: largest allowed difference, in the unit; None where there is none
+        parted_at: when the limit is first exceeded, or NaN is first met (s); None where it is kept
     """
 
     variable: str
@@ -32,6 +33,7 @@ class Difference:
     relative: float
     time: float
     limit: float | None = None
+    parted_at: float | None = None
 
     @property
     def within_limit(self) -> bool:
@@ -87,6 +89,7 @@ def difference_table(differences: Sequence[Difference]) -> pd.DataFrame:
             "relative": [one.relative for one in differences],
             "time": [one.time for one in differences],
             "limit": [one.limit for one in differences],
+            "parted_at": [one.parted_at for one in differences],
         },
         index=pd.Index([one.variable for one in differences], name="variable"),
     )
@@ -103,4 +106,8 @@ def _difference(table: pd.DataFrame, against: pd.DataFrame, name: str, limit: fl
     largest = float(distance[place])
     magnitude = float(np.max(np.abs(expected)))
     relative = largest / magnitude if magnitude > 0.0 else (0.0 if largest == 0.0 else np.inf)
-    return Difference(name, unit or other_unit, largest, relative, float(table.index[place]), limit)
+    beyond = np.zeros(len(distance), dtype=np.bool_) if limit is None else ~(distance <= limit)
+    parted_at = float(table.index[int(np.argmax(beyond))]) if beyond.any() else None
+    return Difference(
+        name, unit or other_unit, largest, relative, float(table.index[place]), limit, parted_at
+    )

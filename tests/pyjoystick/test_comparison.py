@@ -42,6 +42,13 @@ def test_limits_are_kept_up_to_their_value() -> None:
     assert not within_limits(compare(run, expected, limits={"theta": np.nextafter(1.0, 0.0)}))
 
 
+def test_where_a_limit_is_first_exceeded() -> None:
+    run, expected = table(theta=[0.0, 0.1, -0.3, 0.9]), table(theta=[0.0] * 4)
+    parted = [compare(run, expected, limits={"theta": limit})[0].parted_at for limit in (0.05, 0.1, 0.5, 0.9)]
+    assert parted == [0.1, 0.2, 0.3, None]
+    assert compare(run, expected)[0].parted_at is None
+
+
 def test_nan_exceeds_every_limit() -> None:
     run = table(theta=[0.0, math.nan, 0.0, 0.0])
     for differences in (
@@ -50,7 +57,7 @@ def test_nan_exceeds_every_limit() -> None:
     ):
         assert not within_limits(differences)
         assert math.isnan(differences[0].largest)
-        assert differences[0].time == 0.1
+        assert (differences[0].time, differences[0].parted_at) == (0.1, 0.1)
 
 
 def test_differences_as_a_table() -> None:
