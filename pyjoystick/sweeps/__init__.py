@@ -11,6 +11,7 @@ from pyjoystick.sweeps.errors import (
 )
 from pyjoystick.sweeps.files import read_sweep
 from pyjoystick.sweeps.runner import Outcome, run_sweep
+from pyjoystick.sweeps.sensitivity import sensitivity
 from pyjoystick.sweeps.settings import Settings, read_settings
 from pyjoystick.sweeps.sweep import Sweep
 
@@ -29,4 +30,5 @@ __all__ = [
     "read_settings",
     "read_sweep",
     "run_sweep",
+    "sensitivity",
 ]

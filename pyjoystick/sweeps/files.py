@@ -13,11 +13,9 @@ import pandas as pd
 from pyjoystick.errors import OutputFileError
 from pyjoystick.output import replacing
 from pyjoystick.sweeps.errors import MissingPackageError, SweepFileError
-from pyjoystick.sweeps.sweep import Document
+from pyjoystick.sweeps.sweep import ATTRIBUTE
 
 _SUFFIXES: Final = (".parquet", ".csv")
-#: Key of the settings in ``DataFrame.attrs``, and with it in the metadata of a Parquet file.
-_ATTRIBUTE: Final = "sweep"
 
 
 def check_target(path: Path) -> None:
@@ -33,11 +31,15 @@ def check_target(path: Path) -> None:
         raise MissingPackageError("Parquet files", "parquet")
 
 
-def write_sweep(path: Path, table: pd.DataFrame, document: Document) -> None:
+def write_sweep(path: Path, table: pd.DataFrame) -> None:
     """Write the results of a sweep with its settings, whole or not at all.
 
-    Parquet keeps the document as JSON in its metadata, where pandas keeps ``DataFrame.attrs``; CSV in lines
+    Parquet keeps the settings as JSON in its metadata, where pandas keeps ``DataFrame.attrs``; CSV in lines
     that begin with ``#``.
+
+    Args:
+        path: the file, .parquet or .csv
+        table: as `Sweep.table` makes it
 
     Raises:
         OutputFileError: the file cannot be written
@@ -45,12 +47,11 @@ def write_sweep(path: Path, table: pd.DataFrame, document: Document) -> None:
     check_target(path)
     with replacing(path) as temporary:
         if _is_parquet(path):
-            described = table.copy(deep=False)
-            described.attrs = {_ATTRIBUTE: document}
-            described.to_parquet(temporary, engine="pyarrow")
+            table.to_parquet(temporary, engine="pyarrow")
         else:
             with temporary.open("w", encoding="utf-8", newline="") as file:
-                file.writelines(f"# {line}\n" for line in json.dumps(document, indent=2).splitlines())
+                document = json.dumps(table.attrs[ATTRIBUTE], indent=2)
+                file.writelines(f"# {line}\n" for line in document.splitlines())
                 # Quoted text may hold a "#" without beginning a comment.
                 table.to_csv(file, quoting=csv.QUOTE_NONNUMERIC, lineterminator="\n")
 
@@ -71,7 +72,7 @@ def read_sweep(path: Path) -> pd.DataFrame:
         raise SweepFileError(path, "the file does not exist") from error
     except (OSError, ValueError, KeyError) as error:
         raise SweepFileError(path, f"is no result of a sweep: {error}") from error
-    if _ATTRIBUTE not in table.attrs:
+    if ATTRIBUTE not in table.attrs:
         raise SweepFileError(path, "is no result of a sweep: it carries no settings")
     return table
 
@@ -101,5 +102,5 @@ def _read_csv(path: Path) -> pd.DataFrame:
     )
     table["message"] = table["message"].fillna("")
     if header:
-        table.attrs[_ATTRIBUTE] = json.loads("".join(header))
+        table.attrs[ATTRIBUTE] = json.loads("".join(header))
     return table

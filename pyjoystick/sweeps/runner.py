@@ -96,7 +96,7 @@ def run_sweep(
         if not done.all():
             return _unfinished(target, whole, int(done.sum()), found, interrupted)
         table = sweep.table(whole)
-        write_sweep(target, table, sweep.document())
+        write_sweep(target, table)
         parts.remove()
     return _outcome(target, table, found)
 

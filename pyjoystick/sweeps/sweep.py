@@ -7,7 +7,7 @@ import json
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 import pandas as pd
@@ -21,6 +21,8 @@ from pyjoystick.sweeps.settings import Settings
 from pyjoystick.versions import versions
 
 Document = dict[str, Any]
+#: Where ``DataFrame.attrs`` has what a file of results says of itself.
+ATTRIBUTE: Final = "sweep"
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,20 +91,19 @@ class Sweep:
         cleaned: Document = json.loads(json.dumps(document, default=str))
         return cleaned
 
-    def document(self) -> Document:
-        """What stands in the file of the results beside the numbers."""
-        fmu = self.settings.fmu
-        units = {name: fmu.variables[str(name)].unit for name in self.design}
-        return self.identity | {
-            "versions": versions(),
-            "units": units | units_of(self.settings.results, fmu),
-        }
-
     def table(self, whole: Part) -> pd.DataFrame:
-        """The results of all runs: parameters, results, ``failed``, ``message``; indexed by ``run``."""
+        """The results of all runs: parameters, results, ``failed``, ``message``; indexed by ``run``.
+
+        ``attrs["sweep"]`` has what `identity` says, with the versions of packages and the units of columns.
+        """
         results = pd.DataFrame(whole.values, index=self.design.index, columns=self.columns)
         table = pd.concat([self.design, results], axis=1)
-        return table.assign(failed=whole.failed, message=whole.messages)
+        table = table.assign(failed=whole.failed, message=whole.messages)
+        fmu = self.settings.fmu
+        units = {str(name): fmu.variables[str(name)].unit for name in self.design}
+        units |= units_of(self.settings.results, fmu)
+        table.attrs[ATTRIBUTE] = self.identity | {"versions": versions(), "units": units}
+        return table
 
 
 def part_of(result: BatchResult, runs: NDArray[np.int64]) -> Part:

@@ -1,0 +1,66 @@
+"""The progress of a sweep on standard error."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from rich.progress import (
+    BarColumn,
+    MofNCompleteColumn,
+    Progress,
+    ProgressColumn,
+    Task,
+    TextColumn,
+    TimeRemainingColumn,
+)
+from rich.text import Text
+
+from pyjoystick.cli.console import messages, print_note
+
+
+class _Rate(ProgressColumn):
+    """Runs a second."""
+
+    def render(self, task: Task) -> Text:
+        speed = task.finished_speed or task.speed
+        return Text("" if speed is None else f"{speed:.3g} runs/s" if speed < 1000 else f"{speed:.0f} runs/s")
+
+
+class SweepProgress:
+    """A bar with the rate and the time left, and notes above it, each once."""
+
+    def __init__(self, bar: Progress, total: int) -> None:
+        self._bar = bar
+        self._task = bar.add_task("running", total=total)
+        self._said: set[str] = set()
+        self._begun = False
+
+    def show(self, done: int) -> None:
+        """So many runs are done."""
+        if not self._begun:
+            # Runs of an earlier session count as done, but not for the rate.
+            self._bar.reset(self._task, completed=done)
+            self._begun = True
+        self._bar.update(self._task, completed=done)
+
+    def note(self, text: str) -> None:
+        """Say something that is no progress."""
+        if text not in self._said:
+            self._said.add(text)
+            print_note(text)
+
+
+@contextmanager
+def progress(total: int) -> Iterator[SweepProgress]:
+    """The progress of `total` runs; nothing is drawn where standard error is no terminal."""
+    console = messages()
+    columns = (
+        TextColumn("{task.description}"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        _Rate(),
+        TimeRemainingColumn(),
+    )
+    with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:
+        yield SweepProgress(bar, total)
