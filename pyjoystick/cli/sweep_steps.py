@@ -132,8 +132,8 @@ def _print_sensitivity(table: pd.DataFrame, results: Sequence[str]) -> pd.DataFr
     for result, rows in found.groupby("result", sort=False):
         shown.add_row(escape(str(result)))
         for row in rows.itertuples(index=False):
-            first = (f"{row.first:.2f}", f"{row.first_low:.2f} to {row.first_high:.2f}")
-            total = (f"{row.total:.2f}", f"{row.total_low:.2f} to {row.total_high:.2f}")
+            first = (f"{row.first:z.2f}", f"{row.first_low:z.2f} to {row.first_high:z.2f}")
+            total = (f"{row.total:z.2f}", f"{row.total_low:z.2f} to {row.total_high:z.2f}")
             shown.add_row(f"  {escape(str(row.parameter))}", *first, *total)
     console.print("Sobol indices: the share of the variance that comes from each parameter")
     console.print(shown)

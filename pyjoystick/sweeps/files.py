@@ -6,8 +6,9 @@ import csv
 import json
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
+import numpy as np
 import pandas as pd
 
 from pyjoystick.errors import OutputFileError
@@ -92,15 +93,18 @@ def _read_csv(path: Path) -> pd.DataFrame:
             if not line.startswith("#"):
                 break
             header.append(line.removeprefix("#"))
-    table = pd.read_csv(
-        path,
-        comment="#",
-        index_col="run",
-        float_precision="round_trip",
-        dtype={"message": str},
-        keep_default_na=True,
-    )
-    table["message"] = table["message"].fillna("")
+    # As text first: Python's own conversion gives back every digit, whatever the version of pandas.
+    text = pd.read_csv(path, comment="#", index_col="run", dtype=str, keep_default_na=False)
+    table = text.apply(_converted).set_axis(text.index.astype(np.int64), axis=0).rename_axis("run")
     if header:
         table.attrs[ATTRIBUTE] = json.loads("".join(header))
     return table
+
+
+def _converted(column: pd.Series[str]) -> pd.Series[Any]:
+    """A column of text as numbers or Booleans, but for the messages."""
+    if column.name == "message":
+        return column
+    if column.isin(["True", "False"]).all():
+        return column == "True"
+    return column.map(lambda cell: float(cell) if cell else np.nan)

@@ -56,3 +56,4 @@ def run_locally(
             if result.interrupted:
                 raise KeyboardInterrupt
             done += int(runs.size)
+            on_progress(done)

@@ -112,7 +112,7 @@ class Parts:
         """Every part, with the messages of its failed runs alone."""
         for file in sorted(self.folder.glob(_PARTS)):
             try:
-                with np.load(file) as kept:
+                with file.open("rb") as stream, np.load(stream) as kept:
                     yield Part(kept["runs"], kept["values"], kept["failed"], kept["said"].tolist())
             except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile):
                 file.unlink(missing_ok=True)
@@ -130,7 +130,8 @@ def require_same(target: Path, kept: Mapping[str, Any], identity: Mapping[str, A
 
 
 def _differences(old: Any, new: Any, place: str) -> Iterator[str]:
-    if isinstance(old, Mapping) and isinstance(new, Mapping):
+    if isinstance(old, Mapping) or isinstance(new, Mapping):
+        old, new = (one if isinstance(one, Mapping) else {} for one in (old, new))
         for key in dict.fromkeys((*old, *new)):
             yield from _differences(old.get(key), new.get(key), f"{place} {key}".strip())
     elif old != new:

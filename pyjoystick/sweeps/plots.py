@@ -150,8 +150,10 @@ def _labeled(name: str, units: dict[str, str]) -> str:
     unit = f"({units[name]})" if units.get(name) else ""
     if len(name) + len(unit) <= _LONGEST_LINE:
         return f"{name} {unit}".rstrip()
-    first, dot, last = name.rpartition(".") if len(name) > _LONGEST_LINE else ("", "", name)
-    return "\n".join(filter(None, (first + dot, f"{last} {unit}".rstrip())))
+    if len(name) <= _LONGEST_LINE:
+        return f"{name}\n{unit}"
+    first, dot, last = name.rpartition(".")
+    return f"{first}{dot}\n{last} {unit}".strip()
 
 
 def _require_room(field: str, names: Sequence[str], most: int) -> None:
