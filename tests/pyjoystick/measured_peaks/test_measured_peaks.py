@@ -129,7 +129,7 @@ def test_a_linear_oscillation_against_its_closed_form() -> None:
     assert found.release_time == pytest.approx(0.3042, abs=2e-3)
     assert found.displacement["time"][:8].to_numpy() == pytest.approx(0.3042 + number * half, abs=2e-3)
     heights = 0.3 * np.exp(-decay * number * half)
-    assert found.displacement["value"][:8].abs().to_numpy() == pytest.approx(heights, rel=2e-3)
+    assert found.displacement["value"][:8].abs().to_numpy() == pytest.approx(heights, rel=4e-3)
 
 
 def test_too_few_samples_are_refused() -> None:
