@@ -1,6 +1,19 @@
 within PreloadedSprings.Joystick;
 model JoystickPowerLaw "Joystick with damping by power laws (eq. 11): torque in, motion out (eq. 1)"
-  extends Joystick(redeclare Damping.PowerLaw damping);
+  extends DrivenMechanism;
+  replaceable Damping.PowerLaw damping
+    constrainedby Interfaces.DampingLaw "Damping law"
+    annotation (choicesAllMatching = true, Placement(transformation(extent = {{-30, -10}, {30, 50}})));
+equation
+  damping.omega = omega;
+  connect(damping.flange, handle.flange)
+    annotation (Line(points = {{-30, 20}, {-80, 20}, {-80, 110}, {-30, 110}}, color = {64, 64, 64}));
+  connect(camPlate.isForward, damping.isForward)
+    annotation (Line(points = {{0, -26}, {0, -13}}, color = {255, 0, 255}));
+  connect(damping.coefficient, C)
+    annotation (Line(points = {{33, 35}, {210, 35}}, color = {0, 0, 127}));
+  connect(damping.M_d, M_d)
+    annotation (Line(points = {{33, 5}, {210, 5}}, color = {0, 0, 127}));
 
   annotation (
     defaultComponentName = "joystick",
