@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -31,6 +32,29 @@ def replacing(path: Path) -> Iterator[Path]:
         raise OutputFileError(path, error.strerror or str(error)) from error
     finally:
         temporary.unlink(missing_ok=True)
+
+
+def check_outputs(*paths: Path | None) -> None:
+    """Find out before a run whether its results can be written; None stands for a result that is not wanted.
+
+    Nothing is made. What can still go wrong later, such as a full disk, is said by `replacing`.
+
+    Raises:
+        OutputFileError: a path is a folder, its folder can neither be written to nor made, or two paths are
+            the same file
+    """
+    wanted = [path for path in paths if path is not None]
+    for i, path in enumerate(wanted):
+        if path.resolve() in [other.resolve() for other in wanted[:i]]:
+            raise OutputFileError(path, "another result is written there too")
+        if path.is_dir():
+            raise OutputFileError(path, "it is a folder")
+        folder = next(parent for parent in path.absolute().parents if parent.exists())
+        try:
+            with tempfile.TemporaryFile(dir=folder):
+                pass
+        except OSError as error:
+            raise OutputFileError(path, f"{folder}: {error.strerror or error}") from error
 
 
 def write_text(path: Path, text: str) -> None:

@@ -15,6 +15,7 @@ from pyjoystick.cli import options
 from pyjoystick.cli.console import messages, output, print_note
 from pyjoystick.cli.setup import opened
 from pyjoystick.fmu import DEFAULT_TOLERANCE
+from pyjoystick.output import check_outputs
 from pyjoystick.peaks import find_peaks
 from pyjoystick.tables import write_csv
 
@@ -58,6 +59,7 @@ def run(
         from pyjoystick.plots import check_figure_path, plot_motion, save_figure
 
         check_figure_path(plot)
+    check_outputs(csv, plot)
     with opened(damping, fmu, assignments) as (joystick, parameters), messages().status("simulating"):
         table = experiments.free_oscillation(
             start,

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
 
 from pyjoystick.errors import OutputFileError
-from pyjoystick.output import replacing, write_text
+from pyjoystick.output import check_outputs, replacing, write_text
 
 
 def test_folders_are_made_and_files_replaced(tmp_path: Path) -> None:
@@ -49,3 +50,36 @@ def test_a_path_that_cannot_be_written_is_named(tmp_path: Path) -> None:
     with pytest.raises(OutputFileError, match=r"cannot write .*folder: "):
         write_text(tmp_path / "folder", "text")
     assert sorted(path.name for path in tmp_path.iterdir()) == ["file", "folder"]
+
+
+def test_outputs_that_can_be_written_are_not_made(tmp_path: Path) -> None:
+    (tmp_path / "old.csv").write_text("old")
+    check_outputs(None, tmp_path / "old.csv", tmp_path / "new" / "folder" / "new.csv", None)
+    assert [path.name for path in tmp_path.iterdir()] == ["old.csv"]
+    assert (tmp_path / "old.csv").read_text() == "old"
+
+
+def test_outputs_that_cannot_be_written_are_found_before(tmp_path: Path) -> None:
+    (tmp_path / "file").touch()
+    (tmp_path / "folder").mkdir()
+    for name, reason in (("file/a/x.csv", "file: "), ("folder", "it is a folder")):
+        with pytest.raises(OutputFileError, match=rf"cannot write .*{name}: .*{reason}"):
+            check_outputs(tmp_path / name)
+
+
+def test_a_folder_that_is_locked_is_found_before(tmp_path: Path) -> None:
+    folder = tmp_path / "locked"
+    folder.mkdir(mode=0o500)
+    if os.access(folder, os.W_OK):
+        pytest.skip("whoever runs this may write everywhere, as root does")
+    with pytest.raises(OutputFileError, match=r"locked/x\.csv: .*locked: Permission denied"):
+        check_outputs(folder / "x.csv")
+
+
+def test_two_outputs_in_one_file_are_refused(tmp_path: Path) -> None:
+    (tmp_path / "folder").mkdir()
+    (tmp_path / "link").symlink_to(tmp_path / "folder")
+    path = tmp_path / "folder" / "x.png"
+    for other in (path, tmp_path / "folder" / ".." / "folder" / "x.png", tmp_path / "link" / "x.png"):
+        with pytest.raises(OutputFileError, match=r"x\.png: another result is written there too"):
+            check_outputs(path, None, other)

@@ -10,6 +10,7 @@ import pandas as pd
 import pytest
 
 from pyjoystick.experiments import COLUMNS, free_oscillation
+from pyjoystick.fmu import Fmu
 from pyjoystick.parameters import NOMINAL, NOMINAL_POWER_LAW
 from tests.pyjoystick.cli.conftest import Command
 
@@ -122,6 +123,35 @@ def test_an_output_that_cannot_be_written(command: Command, tmp_path: Path) -> N
     assert outcome.code == 1
     assert outcome.message.startswith("cannot write file/run.csv: ")
     assert (tmp_path / "file").read_text() == "kept"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("--csv", "file/run.csv"), "cannot write file/run.csv: "),
+        (("--plot", "file/run.png"), "cannot write file/run.png: "),
+        (
+            ("--csv", "run.png", "--plot", "run.png"),
+            "cannot write run.png: another result is written there too",
+        ),
+    ],
+)
+def test_outputs_are_checked_before_the_run(
+    command: Command,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    arguments: tuple[str, ...],
+    message: str,
+) -> None:
+    def runs(*_: object, **__: object) -> None:
+        raise AssertionError
+
+    monkeypatch.setattr(Fmu, "run", runs)
+    (tmp_path / "file").write_text("kept")
+    outcome = command("free-oscillation", *arguments)
+    assert (outcome.code, outcome.out) == (1, "")
+    assert outcome.message.startswith(message)
+    assert [path.name for path in tmp_path.iterdir()] == ["file"]
 
 
 def test_the_paper_is_what_no_option_gives(command: Command, tmp_path: Path) -> None:
