@@ -1,7 +1,7 @@
 """Extrema of a sampled series, located between the samples: the numerics of `pyjoystick.peaks`.
 
-Everything here is arithmetic on arrays, so that Numba can compile it as it stands; the compiled loop over runs
-does so (`pyjoystick.fmu.stepping`). Both give the same numbers, bit for bit. An array of extrema has one row
+Everything here is arithmetic on arrays that Numba can compile as it stands; the compiled loop over runs does
+so (`pyjoystick.fmu.stepping`). Both give the same numbers, bit for bit. An array of extrema has one row
 each, in order of time: time, value, sign (1 for a maximum, -1 for a minimum).
 """
 
@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pyjoystick._types import FloatArray
 
@@ -25,19 +26,22 @@ def extrema_of_derivative(time: FloatArray, value: FloatArray, slope: FloatArray
         value: the series, shape (n,)
         slope: its derivative, shape (n,)
     """
-    moving = np.flatnonzero(slope)
-    forward = slope[moving] > 0.0
-    changes = np.flatnonzero(forward[1:] != forward[:-1])
-    found = np.empty((len(changes), 3))
-    for i in range(len(changes)):
-        before, after = moving[changes[i]], moving[changes[i] + 1]
-        sign = 1.0 if forward[changes[i]] else -1.0
-        if after == before + 1:
-            instant, height = _cubic_extremum(time, value, slope, before, sign)
-        else:
-            instant, height = _middle(time, value, before + 1, after - 1)
-        found[i, 0], found[i, 1], found[i, 2] = instant, height, sign
-    return found
+    found = np.empty((len(slope), 3))
+    count = 0
+    before = -1  # the last sample that moves
+    for i in range(len(slope)):
+        if slope[i] == 0.0:
+            continue
+        if before >= 0 and (slope[i] > 0.0) != (slope[before] > 0.0):
+            sign = 1.0 if slope[before] > 0.0 else -1.0
+            if i == before + 1:
+                instant, height = _cubic_extremum(time, value, slope, before, sign)
+            else:
+                instant, height = _middle(time, value, before + 1, i - 1)
+            found[count, 0], found[count, 1], found[count, 2] = instant, height, sign
+            count += 1
+        before = i
+    return found[:count]
 
 
 def extrema_of_samples(time: FloatArray, value: FloatArray) -> FloatArray:
@@ -47,23 +51,22 @@ def extrema_of_samples(time: FloatArray, value: FloatArray) -> FloatArray:
         time: instants (s), shape (n,), n >= 3, increasing
         value: the series, shape (n,)
     """
-    # Equal samples in a row are one level; `heads` has the first sample of each.
-    steps = np.flatnonzero(value[1:] != value[:-1])
-    heads = np.zeros(len(steps) + 1, dtype=np.int64)
-    heads[1:] = steps + 1
-    level = value[heads]
-    rising = level[1:] > level[:-1]
-    turns = np.flatnonzero(rising[1:] != rising[:-1])
-    found = np.empty((len(turns), 3))
-    for i in range(len(turns)):
-        first, last = heads[turns[i] + 1], heads[turns[i] + 2] - 1
-        sign = 1.0 if rising[turns[i]] else -1.0
-        if last - first >= 2:
-            instant, height = _middle(time, value, first, last)
-        else:
-            instant, height = _polynomial_extremum(time, value, first, last, sign)
-        found[i, 0], found[i, 1], found[i, 2] = instant, height, sign
-    return found
+    found = np.empty((len(value), 3))
+    count = 0
+    first = 0  # of the equal samples that end before sample i
+    for i in range(1, len(value)):
+        if value[i] == value[i - 1]:
+            continue
+        if first > 0 and (value[first] > value[first - 1]) != (value[i] > value[i - 1]):
+            sign = 1.0 if value[first] > value[first - 1] else -1.0
+            if i - first >= 3:
+                instant, height = _middle(time, value, first, i - 1)
+            else:
+                instant, height = _polynomial_extremum(time, value, first, i - 1, sign)
+            found[count, 0], found[count, 1], found[count, 2] = instant, height, sign
+            count += 1
+        first = i
+    return found[:count]
 
 
 def peaks_among(
@@ -81,7 +84,7 @@ def peaks_among(
         minimum_height: least |value| of a peak
         minimum_prominence: how far the series must come back on either side of a peak
     """
-    kept = np.empty_like(extrema)
+    places = np.empty(len(extrema), dtype=np.int64)
     count = 0
     lowest = highest = first
     held = -1
@@ -96,19 +99,26 @@ def peaks_among(
             if (value - extrema[held, 1]) * sign > 0.0:
                 held = i
         elif abs(value - extrema[held, 1]) >= minimum_prominence:
-            kept[count] = extrema[held]
+            places[count] = held
             count += 1
             held = i
     if held >= 0 and (extrema[held, 1] - last) * extrema[held, 2] >= minimum_prominence:
-        kept[count] = extrema[held]
+        places[count] = held
         count += 1
-    peaks = 0
-    for i in range(count):
-        height = kept[i, 1] * kept[i, 2]
+    return _high_ones(extrema, places[:count], minimum_height)
+
+
+def _high_ones(extrema: FloatArray, places: NDArray[np.int64], minimum_height: float) -> FloatArray:
+    """The extrema at these places that are maxima above or minima below zero and high enough."""
+    kept = np.empty((len(places), 3))
+    count = 0
+    for place in places:
+        height = extrema[place, 1] * extrema[place, 2]
         if height > 0.0 and height >= minimum_height:
-            kept[peaks] = kept[i]
-            peaks += 1
-    return kept[:peaks]
+            for i in range(3):
+                kept[count, i] = extrema[place, i]
+            count += 1
+    return kept[:count]
 
 
 def _middle(time: FloatArray, value: FloatArray, first: int, last: int) -> tuple[float, float]:
@@ -245,5 +255,6 @@ FUNCTIONS = (
     _interpolating_polynomial,
     _polynomial_extremum,
     extrema_of_samples,
+    _high_ones,
     peaks_among,
 )

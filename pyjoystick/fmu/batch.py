@@ -1,14 +1,33 @@
-"""The result of many runs."""
+"""Many runs of one plan, on several threads."""
 
 from __future__ import annotations
 
+import os
+import threading
+from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
 from pyjoystick._types import FloatArray
+from pyjoystick.errors import ParameterError, PyJoystickError
+from pyjoystick.fmu.errors import FmuFileError
+from pyjoystick.fmu.pool import InstancePool
+from pyjoystick.fmu.runner import Job, Runner
+from pyjoystick.fmu.stepping.program import OK, STOPPED
+
+#: Called in the calling thread with the number of runs that are done and the number of all runs.
+OnProgress = Callable[[int, int], None]
+
+_LARGEST_PIECE: Final = 64
+#: Time between two looks at how far the threads are (s).
+_INTERVAL: Final = 0.1
+#: So long (s) threads are waited for that have been told to stop; the step they are in may never end.
+_GRACE: Final = 0.5
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,3 +53,152 @@ class BatchResult:
     failed: NDArray[np.bool_]
     done: NDArray[np.bool_]
     interrupted: bool
+
+
+def number_of_threads(threads: int | None, runs: int, *, one_instance: bool) -> int:
+    """How many threads a batch is given; raises ParameterError for what is no number above zero."""
+    if threads is None:
+        threads = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    elif isinstance(threads, bool) or not isinstance(threads, int) or threads < 1:
+        raise ParameterError("threads", threads, "a whole number, 1 or more")
+    return 1 if one_instance else max(1, min(threads, runs))
+
+
+class Batch:
+    """The runs of a job, handed out to threads piece by piece.
+
+    Attributes:
+        messages: empty, or why the run failed, by run
+        failed: shape (runs,)
+        done: shape (runs,), set by the loop while it works
+    """
+
+    def __init__(self, pool: InstancePool, job: Job, values: FloatArray) -> None:
+        """Prepare the batch.
+
+        Args:
+            pool: instances of the FMU
+            job: the runs
+            values: samples of all runs, shape (runs, samples, variables); of shape (0, samples, variables)
+                where each thread is to have room for one run only
+        """
+        self._pool = pool
+        self._job = job
+        self._values = values
+        runs = len(job.rows)
+        self.messages = [""] * runs
+        self.failed = np.zeros(runs, np.bool_)
+        self.done = job.done
+        self._lock = threading.Lock()
+        self._next = 0
+        self._working = 0
+        self._finished = threading.Event()
+        self._returned: list[tuple[int, int]] = []
+        self._refusal = ""
+        self._error: BaseException | None = None
+
+    def stop(self) -> None:
+        """Have the threads end their work after the step that they are in."""
+        self._job.stop[0] = True
+
+    def carry_out(self, threads: int, on_progress: OnProgress | None) -> bool:
+        """Work until all is done or stopped; returns whether it was stopped.
+
+        Raises:
+            FmuFileError: the FMU refuses to be instantiated, even once
+        """
+        runners = self._runners(threads)
+        self._working = self._threads = len(runners)
+        for runner in runners:
+            threading.Thread(target=self._work, args=(runner,), name="pyjoystick-batch", daemon=True).start()
+        try:
+            self._watch(on_progress)
+        except KeyboardInterrupt:
+            self._end()
+        except BaseException:
+            self._end()
+            raise
+        if self._error is not None:
+            raise self._error
+        if self._refusal and not self._job.stop[0]:
+            self._fail_what_is_left()
+        return not self.done.all()
+
+    def _runners(self, threads: int) -> list[Runner]:
+        runners = [Runner(self._pool, self._job)]
+        while len(runners) < threads:
+            try:
+                runners.append(Runner(self._pool, self._job))
+            except PyJoystickError:
+                break  # an FMU that cannot be instantiated more often runs on fewer threads
+        return runners
+
+    def _watch(self, on_progress: OnProgress | None) -> None:
+        told = -1
+        is_finished = False
+        while not is_finished:
+            is_finished = self._finished.wait(_INTERVAL)
+            count = int(np.count_nonzero(self.done))
+            if on_progress is not None and count != told:
+                on_progress(count, len(self.done))
+                told = count
+
+    def _end(self) -> None:
+        self.stop()
+        with suppress(KeyboardInterrupt):
+            self._finished.wait(_GRACE)
+
+    def _work(self, runner: Runner) -> None:
+        try:
+            values = self._values if len(self._values) else np.empty((1, *self._values.shape[1:]))
+            while (piece := self._piece()) is not None:
+                self._run_piece(runner, *piece, values)
+        except FmuFileError as error:  # no instance in place of a broken one
+            self._refusal = str(error)
+        except BaseException as error:  # handed over to the calling thread
+            self._error = error
+            self.stop()
+        finally:
+            runner.close()
+            with self._lock:
+                self._working -= 1
+                if not self._working:
+                    self._finished.set()
+
+    def _piece(self) -> tuple[int, int] | None:
+        """The next runs for a thread: many at first, few at the end, so that all end together."""
+        with self._lock:
+            if self._job.stop[0]:
+                return None
+            if self._returned:
+                return self._returned.pop()
+            left = len(self.done) - self._next
+            if not left:
+                return None
+            first = self._next
+            self._next += min(_LARGEST_PIECE, max(1, left // (4 * self._threads)))
+            return first, self._next
+
+    def _run_piece(self, runner: Runner, first: int, last: int, values: FloatArray) -> None:
+        limit = len(self._job.preparation.program.times)
+        while first < last:
+            try:
+                status = runner.advance(first, last, limit, values)
+            except FmuFileError:
+                with self._lock:
+                    first += int(np.argmin(self.done[first:last]))
+                    self._returned.append((first, last))
+                raise
+            if status in (OK, STOPPED) or self._job.stop[0]:
+                return
+            run, error = runner.failure(status)
+            self._mark_failed(run, str(error))
+            first = run + 1
+
+    def _mark_failed(self, run: int, message: str) -> None:
+        self.messages[run] = message
+        self.failed[run] = self.done[run] = True
+
+    def _fail_what_is_left(self) -> None:
+        for run in np.flatnonzero(~self.done).tolist():
+            self._mark_failed(run, self._refusal)

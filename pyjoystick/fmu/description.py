@@ -42,6 +42,7 @@ class Variable:
     start: str | None
     minimum: float | None
     maximum: float | None
+    is_array: bool = False
 
     @property
     def settable_at_start(self) -> bool:
@@ -89,6 +90,7 @@ class FmuDescription:
         experiment: proposed settings
         interpolates_inputs: Co-Simulation follows input derivatives within a step
         variable_steps: Co-Simulation takes communication steps of different lengths
+        one_instance: Co-Simulation can be instantiated only once in a process
     """
 
     path: Path
@@ -105,6 +107,7 @@ class FmuDescription:
     experiment: DefaultExperiment
     interpolates_inputs: bool
     variable_steps: bool
+    one_instance: bool = False
 
     @property
     def platforms(self) -> tuple[str, ...]:
@@ -193,6 +196,7 @@ def _description(path: Path, files: list[str], model: Any) -> FmuDescription:
         ),
         interpolates_inputs=bool(getattr(model.coSimulation, "canInterpolateInputs", False)),
         variable_steps=bool(getattr(model.coSimulation, "canHandleVariableCommunicationStepSize", False)),
+        one_instance=bool(getattr(model.coSimulation, "canBeInstantiatedOnlyOncePerProcess", False)),
     )
 
 
@@ -217,6 +221,7 @@ def _variable(variable: Any, units: Mapping[str, Any]) -> Variable:
         start=variable.start,
         minimum=_number(attribute("min")),
         maximum=_number(attribute("max")),
+        is_array=bool(variable.dimensions),
     )
 
 

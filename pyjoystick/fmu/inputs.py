@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 import pandas as pd
@@ -12,12 +13,15 @@ from numpy.typing import NDArray
 from pyjoystick._types import FloatArray
 from pyjoystick.errors import ParameterError, SeriesError, UnknownInputError
 from pyjoystick.fmu.description import FmuDescription, Variable
-from pyjoystick.fmu.values import Value, checked_value
+from pyjoystick.fmu.values import Value, checked_value, require_scalar
 
 #: A constant by name of the input, or a table indexed by time (s) with one column an input. Between rows a
 #: continuous input is straight and any other keeps its value; before the first and after the last row both
 #: stay. Two rows of one time are a jump: the second holds from there on.
 Inputs = Mapping[str, Value] | pd.DataFrame
+
+#: Types of numbers that may change continuously, of FMI 2 and 3.
+_CONTINUOUS: Final = ("Real", "Float64", "Float32")
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,8 +55,10 @@ def checked_inputs(description: FmuDescription, inputs: Inputs) -> pd.DataFrame:
     if table.empty and len(table.columns):
         raise ParameterError("inputs", "an empty table", "at least one row")
     for name in table:
+        variable = description.variables[str(name)]
+        require_scalar(variable)
         for value in table[name]:
-            checked_value(description.variables[str(name)], value)
+            checked_value(variable, value)
     try:
         time = table.index.to_numpy(dtype=np.float64)
     except (TypeError, ValueError) as error:
@@ -85,7 +91,7 @@ def input_series(description: FmuDescription, table: pd.DataFrame, points: Float
     for name in table:
         variable = description.variables[str(name)]
         samples = table[name].to_numpy(dtype=np.float64)
-        if variable.type == "Real" and variable.variability == "continuous":
+        if variable.type in _CONTINUOUS and variable.variability == "continuous":
             after = _limit(time, samples, points, np.searchsorted(time, points, side="right"))
             before = _limit(time, samples, points, np.searchsorted(time, points, side="left"))
             slopes = (before[1:] - after[:-1]) / np.diff(points)

@@ -1,25 +1,21 @@
-"""An FMU unpacked, loaded and instantiated, and everything put away again."""
+"""One instance of an FMU, and what its statuses mean."""
 
 from __future__ import annotations
 
-import os
-import tempfile
-import zipfile
 from collections.abc import Iterator
-from contextlib import ExitStack, contextmanager, suppress
-from dataclasses import dataclass
-from pathlib import Path
+from contextlib import contextmanager
+from dataclasses import dataclass, field
 from typing import Any, Final
 
-import fmpy
-from fmpy.fmi2 import FMU2Model, FMU2Slave
+import numpy as np
+from fmpy.fmi1 import FMICallException
 
-from pyjoystick.fmu.description import FmuDescription, Interface
-from pyjoystick.fmu.errors import FmuFileError, FmuRunError, UnsupportedFmuError
+from pyjoystick.fmu.description import FmuDescription
+from pyjoystick.fmu.errors import FmuRunError
 from pyjoystick.fmu.log import FmuLog
+from pyjoystick.fmu.stepping.program import BETWEEN_RUNS, FATAL, POINT, Workspace
 
-_CLASSES: Final = {"CoSimulation": FMU2Slave, "ModelExchange": FMU2Model}
-_FATAL: Final = 4
+_FLAGS: Final = 32
 
 
 @dataclass(slots=True)
@@ -28,100 +24,46 @@ class Instance:
 
     Attributes:
         description: the FMU
-        folder: where it is unpacked
         fmi: FMPy's object, one method an FMI function
         log: what the instance says
-        time: the last communication point (s)
+        is_new: no run has been begun yet
+        is_broken: it can run no more
+        is_lost: not even to be freed: the standard forbids every call after a fatal error
     """
 
     description: FmuDescription
-    folder: Path
     fmi: Any
     log: FmuLog
-    time: float = 0.0
-    fatal: bool = False
+    is_new: bool = True
+    is_broken: bool = False
+    is_lost: bool = False
+    _workspace: Workspace | None = field(default=None, init=False)
+
+    def workspace(self, raw_size: int) -> Workspace:
+        """Memory for the compiled loop, with room for so many bytes of samples."""
+        if self._workspace is None or self._workspace.raw.size != raw_size:
+            raw, flags = np.zeros(raw_size, np.uint8), np.zeros(_FLAGS, np.uint8)
+            address = int(self.fmi.component)
+            place = self.log.place
+            place[POINT] = BETWEEN_RUNS
+            self._workspace = Workspace(address, place, raw, raw.ctypes.data, flags, flags.ctypes.data)
+        return self._workspace
 
     @contextmanager
-    def reporting(self) -> Iterator[None]:
-        """Turn a failing FMI call into an `FmuRunError` that carries the FMU's messages."""
+    def reporting(self, time: float) -> Iterator[None]:
+        """Turn a failing call of FMPy into an `FmuRunError` at `time` (s) with the messages of the FMU."""
         self.log.attach()
-        self.log.messages.clear()
+        self.log.clear()
         try:
             yield
-        except fmpy.fmi1.FMICallException as error:
-            self.fatal = self.fatal or error.status == _FATAL
+        except FMICallException as error:
+            self.is_lost = self.is_lost or error.status == FATAL
             reason = str(error).rstrip(".")
-            raise FmuRunError(self.description.path, self.time, reason, self.log.messages) from error
+            raise FmuRunError(self.description.path, time, reason, self.log.messages()) from error
 
-
-def require_runnable(description: FmuDescription, interface: Interface) -> None:
-    """Raise `UnsupportedFmuError` unless this machine can run the FMU through `interface` of FMI 2.0."""
-    path = description.path
-    if description.fmi_version != "2.0":
-        raise UnsupportedFmuError(path, f"is an FMU of FMI {description.fmi_version}; FMI 2.0 can be run")
-    if interface not in description.interfaces:
-        has = " and ".join(description.interfaces) or "neither"
-        raise UnsupportedFmuError(path, f"has no {interface} interface (it has {has})")
-    library = f"{fmpy.platform}/{description.interfaces[interface]}{fmpy.sharedLibraryExtension}"
-    if library not in description.binaries:
-        has = ", ".join(description.platforms) or "none"
-        raise UnsupportedFmuError(path, f"has no binary for {fmpy.platform} (it has {has})")
-
-
-@contextmanager
-def instantiated(description: FmuDescription, interface: Interface) -> Iterator[Instance]:
-    """Unpack the FMU into a temporary folder, load it and make one instance; all is undone on leaving.
-
-    Raises:
-        UnsupportedFmuError: as `require_runnable`
-        FmuFileError: the archive or the binary is broken, or instantiation fails
-    """
-    require_runnable(description, interface)
-    with ExitStack() as stack:
-        folder = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="pyjoystick-")))
-        _unpack(description.path, folder)
-        fmi = _load(description, interface, folder)
-        stack.callback(fmi.freeLibrary)
-        log = FmuLog()
-        stack.callback(log.close)
-        try:
-            fmi.instantiate(callbacks=log.callbacks, loggingOn=False)
-        except Exception as error:  # FMPy has no type of its own for it
-            said = "; ".join(log.messages) or "no message"
-            raise FmuFileError(description.path, f"cannot be instantiated: {said}") from error
-        instance = Instance(description, folder, fmi, log)
-        stack.callback(_free, instance)
-        yield instance
-
-
-def _free(instance: Instance) -> None:
-    # After a fatal error the standard forbids every call.
-    if not instance.fatal:
-        instance.fmi.fmi2FreeInstance(instance.fmi.component)
-
-
-def _unpack(path: Path, folder: Path) -> None:
-    wanted = (f"binaries/{fmpy.platform}/", "resources/", "modelDescription.xml")
-    try:
-        fmpy.extract(str(path), str(folder), include=lambda name: name.startswith(wanted))
-    except (zipfile.BadZipFile, OSError, EOFError, ValueError) as error:
-        raise FmuFileError(path, f"cannot be unpacked: {error}") from error
-    (folder / "resources").mkdir(exist_ok=True)
-
-
-def _load(description: FmuDescription, interface: Interface, folder: Path) -> Any:
-    before = Path.cwd()
-    try:
-        return _CLASSES[interface](
-            guid=description.guid,
-            modelIdentifier=description.interfaces[interface],
-            unzipDirectory=str(folder),
-            instanceName=description.interfaces[interface],
-        )
-    except Exception as error:  # FMPy raises plain exceptions
-        reason = str(error).replace(f"{folder}{os.sep}", "")
-        raise FmuFileError(description.path, f"its binary cannot be loaded: {reason}") from error
-    finally:
-        # FMPy changes the working directory while loading, and stays there when that fails.
-        with suppress(FileNotFoundError):
-            os.chdir(before)
+    def free(self) -> None:
+        """Free it for good, unless it is lost."""
+        if not self.is_lost:
+            free = getattr(self.fmi, f"fmi{self.description.fmi_version[0]}FreeInstance")
+            free(self.fmi.component)
+        self.log.close()

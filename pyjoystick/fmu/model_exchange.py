@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from contextlib import ExitStack
 from os import PathLike
 
 import fmpy
@@ -14,7 +15,7 @@ from pyjoystick.checks import increasing_times, positive
 from pyjoystick.errors import ParameterError, SimulationError
 from pyjoystick.fmu.description import read_description
 from pyjoystick.fmu.files import find_fmu
-from pyjoystick.fmu.instance import instantiated
+from pyjoystick.fmu.library import FmuLibrary
 from pyjoystick.fmu.values import Value, checked_outputs, checked_parameters
 from pyjoystick.tables import make_table
 
@@ -56,11 +57,16 @@ def run_model_exchange(
     description = read_description(find_fmu(fmu))
     values = checked_parameters(description, parameters or {})
     recorded = checked_outputs(description, outputs)
-    with instantiated(description, "ModelExchange") as instance, instance.reporting():
-        instance.time = float(instants[0])
+    with ExitStack() as stack:
+        library = FmuLibrary(description, "ModelExchange")
+        stack.callback(library.close)
+        instance = library.instantiate()
+        stack.callback(instance.free)
+        stack.enter_context(instance.reporting(float(instants[0])))
+        folder = str(library.folder)
         rows = fmpy.simulate_fmu(
-            str(instance.folder),
-            model_description=fmpy.read_model_description(str(instance.folder), validate=False),
+            folder,
+            model_description=fmpy.read_model_description(folder, validate=False),
             fmu_instance=instance.fmi,
             validate=False,
             fmi_type="ModelExchange",

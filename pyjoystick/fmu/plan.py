@@ -2,39 +2,49 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any
+import time as clock
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any, Final
 
 import numpy as np
 import pandas as pd
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from pyjoystick._types import FloatArray
-from pyjoystick.checks import increasing_times
+from pyjoystick.checks import increasing_times, positive
 from pyjoystick.errors import ParameterError
-from pyjoystick.fmu.batch import BatchResult
-from pyjoystick.fmu.errors import FmuRunError
-from pyjoystick.fmu.inputs import Inputs
-from pyjoystick.fmu.reductions import Extremes, Final, Loss, Reduction, checked_reductions
-from pyjoystick.fmu.values import Value, checked_outputs
-from pyjoystick.peaks import find_peaks
+from pyjoystick.fmu.batch import Batch, BatchResult, OnProgress, number_of_threads
+from pyjoystick.fmu.inputs import Inputs, checked_inputs, communication_points, input_series
+from pyjoystick.fmu.pool import InstancePool
+from pyjoystick.fmu.preparation import prepare
+from pyjoystick.fmu.reductions import Reduction, checked_reductions, operations_of, units_of
+from pyjoystick.fmu.runner import Job, Runner
+from pyjoystick.fmu.stepping.engine import Loop, loop
+from pyjoystick.fmu.stepping.program import OK, UNFINISHED, WARNING
+from pyjoystick.fmu.values import Value, checked_outputs, checked_parameters, checked_varied
+from pyjoystick.fmu.varied import Varied
 
-#: Called in the calling thread with the number of runs that are done and the number of all runs.
-OnProgress = Callable[[int, int], None]
+#: A single run comes back to Python about so often (s), so that Ctrl-C is heard.
+_PATIENCE: Final = 0.1
+_FIRST_POINTS: Final = 64
 
 
 class Plan:
     """Everything of a run but the values that vary, checked once; made by `Fmu.plan`.
 
+    It may be used from several threads at once, and pickled as its FMU may.
+
     Attributes:
         time: instants of the samples (s), shape (samples,)
         varied: names of the parameters that each run gives
         outputs: names of the recorded variables
+        units: units of the recorded variables by name
     """
 
     def __init__(
         self,
         fmu: Any,
+        pool: InstancePool,
         time: ArrayLike,
         varied: Iterable[str],
         parameters: Mapping[str, Value],
@@ -42,14 +52,44 @@ class Plan:
         outputs: Iterable[str] | None,
         tolerance: float,
     ) -> None:
-        self.time: FloatArray = increasing_times(time)
-        self.varied: tuple[str, ...] = (varied,) if isinstance(varied, str) else tuple(varied)
-        self.outputs: tuple[str, ...] = tuple(v.name for v in checked_outputs(fmu.description, outputs))
+        description = pool.library.description
+        # The FMU closes its pool when it is forgotten.
         self._fmu = fmu
-        self._parameters = dict(parameters)
-        self._inputs = inputs
-        self._tolerance = tolerance
-        self._stopped = False
+        self._pool = pool
+        self.time: FloatArray = increasing_times(time)
+        constants = checked_parameters(description, parameters)
+        self._varied = Varied(checked_varied(description, varied, parameters))
+        table = checked_inputs(description, {} if inputs is None else inputs)
+        self.variables = checked_outputs(description, outputs)
+        points = communication_points(self.time, table) if description.variable_steps else self.time
+        self._preparation = prepare(
+            description,
+            pool.library.fmi,
+            points,
+            np.isin(points, self.time),
+            positive("tolerance", tolerance),
+            constants,
+            self._varied.variables,
+            input_series(description, table, points),
+            self.variables,
+        )
+        self.varied = self._varied.names
+        self.outputs: tuple[str, ...] = tuple(variable.name for variable in self.variables)
+        self.units = {variable.name: variable.unit for variable in self.variables}
+        self._settings: dict[str, Any] = {
+            "time": self.time,
+            "varied": self.varied,
+            "parameters": dict(parameters),
+            "inputs": inputs,
+            "outputs": self.outputs,
+            "tolerance": tolerance,
+        }
+        self._points_at_once = _FIRST_POINTS
+        self._batches: list[Batch] = []
+        self._loop: Loop | None = None
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _planned, (self._fmu, self._settings)
 
     def run(self, values: ArrayLike = ()) -> FloatArray:
         """One run.
@@ -58,24 +98,21 @@ class Plan:
             values: the varied parameters in the order of `varied`, shape (len(varied),)
 
         Returns:
-            the samples, shape (samples, variables), in the units of the FMU; Booleans are 0 and 1
+            the samples, shape (samples, variables), in the units of the FMU; Booleans are 0 and 1, and
+            integers beyond 2^53 are rounded
 
         Raises:
-            ParameterError: a value is missing, not finite, of the wrong type or out of range
+            ParameterError: a value is missing, NaN, of the wrong type or out of range
             FmuRunError: the FMU refuses its settings or fails during the run
         """
-        row = np.asarray(values, dtype=np.float64)
-        if row.shape != (len(self.varied),):
-            raise ParameterError("values", f"shape {row.shape}", f"of shape ({len(self.varied)},)")
-        given = dict(zip(self.varied, row.tolist(), strict=True))
-        table = self._fmu.run(
-            self.time,
-            parameters=self._parameters | given,
-            inputs=self._inputs,
-            outputs=self.outputs,
-            tolerance=self._tolerance,
-        )
-        return table.to_numpy(dtype=np.float64)
+        samples = self._empty(1)
+        self._run_once(self._varied.row(values), samples, load_compiler=True)
+        run: FloatArray = samples[0]
+        return run
+
+    def record(self) -> NDArray[np.void]:
+        """One run without varied parameters; the samples as the FMU stores them, one field a variable."""
+        return self._run_once(self._varied.row(()), self._empty(1), load_compiler=False)
 
     def run_batch(
         self,
@@ -94,71 +131,111 @@ class Plan:
             table: one row a run, as an array of shape (runs, len(varied)) or a table with the columns
                 `varied` in any order
             threads: number of threads, one instance of the FMU each; the cores that this process may use
-                where not given
+                where not given. An FMU that can be instantiated only once has one.
             reductions: what to keep of each run; every sample of every run is kept where not given
-            on_progress: called about ten times a second in the calling thread; an exception in it stops the
-                batch and is passed on
+            on_progress: called in the calling thread, about ten times a second, with the number of runs done
+                and of all runs; an exception in it stops the batch and is passed on
 
         Raises:
-            ParameterError: a value of the table is not allowed (the message names its row), or the settings
+            ParameterError: a value of the table is not allowed (the message names its row), a setting is not,
+                or the samples do not fit into memory
             UnknownVariableError: a reduction asks for a variable that is not among `outputs`
         """
-        if not isinstance(table, pd.DataFrame):
-            table = pd.DataFrame(np.asarray(table, dtype=np.float64), columns=list(self.varied))
-        rows = table[list(self.varied)].to_numpy(dtype=np.float64)
+        named, numbers = self._varied.table(table)
+        runs = len(numbers)
         kept = None if reductions is None else checked_reductions(reductions, self.outputs)
-        values = np.full((len(rows), self.time.size, len(self.outputs)), np.nan)
-        messages = [""] * len(rows)
-        done = np.zeros(len(rows), dtype=np.bool_)
-        self._stopped = False
-        for i, row in enumerate(rows):
-            if self._stopped:
-                break
-            done[i] = True
-            try:
-                values[i] = self.run(row)
-            except FmuRunError as error:
-                messages[i] = str(error)
-            if on_progress is not None:
-                on_progress(i + 1, len(rows))
+        columns = [] if kept is None else [column for reduction in kept for column in reduction.columns]
+        count = number_of_threads(threads, runs, one_instance=self._pool.library.description.one_instance)
+        values = self._empty(runs if kept is None else 0)
+        operations = operations_of(kept or (), self.outputs)
+        job = Job(
+            loop(self._preparation.program, operations, self.time, load_compiler=True),
+            self._preparation,
+            self.time.size,
+            self._rows(numbers),
+            np.full((runs, len(columns)), np.nan),
+            np.zeros(runs, np.bool_),
+            np.zeros(1, np.bool_),
+        )
+        batch = Batch(self._pool, job, values)
+        self._batches.append(batch)
+        try:
+            interrupted = batch.carry_out(count, on_progress) if runs else False
+        finally:
+            self._batches.remove(batch)
+        values[~batch.done[: len(values)] | batch.failed[: len(values)]] = np.nan
         reduced = None
         if kept is not None:
-            names = [column for reduction in kept for column in reduction.columns]
-            cells = [[x for reduction in kept for x in self._reduce(reduction, run)] for run in values]
-            reduced = pd.DataFrame(cells, index=table.index, columns=names)
+            reduced = pd.DataFrame(job.cells, index=named.index, columns=columns)
+            reduced.attrs["units"] = units_of(kept, self.units)
         return BatchResult(
-            parameters=table[list(self.varied)],
+            parameters=named,
             values=values if kept is None else None,
             reduced=reduced,
-            messages=messages,
-            failed=np.array([message != "" for message in messages], dtype=np.bool_),
-            done=done,
-            interrupted=not done.all(),
+            messages=batch.messages,
+            failed=batch.failed,
+            done=batch.done,
+            interrupted=interrupted,
         )
 
     def stop(self) -> None:
-        """Have a running `run_batch` return soon with what is done; may be called from any thread."""
-        self._stopped = True
+        """Have the batches of this plan return soon with what is done; may be called from any thread."""
+        for batch in tuple(self._batches):
+            batch.stop()
 
-    def _reduce(self, reduction: Reduction, values: FloatArray) -> list[float]:
-        series = values[:, self.outputs.index(reduction.variable)]
-        if np.isnan(series).any():
-            return [np.nan] * len(reduction.columns)
-        if isinstance(reduction, Final):
-            return [series[-1]]
-        if isinstance(reduction, Loss):
-            return [series[0] - series[-1]]
-        if isinstance(reduction, Extremes):
-            high, low = int(np.argmax(series)), int(np.argmin(series))
-            return [series[high], self.time[high], series[low], self.time[low]]
-        slope = None if reduction.derivative is None else values[:, self.outputs.index(reduction.derivative)]
-        peaks = find_peaks(
-            self.time,
-            series,
-            slope,
-            minimum_height=reduction.minimum_height,
-            minimum_prominence=reduction.minimum_prominence,
-        ).iloc[: reduction.count]
-        cells = np.full((reduction.count, 2), np.nan)
-        cells[: len(peaks)] = peaks[["value", "time"]]
-        return cells.ravel().tolist()
+    def _run_once(self, row: FloatArray, samples: FloatArray, *, load_compiler: bool) -> NDArray[np.void]:
+        job = Job(
+            self._single_loop(load_compiler=load_compiler),
+            self._preparation,
+            self.time.size,
+            self._rows(row),
+            np.empty((1, 0)),
+            np.zeros(1, np.bool_),
+            np.zeros(1, np.bool_),
+        )
+        runner = Runner(self._pool, job)
+        try:
+            limit, status = self._points_at_once, UNFINISHED
+            while status == UNFINISHED:
+                start = clock.perf_counter()
+                status = runner.advance(0, 1, limit, samples)
+                if clock.perf_counter() - start > _PATIENCE:
+                    self._points_at_once = max(1, self._points_at_once // 2)
+                elif status == UNFINISHED:
+                    self._points_at_once *= 2
+                limit += self._points_at_once
+            if status not in (OK, WARNING):
+                raise runner.failure(status)[1]
+            return runner.recorded()
+        finally:
+            runner.close()
+
+    def _single_loop(self, *, load_compiler: bool) -> Loop:
+        """The loop without reductions, kept from the first run on that loads the compiler."""
+        if self._loop is None:
+            made = loop(self._preparation.program, (), self.time, load_compiler=load_compiler)
+            if not load_compiler:
+                return made
+            self._loop = made
+        return self._loop
+
+    def _rows(self, numbers: FloatArray) -> NDArray[np.void]:
+        """The values that vary as the FMU takes them, one row a run."""
+        rows: NDArray[np.void] = self._preparation.varied.rows(len(numbers))
+        for name, column in zip(self.varied, numbers.T, strict=True):
+            rows[name] = column
+        return rows
+
+    def _empty(self, runs: int) -> FloatArray:
+        shape = (runs, self.time.size, len(self.outputs))
+        try:
+            return np.empty(shape)
+        except (MemoryError, ValueError):
+            size = f"{8 * np.prod(shape, dtype=np.float64) / 2**30:.3g} GiB of samples"
+            raise ParameterError("table", size, "smaller, or reduced (see reductions)") from None
+
+
+def _planned(fmu: Any, settings: dict[str, Any]) -> Plan:
+    """A plan out of a pickle."""
+    plan: Plan = fmu.plan(**settings)
+    return plan

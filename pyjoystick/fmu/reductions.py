@@ -6,11 +6,12 @@ times in s. A cell is NaN where there is nothing to tell: a run that failed, a p
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from pyjoystick.checks import not_negative
 from pyjoystick.errors import ParameterError, UnknownVariableError
+from pyjoystick.fmu.stepping.reducing import EXTREMES, FINAL, LOSS, PEAKS, Operation
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,6 +87,8 @@ class Loss:
 #: Any of them.
 Reduction = Final | Extremes | Peaks | Loss
 
+_KINDS = {Final: FINAL, Extremes: EXTREMES, Loss: LOSS}
+
 
 def checked_reductions(reductions: Iterable[Reduction], outputs: Sequence[str]) -> tuple[Reduction, ...]:
     """The reductions, refused unless their variables are recorded and their columns differ.
@@ -109,3 +112,27 @@ def checked_reductions(reductions: Iterable[Reduction], outputs: Sequence[str]) 
                 raise ParameterError("reductions", reduction, f"without a second column {column}")
             columns.add(column)
     return checked
+
+
+def operations_of(reductions: Sequence[Reduction], outputs: Sequence[str]) -> list[Operation]:
+    """Checked reductions in the terms of the loop, for samples with the columns `outputs`."""
+    operations, cell = [], 0
+    for one in reductions:
+        column = outputs.index(one.variable)
+        if isinstance(one, Peaks):
+            slope = -1 if one.derivative is None else outputs.index(one.derivative)
+            height, prominence = float(one.minimum_height), float(one.minimum_prominence)
+            operations.append(Operation(PEAKS, column, slope, cell, one.count, height, prominence))
+        else:
+            operations.append(Operation(_KINDS[type(one)], column, -1, cell, 0, 0.0, 0.0))
+        cell += len(one.columns)
+    return operations
+
+
+def units_of(reductions: Sequence[Reduction], units: Mapping[str, str]) -> dict[str, str]:
+    """The unit of each result column, from those of the variables."""
+    return {
+        column: "s" if column.endswith("_time") else units[one.variable]
+        for one in reductions
+        for column in one.columns
+    }

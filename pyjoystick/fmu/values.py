@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
+import sys
 from collections.abc import Iterable, Mapping
 from numbers import Integral, Real
+from typing import Final
 
 import numpy as np
 
@@ -14,7 +16,14 @@ from pyjoystick.fmu.description import FmuDescription, Variable
 #: What a variable of an FMU may be set to.
 Value = float | bool | str
 
-_INTEGERS = ("Integer", "Enumeration")
+#: Types with whole numbers, of FMI 2 and 3.
+INTEGERS: Final = (
+    "Integer",
+    "Enumeration",
+    *(f"{sign}Int{bits}" for bits in (8, 16, 32, 64) for sign in ("", "U")),
+)
+_STORED: Final = {"Integer": "int32", "Enumeration": "int32"}
+_NOT_RUN: Final = ("Binary", "Clock")
 
 
 def checked_parameters(description: FmuDescription, parameters: Mapping[str, Value]) -> dict[str, Value]:
@@ -24,19 +33,49 @@ def checked_parameters(description: FmuDescription, parameters: Mapping[str, Val
         UnknownParameterError: the FMU has no variable of that name
         ParameterError: the variable cannot be set, or its value is of the wrong type, NaN or out of range
     """
-    checked: dict[str, Value] = {}
-    for name, value in parameters.items():
-        variable = description.variables.get(name)
-        if variable is None:
-            raise UnknownParameterError(name, description.settable_names())
-        if not variable.settable_at_start:
-            kind = (
-                "calculated parameter" if variable.causality == "calculatedParameter" else variable.causality
-            )
-            hint = "give it as an input" if kind == "input" else f"it is a variable of kind {kind}"
-            raise ParameterError(name, value, "left out of the parameters", hint)
-        checked[name] = checked_value(variable, value)
-    return checked
+    return {
+        name: checked_value(_settable(description, name, value), value) for name, value in parameters.items()
+    }
+
+
+def checked_varied(
+    description: FmuDescription, varied: Iterable[str], parameters: Mapping[str, Value]
+) -> list[Variable]:
+    """The variables that each run gives, beside the `parameters` that all runs share.
+
+    Raises:
+        UnknownParameterError: the FMU has no variable of that name
+        ParameterError: the variable cannot be set, is text, or is given twice
+    """
+    names = (varied,) if isinstance(varied, str) else tuple(varied)
+    variables = []
+    for i, name in enumerate(names):
+        variable = _settable(description, name, "varied")
+        if variable.type == "String":
+            raise ParameterError("varied", name, "a number or Boolean variable")
+        if name in names[:i] or name in parameters:
+            raise ParameterError("varied", name, "given once, either varied or as a parameter of all runs")
+        variables.append(variable)
+    return variables
+
+
+def _settable(description: FmuDescription, name: str, value: object) -> Variable:
+    variable = description.variables.get(name)
+    if variable is None:
+        raise UnknownParameterError(name, description.settable_names())
+    if not variable.settable_at_start:
+        kind = "calculated parameter" if variable.causality == "calculatedParameter" else variable.causality
+        hint = "give it as an input" if kind == "input" else f"it is a variable of kind {kind}"
+        raise ParameterError(name, value, "left out of the parameters", hint)
+    require_scalar(variable)
+    return variable
+
+
+def require_scalar(variable: Variable) -> None:
+    """Raise ParameterError for what has no single value: arrays, clocks and binaries of FMI 3."""
+    if variable.is_array or variable.type in _NOT_RUN:
+        what = "an array" if variable.is_array else f"of type {variable.type}"
+        raise ParameterError(variable.name, what, "a single number, Boolean or text")
 
 
 def checked_value(variable: Variable, value: object) -> Value:
@@ -49,20 +88,35 @@ def checked_value(variable: Variable, value: object) -> Value:
         if isinstance(value, str):
             return value
         raise ParameterError(variable.name, value, "text")
-    kind = Integral if variable.type in _INTEGERS else Real
+    kind = Integral if variable.type in INTEGERS else Real
     if isinstance(value, bool | np.bool_) or not isinstance(value, kind) or not math.isfinite(value):
         raise ParameterError(variable.name, value, allowed_values(variable))
     number = int(value) if isinstance(value, Integral) else float(value)
-    low = -math.inf if variable.minimum is None else variable.minimum
-    high = math.inf if variable.maximum is None else variable.maximum
+    low, high = limits(variable)
     if not low <= number <= high:
-        raise ParameterError(variable.name, value, allowed_values(variable))
-    return number if variable.type in _INTEGERS else float(number)
+        hint = f"its type is {variable.type}" if variable.type in INTEGERS else ""
+        raise ParameterError(variable.name, value, allowed_values(variable), hint)
+    return number if variable.type in INTEGERS else float(number)
+
+
+def limits(variable: Variable) -> tuple[float, float]:
+    """The least and the largest value of a number or a Boolean (0 and 1); of its type where not given."""
+    if variable.type == "Boolean":
+        return 0, 1
+    low: float = -sys.float_info.max
+    high: float = sys.float_info.max
+    if variable.type in INTEGERS:
+        stored = np.iinfo(_STORED.get(variable.type, variable.type.lower()))
+        low, high = int(stored.min), int(stored.max)
+    return (
+        low if variable.minimum is None else max(low, variable.minimum),
+        high if variable.maximum is None else min(high, variable.maximum),
+    )
 
 
 def allowed_values(variable: Variable) -> str:
     """The range of a number in words, with the unit."""
-    number = "an integer" if variable.type in _INTEGERS else "a finite number"
+    number = "an integer" if variable.type in INTEGERS else "a finite number"
     unit = f" {variable.unit}" if variable.unit else ""
     if variable.must_be_positive and variable.maximum is None:
         return f"{number} above 0{unit} (at least {variable.minimum:g})"
@@ -91,4 +145,5 @@ def checked_outputs(description: FmuDescription, outputs: Iterable[str] | None) 
             raise UnknownVariableError(name, known)
         if description.variables[name].type == "String":
             raise ParameterError("outputs", name, "a number or Boolean variable")
+        require_scalar(description.variables[name])
     return [description.variables[name] for name in names]

@@ -10,6 +10,8 @@ import pytest
 
 from fmu_build import build_fmu
 from pyjoystick.fmu import Fmu
+from pyjoystick.fmu.stepping.engine import PLAIN_LOOP_VARIABLE
+from tests.pyjoystick.fmu import awkward
 
 
 @pytest.fixture(scope="session")
@@ -23,6 +25,39 @@ def mixed_path(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """An FMU with parameters and outputs of several types, see Mixed.mo."""
     folder = tmp_path_factory.mktemp("mixed")
     return build_fmu("Mixed", folder, library=Path(__file__).with_name("Mixed.mo")).path
+
+
+@pytest.fixture(scope="session")
+def awkward_library(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The library of the awkward FMUs of FMI 2.0."""
+    return awkward.compile_library(2, tmp_path_factory.mktemp("awkward2"))
+
+
+@pytest.fixture(scope="session")
+def awkward_path(awkward_library: Path) -> Path:
+    """The FMU of FMI 2.0 that makes trouble on request."""
+    return awkward.build(2, awkward_library.with_name("awkward.fmu"), awkward_library)
+
+
+@pytest.fixture(scope="session")
+def awkward3_path(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The same of FMI 3.0."""
+    folder = tmp_path_factory.mktemp("awkward3")
+    return awkward.build(3, folder / "awkward3.fmu", awkward.compile_library(3, folder))
+
+
+@pytest.fixture(params=["compiled", "plain"])
+def loop(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> str:
+    """Which loop carries out the runs."""
+    if request.param == "plain":
+        monkeypatch.setenv(PLAIN_LOOP_VARIABLE, "1")
+    return str(request.param)
+
+
+@pytest.fixture
+def awkward_fmu(awkward_path: Path) -> Iterator[Fmu]:
+    with Fmu(awkward_path) as fmu:
+        yield fmu
 
 
 @pytest.fixture

@@ -14,10 +14,15 @@ from pyjoystick.fmu import Fmu, FmuRunError
 def test_messages_of_fmpys_own_runs_are_still_printed(
     joystick_path: Path, joystick: Fmu, capfd: pytest.CaptureFixture[str]
 ) -> None:
+    refused = {"forward.balanceSpring.x_0": 0.0}
+    with pytest.raises(FmuRunError) as before:
+        joystick.run([0.0, 0.1], parameters=refused)
     with pytest.raises(FMICallException):
-        fmpy.simulate_fmu(str(joystick_path), start_values={"forward.balanceSpring.x_0": 0.0})
+        fmpy.simulate_fmu(str(joystick_path), start_values=refused)
     assert "forward.balanceSpring.x_0 must not be less than" in capfd.readouterr().out
-    assert len(joystick._instance.log.messages) == 0
+    with pytest.raises(FmuRunError) as after:
+        joystick.run([0.0, 0.1], parameters=refused)
+    assert after.value.messages == before.value.messages
 
 
 def test_a_logger_of_someone_else_does_not_keep_the_messages(joystick_path: Path, joystick: Fmu) -> None:

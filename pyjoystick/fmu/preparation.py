@@ -1,0 +1,125 @@
+"""From checked settings to what the loop over the steps reads."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pyjoystick._types import FloatArray
+from pyjoystick.fmu.description import FmuDescription, Variable
+from pyjoystick.fmu.inputs import InputSeries
+from pyjoystick.fmu.interface import CInterface, c_interface
+from pyjoystick.fmu.rows import RowFormat
+from pyjoystick.fmu.stepping.program import Group, Program
+from pyjoystick.fmu.values import Value
+
+
+@dataclass(frozen=True, slots=True)
+class Preparation:
+    """A run of an FMU, ready to be carried out with any values of what varies.
+
+    Attributes:
+        program: for the loop
+        interface: the functions that it calls
+        varied: rows of the values that vary
+        outputs: rows of what is recorded
+        memory: what the addresses in the program point to
+    """
+
+    program: Program
+    interface: CInterface
+    varied: RowFormat
+    outputs: RowFormat
+    memory: tuple[object, ...]
+
+
+def prepare(
+    description: FmuDescription,
+    fmi: Any,
+    points: FloatArray,
+    is_recorded: NDArray[np.bool_],
+    tolerance: float,
+    parameters: Mapping[str, Value],
+    varied: Sequence[Variable],
+    inputs: Sequence[InputSeries],
+    outputs: Sequence[Variable],
+) -> Preparation:
+    """Lay out everything that does not change from run to run.
+
+    Args:
+        description: the FMU
+        fmi: its library as FMPy has loaded it
+        points: communication points (s), shape (n,)
+        is_recorded: whether a sample is taken there, shape (n,)
+        tolerance: what the FMU's integrator is asked to keep
+        parameters: checked values that all runs share
+        varied: variables that each run sets
+        inputs: inputs at the points
+        outputs: variables to record
+    """
+    interface = c_interface(description.fmi_version)
+    constants = RowFormat(interface, "Set", [description.variables[name] for name in parameters])
+    constants_row = constants.rows(1)
+    for name, value in parameters.items():
+        constants_row[name] = constants.text(value) if isinstance(value, str) else value
+    varied_format = RowFormat(interface, "Set", varied)
+    input_format = RowFormat(interface, "Set", [one.variable for one in inputs])
+    input_rows = input_format.rows(len(points))
+    for one in inputs:
+        input_rows[one.variable.name] = one.values
+    output_format = RowFormat(interface, "Get", outputs)
+    moving = [one for one in inputs if description.interpolates_inputs and np.any(one.slopes)]
+    moving_references = np.array([one.variable.value_reference for one in moving], dtype=np.uint32)
+    moving_orders = np.ones(len(moving), dtype=np.int32)
+    slopes = np.array([one.slopes for one in moving], dtype=np.float64).T.copy()
+    program = Program(
+        version=interface.version,
+        functions=interface.addresses(fmi),
+        times=points.tolist(),
+        recorded=is_recorded.tolist(),
+        tolerance=tolerance,
+        stop_defined=int(description.takes_stop_time),
+        constants=constants.groups,
+        constants_row=constants_row.ctypes.data,
+        varied=varied_format.groups,
+        varied_stride=varied_format.dtype.itemsize,
+        inputs=input_format.groups,
+        inputs_rows=input_rows.ctypes.data,
+        inputs_stride=input_format.dtype.itemsize,
+        changed=_changed(input_format, inputs, moving, len(points)).tolist(),
+        moving=len(moving),
+        moving_references=moving_references.ctypes.data,
+        moving_orders=moving_orders.ctypes.data,
+        slopes=slopes.ctypes.data,
+        outputs=output_format.groups,
+        outputs_stride=output_format.dtype.itemsize,
+        columns=output_format.columns,
+    )
+    memory = (constants, constants_row, input_format, input_rows, moving_references, moving_orders, slopes)
+    return Preparation(program, interface, varied_format, output_format, memory)
+
+
+def _changed(
+    form: RowFormat, inputs: Sequence[InputSeries], moving: Sequence[InputSeries], points: int
+) -> NDArray[np.bool_]:
+    """Whether a group of inputs is to be set at a point, shape (points, groups).
+
+    An input that stays is left alone, because an FMU may begin its integration anew at each value it gets.
+    One whose derivative is given is set at every point: the FMU needs the value from which it is to go on.
+    """
+    changed = np.zeros((points, len(form.groups)), dtype=np.bool_)
+    place = 0
+    for i, group in enumerate(form.groups):
+        for column in _columns(form, place, group):
+            one = inputs[column]
+            changed[1:, i] |= True if one in moving else one.values[1:] != one.values[:-1]
+        place += group.size
+    return changed
+
+
+def _columns(form: RowFormat, place: int, group: Group) -> list[int]:
+    return form.columns[place : place + group.size]

@@ -1,0 +1,89 @@
+"""The C functions of an FMU, called by their addresses, one function here for each C signature.
+
+Run as they stand they go through ctypes; `compiled` gives each a body of machine code. All return the status
+(fmi2Status or fmi3Status). Words are pointers and sizes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from ctypes import CFUNCTYPE, c_double, c_int, c_ssize_t
+from functools import cache
+from types import MappingProxyType
+from typing import Any, Final
+
+_C_TYPES: Final[dict[str, Any]] = {"w": c_ssize_t, "i": c_int, "d": c_double}
+
+
+@cache
+def _at(address: int, arguments: str) -> Callable[..., int]:
+    return CFUNCTYPE(c_int, *(_C_TYPES[letter] for letter in arguments))(address)
+
+
+def change_mode(function: int, instance: int) -> int:
+    """Reset, Terminate, ExitInitializationMode; of FMI 2 EnterInitializationMode too."""
+    return _at(function, "w")(instance)
+
+
+def begin(
+    function: int,
+    instance: int,
+    tolerance_defined: int,
+    tolerance: float,
+    start: float,
+    stop_defined: int,
+    stop: float,
+) -> int:
+    """fmi2SetupExperiment and fmi3EnterInitializationMode."""
+    return _at(function, "widdid")(instance, tolerance_defined, tolerance, start, stop_defined, stop)
+
+
+def access2(function: int, instance: int, references: int, count: int, values: int) -> int:
+    """The setters and getters of FMI 2."""
+    return _at(function, "wwww")(instance, references, count, values)
+
+
+def access3(function: int, instance: int, references: int, count: int, values: int, size: int) -> int:
+    """The setters and getters of FMI 3."""
+    return _at(function, "wwwww")(instance, references, count, values, size)
+
+
+def set_input_derivatives(
+    function: int, instance: int, references: int, count: int, orders: int, values: int
+) -> int:
+    """fmi2SetRealInputDerivatives."""
+    return _at(function, "wwwww")(instance, references, count, orders, values)
+
+
+def do_step2(function: int, instance: int, time: float, length: float, no_going_back: int) -> int:
+    """fmi2DoStep."""
+    return _at(function, "wddi")(instance, time, length, no_going_back)
+
+
+def do_step3(
+    function: int,
+    instance: int,
+    time: float,
+    length: float,
+    no_going_back: int,
+    event: int,
+    terminate: int,
+    early: int,
+    reached: int,
+) -> int:
+    """fmi3DoStep; the last four are addresses of what it tells."""
+    return _at(function, "wddiwwww")(instance, time, length, no_going_back, event, terminate, early, reached)
+
+
+#: Each function with the letters of its C arguments: w a word, i an int, d a double.
+SIGNATURES: Final = MappingProxyType(
+    {
+        change_mode: "w",
+        begin: "widdid",
+        access2: "wwww",
+        access3: "wwwww",
+        set_input_derivatives: "wwwww",
+        do_step2: "wddi",
+        do_step3: "wddiwwww",
+    }
+)

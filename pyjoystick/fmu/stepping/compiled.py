@@ -1,0 +1,85 @@
+"""The kernel as machine code, by Numba.
+
+The addresses of an FMU's functions are arguments, so that one compilation serves every FMU. It is kept on
+disk, beside this package or in the user's cache, and done anew in each process where neither can be written.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import inspect
+from collections.abc import Callable
+from types import FunctionType
+from typing import Any, Final, cast
+
+from llvmlite import ir
+from numba import njit, typeof, types
+from numba.extending import intrinsic, overload, register_jitable
+
+from pyjoystick import extrema
+from pyjoystick.fmu.stepping import calls, decoding, kernel, program, reducing
+
+_SOURCES: Final = (extrema, calls, decoding, kernel, program, reducing)
+_C_TYPES: Final = {"w": types.intp, "i": types.int32, "d": types.float64}
+
+
+def compiled(arguments: tuple[object, ...]) -> Callable[..., int]:
+    """`kernel.run_many` for arguments of the types of these, which are those of every call."""
+    for plain, letters in calls.SIGNATURES.items():
+        overload(plain)(_typing(letters))
+    for function in kernel.FUNCTIONS:
+        register_jitable(function)
+    signature = tuple(typeof(argument) for argument in arguments)
+    try:
+        return _dispatcher(signature, cache=True)
+    except (RuntimeError, OSError):
+        # Numba has found no folder that it may write to, or could not write what it had made.
+        return _dispatcher(signature, cache=False)
+
+
+def _dispatcher(signature: tuple[Any, ...], *, cache: bool) -> Callable[..., int]:
+    dispatcher = njit(nogil=True, cache=cache)(_versioned(cast(FunctionType, kernel.run_many)))
+    dispatcher.compile(signature)
+    dispatcher.disable_compile()
+    return cast(Callable[..., int], dispatcher)
+
+
+def _versioned(function: FunctionType) -> FunctionType:
+    """The same function under a name that changes with its sources.
+
+    Numba looks a function up on disk by its name and the date of its own file, not of the files with what it
+    calls.
+    """
+    sources = "".join(inspect.getsource(module) for module in _SOURCES) + inspect.getsource(_typing)
+    copy = FunctionType(function.__code__, function.__globals__, function.__name__)
+    copy.__qualname__ = f"{function.__qualname__}_{hashlib.sha256(sources.encode()).hexdigest()[:16]}"
+    return copy
+
+
+def _typing(letters: str) -> Callable[..., Any]:
+    """The body of machine code for a function of `calls`, as Numba's `overload` asks for it."""
+
+    def typed(_context: Any, address: Any, arguments: Any) -> tuple[Any, Callable[..., Any]]:
+        wanted = [_C_TYPES[letter] for letter in letters]
+
+        def generate(context: Any, builder: Any, signature: Any, values: Any) -> Any:
+            pointer, given = values
+            c_values = [
+                context.cast(builder, builder.extract_value(given, i), kind, wanted[i])
+                for i, kind in enumerate(signature.args[1].types)
+            ]
+            c_types = [context.get_value_type(kind) for kind in wanted]
+            function_type = ir.FunctionType(ir.IntType(32), c_types)
+            return builder.call(builder.inttoptr(pointer, function_type.as_pointer()), c_values)
+
+        return types.int32(types.intp, arguments), generate
+
+    call = intrinsic(typed)
+
+    def choose(function: Any, *arguments: Any) -> Callable[..., Any]:
+        def body(function: Any, *arguments: Any) -> Any:
+            return call(function, arguments)
+
+        return body
+
+    return choose

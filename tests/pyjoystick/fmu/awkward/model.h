@@ -1,0 +1,93 @@
+/* model.h - a model that makes every kind of trouble on request; fmi2.c and fmi3.c are its two faces.
+ *
+ * y grows by gain times the integral of u, a straight line in each step; `trouble` comes with the first step that
+ * begins at the time `when` or later. Needs POSIX. */
+#ifndef MODEL_H
+#define MODEL_H
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+/* Value references. */
+enum { GAIN = 1, WHEN, DELAY, TROUBLE, FLAG, LABEL, TINY, U = 11, Y = 21, STEPS, NEGATED, LENGTH, TWICE, STOP };
+
+/* Values of `trouble`. */
+enum {
+    NONE,
+    ERROR,
+    DISCARD,
+    FATAL,
+    NO_STATUS,
+    FOREVER,
+    REFUSED_START,
+    WARNINGS,
+    NO_RESET,
+    FATAL_RESET,
+    ENDS,
+    COMES_BACK_EARLY
+};
+
+/* The same in both versions of FMI. */
+enum { STATUS_OK, STATUS_WARNING, STATUS_DISCARD, STATUS_ERROR, STATUS_FATAL };
+
+typedef struct {
+    double gain, when, delay /* ms a step */, u, slope, y, stop /* time, -1 where not told */;
+    int32_t trouble, steps;
+    int8_t tiny; /* twice has two times that */
+    bool flag, is_dead;
+    char label[64];
+} Model;
+
+static void model_start(Model *model)
+{
+    *model = (Model){.gain = 1.0, .label = "label", .stop = -1.0};
+}
+
+static int model_reset(Model *model)
+{
+    if (model->is_dead)
+        abort(); /* the importer must not call after a fatal error */
+    if (model->trouble == NO_RESET)
+        return STATUS_ERROR;
+    if (model->trouble == FATAL_RESET) {
+        model->is_dead = true;
+        return STATUS_FATAL;
+    }
+    model_start(model);
+    return STATUS_OK;
+}
+
+static void model_sleep(double milliseconds)
+{
+    const long nanoseconds = (long)(milliseconds * 1e6);
+    nanosleep(&(struct timespec){nanoseconds / 1000000000L, nanoseconds % 1000000000L}, NULL);
+}
+
+static int model_step(Model *model, double time, double length)
+{
+    if (model->is_dead)
+        abort();
+    if (model->delay > 0.0)
+        model_sleep(model->delay);
+    const int trouble = time >= model->when ? model->trouble : NONE;
+    if (trouble == ERROR)
+        return STATUS_ERROR;
+    if (trouble == DISCARD)
+        return STATUS_DISCARD;
+    if (trouble == NO_STATUS)
+        return 17;
+    if (trouble == FATAL) {
+        model->is_dead = true;
+        return STATUS_FATAL;
+    }
+    while (trouble == FOREVER)
+        model_sleep(1000.0);
+    model->y += model->gain * length * (model->u + 0.5 * length * model->slope);
+    model->steps += 1;
+    return trouble == WARNINGS ? STATUS_WARNING : STATUS_OK;
+}
+
+#endif
