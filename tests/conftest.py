@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from fmu_build import build_fmu
+from tests.omc import Omc, opened, why_not
 
 ROOT = Path(__file__).parents[1]
 JOYSTICKS = ("Joystick", "JoystickPowerLaw", "JoystickInverse")
@@ -38,6 +39,16 @@ def _sources() -> Iterator[Path]:
         for file in (ROOT / folder).rglob("*"):
             if file.is_file() and file.suffix != ".pyc":
                 yield file
+
+
+@pytest.fixture(scope="session")
+def omc(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Omc]:
+    """An OpenModelica session, for root in the script form; skips where none is installed."""
+    reason = why_not()
+    if reason:
+        pytest.skip(reason)
+    with opened(tmp_path_factory.mktemp("omc")) as session:
+        yield session
 
 
 @pytest.fixture

@@ -6,7 +6,7 @@ import re
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 import rumoca
@@ -21,6 +21,27 @@ _HEADER = re.compile(
     rf"(?:\s+{_STRING}|\s*=(?:{_STRING}|[^;\"])*)",
     re.MULTILINE,
 )
+
+
+class SimulationFailedError(Exception):
+    """A simulation did not reach its end; the message is the compiler's."""
+
+
+class Simulate(Protocol):
+    """How the tests simulate, whichever compiler does it."""
+
+    event_error: float
+    """How far (s) from a kink the compiler's solver may put its event, in theory exact."""
+
+    def __call__(
+        self, component: str, stop_time: float, step: float = 1e-3, equations: str = ""
+    ) -> dict[str, NDArray[np.float64]]:
+        """Results of a model that declares `component`, sampled every `step` (s) and at its events.
+
+        `component` is the text of declarations, such as ``PreloadedSprings.Parts.Fixed wall;``. Raises
+        `SimulationFailedError`.
+        """
+        ...
 
 
 @dataclass(frozen=True)
@@ -82,17 +103,22 @@ def flat_variables(name: str) -> dict[str, dict[str, Any]]:
     return variables
 
 
-def simulate(
-    component: str, stop_time: float, step: float = 1e-3, equations: str = ""
-) -> dict[str, NDArray[np.float64]]:
-    """Results of a model that declares `component`, sampled every `step` (s) and at its events.
+class RumocaSimulate:
+    """`Simulate` by rumoca's own solver."""
 
-    `component` is the text of declarations, such as ``PreloadedSprings.Parts.Fixed wall;``.
-    """
-    source = f"model Bench {component} equation {equations} end Bench;"
-    model = rumoca.Session(roots=[str(MODELICA_PATH)]).loads(source, model="Bench")
-    result = model.simulate(stop_time, config=rumoca.SimConfig(rtol=1e-10, atol=1e-12, dt=step))
-    return {"time": np.asarray(result.time), **{name: np.asarray(result[name]) for name in result.names}}
+    event_error = 0.0
+
+    def __call__(
+        self, component: str, stop_time: float, step: float = 1e-3, equations: str = ""
+    ) -> dict[str, NDArray[np.float64]]:
+        """See `Simulate`."""
+        source = f"model Bench {component} equation {equations} end Bench;"
+        model = rumoca.Session(roots=[str(MODELICA_PATH)]).loads(source, model="Bench")
+        try:
+            result = model.simulate(stop_time, config=rumoca.SimConfig(rtol=1e-10, atol=1e-12, dt=step))
+        except rumoca.SimulationError as error:
+            raise SimulationFailedError(str(error)) from error
+        return {"time": np.asarray(result.time), **{name: np.asarray(result[name]) for name in result.names}}
 
 
 def without_annotations(text: str) -> str:

@@ -7,7 +7,7 @@ import pytest
 import rumoca
 
 from tests.modelica import physics
-from tests.modelica.library import MODELICA_PATH, simulate
+from tests.modelica.library import MODELICA_PATH, Simulate
 from tests.modelica.physics import Array
 
 JOYSTICK = "PreloadedSprings.Joystick"
@@ -16,7 +16,12 @@ RELEASE = np.deg2rad(-20.0)
 
 
 def _released(
-    model: str, theta_start: float, changes: str = "", stop_time: float = 1.5, step: float = 1e-3
+    simulate: Simulate,
+    model: str,
+    theta_start: float,
+    changes: str = "",
+    stop_time: float = 1.5,
+    step: float = 1e-3,
 ) -> dict[str, Array]:
     joystick = f"{JOYSTICK}.{model} j(T = 0, theta_start = {theta_start}{changes});"
     return simulate(joystick, stop_time, step)
@@ -24,8 +29,10 @@ def _released(
 
 @pytest.mark.parametrize("model", LAWS)
 @pytest.mark.parametrize("theta_start", [RELEASE, 0.15])
-def test_free_oscillation_is_that_of_the_equations(model: str, theta_start: float) -> None:
-    result = _released(model, theta_start)
+def test_free_oscillation_is_that_of_the_equations(
+    simulate: Simulate, model: str, theta_start: float
+) -> None:
+    result = _released(simulate, model, theta_start)
     times, at = np.unique(result["time"], return_index=True)
     expected = physics.free_oscillation(theta_start, LAWS[model], times)
     # The accuracy of rumoca's integrator, which does not locate every kink to rounding.
@@ -33,8 +40,8 @@ def test_free_oscillation_is_that_of_the_equations(model: str, theta_start: floa
 
 
 @pytest.mark.parametrize("model", LAWS)
-def test_outputs_are_what_they_say(model: str) -> None:
-    result = _released(model, RELEASE)
+def test_outputs_are_what_they_say(simulate: Simulate, model: str) -> None:
+    result = _released(simulate, model, RELEASE)
     theta, omega = result["j.theta"], result["j.omega"]
     settled = np.abs(theta) > 1e-6  # at the instant of a change of sign, the side is the event's
     x, slope = physics.travel(theta), physics.travel_slope(theta)
@@ -42,8 +49,10 @@ def test_outputs_are_what_they_say(model: str) -> None:
     force = np.select(sides, [physics.table_force(x, *physics.TABLE_1[side]) for side in (1, -1)])
     coefficient = [LAWS[model](a, b) for a, b in zip(theta, omega, strict=True)]
     weight = physics.MASS * physics.GRAVITY * physics.H
-    np.testing.assert_allclose(result["j.x"], x, atol=1e-15)
-    np.testing.assert_allclose(result["j.f_x"], force, rtol=1e-12, atol=2e-9)
+    late = np.max(np.abs(omega)) * simulate.event_error  # how far beyond a kink its old branch may be taken
+    np.testing.assert_allclose(result["j.x"], x, atol=1e-15 + 2.0 * physics.A * late)
+    steepest = max(max(stiffnesses) for _, stiffnesses in physics.TABLE_1.values())
+    np.testing.assert_allclose(result["j.f_x"], force, rtol=1e-12, atol=2e-9 + steepest * physics.A * late)
     np.testing.assert_allclose(result["j.M_s"], result["j.f_x"] * slope, rtol=1e-12, atol=1e-15)
     np.testing.assert_allclose(result["j.C"][settled], np.asarray(coefficient)[settled], rtol=1e-12)
     np.testing.assert_allclose(result["j.M_d"], result["j.C"] * omega, rtol=1e-14)
@@ -53,8 +62,8 @@ def test_outputs_are_what_they_say(model: str) -> None:
 
 
 @pytest.mark.parametrize("model", LAWS)
-def test_energy_falls_by_the_work_of_the_damping(model: str) -> None:
-    result = _released(model, RELEASE, stop_time=0.5, step=1e-5)
+def test_energy_falls_by_the_work_of_the_damping(simulate: Simulate, model: str) -> None:
+    result = _released(simulate, model, RELEASE, stop_time=0.5, step=1e-5)
     energy, power = result["j.E"], result["j.C"] * result["j.omega"] ** 2
     theta, x = result["j.theta"][0], float(physics.travel(result["j.theta"][0]))
     travel = np.linspace(0.0, x, 200_001)
@@ -66,14 +75,14 @@ def test_energy_falls_by_the_work_of_the_damping(model: str) -> None:
     assert energy[0] - energy[-1] == pytest.approx(loss, rel=1e-5)  # trapezoids of 10 us
 
 
-def test_energy_is_zero_at_rest_in_the_middle_and_constant_without_damping() -> None:
-    assert np.all(_released("Joystick", 0.0)["j.E"] == 0.0)
-    energy = _released("Joystick", -0.3, ", damping(C = 0)")["j.E"]
+def test_energy_is_zero_at_rest_in_the_middle_and_constant_without_damping(simulate: Simulate) -> None:
+    assert np.all(_released(simulate, "Joystick", 0.0)["j.E"] == 0.0)
+    energy = _released(simulate, "Joystick", -0.3, ", damping(C = 0)")["j.E"]
     np.testing.assert_allclose(energy, energy[0], rtol=1e-6)
 
 
-def test_period_falls_as_the_amplitude_falls() -> None:
-    result = _released("Joystick", RELEASE)
+def test_period_falls_as_the_amplitude_falls(simulate: Simulate) -> None:
+    result = _released(simulate, "Joystick", RELEASE)
     theta, time = result["j.theta"], result["time"]
     rising = (theta[:-1] < 0.0) & (theta[1:] >= 0.0)
     periods = np.diff(time[1:][rising])[:5]
@@ -81,7 +90,7 @@ def test_period_falls_as_the_amplitude_falls() -> None:
     assert np.all(np.diff(periods) < 0.0)
 
 
-def test_parameters_reach_the_components() -> None:
+def test_parameters_reach_the_components(simulate: Simulate) -> None:
     """Twice every inertia, weight, spring and damping: the same motion with twice the energy."""
     scaled = ", J = 2*0.01135, m = 2*0.87, damping(C = 0.09)" + "".join(
         f", {side}(returnSpring(k_s = 2*{r[0]}, k_h = 2*{r[1]}, F_0 = 2*{r[2]}), "
@@ -91,16 +100,18 @@ def test_parameters_reach_the_components() -> None:
             ("backward", (1191, 657809, 55.5848605), (2899, 1107910, 9.97119)),
         )
     )
-    one, two = _released("Joystick", -0.2), _released("Joystick", -0.2, scaled)
+    one, two = _released(simulate, "Joystick", -0.2), _released(simulate, "Joystick", -0.2, scaled)
     np.testing.assert_allclose(one["j.theta"][::100], two["j.theta"][::100], atol=1e-7)
     np.testing.assert_allclose(2.0 * one["j.E"][0], two["j.E"][0], rtol=1e-14)
 
 
-def test_damping_law_can_be_replaced() -> None:
+def test_damping_law_can_be_replaced(simulate: Simulate) -> None:
     replaced = _released(
-        "Joystick", RELEASE, ", redeclare PreloadedSprings.Damping.PowerLaw damping(alpha = 0.9)"
+        simulate, "Joystick", RELEASE, ", redeclare PreloadedSprings.Damping.PowerLaw damping(alpha = 0.9)"
     )
-    np.testing.assert_allclose(replaced["j.C"], _released("JoystickPowerLaw", RELEASE)["j.C"], rtol=1e-6)
+    np.testing.assert_allclose(
+        replaced["j.C"], _released(simulate, "JoystickPowerLaw", RELEASE)["j.C"], rtol=1e-6
+    )
     base = f"{JOYSTICK}.Joystick(redeclare PreloadedSprings.Damping.PowerLaw damping)"
     source = f"model Own extends {base}; end Own;"
     own = rumoca.Session(roots=[str(MODELICA_PATH)]).loads(source, model="Own")
@@ -109,17 +120,17 @@ def test_damping_law_can_be_replaced() -> None:
     assert "damping.C" not in names
 
 
-def test_weights_of_the_power_laws_add_up_to_one() -> None:
+def test_weights_of_the_power_laws_add_up_to_one(simulate: Simulate) -> None:
     coefficients = []
     for alpha in (0.0, 0.25, 1.0):
         start = f", omega_start = 2, damping(alpha = {alpha})"
-        coefficients.append(_released("JoystickPowerLaw", 0.2, start, stop_time=0.01)["j.C"][0])
+        coefficients.append(_released(simulate, "JoystickPowerLaw", 0.2, start, stop_time=0.01)["j.C"][0])
     assert coefficients[0] == pytest.approx(0.051 * 2.0**-0.26, rel=1e-6)
     assert coefficients[2] == pytest.approx(0.086 * 0.2**0.084, rel=1e-6)
     assert coefficients[1] == pytest.approx(0.75 * coefficients[0] + 0.25 * coefficients[2], rel=1e-12)
 
 
-def test_torque_of_a_motion_makes_that_motion() -> None:
+def test_torque_of_a_motion_makes_that_motion(simulate: Simulate) -> None:
     result = simulate("extends PreloadedSprings.Examples.ForcedMotion;", 0.6)
     shares = [result[f"inverse.T_{share}"] for share in ("stiffness", "damping", "inertia")]
     np.testing.assert_allclose(result["inverse.T"], np.sum(shares, axis=0), atol=1e-14)
@@ -134,7 +145,7 @@ def test_torque_of_a_motion_makes_that_motion() -> None:
     assert 1.2 < np.max(np.abs(result["inversePowerLaw.T_damping"])) / damping < 2.5
 
 
-def test_prescribed_motion_is_consistent_with_its_derivatives() -> None:
+def test_prescribed_motion_is_consistent_with_its_derivatives(simulate: Simulate) -> None:
     result = simulate(
         "PreloadedSprings.Examples.Utilities.ForwardAndReturn c(theta_max = 0.3, duration = 0.5);", 0.6, 1e-4
     )
@@ -145,7 +156,7 @@ def test_prescribed_motion_is_consistent_with_its_derivatives() -> None:
         np.testing.assert_allclose(change[1:-1], result[f"c.{rate}"][at][1:-1], atol=1e-4)
 
 
-def test_swing_test_gives_the_moment_of_inertia() -> None:
+def test_swing_test_gives_the_moment_of_inertia(simulate: Simulate) -> None:
     result = simulate("extends PreloadedSprings.Examples.SwingTest;", 3.0)
     assert result["f_n"][-1] == pytest.approx(1.25, abs=0.005)
     amplitude_error = np.deg2rad(3.0) ** 2 / 8.0

@@ -5,9 +5,8 @@ from __future__ import annotations
 import re
 
 import pytest
-import rumoca
 
-from tests.modelica.library import simulate
+from tests.modelica.library import Simulate, SimulationFailedError
 
 
 @pytest.mark.parametrize(
@@ -32,8 +31,8 @@ from tests.modelica.library import simulate
         ),
     ],
 )
-def test_joystick(changes: str, message: str) -> None:
-    _refused(f"PreloadedSprings.Joystick.Joystick j(T = 0, {changes});", message)
+def test_joystick(simulate: Simulate, changes: str, message: str) -> None:
+    _refused(simulate, f"PreloadedSprings.Joystick.Joystick j(T = 0, {changes});", message)
 
 
 @pytest.mark.parametrize(
@@ -48,8 +47,8 @@ def test_joystick(changes: str, message: str) -> None:
         ("eps_omega = -1", "damping.eps_omega must be positive, but is -1 rad/s"),
     ],
 )
-def test_power_law(changes: str, message: str) -> None:
-    _refused(f"PreloadedSprings.Joystick.JoystickPowerLaw j(T = 0, damping({changes}));", message)
+def test_power_law(simulate: Simulate, changes: str, message: str) -> None:
+    _refused(simulate, f"PreloadedSprings.Joystick.JoystickPowerLaw j(T = 0, damping({changes}));", message)
 
 
 @pytest.mark.parametrize(
@@ -61,12 +60,17 @@ def test_power_law(changes: str, message: str) -> None:
         ("x_i = {0, 1}, k_i = {1, 0}", "c.k_i[2] must be positive, but is 0 N/m"),
     ],
 )
-def test_table(table: str, message: str) -> None:
+def test_table(simulate: Simulate, table: str, message: str) -> None:
     declarations = (
         f"PreloadedSprings.Springs.TableAssembly c({table}); PreloadedSprings.Parts.Fixed wall; "
         "PreloadedSprings.Parts.Press press(v = 1);"
     )
-    _refused(declarations, message, "connect(press.flange, c.flange_a); connect(c.flange_b, wall.flange);")
+    _refused(
+        simulate,
+        declarations,
+        message,
+        "connect(press.flange, c.flange_a); connect(c.flange_b, wall.flange);",
+    )
 
 
 @pytest.mark.parametrize(
@@ -77,24 +81,28 @@ def test_table(table: str, message: str) -> None:
         ("damper(d = -1)", "damper.d must not be negative, but is -1 N.s/m"),
     ],
 )
-def test_mass_between_springs(changes: str, message: str) -> None:
-    _refused(f"extends PreloadedSprings.Examples.OpposingSprings({changes});", message)
+def test_mass_between_springs(simulate: Simulate, changes: str, message: str) -> None:
+    _refused(simulate, f"extends PreloadedSprings.Examples.OpposingSprings({changes});", message)
 
 
-def test_motion_without_duration() -> None:
+def test_motion_without_duration(simulate: Simulate) -> None:
     _refused(
+        simulate,
         "PreloadedSprings.Examples.Utilities.ForwardAndReturn c(theta_max = 1, duration = -1);",
         "c.duration must be positive, but is -1 s",
     )
 
 
-def test_angle_beyond_a_right_angle() -> None:
+def test_angle_beyond_a_right_angle(simulate: Simulate) -> None:
     equations = "c.theta = 10*time; c.omega = 10; c.alpha = 0;"
     _refused(
-        "PreloadedSprings.Joystick.JoystickInverse c;", "c.theta must stay between -pi/2 and pi/2", equations
+        simulate,
+        "PreloadedSprings.Joystick.JoystickInverse c;",
+        "c.theta must stay between -pi/2 and pi/2",
+        equations,
     )
 
 
-def _refused(declarations: str, message: str, equations: str = "") -> None:
-    with pytest.raises(rumoca.SimulationError, match=re.escape(message)):
+def _refused(simulate: Simulate, declarations: str, message: str, equations: str = "") -> None:
+    with pytest.raises(SimulationFailedError, match=re.escape(message)):
         simulate(declarations, 0.5, equations=equations)

@@ -14,6 +14,7 @@ from fmu_build.places import located
 _FOLLOWS = re.compile(r"Error occurred while flattening model |Failed to load package |.*\bfailed\.?$")
 _TOOLS = re.compile(r"Error building simulator|Failed to make clean|omc (?:ended|stopped)|Build commands? ")
 _VERSION = re.compile(r"Unknown FMU version|Export of FMU type")
+_HINT = re.compile(r"Variable .* does not have any remaining equation")
 _UNSUPPORTED = re.compile(r"(?i)not (?:yet )?(?:supported|implemented)|internal error")
 
 
@@ -34,7 +35,8 @@ def failure(messages: Sequence[Message], model: str, file: Path) -> BuildError:
     if not told:
         return BuildError(located("omc made no FMU and gave no reason", [], model, file))
     kind = UnsupportedModelError if any(_UNSUPPORTED.search(m.text) for m in told) else ModelicaError
-    return kind("\n".join(_line(message, model, file) for message in told))
+    hints = [] if placed else [message for message in messages if _HINT.match(message.text)]
+    return kind("\n".join(_line(message, model, file) for message in [*told, *hints]))
 
 
 def _line(message: Message, model: str, file: Path) -> str:

@@ -13,8 +13,7 @@ _MESSAGE = re.compile(
     r"(?P<level>Internal error|Error|Warning|Notification): ",
     re.MULTILINE,
 )
-_ESCAPE = re.compile(r"\\(.)", re.DOTALL)
-_ESCAPED = {"n": "\n", "t": "\t", "r": "\r", "a": "\a", "b": "\b", "f": "\f", "v": "\v"}
+_ESCAPE = re.compile(r'\\(["\\])')
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +56,7 @@ def unquoted(literal: str) -> str:
     """The text of a Modelica String literal; anything else as it is."""
     if len(literal) < 2 or not literal.startswith('"') or not literal.endswith('"'):
         return literal
-    return _ESCAPE.sub(lambda match: _ESCAPED.get(match[1], match[1]), literal[1:-1])
+    return _ESCAPE.sub(r"\1", literal[1:-1])
 
 
 def read_messages(text: str) -> tuple[Message, ...]:
@@ -94,9 +93,12 @@ def read_answers(output: str, marker: str, count: int) -> list[Answer]:
     answers after it are missing.
     """
     parts = re.split(rf'^"{re.escape(marker)}"\n?', output, flags=re.MULTILINE)
-    pairs = zip(parts[0 : 2 * count : 2], parts[1 : 2 * count : 2], strict=False)
-    answers = [Answer(value.strip(), read_messages(unquoted(text.strip()))) for value, text in pairs]
-    if len(answers) < count:
-        rest = "\n".join(parts[2 * len(answers) :]).strip()
+    complete = min(count, (len(parts) - 1) // 2)
+    answers = [
+        Answer(value.strip(), read_messages(unquoted(text.strip())))
+        for value, text in zip(parts[0 : 2 * complete : 2], parts[1 : 2 * complete : 2], strict=True)
+    ]
+    if complete < count:
+        rest = "\n".join(parts[2 * complete :]).strip()
         answers.append(Answer("", read_messages(rest or "Error: omc stopped without a message")))
     return answers

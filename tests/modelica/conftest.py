@@ -1,0 +1,16 @@
+"""The compilers that simulate the library's models."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.modelica.library import RumocaSimulate, Simulate
+from tests.modelica.openmodelica import OpenModelicaSimulate
+
+
+@pytest.fixture(params=["rumoca", "openmodelica"])
+def simulate(request: pytest.FixtureRequest) -> Simulate:
+    """Each of the compilers in turn."""
+    if request.param == "rumoca":
+        return RumocaSimulate()
+    return OpenModelicaSimulate(request.getfixturevalue("omc"))
