@@ -26,8 +26,8 @@ Interface = Literal["CoSimulation", "ModelExchange"]
 class Variable:
     """A variable of an FMU; absent attributes are None or an empty string.
 
-    `start` is as written in the file; `minimum` and `maximum` are in `unit`; `initial` is ``exact``,
-    ``approx`` or ``calculated``.
+    `start` is as written in the file; `minimum`, `maximum` and `nominal` are in `unit`; `initial` is
+    ``exact``, ``approx`` or ``calculated``.
     """
 
     name: str
@@ -43,6 +43,7 @@ class Variable:
     minimum: float | None
     maximum: float | None
     is_array: bool = False
+    nominal: float = 1.0
 
     @property
     def settable_at_start(self) -> bool:
@@ -222,6 +223,7 @@ def _variable(variable: Any, units: Mapping[str, Any]) -> Variable:
         minimum=_number(attribute("min")),
         maximum=_number(attribute("max")),
         is_array=bool(variable.dimensions),
+        nominal=abs(_number(attribute("nominal")) or 1.0),
     )
 
 

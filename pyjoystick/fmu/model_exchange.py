@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from contextlib import ExitStack
 from os import PathLike
+from typing import Any
 
 import fmpy
 import numpy as np
@@ -14,7 +15,9 @@ from numpy.typing import ArrayLike
 from pyjoystick.checks import increasing_times, positive
 from pyjoystick.errors import ParameterError, SimulationError
 from pyjoystick.fmu.description import read_description
+from pyjoystick.fmu.exchange_inputs import apply_inputs_with_time, input_signals
 from pyjoystick.fmu.files import find_fmu
+from pyjoystick.fmu.inputs import Inputs, checked_inputs
 from pyjoystick.fmu.library import FmuLibrary
 from pyjoystick.fmu.values import Value, checked_outputs, checked_parameters
 from pyjoystick.tables import make_table
@@ -25,18 +28,17 @@ def run_model_exchange(
     time: ArrayLike,
     *,
     parameters: Mapping[str, Value] | None = None,
+    inputs: Inputs | None = None,
     outputs: Iterable[str] | None = None,
     tolerance: float = 1e-10,
 ) -> pd.DataFrame:
-    """Run an FMU through Model Exchange and FMPy's CVode (SUNDIALS); inputs keep their start values.
-
-    There are no changing inputs because FMPy keeps them constant during a step of CVode, whatever the
-    tolerance.
+    """Run an FMU through Model Exchange and FMPy's CVode (SUNDIALS).
 
     Args:
         fmu: a name such as ``Joystick``, or the path of any .fmu file
         time: instants to record (s), equally spaced, shape (n,), n >= 2
         parameters: as in `Fmu.run`
+        inputs: as in `Fmu.run`; they are followed exactly
         outputs: as in `Fmu.run`
         tolerance: relative tolerance of CVode
 
@@ -45,9 +47,10 @@ def run_model_exchange(
 
     Raises:
         ParameterError: the time is not equally spaced, or as in `Fmu.run`
+        UnknownNameError, SeriesError: as in `Fmu.run`
         FmuNotFoundError, FmuFileError, UnsupportedFmuError: as in `Fmu`
         FmuRunError: the FMU refuses its settings or fails
-        SimulationError: the model ended the run by itself
+        SimulationError: the model ended the run by itself, or CVode failed
     """
     instants = increasing_times(time)
     interval = float(instants[-1] - instants[0]) / (len(instants) - 1)
@@ -56,6 +59,7 @@ def run_model_exchange(
         raise ParameterError("time", "unequal steps", "equally spaced for Model Exchange")
     description = read_description(find_fmu(fmu))
     values = checked_parameters(description, parameters or {})
+    table = checked_inputs(description, {} if inputs is None else inputs)
     recorded = checked_outputs(description, outputs)
     with ExitStack() as stack:
         library = FmuLibrary(description, "ModelExchange")
@@ -64,9 +68,13 @@ def run_model_exchange(
         stack.callback(instance.free)
         stack.enter_context(instance.reporting(float(instants[0])))
         folder = str(library.folder)
-        rows = fmpy.simulate_fmu(
+        model_description = fmpy.read_model_description(folder, validate=False)
+        signals = input_signals(description, table) if len(table.columns) else None
+        if signals is not None:
+            apply_inputs_with_time(instance.fmi, model_description, signals)
+        rows = _simulate(
             folder,
-            model_description=fmpy.read_model_description(folder, validate=False),
+            model_description=model_description,
             fmu_instance=instance.fmi,
             validate=False,
             fmi_type="ModelExchange",
@@ -77,9 +85,23 @@ def run_model_exchange(
             record_events=False,
             relative_tolerance=positive("tolerance", tolerance),
             start_values=dict(values),
+            input=signals,
             output=[variable.name for variable in recorded],
         )
     if len(rows) != len(instants):
         raise SimulationError(float(rows["time"][-1]), "the model ended the run")
     columns = {variable.name: rows[variable.name] for variable in recorded}
     return make_table(instants, columns, [variable.quantity for variable in recorded])
+
+
+def _simulate(folder: str, **settings: Any) -> Any:
+    reached = [settings["start_time"]]
+
+    def remember(time: float, _: object) -> bool:
+        reached[0] = time
+        return True
+
+    try:
+        return fmpy.simulate_fmu(folder, step_finished=remember, **settings)
+    except RuntimeError as error:  # of FMPy, where CVode fails; it names a source file of CVode first
+        raise SimulationError(reached[0], f"CVode: {str(error).rpartition('.c: ')[2]}") from error

@@ -6,10 +6,12 @@ import math
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
 import pytest
 
-from pyjoystick.errors import ParameterError
-from pyjoystick.fmu import FmuRunError, UnsupportedFmuError, run_model_exchange
+from fmu_build import build_fmu
+from pyjoystick.errors import ParameterError, SimulationError, UnknownInputError
+from pyjoystick.fmu import Fmu, FmuRunError, UnsupportedFmuError, run_model_exchange
 from pyjoystick.parameters import NOMINAL
 from pyjoystick.reference import simulate
 from tests.pyjoystick.fmu.doctored import doctored
@@ -46,3 +48,47 @@ def test_without_model_exchange(joystick_path: Path, tmp_path: Path) -> None:
     path = doctored(joystick_path, tmp_path / "cs.fmu", description=only_co_simulation)
     with pytest.raises(UnsupportedFmuError, match=r"cs\.fmu: has no ModelExchange"):
         run_model_exchange(path, TIME)
+
+
+def test_inputs_are_followed_between_the_steps(mixed_path: Path) -> None:
+    """The integral of a ramp, of its kink, and of a jump: FMPy alone would be off by a step of CVode."""
+    table = pd.DataFrame({"u": [0.0, 2.0, 1.0, 3.0, 3.0]}, index=[0.0, 1.0, 1.5, 1.5, 2.0])
+    time = np.linspace(0.0, 2.0, 9)
+    run = run_model_exchange(mixed_path, time, inputs=table, outputs=["y", "integral"])
+    before = np.where(time <= 1.0, time**2, 1.0 + 2.0 * (time - 1.0) - (time - 1.0) ** 2)
+    expected = np.where(time <= 1.5, before, 1.75 + 3.0 * (time - 1.5))
+    assert np.abs(run["integral"] - expected).max() < 1e-8
+    np.testing.assert_allclose(run["y"].iloc[:6], 2.0 * time[:6] - 4.0 * np.maximum(time[:6] - 1.0, 0.0))
+    assert run["y"].iloc[-1] == 3.0
+
+
+def test_inputs_that_are_not_given_keep_their_start_values(mixed_path: Path) -> None:
+    for inputs in (None, {}, {"u": 0.5}):
+        run = run_model_exchange(mixed_path, [0.0, 1.0, 2.0], inputs=inputs, outputs=["integral"])
+        np.testing.assert_allclose(run["integral"], [0.0, 0.5, 1.0], atol=1e-9)
+
+
+def test_driven_motion_is_that_of_co_simulation(joystick_path: Path) -> None:
+    torque = pd.DataFrame({"T": 2.0 * np.sin(6.0 * np.pi * TIME)}, index=TIME)
+    run = run_model_exchange(joystick_path, TIME, inputs=torque)
+    with Fmu(joystick_path) as joystick:
+        expected = joystick.run(TIME, inputs=torque, tolerance=1e-11)
+    assert np.abs(run["theta"] - expected["theta"]).max() < 1e-7
+    assert np.abs(run["theta"]).max() > 0.1
+
+
+def test_where_cvode_gives_up(tmp_path: Path) -> None:
+    models = Path(__file__).parents[2] / "fmu_build" / "models" / "failing" / "Failing.mo"
+    pole = build_fmu("Failing.Pole", tmp_path, library=models).path
+    with pytest.raises(
+        SimulationError, match=r"stopped at t = 0\.98 s: CVode: At t = (0\.99|1\.00)\d+"
+    ) as caught:
+        run_model_exchange(pole, np.linspace(0.0, 1.5, 76), outputs=["x"])
+    assert not isinstance(caught.value, FmuRunError)
+
+
+def test_inputs_that_are_refused(mixed_path: Path) -> None:
+    with pytest.raises(UnknownInputError, match="no input 'v'"):
+        run_model_exchange(mixed_path, TIME, inputs={"v": 1.0})
+    with pytest.raises(ParameterError, match="u = nan"):
+        run_model_exchange(mixed_path, TIME, inputs={"u": math.nan})
