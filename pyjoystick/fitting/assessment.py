@@ -1,0 +1,134 @@
+"""What a minimum means: each record beside its fit, tied parameters, criteria, and the checks of trust."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from pyjoystick._types import FloatArray
+from pyjoystick.fitting import trust
+from pyjoystick.fitting.criteria import Criteria, criteria
+from pyjoystick.fitting.identifiability import Identifiability
+from pyjoystick.fitting.noise_model import relative_sizes
+from pyjoystick.fitting.peak_prediction import PeakPredictor
+from pyjoystick.fitting.problem import Problem
+from pyjoystick.fitting.result import Derived, RecordFit
+from pyjoystick.fitting.search import Minimum
+from pyjoystick.fitting.settings import RELEASE_TIME, FitSettings
+from pyjoystick.fitting.uncertainty import StandardErrors
+from pyjoystick.fitting.variables import Variables
+
+
+def record_fits(problem: Problem, x: FloatArray) -> tuple[RecordFit, ...]:
+    """Each record beside the prediction at x."""
+    found = []
+    for predictor, predicted, weights in zip(
+        problem.predictors, problem.predictions(x), problem.weights, strict=True
+    ):
+        sizes = relative_sizes(predictor)
+        sigma = {
+            label: float(1.0 / (weights[k] * sizes[k]))
+            for label in dict.fromkeys(predictor.labels)
+            for k in [predictor.labels.index(label)]
+        }
+        found.append(
+            RecordFit(
+                predictor.record.name, predictor.labels, predictor.times, predictor.data, predicted, sigma
+            )
+        )
+    return tuple(found)
+
+
+def all_checks(
+    problem: Problem,
+    settings: FitSettings,
+    best: Minimum,
+    known: Identifiability,
+    errors: StandardErrors,
+    records: Sequence[RecordFit],
+    numerical_noise: float,
+) -> list[trust.Check]:
+    """Every check of trust that applies.
+
+    Args:
+        problem: the problem, with the weights of the noise
+        settings: what was asked
+        best: the minimum
+        known: rank of the Jacobian there
+        errors: standard errors there
+        records: each record beside its fit
+        numerical_noise: scatter of the FMU's results, in the unit of the data
+    """
+    variables = problem.variables
+    found = [
+        trust.check_convergence(best),
+        trust.check_bounds(variables, best.x),
+        trust.check_rank(known),
+        trust.check_precision(variables.labels, best.x, errors.errors),
+    ]
+    residuals = [one.residuals() for one in records]
+    if settings.comparison == "peaks":
+        predictors = [one for one in problem.predictors if isinstance(one, PeakPredictor)]
+        problem.residuals(best.x)
+        relative = [r / relative_sizes(p) for r, p in zip(residuals, problem.predictors, strict=True)]
+        return [
+            *found,
+            trust.check_peaks([(one.record.name, one.missing) for one in predictors]),
+            trust.check_peak_errors(relative),
+        ]
+    if settings.noise.sigma:
+        found.append(trust.check_chi_squared(best.cost, errors.degrees_of_freedom))
+    else:
+        found.append(trust.check_size(residuals, [one.data for one in records]))
+    series, names = [], []
+    for one in records:
+        for label in dict.fromkeys(one.labels):
+            series.append(one.residuals()[np.array(one.labels) == label])
+            names.append(one.name if len(settings.outputs) == 1 else f"{label} of {one.name}")
+    return [*found, trust.check_whiteness(names, series, numerical_noise)]
+
+
+def derived_parameters(
+    variables: Variables, x: FloatArray, errors: StandardErrors, names: Sequence[str]
+) -> Iterator[Derived]:
+    """Tied parameters with the errors that follow from those of the variables."""
+    if not variables.tied:
+        return
+    own = any(one.record is not None and one.name != RELEASE_TIME for one in variables.free)
+    for k, name in enumerate(names if own else names[:1]):
+        values = variables.tied_values(x, k)
+        steps = 1e-6 * np.array([one.scale for one in variables.free])
+        slopes = np.column_stack(
+            [
+                (variables.tied_values(x + step * unit, k) - variables.tied_values(x - step * unit, k))
+                / (2.0 * step)
+                for step, unit in zip(steps, np.eye(len(x)), strict=True)
+            ]
+        )
+        for tied, value, slope in zip(variables.tied, values, slopes, strict=True):
+            used = slope != 0.0
+            variance = float(slope[used] @ errors.covariance[np.ix_(used, used)] @ slope[used])
+            error = math.sqrt(variance) if math.isfinite(variance) else math.inf
+            yield Derived(tied, name if own else "", float(value), error)
+
+
+def criteria_of(
+    settings: FitSettings, records: Sequence[RecordFit], rank: int, cost: float
+) -> Criteria | None:
+    """AICc and BIC of white normal noise; None where peaks are compared, whose errors have no such model."""
+    if settings.comparison == "peaks":
+        return None
+    samples = sum(len(one.data) for one in records)
+    logs, levels = 0.0, set()
+    for one in records:
+        for label in one.labels:
+            logs += math.log(one.sigma[label])
+            levels.add((label, one.sigma[label]))
+    estimated = 0 if settings.noise.sigma else len(levels)
+    # With an estimated sigma the likelihood is highest where it is the root mean square itself.
+    spare = max(samples - rank, 1) / samples if estimated else 1.0
+    logs += 0.5 * samples * math.log(spare)
+    likelihood = -0.5 * cost / spare - logs - 0.5 * samples * math.log(2.0 * math.pi)
+    return criteria(likelihood, rank + estimated, samples)

@@ -1,0 +1,31 @@
+"""Settings for the joystick where none are given: the damping, with a release of its own for each record."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from pyjoystick.fitting.settings import RELEASE_TIME, FitSettings, Free
+
+#: The release of each record: its angle and its instant.
+RELEASE: Final = (Free("theta_start", per_record=True), Free(RELEASE_TIME, per_record=True))
+
+#: A constant damping coefficient.
+CONSTANT_DAMPING: Final = FitSettings(
+    fmu="Joystick", free=(Free("damping.C", start=0.05, minimum=0.0, maximum=0.5), *RELEASE)
+)
+
+#: Eq. (11). Only the products alpha*A and (1 - alpha)*B act on the motion, so that alpha cannot be fitted
+#: beside A and B: it is fixed at the paper's 0.9.
+POWER_LAW_DAMPING: Final = FitSettings(
+    fmu="JoystickPowerLaw",
+    fixed={"damping.alpha": 0.9},
+    free=(
+        Free("damping.A_pos", start=0.05, minimum=0.0, maximum=1.0),
+        Free("damping.n_pos", start=0.0, minimum=-1.0, maximum=1.0),
+        Free("damping.A_neg", start=0.05, minimum=0.0, maximum=1.0),
+        Free("damping.n_neg", start=0.0, minimum=-1.0, maximum=1.0),
+        Free("damping.B", start=0.05, minimum=0.0, maximum=1.0),
+        Free("damping.m", start=0.0, minimum=-1.0, maximum=1.0),
+        *RELEASE,
+    ),
+)

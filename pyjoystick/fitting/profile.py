@@ -1,0 +1,112 @@
+"""Profile likelihood: how much worse the best fit gets as one parameter is held away from its best value."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Final
+
+import numpy as np
+
+from pyjoystick._types import FloatArray
+from pyjoystick.fitting.problem import Problem
+from pyjoystick.fitting.search import search
+
+#: Points on either side, in half-widths of the linear interval; more are added until the quantile is passed.
+_POINTS: Final = (0.5, 0.85, 1.0, 1.15)
+_MOST_POINTS: Final = 12
+_GROWTH: Final = 1.5
+_EVALUATIONS: Final = 40
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Profile:
+    """The profile of one variable.
+
+    Attributes:
+        variable: its place
+        values: where it was held, increasing, shape (n,)
+        distances: sqrt of the increase of the sum of squares over that of the minimum, in standard deviations
+            of the noise, negative below the best value, shape (n,): a straight line where the model is linear
+        interval: where the distance is that of the confidence level; infinite where that is not reached
+        bounded: whether the search reached a bound of the variable on the lower and on the upper side
+    """
+
+    variable: int
+    values: FloatArray
+    distances: FloatArray
+    interval: tuple[float, float]
+    bounded: tuple[bool, bool]
+
+
+def profile(
+    problem: Problem, x: FloatArray, cost: float, variable: int, error: float, quantile: float
+) -> Profile:
+    """Hold a variable at values on either side of its best one and search over the others.
+
+    Args:
+        problem: residuals in units of the noise's standard deviation
+        x: the minimum
+        cost: its sum of squares
+        variable: place of the variable
+        error: its standard error; where infinite a tenth of its scale is taken to begin with
+        quantile: distance at which the interval ends, in standard deviations
+    """
+    one = problem.variables.free[variable]
+    first = quantile * error if np.isfinite(error) and error > 0.0 else 0.1 * one.scale
+    values, distances = [float(x[variable])], [0.0]
+    ends, bounded = [], []
+    for sign, bound in ((-1.0, one.minimum), (1.0, one.maximum)):
+        side = _side(problem, x, cost, variable, sign, first, bound, quantile)
+        values += [value for value, _ in side]
+        distances += [distance for _, distance in side]
+        points = [(float(x[variable]), 0.0), *side]
+        ends.append(_end(points, sign * quantile))
+        bounded.append(bool(side) and side[-1][0] == bound and abs(side[-1][1]) < quantile)
+    order = np.argsort(values)
+    return Profile(
+        variable,
+        np.array(values)[order],
+        np.array(distances)[order],
+        (ends[0], ends[1]),
+        (bounded[0], bounded[1]),
+    )
+
+
+def _side(
+    problem: Problem,
+    x: FloatArray,
+    cost: float,
+    variable: int,
+    sign: float,
+    first: float,
+    bound: float,
+    quantile: float,
+) -> list[tuple[float, float]]:
+    """Values and distances from the best value outward, until the quantile is passed or a bound is met."""
+    found: list[tuple[float, float]] = []
+    near = x
+    factor = 0.0
+    for number in range(_MOST_POINTS):
+        factor = _POINTS[number] if number < len(_POINTS) else factor * _GROWTH
+        value = float(x[variable] + sign * factor * first)
+        at_bound = sign * (value - bound) >= 0.0
+        value = bound if at_bound else value
+        if found and value == found[-1][0]:
+            break
+        minimum = search(problem, near, evaluations=_EVALUATIONS, held={variable: value})
+        near = minimum.x
+        found.append((value, sign * float(np.sqrt(max(minimum.cost - cost, 0.0)))))
+        if at_bound or (abs(found[-1][1]) > quantile and number + 1 >= len(_POINTS) - 1):
+            break
+    return found
+
+
+def _end(points: list[tuple[float, float]], wanted: float) -> float:
+    """Where the distance passes the wanted one, on a straight line between two points."""
+    sign = float(np.sign(wanted))
+    for (value, distance), (next_value, next_distance) in pairwise(points):
+        if abs(next_distance) >= abs(wanted):
+            part = (abs(wanted) - abs(distance)) / (abs(next_distance) - abs(distance))
+            return value + part * (next_value - value)
+    return sign * float("inf")
