@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import logging
 import uuid
 import warnings
+from asyncio import CancelledError
 from collections.abc import Callable, Generator, Iterator
 from contextlib import contextmanager, suppress
 from typing import Any, Final
@@ -35,6 +37,8 @@ _AHEAD: Final = 2
 #: Time to reach the scheduler (s).
 _TIMEOUT: Final = 5.0
 
+_LOST: Final = "the connection was lost; what was finished is kept"
+
 OnNote = Callable[[str], None]
 
 
@@ -59,22 +63,29 @@ def run_on_cluster(
             connection is lost, or a chunk takes worker after worker with it
         FmuFileError, UnsupportedFmuError, ParameterError: the workers cannot run the FMU with these settings
     """
-    with _connected(address, on_note) as client:
-        check_workers(client, address, on_note)
-        with _shipped(client, sweep) as name:
-            work = _Work(client, address, sweep, name, pending)
-            done = 0
-            try:
-                while work.proceed(on_note):
-                    for part in work.finished():
-                        yield part
-                        done += int(part.runs.size)
-                        on_progress(done)
-            except KeyboardInterrupt:
-                yield from work.finished()
-                raise
-            finally:
-                work.cancel()
+    content = sweep.settings.fmu.path.read_bytes()
+    try:
+        with _connected(address, on_note) as client:
+            check_workers(client, address, on_note)
+            with _shipped(client, sweep, content) as name:
+                yield from _carry_out(_Work(client, address, sweep, name, pending), on_progress, on_note)
+    except (OSError, CancelledError) as error:
+        raise ClusterError(address, _LOST) from error
+
+
+def _carry_out(work: _Work, on_progress: Callable[[int], None], on_note: OnNote) -> Generator[Part]:
+    done = 0
+    try:
+        while work.proceed(on_note):
+            for part in work.finished():
+                yield part
+                done += int(part.runs.size)
+                on_progress(done)
+    except KeyboardInterrupt:
+        yield from work.finished()
+        raise
+    finally:
+        work.cancel()
 
 
 class _Work:
@@ -124,7 +135,7 @@ class _Work:
 
     def _result(self, future: Future[Any]) -> tuple[Part, float]:
         if future.cancelled():
-            raise ClusterError(self._address, "the connection was lost; what was finished is kept")
+            raise ClusterError(self._address, _LOST)
         try:
             result: tuple[Part, float] = future.result()
         except KilledWorker as error:
@@ -144,6 +155,21 @@ class _Work:
 @contextmanager
 def _connected(address: str, on_note: OnNote) -> Iterator[Client]:
     """A client of the scheduler."""
+    log = logging.getLogger("distributed.client")
+    level = log.level
+    # What it would log is in the errors that are raised.
+    log.setLevel(logging.CRITICAL)
+    try:
+        client = _client(address, on_note)
+        try:
+            yield client
+        finally:
+            client.close(timeout=_TIMEOUT)
+    finally:
+        log.setLevel(level)
+
+
+def _client(address: str, on_note: OnNote) -> Client:
     with warnings.catch_warnings(record=True) as said:
         warnings.simplefilter("always")
         try:
@@ -153,14 +179,11 @@ def _connected(address: str, on_note: OnNote) -> Iterator[Client]:
             raise ClusterError(address, f"cannot be reached: {error}") from error
     for warning in said:
         on_note(str(warning.message))
-    try:
-        yield client
-    finally:
-        client.close(timeout=_TIMEOUT)
+    return client
 
 
 @contextmanager
-def _shipped(client: Client, sweep: Sweep) -> Iterator[str]:
+def _shipped(client: Client, sweep: Sweep, content: bytes) -> Iterator[str]:
     """Send the FMU to every worker; the name of the plugin that has it there."""
     settings = sweep.settings
     name = f"pyjoystick-{uuid.uuid4().hex}"
@@ -173,7 +196,7 @@ def _shipped(client: Client, sweep: Sweep) -> Iterator[str]:
         tolerance=settings.tolerance,
         results=settings.results,
     )
-    client.register_plugin(FmuPlugin(name, settings.fmu.path.read_bytes(), task), name=name)
+    client.register_plugin(FmuPlugin(name, content, task), name=name)
     try:
         yield name
     finally:

@@ -1,0 +1,223 @@
+"""Sweeps on a Dask scheduler and worker processes of this machine; everything listens on 127.0.0.1 alone."""
+
+from __future__ import annotations
+
+import json
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import pandas as pd
+import pytest
+
+from pyjoystick.fmu import FmuFileError
+from pyjoystick.sweeps import ClusterError, MissingPackageError, Outcome, Sweep, read_settings, run_sweep
+from pyjoystick.sweeps.worker_versions import check_workers
+from tests.pyjoystick.sweeps.conftest import LONG, SMALL, Write
+
+_PATIENCE = 120.0  # s, for a machine with much else to do
+_LOOPBACK = ("--host", "127.0.0.1", "--dashboard-address", "127.0.0.1:0")
+
+
+@dataclass
+class Cluster:
+    """Processes of Dask, and how to lose them."""
+
+    folder: Path
+    address: str = ""
+    scheduler: subprocess.Popen[bytes] | None = None
+    workers: list[subprocess.Popen[bytes]] = field(default_factory=list)
+
+    def start(self, workers: int) -> None:
+        file = self.folder / "scheduler.json"
+        self.scheduler = self._run("dask_scheduler", "--port", "0", "--scheduler-file", str(file))
+        end = time.monotonic() + _PATIENCE
+        while not self.address:
+            assert time.monotonic() < end
+            time.sleep(0.05)
+            if file.exists() and file.stat().st_size:
+                self.address = json.loads(file.read_text())["address"]
+        for _ in range(workers):
+            self.add_worker()
+
+    def add_worker(self) -> None:
+        folder = self.folder / f"worker{len(self.workers)}"
+        options = ("--nthreads", "1", "--no-nanny", "--local-directory", str(folder))
+        self.workers.append(self._run("dask_worker", self.address, *options))
+
+    def lose(self, process: subprocess.Popen[bytes]) -> None:
+        process.send_signal(signal.SIGKILL)
+        process.wait()
+
+    def stop(self) -> None:
+        for process in (*self.workers, *([self.scheduler] if self.scheduler else [])):
+            if process.poll() is None:
+                self.lose(process)
+
+    def _run(self, program: str, *arguments: str) -> subprocess.Popen[bytes]:
+        log = (self.folder / f"{program}{len(self.workers)}.log").open("wb")
+        with log:
+            return subprocess.Popen(
+                [sys.executable, "-m", f"distributed.cli.{program}", *_LOOPBACK, *arguments],
+                stdout=log,
+                stderr=log,
+            )
+
+
+@pytest.fixture
+def cluster(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[[int], Cluster]]:
+    """Starts a scheduler with workers of one thread each."""
+    made = []
+
+    def start(workers: int) -> Cluster:
+        one = Cluster(tmp_path_factory.mktemp("dask"))
+        made.append(one)
+        one.start(workers)
+        return one
+
+    yield start
+    for one in made:
+        one.stop()
+
+
+Start = Callable[[int], Cluster]
+
+
+def _on(cluster: Cluster, sweep: Sweep, target: Path, on_progress: Callable[[int], None]) -> Outcome:
+    """The sweep on the cluster, which may need a moment until its workers are there."""
+    end = time.monotonic() + _PATIENCE
+    while True:
+        try:
+            return run_sweep(sweep, target, scheduler=cluster.address, on_progress=on_progress)
+        except ClusterError as error:
+            if "has no workers" not in error.reason or time.monotonic() > end:
+                raise
+            time.sleep(0.2)
+
+
+def _local(sweep: Sweep, target: Path) -> pd.DataFrame:
+    table = run_sweep(sweep, target).table
+    assert table is not None
+    return table
+
+
+def test_a_worker_is_lost_in_mid_run_and_the_numbers_are_the_local_ones(
+    written: Write, tmp_path: Path, cluster: Start
+) -> None:
+    sweep = Sweep(read_settings(written(LONG)))
+    dask = cluster(2)
+    lost_at = []
+
+    def lose_a_worker(done: int) -> None:
+        if done and not lost_at:
+            lost_at.append(done)
+            dask.lose(dask.workers[0])
+
+    outcome = _on(dask, sweep, tmp_path / "a.parquet", lose_a_worker)
+    assert 0 < lost_at[0] < 4096 / 2
+    assert (outcome.done, outcome.failed) == (4096, 0)
+    assert outcome.table is not None
+    expected = _local(sweep, tmp_path / "local.parquet")
+    pd.testing.assert_frame_equal(outcome.table, expected, check_exact=True)
+    # The FMU has been taken off the worker that is left.
+    assert list((dask.folder / "worker1").rglob("*.fmu")) == []
+
+
+def test_ctrl_c_and_a_lost_scheduler_lose_nothing(written: Write, tmp_path: Path, cluster: Start) -> None:
+    sweep = Sweep(read_settings(written(LONG)))
+    dask = cluster(1)
+    target = tmp_path / "a.parquet"
+
+    def ctrl_c(done: int) -> None:
+        if done:
+            raise KeyboardInterrupt
+
+    stopped = _on(dask, sweep, target, ctrl_c)
+    assert stopped.interrupted
+    assert 0 < stopped.done < 4096
+
+    def lose_the_scheduler(done: int) -> None:
+        if done > stopped.done:
+            assert dask.scheduler is not None
+            dask.lose(dask.scheduler)
+
+    with pytest.raises(ClusterError, match="the connection was lost; what was finished is kept"):
+        run_sweep(sweep, target, scheduler=dask.address, on_progress=lose_the_scheduler)
+    # Begun on a cluster, finished on this machine.
+    outcome = run_sweep(sweep, target)
+    assert stopped.done < outcome.found < 4096
+    assert outcome.table is not None
+    expected = _local(sweep, tmp_path / "local.parquet")
+    pd.testing.assert_frame_equal(outcome.table, expected, check_exact=True)
+
+
+def test_mistakes_come_back_from_the_workers_as_they_are(
+    written: Write, tmp_path: Path, cluster: Start, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    sweep = Sweep(read_settings(written(SMALL)))
+    dask = cluster(1)
+    content = sweep.settings.fmu.path.read_bytes()
+    monkeypatch.setattr(Path, "read_bytes", lambda path: content[: len(content) // 2])
+    with pytest.raises(FmuFileError, match="not an FMU"):
+        _on(dask, sweep, tmp_path / "a.csv", lambda _: None)
+
+
+def test_a_scheduler_that_is_not_there(small_sweep: Sweep, tmp_path: Path) -> None:
+    begin = time.monotonic()
+    with pytest.raises(ClusterError, match=r"tcp://127.0.0.1:9: cannot be reached"):
+        run_sweep(small_sweep, tmp_path / "a.csv", scheduler="tcp://127.0.0.1:9")
+    assert time.monotonic() - begin < _PATIENCE
+    with pytest.raises(ClusterError, match="cannot be reached"):
+        run_sweep(small_sweep, tmp_path / "a.csv", scheduler="nonsense://x")
+
+
+class _Workers:
+    """What a client with two workers answers."""
+
+    def __init__(self, **versions: str) -> None:
+        self._versions = versions
+
+    def run(self, function: Callable[[], dict[str, str]]) -> dict[str, dict[str, str]]:
+        here = function()
+        return {"tcp://a": here, "tcp://b": here | self._versions}
+
+
+def test_versions_that_differ_are_told() -> None:
+    said: list[str] = []
+    check_workers(_Workers(), "tcp://s", said.append)
+    assert said == []
+    check_workers(_Workers(numpy="1.0", numba="not installed"), "tcp://s", said.append)
+    assert len(said) == 2
+    assert "tcp://b has numpy 1.0 (here " in said[0]
+    assert "tcp://b has no numba and is slow" in said[1]
+
+
+@pytest.mark.parametrize("version", ["0.0.1", "not installed at all"])
+def test_another_pyjoystick_is_refused(version: str) -> None:
+    with pytest.raises(ClusterError, match=f"worker tcp://b has pyjoystick {version}, here is"):
+        check_workers(_Workers(pyjoystick=version), "tcp://s", lambda _: None)
+
+
+def test_a_cluster_without_workers_is_an_error() -> None:
+    class Nobody:
+        def run(self, function: Any) -> dict[str, dict[str, str]]:
+            return {}
+
+    with pytest.raises(ClusterError, match="has no workers"):
+        check_workers(Nobody(), "tcp://s", lambda _: None)
+
+
+def test_without_dask_the_message_says_what_to_install(
+    small_sweep: Sweep, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    for module in ("cluster", "worker"):
+        monkeypatch.delitem(sys.modules, f"pyjoystick.sweeps.{module}", raising=False)
+    with pytest.raises(MissingPackageError, match=r"pip install 'pyjoystick\[cluster\]'"):
+        run_sweep(small_sweep, tmp_path / "a.csv", scheduler="tcp://127.0.0.1:9")
+    assert not (tmp_path / "a.csv").exists()
