@@ -15,6 +15,7 @@ from pyjoystick.measured_peaks.spline import MotionSpline, fit_spline
 from pyjoystick.peaks import find_peaks
 from pyjoystick.records import Record, RecordError
 from pyjoystick.records.swings import THRESHOLD, Swing, find_swings
+from pyjoystick.release_peaks import ReleasePeaks
 
 #: A swing of fewer samples has less to say than the spline asks of it.
 FEWEST_SAMPLES_IN_SWING: Final = 2.0
@@ -30,29 +31,21 @@ _SMALLEST: Final = 0.01
 _FINENESS: Final = 40
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class MeasuredPeaks:
-    """What eqs. (9)-(12) need of one record.
+@dataclass(frozen=True, kw_only=True, eq=False)
+class MeasuredPeaks(ReleasePeaks):
+    """The peaks of one record, on its own clock, and how sure they are.
+
+    The tables of peaks have two more columns, ``time_error`` and ``value_error``: standard errors from the
+    noise alone. What the method itself does to the peaks is in docs/damping-from-peaks.md.
 
     Attributes:
-        name: name of the record
-        release_time: instant of release (s) on the clock of the record
-        release_time_error: its standard error (s)
-        release_angle: angle at the release (rad)
-        release_angle_error: its standard error (rad)
-        displacement, velocity: peaks in order of time with the columns ``time`` (s, on the clock of the
-            record), ``value`` (rad or rad/s), ``sign``, ``time_error`` and ``value_error`` (standard errors
-            from the noise alone; for what the method itself does to the peaks see the module)
+        release_time_error: standard error of the instant of release (s)
+        release_angle_error: standard error of the angle at the release (rad)
         noise: standard deviation of the samples about the fitted motion (rad)
     """
 
-    name: str
-    release_time: float
     release_time_error: float
-    release_angle: float
     release_angle_error: float
-    displacement: pd.DataFrame
-    velocity: pd.DataFrame
     noise: float
 
 

@@ -1,0 +1,58 @@
+"""Fig. 9: the damping from the peaks of four free oscillations, and how far the method is off.
+
+The records are synthetic (see scenarios/data). Put in your own: one CSV file a repeat, with the columns
+time (s) and theta (deg). Prints the estimates beside their biases and saves the figures in
+results/fig09_damping_from_peaks/.
+"""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+
+from pyjoystick.damping_estimate import bias_table, constant_bias, estimate_damping, line_bias
+from pyjoystick.damping_plots import plot_damping_estimate
+from pyjoystick.damping_report import bias_report, damping_report, releases_report
+from pyjoystick.measured_peaks import measured_peaks
+from pyjoystick.output import write_text
+from pyjoystick.parameters import NOMINAL
+from pyjoystick.plots import save_figure
+from pyjoystick.records import read_repeats
+from pyjoystick.simulated_releases import SimulatedReleases
+
+DATA = Path(__file__).parent / "data"
+RECORDS = {
+    "eq. (11) with alpha = 0.9": sorted(DATA.glob("synthetic_power_law_?.csv")),
+    "constant C = 0.045": sorted(DATA.glob("synthetic_constant_?.csv")),
+}
+JOYSTICK = NOMINAL  # all but the damping is taken as known
+TRUE_C = (0.02, 0.03, 0.045, 0.06, 0.08)  # N m s/rad
+RELEASE_ANGLES = np.radians([-20.0, -10.0])
+RESULTS = Path(__file__).parents[1] / "results" / "fig09_damping_from_peaks"
+
+
+def main(results: Path = RESULTS) -> int:
+    """Run the scenario."""
+    texts = []
+    with SimulatedReleases() as simulate:
+        for law, paths in RECORDS.items():
+            releases = [measured_peaks(record) for record in read_repeats(paths, released="backward")]
+            estimate = estimate_damping(releases, JOYSTICK.J)
+            angle = float(np.mean([release.release_angle for release in releases]))
+            constants = constant_bias(estimate, JOYSTICK, angle, simulate)
+            lines = line_bias(estimate, JOYSTICK, angle, simulate)
+            title = f"{len(releases)} synthetic records made with {law}"
+            texts += [f"## {title}", releases_report(releases), damping_report(estimate, constants, lines)]
+            figure = plot_damping_estimate(estimate, constant=constants["both"].corrected, title=title)
+            for suffix in ("png", "pdf"):
+                save_figure(figure, results / f"{paths[0].stem[:-2]}.{suffix}")
+        table = bias_table(JOYSTICK, TRUE_C, RELEASE_ANGLES, simulate)
+    texts += ["## What the method makes of a known constant C, as parts of it", bias_report(table)]
+    summary = "\n\n".join(texts) + "\n"
+    write_text(results / "summary.md", summary)
+    print(summary)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
