@@ -43,7 +43,7 @@ class BatchResult:
         messages: empty for a sound run, else why and when it failed and what the FMU said
         failed: shape (runs,), True for runs that were begun and could not be carried to their end
         done: shape (runs,), True for runs that came to an end, failed ones included
-        interrupted: the batch was stopped before every run was done
+        interrupted: the batch was told to stop, by Ctrl-C or `Plan.stop`; runs may be missing
     """
 
     parameters: pd.DataFrame
@@ -109,20 +109,22 @@ class Batch:
         """
         runners = self._runners(threads)
         self._working = self._threads = len(runners)
-        for runner in runners:
-            threading.Thread(target=self._work, args=(runner,), name="pyjoystick-batch", daemon=True).start()
         try:
+            for runner in runners:
+                # A step that never ends must not keep the process alive.
+                threading.Thread(target=self._work, args=(runner,), daemon=True).start()
             self._watch(on_progress)
-        except KeyboardInterrupt:
-            self._end()
-        except BaseException:
-            self._end()
-            raise
+        except BaseException as error:
+            self.stop()
+            self._wait_a_little()
+            if not isinstance(error, KeyboardInterrupt):
+                raise
         if self._error is not None:
             raise self._error
-        if self._refusal and not self._job.stop[0]:
+        is_stopped = bool(self._job.stop[0])
+        if self._refusal and not is_stopped:
             self._fail_what_is_left()
-        return not self.done.all()
+        return is_stopped
 
     def _runners(self, threads: int) -> list[Runner]:
         runners = [Runner(self._pool, self._job)]
@@ -136,15 +138,15 @@ class Batch:
     def _watch(self, on_progress: OnProgress | None) -> None:
         told = -1
         is_finished = False
-        while not is_finished:
+        while not is_finished and not self._job.stop[0]:
             is_finished = self._finished.wait(_INTERVAL)
             count = int(np.count_nonzero(self.done))
             if on_progress is not None and count != told:
                 on_progress(count, len(self.done))
                 told = count
+        self._wait_a_little()
 
-    def _end(self) -> None:
-        self.stop()
+    def _wait_a_little(self) -> None:
         with suppress(KeyboardInterrupt):
             self._finished.wait(_GRACE)
 

@@ -24,12 +24,16 @@ DEFAULT_TOLERANCE: Final = 1e-8
 
 
 class Fmu:
-    """A Co-Simulation FMU (FMI 2.0), unpacked and instantiated once and run as often as wanted.
+    """A Co-Simulation FMU (FMI 2.0 or 3.0), loaded once and run as often as wanted.
 
     >>> with Fmu("Joystick") as joystick:  # doctest: +SKIP
     ...     table = joystick.run([0.0, 0.5, 1.0], parameters={"theta_start": -0.35})
 
-    Close it when done, best by `with`; what was unpacked is then deleted. Not to be shared between threads.
+    Close it when done, best by `with`; what was unpacked is then deleted. Several threads may use it at once:
+    each run has an instance of the FMU for itself, which is kept for the next. A pickle of it is the path of
+    its file, which is opened anew where it is unpickled (FmuNotFoundError where it is not there).
+
+    For many runs see `plan`.
 
     Attributes:
         description: what the FMU says of itself
@@ -44,7 +48,7 @@ class Fmu:
         Raises:
             FmuNotFoundError: there is no such file
             FmuFileError: it is no FMU, or a broken one
-            UnsupportedFmuError: it has no Co-Simulation, no binary for this machine, or is not of FMI 2.0
+            UnsupportedFmuError: it has no Co-Simulation, no binary for this machine, or another version
         """
         self.description: FmuDescription = read_description(find_fmu(fmu))
         self._pool = InstancePool(self.description)

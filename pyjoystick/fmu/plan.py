@@ -26,7 +26,6 @@ from pyjoystick.fmu.varied import Varied
 
 #: A single run comes back to Python about so often (s), so that Ctrl-C is heard.
 _PATIENCE: Final = 0.1
-_FIRST_POINTS: Final = 64
 
 
 class Plan:
@@ -84,7 +83,7 @@ class Plan:
             "outputs": self.outputs,
             "tolerance": tolerance,
         }
-        self._points_at_once = _FIRST_POINTS
+        self._points_at_once = 1
         self._batches: list[Batch] = []
         self._loop: Loop | None = None
 
