@@ -35,6 +35,12 @@ def test_a_failure_carries_what_the_fmu_said(joystick_path: Path, unpacking_fold
     assert list(unpacking_folder.iterdir()) == []
 
 
+def test_a_failure_says_how_far_the_run_came(mixed_path: Path) -> None:
+    with pytest.raises(FmuRunError, match="past the last moment") as caught:
+        run_model_exchange(mixed_path, np.linspace(0.0, 1.0, 21), parameters={"last": 0.52})
+    assert caught.value.time == pytest.approx(0.5)
+
+
 def test_unequal_steps_are_refused(joystick_path: Path) -> None:
     with pytest.raises(ParameterError, match="equally spaced for Model Exchange"):
         run_model_exchange(joystick_path, [0.0, 0.1, 0.3])
