@@ -15,9 +15,11 @@ from numpy.typing import ArrayLike
 from pyjoystick.checks import increasing_times, positive
 from pyjoystick.errors import ParameterError, SimulationError
 from pyjoystick.fmu.description import read_description
+from pyjoystick.fmu.errors import FmuRunError
 from pyjoystick.fmu.exchange_inputs import apply_inputs_with_time, input_signals
 from pyjoystick.fmu.files import find_fmu
 from pyjoystick.fmu.inputs import Inputs, checked_inputs
+from pyjoystick.fmu.instance import Instance
 from pyjoystick.fmu.library import FmuLibrary
 from pyjoystick.fmu.values import Value, checked_outputs, checked_parameters
 from pyjoystick.tables import make_table
@@ -66,16 +68,15 @@ def run_model_exchange(
         stack.callback(library.close)
         instance = library.instantiate()
         stack.callback(instance.free)
-        stack.enter_context(instance.reporting(float(instants[0])))
         folder = str(library.folder)
         model_description = fmpy.read_model_description(folder, validate=False)
         signals = input_signals(description, table) if len(table.columns) else None
         if signals is not None:
             apply_inputs_with_time(instance.fmi, model_description, signals)
         rows = _simulate(
+            instance,
             folder,
             model_description=model_description,
-            fmu_instance=instance.fmi,
             validate=False,
             fmi_type="ModelExchange",
             solver="CVode",
@@ -94,7 +95,8 @@ def run_model_exchange(
     return make_table(instants, columns, [variable.quantity for variable in recorded])
 
 
-def _simulate(folder: str, **settings: Any) -> Any:
+def _simulate(instance: Instance, folder: str, **settings: Any) -> Any:
+    """FMPy's loop; its errors as ours, with the time that was reached."""
     reached = [settings["start_time"]]
 
     def remember(time: float, _: object) -> bool:
@@ -102,6 +104,9 @@ def _simulate(folder: str, **settings: Any) -> Any:
         return True
 
     try:
-        return fmpy.simulate_fmu(folder, step_finished=remember, **settings)
+        with instance.reporting(reached[0]):
+            return fmpy.simulate_fmu(folder, fmu_instance=instance.fmi, step_finished=remember, **settings)
+    except FmuRunError as error:
+        raise FmuRunError(error.path, reached[0], error.reason, error.messages) from error
     except RuntimeError as error:  # of FMPy, where CVode fails; it names a source file of CVode first
         raise SimulationError(reached[0], f"CVode: {str(error).rpartition('.c: ')[2]}") from error
