@@ -46,8 +46,9 @@ def test_code_and_output(tmp_path: Path) -> None:
 
 
 def test_a_program_that_is_not_there(tmp_path: Path) -> None:
-    with pytest.raises(ToolchainError, match="cannot run no-such-program: No such file"):
-        run(["no-such-program"], folder=tmp_path, log=tmp_path / "log", environment=ENVIRONMENT, timeout=1.0)
+    missing = str(tmp_path / "missing")
+    with pytest.raises(ToolchainError, match=f"cannot run {missing}: No such file"):
+        run([missing], folder=tmp_path, log=tmp_path / "log", environment=ENVIRONMENT, timeout=1.0)
 
 
 def test_out_of_time(tmp_path: Path) -> None:
