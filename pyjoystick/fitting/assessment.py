@@ -12,7 +12,7 @@ from pyjoystick.fitting import trust
 from pyjoystick.fitting.criteria import Criteria, criteria
 from pyjoystick.fitting.identifiability import Identifiability
 from pyjoystick.fitting.noise_model import relative_sizes
-from pyjoystick.fitting.peak_prediction import PeakPredictor
+from pyjoystick.fitting.peak_prediction import missing_peaks
 from pyjoystick.fitting.problem import Problem
 from pyjoystick.fitting.result import Derived, RecordFit
 from pyjoystick.fitting.search import Minimum
@@ -70,12 +70,10 @@ def all_checks(
     ]
     residuals = [one.residuals() for one in records]
     if settings.comparison == "peaks":
-        predictors = [one for one in problem.predictors if isinstance(one, PeakPredictor)]
-        problem.residuals(best.x)
         relative = [r / relative_sizes(p) for r, p in zip(residuals, problem.predictors, strict=True)]
         return [
             *found,
-            trust.check_peaks([(one.record.name, one.missing) for one in predictors]),
+            trust.check_peaks([(one.name, missing_peaks(one.predicted)) for one in records]),
             trust.check_peak_errors(relative),
         ]
     if settings.noise.sigma:

@@ -168,7 +168,7 @@ def _optional(
     try:
         for done, j in enumerate(chosen):
             tell("profiles", done, len(chosen))
-            profiles[j] = profile(problem, best.x, best.cost, j, float(errors.errors[j]), errors.quantile)
+            profiles[j] = profile(problem, best.x, best.cost, j, errors)
         if chosen:
             tell("profiles", len(chosen), len(chosen))
         if wanted.bootstrap:

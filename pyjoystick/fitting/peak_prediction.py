@@ -27,7 +27,6 @@ class PeakPredictor:
     Attributes:
         normalization: what differences are divided by: the height of the measured peak, and its time less
             that of the one before (of the release for the first), shape (2*peaks,)
-        missing: measured peaks that the last run at the point itself did not have
     """
 
     def __init__(
@@ -41,7 +40,6 @@ class PeakPredictor:
         """
         self.record = record
         self.runs = 0
-        self.missing = 0
         values, times, release = _measured(record, output, count)
         self.data: FloatArray = np.concatenate((values, times))
         self.labels = (output,) * count + (f"{output} time",) * count
@@ -71,9 +69,13 @@ class PeakPredictor:
         late = self.data[count:] + self.normalization[count:]
         found = np.hstack((np.where(absent, 0.0, heights), np.where(absent, late, times)))
         found[batch.failed] = np.nan
-        self.missing = int(np.count_nonzero(absent[0]))
         slope = np.concatenate((np.zeros(count), np.where(absent[0], 0.0, 1.0)))
         return Prediction(found, slope, batch.messages[0])
+
+
+def missing_peaks(predicted: FloatArray) -> int:
+    """How many measured peaks a prediction (heights, then times) does not have: theirs are exactly zero."""
+    return int(np.count_nonzero(predicted[: len(predicted) // 2] == 0.0))
 
 
 def _measured(record: Measurement, output: str, count: int) -> tuple[FloatArray, FloatArray, float]:

@@ -34,6 +34,7 @@ class Problem:
         self.data = [predictor.data for predictor in self.predictors]
         self.steps: FloatArray = np.full(len(variables.free), 1e-4)
         self.evaluations = 0
+        self._last: list[tuple[FloatArray | None, Prediction | None]] = [(None, None)] * len(self.predictors)
 
     @property
     def runs(self) -> int:
@@ -53,8 +54,7 @@ class Problem:
         self.evaluations += 1
         found = []
         for k, data in enumerate(self.data):
-            values = self._predict(x, k, self.variables.row(x, k)[np.newaxis]).values[0]
-            residuals = self.weights[k] * (values - data)
+            residuals = self.weights[k] * (self._base(x, k).values[0] - data)
             failed = self.weights[k] * _FAILED * float(np.max(np.abs(data)))
             found.append(np.where(np.isfinite(residuals), residuals, failed))
         return found
@@ -67,19 +67,25 @@ class Problem:
         """What is predicted, in the units of the data, by record; raises FitError where a run fails."""
         found = []
         for k, predictor in enumerate(self.predictors):
-            prediction = self._predict(x, k, self.variables.row(x, k)[np.newaxis])
+            prediction = self._base(x, k)
             if prediction.message:
                 raise FitError(predictor.record.name, f"the run fails: {prediction.message}")
             found.append(prediction.values[0])
         return found
 
-    def jacobian(self, x: FloatArray) -> FloatArray:
+    def jacobian(self, x: FloatArray, *, central: bool = True) -> FloatArray:
         """Derivatives of all residuals, shape (samples of all records, variables).
 
-        Central differences, one-sided at a bound or beside a run that fails; the release time is exact.
+        Differences are one-sided at a bound, beside a run that fails, and where they need not be central; the
+        release time is exact.
+
+        Args:
+            x: the point
+            central: central differences; without, half the runs for an error of the first order in the steps
         """
         blocks = [
-            self._jacobian_of(x, k) * self.weights[k][:, np.newaxis] for k in range(len(self.predictors))
+            self._jacobian_of(x, k, central=central) * self.weights[k][:, np.newaxis]
+            for k in range(len(self.predictors))
         ]
         return np.concatenate(blocks)
 
@@ -96,37 +102,54 @@ class Problem:
             shape (2k + 1, n): for each step minus then plus, and x itself at the end
         """
         points = [self._moved(x, variable, sign * step) for step in steps for sign in (-1.0, 1.0)]
-        rows = np.array([self.variables.row(point, record) for point in [*points, x]])
-        return self._predict(x, record, rows).values
+        return self._predict([*points, x], record).values
 
     def count_records(self, counts: Sequence[float], weights: Sequence[FloatArray]) -> None:
         """Have each record count as often as `counts` says, 0 included."""
         self.weights = [np.sqrt(count) * weight for count, weight in zip(counts, weights, strict=True)]
 
-    def _predict(self, x: FloatArray, record: int, rows: FloatArray) -> Prediction:
-        return self.predictors[record].predict(rows, self.variables.release_time(x, record))
-
-    def _jacobian_of(self, x: FloatArray, record: int) -> FloatArray:
-        """The block of one record, without its weights, all its runs in one batch."""
-        time_place = self.variables.release_variable(record)
-        concerned = [j for j in range(len(x)) if self.variables.concerns(j, record) and j != time_place]
-        points = [x]
-        for j in concerned:
-            step = self.steps[j] * self.variables.free[j].scale
-            points += [self._moved(x, j, -step), self._moved(x, j, step)]
+    def _predict(self, points: Sequence[FloatArray], record: int) -> Prediction:
+        """The prediction at points that share their release time."""
         rows = np.array([self.variables.row(point, record) for point in points])
-        values, slope, _ = self._predict(x, record, rows)
-        block = np.zeros((values.shape[1], len(x)))
-        for i, j in enumerate(concerned):
-            pair = [(points[2 * i + 1][j], values[2 * i + 1]), (points[2 * i + 2][j], values[2 * i + 2])]
-            usable = [one for one in pair if np.all(np.isfinite(one[1]))]
-            if len(usable) == 1:
-                usable.append((float(x[j]), values[0]))
-            if len(usable) == 2 and usable[0][0] != usable[1][0]:
-                block[:, j] = (usable[1][1] - usable[0][1]) / (usable[1][0] - usable[0][0])
+        return self.predictors[record].predict(rows, self.variables.release_time(points[0], record))
+
+    def _base(self, x: FloatArray, record: int) -> Prediction:
+        """The prediction at x, kept: a Jacobian is asked for where the residuals have just been."""
+        last, prediction = self._last[record]
+        if last is None or not np.array_equal(last, x):
+            prediction = self._predict([x], record)
+            self._last[record] = (x.copy(), prediction)
+        assert prediction is not None
+        return prediction
+
+    def _jacobian_of(self, x: FloatArray, record: int, *, central: bool) -> FloatArray:
+        """The block of one record, without its weights, all its runs in one batch."""
+        base = self._base(x, record)
+        time_place = self.variables.release_variable(record)
+        block = np.zeros((len(base.time_slope), len(x)))
         if time_place is not None:
-            block[:, time_place] = slope
+            block[:, time_place] = base.time_slope
+        concerned = [j for j in range(len(x)) if self.variables.concerns(j, record) and j != time_place]
+        moves = [(j, move) for j in concerned for move in self._moves(x, j, central=central)]
+        if moves:
+            points = [self._moved(x, j, move) for j, move in moves]
+            values = self._predict(points, record).values
+            for j in concerned:
+                ends = [(points[i][j], values[i]) for i, (k, _) in enumerate(moves) if k == j]
+                ends = [end for end in ends if np.all(np.isfinite(end[1])) and end[0] != x[j]]
+                if len(ends) == 1:
+                    ends.append((x[j], base.values[0]))
+                if len(ends) == 2:
+                    block[:, j] = (ends[1][1] - ends[0][1]) / (ends[1][0] - ends[0][0])
         return np.where(np.isfinite(block), block, 0.0)
+
+    def _moves(self, x: FloatArray, variable: int, *, central: bool) -> tuple[float, ...]:
+        """By how much a variable is changed for its derivative."""
+        one = self.variables.free[variable]
+        step = float(self.steps[variable]) * one.scale
+        if central:
+            return -step, step
+        return (step,) if x[variable] + step <= one.maximum else (-step,)
 
     def _moved(self, x: FloatArray, variable: int, step: float) -> FloatArray:
         """X with one variable changed, but not beyond its bounds."""

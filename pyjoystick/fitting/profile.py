@@ -11,12 +11,15 @@ import numpy as np
 from pyjoystick._types import FloatArray
 from pyjoystick.fitting.problem import Problem
 from pyjoystick.fitting.search import search
+from pyjoystick.fitting.uncertainty import StandardErrors
 
 #: Points on either side, in half-widths of the linear interval; more are added until the quantile is passed.
 _POINTS: Final = (0.5, 0.85, 1.0, 1.15)
 _MOST_POINTS: Final = 12
 _GROWTH: Final = 1.5
 _EVALUATIONS: Final = 40
+#: Change of the sum of squares, in parts of it, at which a search ends.
+_TOLERANCE: Final = 1e-6
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -39,9 +42,7 @@ class Profile:
     bounded: tuple[bool, bool]
 
 
-def profile(
-    problem: Problem, x: FloatArray, cost: float, variable: int, error: float, quantile: float
-) -> Profile:
+def profile(problem: Problem, x: FloatArray, cost: float, variable: int, errors: StandardErrors) -> Profile:
     """Hold a variable at values on either side of its best one and search over the others.
 
     Args:
@@ -49,15 +50,18 @@ def profile(
         x: the minimum
         cost: its sum of squares
         variable: place of the variable
-        error: its standard error; where infinite a tenth of its scale is taken to begin with
-        quantile: distance at which the interval ends, in standard deviations
+        errors: standard errors at the minimum; where that of the variable is infinite, the profile begins
+            with a tenth of its scale
     """
     one = problem.variables.free[variable]
+    error, quantile = float(errors.errors[variable]), errors.quantile
+    # How the others go along with it, in the linear approximation.
+    slope = np.nan_to_num(errors.covariance[:, variable] / error**2)
     first = quantile * error if np.isfinite(error) and error > 0.0 else 0.1 * one.scale
     values, distances = [float(x[variable])], [0.0]
     ends, bounded = [], []
     for sign, bound in ((-1.0, one.minimum), (1.0, one.maximum)):
-        side = _side(problem, x, cost, variable, sign, first, bound, quantile)
+        side = _side(problem, x, cost, variable, sign, first, bound, quantile, slope)
         values += [value for value, _ in side]
         distances += [distance for _, distance in side]
         points = [(float(x[variable]), 0.0), *side]
@@ -82,10 +86,11 @@ def _side(
     first: float,
     bound: float,
     quantile: float,
+    slope: FloatArray,
 ) -> list[tuple[float, float]]:
     """Values and distances from the best value outward, until the quantile is passed or a bound is met."""
     found: list[tuple[float, float]] = []
-    near = x
+    near, nearest = x, float(x[variable])
     factor = 0.0
     for number in range(_MOST_POINTS):
         factor = _POINTS[number] if number < len(_POINTS) else factor * _GROWTH
@@ -94,8 +99,12 @@ def _side(
         value = bound if at_bound else value
         if found and value == found[-1][0]:
             break
-        minimum = search(problem, near, evaluations=_EVALUATIONS, held={variable: value})
-        near = minimum.x
+        begin = np.clip(near + slope * (value - nearest), problem.variables.lower, problem.variables.upper)
+        minimum = search(
+            problem, begin, evaluations=_EVALUATIONS, held={variable: value}, tolerance=_TOLERANCE
+        )
+        slope = (minimum.x - near) / (value - nearest)
+        near, nearest = minimum.x, value
         found.append((value, sign * float(np.sqrt(max(minimum.cost - cost, 0.0)))))
         if at_bound or (abs(found[-1][1]) > quantile and number + 1 >= len(_POINTS) - 1):
             break

@@ -157,7 +157,7 @@ class FitSettings:
     inputs: tuple[str, ...] = ()
     comparison: Comparison = "trajectory"
     peaks: int = 9
-    tolerance: float = 1e-10
+    tolerance: float = 1e-8
     noise: Noise = field(default_factory=Noise)
     search: Search = field(default_factory=Search)
     uncertainty: Uncertainty = field(default_factory=Uncertainty)
