@@ -44,6 +44,10 @@ class SweepProgress:
             self._begun = True
         self._bar.update(self._task, completed=done)
 
+    def refresh(self) -> None:
+        """Draw now instead of at the next of ten times a second."""
+        self._bar.refresh()
+
     def note(self, text: str) -> None:
         """Say something that is no progress."""
         if text not in self._said:

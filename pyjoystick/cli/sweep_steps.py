@@ -16,7 +16,7 @@ from pyjoystick.cli.console import output, print_note
 from pyjoystick.cli.fmus import found_or_built
 from pyjoystick.cli.sweep_progress import progress
 from pyjoystick.errors import OutputFileError, UnknownVariableError
-from pyjoystick.output import replacing
+from pyjoystick.output import check_outputs, replacing
 from pyjoystick.plots import check_figure_path, save_figure
 from pyjoystick.sweeps import Outcome, SensitivityError, Sweep, read_settings, run_sweep, sensitivity
 from pyjoystick.sweeps.plots import MOST_RESULTS, plot_scatter, plot_sensitivity
@@ -54,12 +54,14 @@ def sweep_and_show(
     """Carry out the sweep of a settings file, print and draw what is wanted; returns the exit code."""
     for path in (*wanted.plots, *wanted.scatters):
         check_figure_path(path)
+    target = target or settings.with_suffix(".csv")
+    check_outputs(target, *wanted.plots, *wanted.scatters, wanted.indices)
     sweep = Sweep(read_settings(settings, found_or_built))
     _check(sweep, wanted)
     with progress(len(sweep.design)) as bar:
         outcome = run_sweep(
             sweep,
-            target or settings.with_suffix(".csv"),
+            target,
             threads=threads,
             scheduler=scheduler,
             overwrite=overwrite,

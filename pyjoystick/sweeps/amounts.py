@@ -11,6 +11,9 @@ from pyjoystick.fmu.values import Value, checked_value
 
 _AMOUNT: Final = re.compile(r"\s*(?P<number>[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?)\s*(?P<unit>\S+)\s*")
 
+#: Types of real numbers, of FMI 2 and 3.
+REALS: Final = ("Real", "Float32", "Float64")
+
 
 def value_of(variable: Variable, given: Any) -> Value:
     """The value of a variable: `given` as it is, or from text such as ``-20deg`` in the variable's unit.
@@ -20,18 +23,18 @@ def value_of(variable: Variable, given: Any) -> Value:
     Raises:
         ParameterError: another type or unit, or outside the range that the FMU allows
     """
-    if isinstance(given, str) and variable.type == "Real":
+    if isinstance(given, str) and variable.type in REALS:
         return checked_value(variable, _converted(variable, given, is_difference=False))
     return checked_value(variable, given)
 
 
 def number_of(variable: Variable, given: Any) -> float:
-    """As `value_of`, for a variable of type Real."""
+    """As `value_of`, for a real variable."""
     return float(value_of(variable, given))
 
 
 def difference_of(variable: Variable, given: Any) -> float:
-    """A difference of two values of a Real variable, such as a standard deviation, above zero.
+    """A difference of two values of a real variable, such as a standard deviation, above zero.
 
     Raises:
         ParameterError: another type or unit, or not above zero

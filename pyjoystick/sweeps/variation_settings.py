@@ -7,9 +7,10 @@ from typing import Final
 
 import numpy as np
 
-from pyjoystick.errors import ParameterError, UnknownParameterError
+from pyjoystick.errors import ParameterError, PyJoystickError
 from pyjoystick.fmu import FmuDescription, Variable
-from pyjoystick.sweeps.amounts import difference_of, number_of, value_of
+from pyjoystick.fmu.values import checked_varied
+from pyjoystick.sweeps.amounts import REALS, difference_of, number_of, value_of
 from pyjoystick.sweeps.toml_table import Table
 from pyjoystick.sweeps.variations import Levels, LogNormal, LogUniform, Normal, Uniform, Variation
 
@@ -23,14 +24,15 @@ def read_variation(table: Table, name: str, fmu: FmuDescription) -> Variation:
     Raises:
         SettingsError: the FMU has no such parameter, or the table is not as docs/sweeps.md says
     """
-    variable = fmu.variables.get(name)
-    if variable is None:
-        raise table.refused("", UnknownParameterError(name, fmu.settable_names()))
-    if not variable.settable_at_start or variable.type == "String":
-        raise table.error("", "is no parameter or start value that can be varied")
+    try:
+        (variable,) = checked_varied(fmu, [name], {})
+    except ParameterError as error:
+        raise table.error("", "is no parameter or start value that can be varied", error.hint) from error
+    except PyJoystickError as error:
+        raise table.refused("", error) from error
     if "values" in table:
         variation: Variation = _values(table, variable)
-    elif variable.type != "Real":
+    elif variable.type not in REALS:
         raise table.error("", f"must have values = [...], as the variable is of type {variable.type}")
     elif "distribution" in table:
         variation = _distribution(table, variable)

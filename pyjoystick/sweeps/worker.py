@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import threading
 import time
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import ExitStack, contextmanager
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -35,10 +34,7 @@ class Task:
 
 
 class FmuPlugin(WorkerPlugin):
-    """Carries an FMU to each worker, and keeps it open there until the sweep ends.
-
-    Every thread of the worker works on an open FMU of its own, which it takes from those that are idle.
-    """
+    """Carries an FMU to each worker, and keeps it open there until the sweep ends."""
 
     def __init__(self, name: str, content: bytes, task: Task) -> None:
         """Prepare the plugin.
@@ -54,51 +50,47 @@ class FmuPlugin(WorkerPlugin):
         self._version = version_of("pyjoystick")
 
     def setup(self, worker: Worker) -> None:
-        """Unpack on the worker; called by Dask on every worker, those that join later included."""
-        self._stack = ExitStack()
+        """Write the FMU's file; called by Dask on every worker, those that join later included."""
         self._lock = threading.Lock()
-        self._idle: list[Plan] = []
+        self._plan: Plan | None = None
+        self._fmu: Fmu | None = None
         self._path = Path(worker.local_directory) / f"{self.name}.fmu"
         self._path.write_bytes(self._content)
-        self._stack.callback(self._path.unlink, missing_ok=True)
 
     def teardown(self, worker: Worker) -> None:
-        """Close the FMUs and delete the file."""
-        self._stack.close()
+        """Close the FMU and delete its file."""
+        if self._fmu is not None:
+            self._fmu.close()
+        self._path.unlink(missing_ok=True)
 
     def run(self, runs: NDArray[np.int64], table: pd.DataFrame) -> tuple[Part, float]:
-        """Carry out the runs of a table on one thread; also the time it took (s)."""
+        """Carry out the runs of a table; also the time it took (s).
+
+        It takes one thread: Dask gives each of the worker's threads a chunk of its own.
+        """
         here = version_of("pyjoystick")
         if here != self._version:
             raise RuntimeError(f"a worker has pyjoystick {here}, not {self._version}")
+        plan = self._opened()
         begin = time.perf_counter()
-        with self._plan() as plan:
-            result = plan.run_batch(table, threads=1, reductions=self._task.results)
+        result = plan.run_batch(table, threads=1, reductions=self._task.results)
         return part_of(result, runs), time.perf_counter() - begin
 
-    @contextmanager
-    def _plan(self) -> Iterator[Plan]:
-        with self._lock:
-            plan = self._idle.pop() if self._idle else None
-        if plan is None:
-            plan = self._opened()
-        yield plan
-        with self._lock:
-            self._idle.append(plan)
-
     def _opened(self) -> Plan:
-        task = self._task
-        fmu = Fmu(self._path)
+        """The plan that all threads share; the FMU is opened by the first of them."""
         with self._lock:
-            self._stack.callback(fmu.close)
-        return fmu.plan(
-            task.time,
-            varied=task.varied,
-            parameters=task.parameters,
-            inputs=task.inputs,
-            outputs=task.outputs,
-            tolerance=task.tolerance,
-        )
+            if self._plan is None:
+                task = self._task
+                self._fmu = Fmu(self._path)
+                self._plan = self._fmu.plan(
+                    task.time,
+                    varied=task.varied,
+                    parameters=task.parameters,
+                    inputs=task.inputs,
+                    outputs=task.outputs,
+                    tolerance=task.tolerance,
+                )
+            return self._plan
 
 
 def run_chunk(name: str, runs: NDArray[np.int64], table: pd.DataFrame) -> tuple[Part, float]:

@@ -8,7 +8,6 @@ from pathlib import Path
 
 import pytest
 
-from fmu_build import build_fmu
 from pyjoystick.fmu import Fmu
 from pyjoystick.fmu.stepping.engine import PLAIN_LOOP_VARIABLE
 from tests.pyjoystick.fmu import awkward
@@ -18,13 +17,6 @@ from tests.pyjoystick.fmu import awkward
 def joystick_path(joystick_fmus: Path) -> Path:
     """The FMU with constant damping."""
     return joystick_fmus / "Joystick.fmu"
-
-
-@pytest.fixture(scope="session")
-def mixed_path(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """An FMU with parameters and outputs of several types, see Mixed.mo."""
-    folder = tmp_path_factory.mktemp("mixed")
-    return build_fmu("Mixed", folder, library=Path(__file__).with_name("Mixed.mo")).path
 
 
 @pytest.fixture(scope="session")

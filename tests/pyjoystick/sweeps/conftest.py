@@ -7,10 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from fmu_build import build_fmu
 from pyjoystick.sweeps import Settings, Sweep, read_settings
 
-MIXED = Path(__file__).parents[1] / "fmu" / "Mixed.mo"
 Write = Callable[..., Path]
 
 #: A sweep of the joystick that takes moments: 12 runs.
@@ -78,12 +76,6 @@ count = 3
 kind = "extremes"
 variable = "omega"
 """
-
-
-@pytest.fixture(scope="session")
-def mixed_path(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """An FMU with parameters of several types, and runs that may fail."""
-    return build_fmu("Mixed", tmp_path_factory.mktemp("mixed"), library=MIXED).path
 
 
 @pytest.fixture
