@@ -1,6 +1,7 @@
 # make run    environment, FMUs, the paper's free oscillation compared with the reference
 # make test   everything that is tested
-# make fmu    the three FMUs in build/fmi2/
+# make fmu    the three FMUs in build/fmi2/ (COMPILER=openmodelica makes them with an installed OpenModelica,
+#             COMPILER_OPTIONS="omc=/opt/openmodelica" with one that is not on the path)
 # make lint   ruff, mypy, the C compilers with every warning an error, the Modelica checks
 # make bench  speed as ratios within one run
 # make figure  the figure of the README
@@ -11,6 +12,7 @@
 PYTHON ?= $(shell for p in python3.13 python3.12 python3.11 python3 python; do \
 	$$p -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null && echo $$p && break; done)
 COMPILER ?= rumoca
+COMPILER_OPTIONS ?=
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -20,7 +22,7 @@ FMU_SOURCES := $(shell find modelica fmu_build -name '*.mo' -o -name 'package.or
 	-o -name '*.py' -o -name '*.toml' -o -name '*.jinja')
 
 .DELETE_ON_ERROR:
-.PHONY: run test fmu lint bench figure lock clean distclean
+.PHONY: FORCE run test fmu lint bench figure lock clean distclean
 
 run: fmu
 	$(BIN)/python scenarios/free_oscillation.py
@@ -30,10 +32,15 @@ test: fmu
 
 fmu: build/fmi2/.built
 
-build/fmi2/.built: $(FMU_SOURCES) $(READY)
+build/fmi2/.built: $(FMU_SOURCES) $(READY) build/fmi2/.compiler
 	$(BIN)/python -m fmu_build $(basename $(addprefix PreloadedSprings.Joystick.,$(notdir $(FMUS)))) \
-		--output build/fmi2 --compiler $(COMPILER)
+		--output build/fmi2 --compiler $(COMPILER) $(addprefix --option ,$(COMPILER_OPTIONS))
 	touch $@
+
+# Changes with the compiler that is asked for, and then only, so that the FMUs of another one are made anew.
+build/fmi2/.compiler: FORCE
+	@mkdir -p $(@D)
+	@echo "$(COMPILER) $(COMPILER_OPTIONS)" | cmp -s - $@ || echo "$(COMPILER) $(COMPILER_OPTIONS)" > $@
 
 lint: $(READY)
 	$(BIN)/ruff check .

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
+import fmpy
 import pytest
 
 from fmu_build import build_fmu
@@ -16,7 +17,10 @@ JOYSTICKS = ("Joystick", "JoystickPowerLaw", "JoystickInverse")
 
 @pytest.fixture(scope="session")
 def joystick_fmus(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The folder with the three joystick FMUs: those of ``make fmu`` where up to date, else new ones."""
+    """The folder with the three joystick FMUs of the default compiler.
+
+    Those of ``make fmu`` where they are up to date and not another compiler's, else new ones.
+    """
     made = ROOT / "build" / "fmi2"
     if _is_up_to_date(made):
         return made
@@ -30,8 +34,14 @@ def _is_up_to_date(folder: Path) -> bool:
     fmus = [folder / f"{name}.fmu" for name in JOYSTICKS]
     if not all(fmu.is_file() for fmu in fmus):
         return False
+    if not all(_tool(fmu).startswith("pyjoystick") for fmu in fmus):
+        return False
     oldest = min(fmu.stat().st_mtime for fmu in fmus)
     return all(source.stat().st_mtime <= oldest for source in _sources())
+
+
+def _tool(fmu: Path) -> str:
+    return str(fmpy.read_model_description(str(fmu), validate=False).generationTool)
 
 
 def _sources() -> Iterator[Path]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import pytest
 from fmpy import read_model_description
@@ -24,6 +24,7 @@ class _FakeCompiler:
     """Stands in for a compiler; `error` is what its build raises."""
 
     name = "rumoca"
+    options: ClassVar[dict[str, str]] = {"color": "of the FMU"}
 
     def __init__(self, error: BaseException | None = None) -> None:
         self.error = error
@@ -99,6 +100,8 @@ def test_an_unforeseen_error_is_one_message_too(monkeypatch: pytest.MonkeyPatch,
         (("M", "-o", "out", "--compiler", "nocc"), "'nocc' is not one of rumoca"),
         (("M", "-o", "out", "--platform", "vax"), "'vax' is not one of linux64"),
         (("M", "-o", "out", "--nonsense"), "No such option"),
+        (("M", "-o", "out", "--option", "omc"), "'omc' is not of the form NAME=VALUE"),
+        (("M", "-o", "out", "--fmi-type", "se"), "'se' is not one of"),
     ],
 )
 def test_wrong_usage(arguments: tuple[str, ...], message: str) -> None:
@@ -108,16 +111,29 @@ def test_wrong_usage(arguments: tuple[str, ...], message: str) -> None:
     assert result.stdout == ""
 
 
+def test_what_only_the_compiler_has(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    compiler = _use(monkeypatch)
+    settings = ("--option", "color=green=blue", "--fmi-version", "3.0", "--fmi-type", "me")
+    assert _run("M", "-o", str(tmp_path), *settings).exit_code == 0
+    assert compiler.requests[0].options == {"color": "green=blue"}
+    assert compiler.requests[0].fmi_version == "3.0"
+    assert compiler.requests[0].fmi_types == ("me",)
+    refused = _run("M", "-o", str(tmp_path), "--option", "size=big")
+    assert refused.exit_code == 1
+    assert "the compiler rumoca has no option 'size'; it has color" in refused.stderr
+    assert len(compiler.requests) == 1
+
+
 def test_help_has_an_example() -> None:
     result = _run("--help")
     assert result.exit_code == 0
     assert f"python -m fmu_build {_JOYSTICK} --output build/fmi2" in result.stdout
-    for option in ("--output", "--compiler", "--library", "--platform", "--verbose"):
+    for option in ("--output", "--compiler", "--library", "--platform", "--option", "--verbose"):
         assert option in result.stdout
 
 
 def test_unknown_compiler_from_python(tmp_path: Path) -> None:
-    with pytest.raises(UnknownCompilerError, match="unknown compiler 'nocc'; there is rumoca"):
+    with pytest.raises(UnknownCompilerError, match="unknown compiler 'nocc'; there is rumoca, openmodelica"):
         build_fmu("M", tmp_path, compiler="nocc")
 
 
