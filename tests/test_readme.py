@@ -19,15 +19,16 @@ MODULES = {"pyjoystick": ["-m", "pyjoystick"], "python": []}
 
 @pytest.fixture
 def checkout(tmp_path: Path, fmus_by_name: Path) -> Path:
-    """A folder in which the paths of the README lead to the FMUs."""
+    """A folder in which the paths of the README lead to the FMUs and scenarios."""
     (tmp_path / "build").mkdir()
     (tmp_path / "build" / "fmi2").symlink_to(fmus_by_name)
+    (tmp_path / "scenarios").symlink_to(ROOT / "scenarios")
     return tmp_path
 
 
 def test_the_readme_shows_how() -> None:
     assert len(PROGRAMS) == 2
-    assert len(COMMANDS) == 4
+    assert len(COMMANDS) == 5
 
 
 @pytest.mark.parametrize("program", PROGRAMS)

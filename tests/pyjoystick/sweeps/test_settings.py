@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from pathlib import Path
 
 import numpy as np
@@ -11,7 +12,7 @@ import pytest
 
 from pyjoystick.errors import PyJoystickError
 from pyjoystick.fmu import Extremes, FmuNotFoundError, Loss, Peaks
-from pyjoystick.sweeps import Settings, SettingsError, SweepFileError, read_settings
+from pyjoystick.sweeps import Settings, SettingsError, Sweep, SweepFileError, read_settings
 from pyjoystick.sweeps.design import Sampling
 from pyjoystick.sweeps.variations import Levels, LogNormal, LogUniform, Normal, Uniform
 from tests.pyjoystick.sweeps.conftest import SMALL, Write
@@ -205,6 +206,15 @@ def test_the_fmu_is_looked_for_beside_the_settings(written: Write, tmp_path: Pat
     with pytest.raises(FmuNotFoundError) as missing:
         read_settings(path)
     assert missing.value.fmu == str(tmp_path / "nowhere.fmu")
+
+
+def test_the_documented_file_is_one(tmp_path: Path, fmus_by_name: Path) -> None:
+    page = Path(__file__).parents[3] / "docs" / "sweeps.md"
+    blocks = re.findall(r"```toml\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
+    assert len(blocks) == 1
+    path = tmp_path / "documented.toml"
+    path.write_text(blocks[0], encoding="utf-8")
+    assert len(Sweep(read_settings(path)).design) == 1000
 
 
 def test_a_file_that_cannot_be_read(tmp_path: Path) -> None:
