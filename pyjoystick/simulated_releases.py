@@ -64,7 +64,7 @@ class SimulatedReleases:
     def vary(
         self, parameters: JoystickParameters, release_angle: float, name: str, values: FloatArray
     ) -> dict[float, ReleasePeaks]:
-        """The peaks of releases that differ in one parameter, run as one batch.
+        """The peaks of releases that differ in one parameter; everything else is prepared once.
 
         Args:
             parameters: the joystick
