@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from pyjoystick.cli import compare, free_oscillation, info, peaks, sweep
+from pyjoystick.cli import compare, fit, free_oscillation, info, peaks, sweep
 from pyjoystick.cli.console import print_error, print_traceback
 from pyjoystick.errors import PyJoystickError
 from pyjoystick.versions import version_of
@@ -25,6 +25,7 @@ app = typer.Typer(
 app.command("free-oscillation", epilog=free_oscillation.EXAMPLES)(free_oscillation.run)
 app.command("compare", epilog=compare.EXAMPLES)(compare.run)
 app.command("info", epilog=info.EXAMPLES)(info.run)
+app.command("fit", epilog=fit.EXAMPLES)(fit.run)
 app.command("peaks", epilog=peaks.EXAMPLES)(peaks.run)
 app.command("sweep", epilog=sweep.EXAMPLES)(sweep.run)
 

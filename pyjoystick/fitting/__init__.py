@@ -1,7 +1,7 @@
 """Fitting an FMU's parameters to records, and saying how sure the answer is."""
 
 from pyjoystick.fitting.defaults import CONSTANT_DAMPING, POWER_LAW_DAMPING, RELEASE
-from pyjoystick.fitting.errors import FitError, FitInterruptedError, FitSettingsError
+from pyjoystick.fitting.errors import FitError, FitInterruptedError
 from pyjoystick.fitting.fit import fit
 from pyjoystick.fitting.measurement import Measurement
 from pyjoystick.fitting.result import Fit
@@ -16,7 +16,6 @@ __all__ = [
     "FitError",
     "FitInterruptedError",
     "FitSettings",
-    "FitSettingsError",
     "Free",
     "Measurement",
     "Noise",

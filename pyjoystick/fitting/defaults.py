@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from pyjoystick.fitting.settings import RELEASE_TIME, FitSettings, Free
+from pyjoystick.fitting.settings import RELEASE_TIME, FitSettings, Free, Uncertainty
 
 #: The release of each record: its angle and its instant.
 RELEASE: Final = (Free("theta_start", per_record=True), Free(RELEASE_TIME, per_record=True))
@@ -28,4 +28,6 @@ POWER_LAW_DAMPING: Final = FitSettings(
         Free("damping.m", start=0.0, minimum=-1.0, maximum=1.0),
         *RELEASE,
     ),
+    # Six parameters along a curved valley: their profiles take minutes, and are there where asked for.
+    uncertainty=Uncertainty(profiles=()),
 )

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 from pyjoystick.errors import PyJoystickError
 
 
@@ -22,23 +20,6 @@ class FitError(PyJoystickError):
 
     def __str__(self) -> str:
         return f"{self.subject}: {self.reason}"
-
-
-class FitSettingsError(PyJoystickError):
-    """A settings file cannot be used.
-
-    Attributes:
-        path: the file
-        reason: the field, its value and what is allowed
-    """
-
-    def __init__(self, path: Path, reason: str) -> None:
-        super().__init__(path, reason)
-        self.path = path
-        self.reason = reason
-
-    def __str__(self) -> str:
-        return f"{self.path}: {self.reason}"
 
 
 class FitInterruptedError(PyJoystickError):

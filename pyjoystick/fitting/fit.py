@@ -23,6 +23,7 @@ from pyjoystick.fitting.search import Minimum, multi_start, search
 from pyjoystick.fitting.settings import FitSettings
 from pyjoystick.fitting.setup import make_problem
 from pyjoystick.fitting.steps import choose_steps
+from pyjoystick.fitting.trust import check_profiles
 from pyjoystick.fitting.uncertainty import StandardErrors, standard_errors
 from pyjoystick.fmu import Fmu
 from pyjoystick.records import Record
@@ -128,6 +129,8 @@ def _judged(
     checks = all_checks(problem, settings, best, known, errors, records, steps.noise)
     derived = tuple(derived_parameters(variables, best.x, errors, [one.name for one in records]))
     profiles, drawn, interrupted = _optional(problem, settings, best, errors, tell)
+    if profiles:
+        checks.append(check_profiles(labels, profiles))
     return Fit(
         settings=settings,
         variables=variables.free,

@@ -40,6 +40,7 @@ class PeakPredictor:
         """
         self.record = record
         self.runs = 0
+        self._settings = settings
         values, times, release = _measured(record, output, count)
         self.data: FloatArray = np.concatenate((values, times))
         self.labels = (output,) * count + (f"{output} time",) * count
@@ -58,19 +59,19 @@ class PeakPredictor:
 
     def predict(self, rows: FloatArray, release_time: float) -> Prediction:
         """See `Predictor`. A peak that does not come counts as one of no height, a whole spacing late."""
-        batch = run_rows(self._plan, rows, [self._reduction])
+        runs = run_rows(self._plan, rows, self._settings, self._reduction)
         self.runs += len(rows)
-        assert batch.reduced is not None
-        cells = batch.reduced.to_numpy(dtype=np.float64)
+        cells = runs.numbers
         heights, times = cells[:, 0::2], cells[:, 1::2] + release_time
         count = heights.shape[1]
         # Pairs of different signs are no pairs either.
         absent = ~(np.sign(heights) == np.sign(self.data[:count]))
         late = self.data[count:] + self.normalization[count:]
         found = np.hstack((np.where(absent, 0.0, heights), np.where(absent, late, times)))
-        found[batch.failed] = np.nan
+        # A run whose every peak is missing has failed, or does not swing at all.
+        found[np.all(np.isnan(cells), axis=1)] = np.nan
         slope = np.concatenate((np.zeros(count), np.where(absent[0], 0.0, 1.0)))
-        return Prediction(found, slope, batch.messages[0])
+        return Prediction(found, slope, runs.message)
 
 
 def missing_peaks(predicted: FloatArray) -> int:

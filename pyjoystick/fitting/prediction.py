@@ -11,7 +11,7 @@ import pandas as pd
 from pyjoystick._types import FloatArray
 from pyjoystick.fitting.errors import FitError, FitInterruptedError
 from pyjoystick.fitting.measurement import Measurement
-from pyjoystick.fmu import BatchResult, Fmu, Plan, Reduction
+from pyjoystick.fmu import Fmu, Plan, Reduction
 from pyjoystick.fmu.values import Value
 
 #: Plans of the last release times are kept: a search comes back to the point that it left.
@@ -63,6 +63,13 @@ class FmuSettings(NamedTuple):
     constants: Mapping[str, Value]
     tolerance: float
 
+    def ranges(self) -> tuple[FloatArray, FloatArray]:
+        """What the FMU allows for the varied parameters: least and largest values, shape (varied,) each."""
+        known = [self.fmu.description.variables[name] for name in self.varied]
+        low = np.array([-np.inf if one.minimum is None else one.minimum for one in known])
+        high = np.array([np.inf if one.maximum is None else one.maximum for one in known])
+        return low, high
+
 
 class TrajectoryPredictor:
     """The outputs at the samples of a record. Before the release it is at its start values."""
@@ -104,14 +111,13 @@ class TrajectoryPredictor:
         moving = self.record.time > release_time
         if np.count_nonzero(moving) == 0:
             raise FitError(self.record.name, f"ends before the release time, {release_time:g} s")
-        batch = run_rows(self._plan(release_time, moving), rows)
+        found = run_rows(self._plan(release_time, moving), rows, self._settings)
         self.runs += len(rows)
-        assert batch.values is not None
         # The first sample of the run is the state at the release, which the record shows from its beginning.
         places = np.concatenate(
             (np.zeros(np.count_nonzero(~moving), dtype=np.intp), 1 + np.arange(moving.sum()))
         )
-        series = batch.values[:, places, :]
+        series = found.numbers[:, places, :]
         n = len(self._outputs)
         values = np.concatenate([series[:, :, k] for k in range(n)], axis=1)
         slope = np.zeros(values.shape[1])
@@ -119,7 +125,7 @@ class TrajectoryPredictor:
             slope = np.concatenate(
                 [np.where(moving, -series[0, :, n + k], 0.0) for k in range(len(self._slopes))]
             )
-        return Prediction(values, slope, batch.messages[0])
+        return Prediction(values, slope, found.message)
 
     def _plan(self, release_time: float, moving: np.ndarray[tuple[int], np.dtype[np.bool_]]) -> Plan:
         plan = self._plans.get(release_time)
@@ -140,9 +146,35 @@ class TrajectoryPredictor:
         return plan
 
 
-def run_rows(plan: Plan, rows: FloatArray, reductions: Sequence[Reduction] | None = None) -> BatchResult:
-    """The runs of a few rows; raises FitInterruptedError where Ctrl-C was pressed."""
-    batch = plan.run_batch(rows, reductions=reductions)
-    if batch.interrupted:
-        raise FitInterruptedError
-    return batch
+class Runs(NamedTuple):
+    """The runs of a few rows.
+
+    Attributes:
+        numbers: the samples, shape (rows, samples, outputs), or what the reduction kept, shape
+            (rows, columns); NaN in rows that failed
+        message: why the first row failed, else empty
+    """
+
+    numbers: FloatArray
+    message: str
+
+
+def run_rows(plan: Plan, rows: FloatArray, settings: FmuSettings, reduction: Reduction | None = None) -> Runs:
+    """Run some rows; one outside the ranges of the FMU, as ties may lead to, counts as failed.
+
+    Raises:
+        FitInterruptedError: Ctrl-C was pressed
+    """
+    low, high = settings.ranges()
+    allowed = np.all((rows >= low) & (rows <= high) & np.isfinite(rows), axis=1)
+    shape = (plan.time.size, len(plan.outputs)) if reduction is None else (len(reduction.columns),)
+    numbers = np.full((len(rows), *shape), np.nan)
+    message = "" if allowed[0] else "a parameter is outside the range that the FMU allows"
+    if allowed.any():
+        batch = plan.run_batch(rows[allowed], reductions=None if reduction is None else [reduction])
+        if batch.interrupted:
+            raise FitInterruptedError
+        found = batch.values if batch.reduced is None else batch.reduced.to_numpy(dtype=np.float64)
+        numbers[allowed] = found
+        message = message or batch.messages[0]
+    return Runs(numbers, message)

@@ -33,6 +33,9 @@ class Profile:
             of the noise, negative below the best value, shape (n,): a straight line where the model is linear
         interval: where the distance is that of the confidence level; infinite where that is not reached
         bounded: whether the search reached a bound of the variable on the lower and on the upper side
+        lower: by how much the sum of squares fell below that of the minimum, 0 where it did not: a minimum
+            that a profile undercuts was none
+        converged: whether every search over the others ended by itself; without, the interval is too narrow
     """
 
     variable: int
@@ -40,6 +43,8 @@ class Profile:
     distances: FloatArray
     interval: tuple[float, float]
     bounded: tuple[bool, bool]
+    lower: float
+    converged: bool
 
 
 def profile(problem: Problem, x: FloatArray, cost: float, variable: int, errors: StandardErrors) -> Profile:
@@ -60,13 +65,15 @@ def profile(problem: Problem, x: FloatArray, cost: float, variable: int, errors:
     first = quantile * error if np.isfinite(error) and error > 0.0 else 0.1 * one.scale
     values, distances = [float(x[variable])], [0.0]
     ends, bounded = [], []
+    lower, converged = 0.0, True
     for sign, bound in ((-1.0, one.minimum), (1.0, one.maximum)):
-        side = _side(problem, x, cost, variable, sign, first, bound, quantile, slope)
-        values += [value for value, _ in side]
-        distances += [distance for _, distance in side]
-        points = [(float(x[variable]), 0.0), *side]
-        ends.append(_end(points, sign * quantile))
-        bounded.append(bool(side) and side[-1][0] == bound and abs(side[-1][1]) < quantile)
+        points, least, settled = _side(problem, x, cost, variable, sign, first, bound, quantile, slope)
+        values += [value for value, _ in points]
+        distances += [distance for _, distance in points]
+        ends.append(_end([(float(x[variable]), 0.0), *points], sign * quantile))
+        bounded.append(bool(points) and points[-1][0] == bound and abs(points[-1][1]) < quantile)
+        lower = max(lower, cost - least)
+        converged = converged and settled
     order = np.argsort(values)
     return Profile(
         variable,
@@ -74,6 +81,8 @@ def profile(problem: Problem, x: FloatArray, cost: float, variable: int, errors:
         np.array(distances)[order],
         (ends[0], ends[1]),
         (bounded[0], bounded[1]),
+        lower,
+        converged,
     )
 
 
@@ -87,9 +96,14 @@ def _side(
     bound: float,
     quantile: float,
     slope: FloatArray,
-) -> list[tuple[float, float]]:
-    """Values and distances from the best value outward, until the quantile is passed or a bound is met."""
+) -> tuple[list[tuple[float, float]], float, bool]:
+    """From the best value outward, until the quantile is passed or a bound is met.
+
+    Returns:
+        values and distances; the least sum of squares; whether every search ended by itself
+    """
     found: list[tuple[float, float]] = []
+    least, converged = cost, True
     near, nearest = x, float(x[variable])
     factor = 0.0
     for number in range(_MOST_POINTS):
@@ -105,10 +119,11 @@ def _side(
         )
         slope = (minimum.x - near) / (value - nearest)
         near, nearest = minimum.x, value
+        least, converged = min(least, minimum.cost), converged and minimum.converged
         found.append((value, sign * float(np.sqrt(max(minimum.cost - cost, 0.0)))))
         if at_bound or (abs(found[-1][1]) > quantile and number + 1 >= len(_POINTS) - 1):
             break
-    return found
+    return found, least, converged
 
 
 def _end(points: list[tuple[float, float]], wanted: float) -> float:

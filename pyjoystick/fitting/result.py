@@ -113,7 +113,7 @@ class Fit:
     def interval(self, label: str) -> tuple[float, float]:
         """The interval of a fitted value by its label: by profile where there is one, else linear."""
         place = self._place(label)
-        if place in self.profiles:
+        if place in self.profiles and self.profiles[place].converged:
             return self.profiles[place].interval
         low, high = self.intervals[place]
         return float(low), float(high)

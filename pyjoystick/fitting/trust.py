@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -12,6 +12,7 @@ from scipy import stats
 
 from pyjoystick._types import FloatArray
 from pyjoystick.fitting.identifiability import Identifiability
+from pyjoystick.fitting.profile import Profile
 from pyjoystick.fitting.search import Minimum
 from pyjoystick.fitting.variables import Variables
 
@@ -24,6 +25,8 @@ _LARGE: Final = 0.05
 _LARGE_PEAK_ERROR: Final = 0.2
 #: Variables this close to a bound, in parts of their scale, are at it.
 _AT_BOUND: Final = 1e-6
+#: A sum of squares this much lower, in variances of the noise, is another minimum.
+_UNDERCUT: Final = 0.01
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,12 +123,12 @@ def check_peak_errors(relative: Sequence[FloatArray]) -> Check:
     return Check("size of residuals", worst < _LARGE_PEAK_ERROR, message)
 
 
-def check_whiteness(names: Sequence[str], series: Sequence[FloatArray], numerical_noise: float) -> Check:
+def check_whiteness(names: Sequence[str], series: Sequence[FloatArray], least: float) -> Check:
     """Whether the residuals of every record look like independent samples (Ljung and Box).
 
-    Residuals at the level of the integrator's own error are not judged.
+    Residuals of no more than `least`, the integrator's own error, are not judged.
     """
-    bad = list(_not_white(names, series, 100.0 * numerical_noise))
+    bad = list(_not_white(names, series, least))
     if bad:
         message = (
             "not white in " + "; ".join(bad) + ": the model lacks something, or the data were filtered; "
@@ -147,6 +150,19 @@ def _not_white(names: Sequence[str], series: Sequence[FloatArray], least: float)
         chance = float(stats.chi2.sf(statistic, _LAGS))
         if chance < _CHANCE / len(series):
             yield f"{name} (correlation {lags[0]:+.2f} from sample to sample)"
+
+
+def check_profiles(labels: Sequence[str], profiles: Mapping[int, Profile]) -> Check:
+    """Whether the profiles confirm the minimum and could be followed."""
+    undercut = [f"{labels[j]} (by {one.lower:.2g})" for j, one in profiles.items() if one.lower > _UNDERCUT]
+    lost = [labels[j] for j, one in profiles.items() if not one.converged]
+    if undercut:
+        message = f"the profile of {', '.join(undercut)} lies below the minimum: begin again from elsewhere"
+        return Check("profiles", False, message)
+    if lost:
+        message = f"searches along the profile of {', '.join(lost)} did not end: no interval from it"
+        return Check("profiles", False, message)
+    return Check("profiles", True, "no profile undercuts the minimum")
 
 
 def check_peaks(missing: Sequence[tuple[str, int]]) -> Check:

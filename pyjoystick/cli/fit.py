@@ -1,0 +1,72 @@
+"""``pyjoystick fit``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from pyjoystick.cli.options import DampingLaw
+
+EXAMPLES = """
+Examples:
+
+    pyjoystick fit trial1.csv trial2.csv trial3.csv trial4.csv
+    pyjoystick fit trial*.csv --damping power-law --output results/fit
+    pyjoystick fit trial*.csv --settings fit.toml --output results/fit
+
+docs/fitting.md describes the settings file.
+"""
+
+
+def run(
+    records: Annotated[
+        list[Path],
+        typer.Argument(metavar="RECORD.csv...", help="One file a release: columns time (s), theta (deg)."),
+    ],
+    settings: Annotated[
+        Path | None,
+        typer.Option(
+            "--settings",
+            metavar="FILE",
+            help="What to fit and how, a TOML file; the damping and the release of each record if not given.",
+            show_default=False,
+        ),
+    ] = None,
+    damping: Annotated[
+        DampingLaw | None,
+        typer.Option("--damping", help="Damping law to fit; constant if not given.", show_default=False),
+    ] = None,
+    target: Annotated[
+        Path | None,
+        typer.Option(
+            "--output",
+            "-o",
+            metavar="FOLDER",
+            help="Write fit.md, fit.json and the figures there.",
+            show_default=False,
+        ),
+    ] = None,
+    columns: Annotated[
+        list[str] | None,
+        typer.Option("--column", metavar="NAME=HEADING", help="Where time, theta or omega is found."),
+    ] = None,
+    units: Annotated[
+        list[str] | None,
+        typer.Option("--unit", metavar="NAME=UNIT", help="Unit of a column that has none in its heading."),
+    ] = None,
+) -> None:
+    """Fit parameters to measured motion, and say how sure the answer is.
+
+    The exit code is 3 where the fit is done but not to be trusted; the reasons are printed. It is 130 after
+    Ctrl-C; what was found until then is printed and written.
+    """
+    if settings is not None and damping is not None:
+        raise typer.BadParameter("give --settings or --damping: the settings name the FMU themselves")
+    # SciPy, lmfit and Matplotlib take a while to load, which the other commands need not wait for.
+    from pyjoystick.cli.fit_steps import fit_and_show
+
+    code = fit_and_show(records, settings, damping, target, columns, units)
+    if code:
+        raise typer.Exit(code)

@@ -1,0 +1,119 @@
+"""The steps of ``pyjoystick fit``: read the records, fit, print and write what came of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Final
+
+import typer
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+
+from pyjoystick.cli.console import messages, output, print_error, print_note
+from pyjoystick.cli.fmus import found_or_built
+from pyjoystick.cli.options import DampingLaw
+from pyjoystick.fitting import (
+    CONSTANT_DAMPING,
+    POWER_LAW_DAMPING,
+    FitInterruptedError,
+    FitSettings,
+    Measurement,
+)
+from pyjoystick.fitting import fit as carry_out
+from pyjoystick.fitting.figures import save_figures
+from pyjoystick.fitting.fit import OnProgress
+from pyjoystick.fitting.json_report import as_json
+from pyjoystick.fitting.result import Fit
+from pyjoystick.fitting.settings_file import read_fit_settings, reads_releases
+from pyjoystick.fitting.table_record import read_table_record
+from pyjoystick.fitting.text_report import report, summary
+from pyjoystick.fmu import Fmu, FmuDescription
+from pyjoystick.output import write_text
+from pyjoystick.records import Record, read_repeats
+
+#: Exit code where a fit is done but not to be trusted, and after Ctrl-C.
+DOUBTFUL: Final = 3
+INTERRUPTED: Final = 130
+
+
+def fit_and_show(
+    paths: Sequence[Path],
+    settings_file: Path | None,
+    damping: DampingLaw | None,
+    folder: Path | None,
+    columns: Sequence[str] | None,
+    units: Sequence[str] | None,
+) -> int:
+    """Fit the records of some files; returns the exit code."""
+    if settings_file is not None:
+        settings = read_fit_settings(settings_file, found_or_built)
+    else:
+        settings = POWER_LAW_DAMPING if damping is DampingLaw.POWER_LAW else CONSTANT_DAMPING
+    with Fmu(found_or_built(settings.fmu)) as fmu:
+        records = _records(paths, settings, fmu.description, columns, units)
+        try:
+            with _progress() as tell:
+                found = carry_out(records, settings, fmu=fmu, on_progress=tell)
+        except (FitInterruptedError, KeyboardInterrupt):
+            print_error(str(FitInterruptedError()))
+            return INTERRUPTED
+    _show(found, folder, [path.name for path in paths])
+    if found.interrupted:
+        return INTERRUPTED
+    return 0 if found.trusted else DOUBTFUL
+
+
+def _records(
+    paths: Sequence[Path],
+    settings: FitSettings,
+    fmu: FmuDescription,
+    columns: Sequence[str] | None,
+    units: Sequence[str] | None,
+) -> Sequence[Record | Measurement]:
+    if not reads_releases(settings):
+        names = (*settings.outputs, *settings.inputs)
+        return [read_table_record(path, names, fmu) for path in paths]
+    records = read_repeats(paths, columns=_named(columns, "--column"), units=_named(units, "--unit"))
+    for record in records:
+        for note in record.notes:
+            print_note(f"{record.name}: {note}")
+    return records
+
+
+def _named(texts: Sequence[str] | None, option: str) -> dict[str, str]:
+    """Names and what they stand for from texts such as ``theta=Angle``."""
+    found = {}
+    for text in texts or []:
+        name, sign, value = (part.strip() for part in text.partition("="))
+        if not (name and sign and value):
+            raise typer.BadParameter(f"{text!r} must be NAME=TEXT", param_hint=option)
+        found[name] = value
+    return found
+
+
+def _show(found: Fit, folder: Path | None, names: Sequence[str]) -> None:
+    # Plain text: labels such as [run 1] are no markup.
+    output().print(summary(found), markup=False)
+    if folder is not None:
+        write_text(folder / "fit.md", report(found, f"Fit to {', '.join(names)}"))
+        write_text(folder / "fit.json", as_json(found))
+        figures = save_figures(found, folder)
+        print_note(f"wrote fit.md, fit.json, {', '.join(path.name for path in figures)} into {folder}")
+    if not found.trusted:
+        failed = ", ".join(check.name for check in found.checks if not check.passed)
+        print_error(f"the fit is not to be trusted: {failed} (see above)")
+
+
+@contextmanager
+def _progress() -> Iterator[OnProgress]:
+    """A bar for each stage; nothing is drawn where standard error is no terminal."""
+    console = messages()
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
+    with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:
+        task = bar.add_task("searching", total=None)
+
+        def tell(stage: str, done: int, total: int) -> None:
+            bar.update(task, description=stage, completed=done, total=total)
+
+        yield tell
