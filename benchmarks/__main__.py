@@ -10,6 +10,7 @@ import typer
 from rich.console import Console
 from rich.markup import escape
 
+from benchmarks import cluster
 from benchmarks.build import UnpackedFmu, compile_programs, unpack
 from benchmarks.c_programs import fmu_loop, hand_written
 from benchmarks.contender import Contender, as_accurate
@@ -38,13 +39,19 @@ def main(
     try:
         with tempfile.TemporaryDirectory(prefix="benchmarks-") as folder:
             results = _measure_all(fmus, Path(folder), rounds)
+        on_cluster = "" if json else _on_cluster(fmus)
     except (BenchmarkError, BuildError) as error:
         _messages.print(f"[bold red]error:[/bold red] {escape(str(error))}")
         raise typer.Exit(1) from None
     if json:
         typer.echo(as_json(results))
     else:
-        typer.echo(f"{machine()}\n\n{as_markdown(results)}", nl=False)
+        typer.echo(f"{machine()}\n\n{as_markdown(results)}\n{on_cluster}", nl=False)
+
+
+def _on_cluster(fmus: Path) -> str:
+    _messages.print("timing a Dask cluster")
+    return cluster.as_markdown(fmus)
 
 
 def _measure_all(fmus: Path, folder: Path, rounds: int) -> dict[Law, list[Row]]:

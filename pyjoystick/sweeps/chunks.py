@@ -8,7 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 #: A chunk has at most so many times the runs of the largest one that has been timed.
-_GROWTH: Final = 8
+_GROWTH: Final = 32
+#: The last chunks take this part of the time of others, or sending them costs more than it evens out.
+_SMALLEST: Final = 0.1
 
 
 class Chunks:
@@ -41,10 +43,9 @@ class Chunks:
 
     def take(self) -> NDArray[np.int64]:
         """The next chunk, empty when there are no more."""
-        wanted = min(int(self._rate * self._seconds), _GROWTH * self._largest)
-        if self.slots > 1:
-            wanted = min(wanted, -(-self.left // (2 * self.slots)))
-        size = max(wanted, self._least)
+        full = min(int(self._rate * self._seconds), _GROWTH * self._largest)
+        wanted = full if self.slots == 1 else min(full, -(-self.left // (2 * self.slots)))
+        size = max(wanted, int(_SMALLEST * full), self._least)
         chunk, self._runs = self._runs[:size], self._runs[size:]
         return chunk
 

@@ -2,80 +2,36 @@
 
 from __future__ import annotations
 
-import json
-import signal
-import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
+import numpy as np
 import pandas as pd
 import pytest
+from distributed.scheduler import KilledWorker
 
+from benchmarks.dask_processes import DaskProcesses, kill
 from pyjoystick.fmu import FmuFileError
 from pyjoystick.sweeps import ClusterError, MissingPackageError, Outcome, Sweep, read_settings, run_sweep
+from pyjoystick.sweeps import cluster as cluster_module
 from pyjoystick.sweeps.worker_versions import check_workers
 from tests.pyjoystick.sweeps.conftest import LONG, SMALL, Write
 
 _PATIENCE = 120.0  # s, for a machine with much else to do
-_LOOPBACK = ("--host", "127.0.0.1", "--dashboard-address", "127.0.0.1:0")
-
-
-@dataclass
-class Cluster:
-    """Processes of Dask, and how to lose them."""
-
-    folder: Path
-    address: str = ""
-    scheduler: subprocess.Popen[bytes] | None = None
-    workers: list[subprocess.Popen[bytes]] = field(default_factory=list)
-
-    def start(self, workers: int) -> None:
-        file = self.folder / "scheduler.json"
-        self.scheduler = self._run("dask_scheduler", "--port", "0", "--scheduler-file", str(file))
-        end = time.monotonic() + _PATIENCE
-        while not self.address:
-            assert time.monotonic() < end
-            time.sleep(0.05)
-            if file.exists() and file.stat().st_size:
-                self.address = json.loads(file.read_text())["address"]
-        for _ in range(workers):
-            self.add_worker()
-
-    def add_worker(self) -> None:
-        folder = self.folder / f"worker{len(self.workers)}"
-        options = ("--nthreads", "1", "--no-nanny", "--local-directory", str(folder))
-        self.workers.append(self._run("dask_worker", self.address, *options))
-
-    def lose(self, process: subprocess.Popen[bytes]) -> None:
-        process.send_signal(signal.SIGKILL)
-        process.wait()
-
-    def stop(self) -> None:
-        for process in (*self.workers, *([self.scheduler] if self.scheduler else [])):
-            if process.poll() is None:
-                self.lose(process)
-
-    def _run(self, program: str, *arguments: str) -> subprocess.Popen[bytes]:
-        log = (self.folder / f"{program}{len(self.workers)}.log").open("wb")
-        with log:
-            return subprocess.Popen(
-                [sys.executable, "-m", f"distributed.cli.{program}", *_LOOPBACK, *arguments],
-                stdout=log,
-                stderr=log,
-            )
+Start = Callable[[int], DaskProcesses]
 
 
 @pytest.fixture
-def cluster(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[[int], Cluster]]:
+def cluster(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Start]:
     """Starts a scheduler with workers of one thread each."""
     made = []
 
-    def start(workers: int) -> Cluster:
-        one = Cluster(tmp_path_factory.mktemp("dask"))
+    def start(workers: int) -> DaskProcesses:
+        one = DaskProcesses(tmp_path_factory.mktemp("dask"))
         made.append(one)
         one.start(workers)
         return one
@@ -85,10 +41,7 @@ def cluster(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[[int]
         one.stop()
 
 
-Start = Callable[[int], Cluster]
-
-
-def _on(cluster: Cluster, sweep: Sweep, target: Path, on_progress: Callable[[int], None]) -> Outcome:
+def _on(cluster: DaskProcesses, sweep: Sweep, target: Path, on_progress: Callable[[int], None]) -> Outcome:
     """The sweep on the cluster, which may need a moment until its workers are there."""
     end = time.monotonic() + _PATIENCE
     while True:
@@ -116,7 +69,7 @@ def test_a_worker_is_lost_in_mid_run_and_the_numbers_are_the_local_ones(
     def lose_a_worker(done: int) -> None:
         if done and not lost_at:
             lost_at.append(done)
-            dask.lose(dask.workers[0])
+            kill(dask.workers[0])
 
     outcome = _on(dask, sweep, tmp_path / "a.parquet", lose_a_worker)
     assert 0 < lost_at[0] < 4096 / 2
@@ -144,7 +97,7 @@ def test_ctrl_c_and_a_lost_scheduler_lose_nothing(written: Write, tmp_path: Path
     def lose_the_scheduler(done: int) -> None:
         if done > stopped.done:
             assert dask.scheduler is not None
-            dask.lose(dask.scheduler)
+            kill(dask.scheduler)
 
     with pytest.raises(ClusterError, match="the connection was lost; what was finished is kept"):
         run_sweep(sweep, target, scheduler=dask.address, on_progress=lose_the_scheduler)
@@ -174,6 +127,37 @@ def test_a_scheduler_that_is_not_there(small_sweep: Sweep, tmp_path: Path) -> No
     assert time.monotonic() - begin < _PATIENCE
     with pytest.raises(ClusterError, match="cannot be reached"):
         run_sweep(small_sweep, tmp_path / "a.csv", scheduler="nonsense://x")
+
+
+def test_runs_that_crash_worker_after_worker_are_named(small_sweep: Sweep) -> None:
+    class Lost:
+        def cancelled(self) -> bool:
+            return False
+
+        def done(self) -> bool:
+            return True
+
+        def result(self) -> None:
+            raise KilledWorker("run_chunk", "tcp://b", 3, False)
+
+    class Client:
+        def nthreads(self) -> dict[str, int]:
+            return {"tcp://b": 1}
+
+        def submit(self, *arguments: object, **options: object) -> Lost:
+            return Lost()
+
+        def as_current(self) -> AbstractContextManager[None]:
+            return nullcontext()
+
+    work = cluster_module._Work(cast(Any, Client()), "tcp://s", small_sweep, "plugin", np.array([7]))
+    with (
+        pytest.MonkeyPatch.context() as patch,
+        pytest.raises(ClusterError, match="runs 7 to 7 were lost with one worker after another"),
+    ):
+        patch.setattr(cluster_module, "wait", lambda *arguments, **options: None)
+        assert work.proceed(lambda _: None)
+        list(work.finished())
 
 
 class _Workers:
