@@ -129,7 +129,9 @@ def test_a_scheduler_that_is_not_there(small_sweep: Sweep, tmp_path: Path) -> No
         run_sweep(small_sweep, tmp_path / "a.csv", scheduler="nonsense://x")
 
 
-def test_runs_that_crash_worker_after_worker_are_named(small_sweep: Sweep) -> None:
+def test_runs_that_crash_worker_after_worker_are_named(
+    small_sweep: Sweep, monkeypatch: pytest.MonkeyPatch
+) -> None:
     class Lost:
         def cancelled(self) -> bool:
             return False
@@ -138,7 +140,7 @@ def test_runs_that_crash_worker_after_worker_are_named(small_sweep: Sweep) -> No
             return True
 
         def result(self) -> None:
-            raise KilledWorker("run_chunk", "tcp://b", 3, False)
+            raise KilledWorker("run_chunk", "tcp://b", 3)
 
     class Client:
         def nthreads(self) -> dict[str, int]:
@@ -151,12 +153,9 @@ def test_runs_that_crash_worker_after_worker_are_named(small_sweep: Sweep) -> No
             return nullcontext()
 
     work = cluster_module._Work(cast(Any, Client()), "tcp://s", small_sweep, "plugin", np.array([7]))
-    with (
-        pytest.MonkeyPatch.context() as patch,
-        pytest.raises(ClusterError, match="runs 7 to 7 were lost with one worker after another"),
-    ):
-        patch.setattr(cluster_module, "wait", lambda *arguments, **options: None)
-        assert work.proceed(lambda _: None)
+    monkeypatch.setattr(cluster_module, "wait", lambda *arguments, **options: None)
+    assert work.proceed(lambda _: None)
+    with pytest.raises(ClusterError, match="runs 7 to 7 were lost with one worker after another"):
         list(work.finished())
 
 
