@@ -88,13 +88,13 @@ def free_oscillation(
         law = parameters.damping if isinstance(parameters, JoystickParameters) else ConstantDamping()
         fmu = fmu_of_damping(law)
     with nullcontext(fmu) if isinstance(fmu, Fmu) else Fmu(fmu) as opened:
-        _require_joystick(opened.description)
+        require_joystick(opened.description)
         return opened.run(
             time, parameters=values | {"theta_start": start}, outputs=COLUMNS, tolerance=tolerance
         )
 
 
-def _require_joystick(description: FmuDescription) -> None:
+def require_joystick(description: FmuDescription) -> None:
     """Raise `UnsupportedFmuError` unless the FMU has what a free oscillation sets and reads."""
     missing = [name for name in ("theta_start", *COLUMNS) if name not in description.variables]
     if missing:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from pyjoystick.cli import compare, info
+from pyjoystick.cli import info
 from pyjoystick.versions import version_of
 from tests.pyjoystick.cli.conftest import Command
 
@@ -78,7 +78,7 @@ def test_an_interrupt_ends_the_program_quietly(command: Command, monkeypatch: py
     def interrupted(*_: object, **__: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(compare, "compare_tables", interrupted)
+    monkeypatch.setattr("pyjoystick.cli.comparisons.compare_with_reference", interrupted)
     outcome = command("compare", "-d", "0.1")
     assert outcome.code != 0
     assert outcome.out == ""
