@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+import json
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -129,3 +130,57 @@ class OutputFileError(PyJoystickError):
 
     def __str__(self) -> str:
         return f"cannot write {self.path}: {self.reason}"
+
+
+class InputFileError(PyJoystickError):
+    """A file cannot be read.
+
+    Attributes:
+        path: the file
+        reason: what is wrong with it
+    """
+
+    def __init__(self, path: Path, reason: str) -> None:
+        super().__init__(path, reason)
+        self.path = path
+        self.reason = reason
+
+    def __str__(self) -> str:
+        return f"{self.path}: {self.reason}"
+
+
+class SettingsError(PyJoystickError, ValueError):
+    """Something in a settings or parameter file (TOML) is not allowed.
+
+    Attributes:
+        path: the file
+        table: name of the table in it, empty for the file as a whole
+        key: the key in that table, empty for the table as a whole
+        value: what was given, None where nothing was
+        allowed: what is allowed
+        hint: a likely cause, or an empty string
+    """
+
+    def __init__(self, path: Path, table: str, key: str, value: object, allowed: str, hint: str = "") -> None:
+        super().__init__(path, table, key, value, allowed, hint)
+        self.path = path
+        self.table = table
+        self.key = key
+        self.value = value
+        self.allowed = allowed
+        self.hint = hint
+
+    def __str__(self) -> str:
+        place = " ".join(filter(None, (f"[{self.table}]" if self.table else "", self.key)))
+        given = "" if self.value is None else f" = {_as_written(self.value)}"
+        hint = f" ({self.hint})" if self.hint else ""
+        return (
+            f"{self.path}: {place}{given}: {self.allowed}{hint}" if place else f"{self.path}: {self.allowed}"
+        )
+
+
+def _as_written(value: object) -> str:
+    try:
+        return json.dumps(value, ensure_ascii=False)
+    except (TypeError, ValueError):
+        return str(value)

@@ -1,12 +1,12 @@
 """Sweeps: many runs of an FMU over parameters, on the cores of this machine or a Dask cluster."""
 
+from pyjoystick.errors import SettingsError
 from pyjoystick.sweeps.design import Sampling, design
 from pyjoystick.sweeps.errors import (
     ChangedSweepError,
     ClusterError,
     MissingPackageError,
     SensitivityError,
-    SettingsError,
     SweepFileError,
 )
 from pyjoystick.sweeps.files import read_sweep

@@ -2,48 +2,10 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from pathlib import Path
 
-from pyjoystick.errors import PyJoystickError
-
-
-class SettingsError(PyJoystickError, ValueError):
-    """The settings of a sweep cannot be used.
-
-    Attributes:
-        path: the settings file
-        table: name of the table in it, empty for the file as a whole
-        key: the key in that table, empty for the table as a whole
-        value: what was given, None where nothing was
-        allowed: what is allowed
-        hint: a likely cause, or an empty string
-    """
-
-    def __init__(self, path: Path, table: str, key: str, value: object, allowed: str, hint: str = "") -> None:
-        super().__init__(path, table, key, value, allowed, hint)
-        self.path = path
-        self.table = table
-        self.key = key
-        self.value = value
-        self.allowed = allowed
-        self.hint = hint
-
-    def __str__(self) -> str:
-        place = " ".join(filter(None, (f"[{self.table}]" if self.table else "", self.key)))
-        given = "" if self.value is None else f" = {_as_written(self.value)}"
-        hint = f" ({self.hint})" if self.hint else ""
-        return (
-            f"{self.path}: {place}{given}: {self.allowed}{hint}" if place else f"{self.path}: {self.allowed}"
-        )
-
-
-def _as_written(value: object) -> str:
-    try:
-        return json.dumps(value, ensure_ascii=False)
-    except (TypeError, ValueError):
-        return str(value)
+from pyjoystick.errors import InputFileError, PyJoystickError
 
 
 class ChangedSweepError(PyJoystickError):
@@ -66,21 +28,8 @@ class ChangedSweepError(PyJoystickError):
         )
 
 
-class SweepFileError(PyJoystickError):
-    """A file of a sweep cannot be read.
-
-    Attributes:
-        path: the file
-        reason: what is wrong with it
-    """
-
-    def __init__(self, path: Path, reason: str) -> None:
-        super().__init__(path, reason)
-        self.path = path
-        self.reason = reason
-
-    def __str__(self) -> str:
-        return f"{self.path}: {self.reason}"
+class SweepFileError(InputFileError):
+    """A file of a sweep cannot be read."""
 
 
 class MissingPackageError(PyJoystickError, ImportError):

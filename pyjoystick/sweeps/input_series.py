@@ -7,13 +7,13 @@ from typing import Final
 
 import pandas as pd
 
-from pyjoystick.errors import PyJoystickError, UnknownInputError
+from pyjoystick.errors import PyJoystickError, SettingsError, UnknownInputError
 from pyjoystick.fmu import FmuDescription, Inputs
 from pyjoystick.fmu.inputs import checked_inputs
 from pyjoystick.fmu.values import Value
 from pyjoystick.sweeps.amounts import value_of
-from pyjoystick.sweeps.errors import SettingsError, SweepFileError
-from pyjoystick.sweeps.toml_table import Table
+from pyjoystick.sweeps.errors import SweepFileError
+from pyjoystick.toml_table import Table
 
 _UNIT: Final = re.compile(r"\s*\([^()]*\)$")
 

@@ -10,7 +10,7 @@ from pyjoystick.errors import ParameterError, PyJoystickError
 from pyjoystick.fmu import FmuDescription, Peaks, Reduction
 from pyjoystick.fmu.values import checked_outputs
 from pyjoystick.sweeps.amounts import difference_of
-from pyjoystick.sweeps.toml_table import Table
+from pyjoystick.toml_table import Table
 
 _KINDS: Final[dict[str, Callable[[str], Reduction]]] = {
     "final": fmu.Final,

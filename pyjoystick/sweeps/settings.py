@@ -10,7 +10,7 @@ from typing import Any, Final
 import numpy as np
 
 from pyjoystick._types import FloatArray
-from pyjoystick.errors import ParameterError, PyJoystickError
+from pyjoystick.errors import ParameterError, PyJoystickError, SettingsError
 from pyjoystick.experiments import DEFAULT_OUTPUT_INTERVAL, time_grid
 from pyjoystick.fmu import (
     DEFAULT_TOLERANCE,
@@ -24,12 +24,11 @@ from pyjoystick.fmu import (
 from pyjoystick.fmu.values import Value, checked_parameters
 from pyjoystick.sweeps.amounts import value_of
 from pyjoystick.sweeps.design import METHODS, Sampling
-from pyjoystick.sweeps.errors import SettingsError
 from pyjoystick.sweeps.input_series import read_inputs
 from pyjoystick.sweeps.result_settings import read_results
-from pyjoystick.sweeps.toml_table import Table, read_toml
 from pyjoystick.sweeps.variation_settings import read_variation
 from pyjoystick.sweeps.variations import Variation
+from pyjoystick.toml_table import Table, read_toml
 
 #: Tolerances that an integrator can keep.
 _TOLERANCES: Final = (1e-13, 1e-2)
@@ -74,7 +73,7 @@ def read_settings(path: Path, find: Callable[[str], Path] = find_fmu) -> Setting
         find: from the name or path of an FMU to its file
 
     Raises:
-        SweepFileError: the file cannot be read
+        InputFileError: the file cannot be read
         SettingsError: something in it is not allowed
         FmuNotFoundError, FmuFileError: there is no such FMU, or it is broken
     """

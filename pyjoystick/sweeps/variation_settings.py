@@ -11,8 +11,8 @@ from pyjoystick.errors import ParameterError, PyJoystickError
 from pyjoystick.fmu import FmuDescription, Variable
 from pyjoystick.fmu.values import checked_varied
 from pyjoystick.sweeps.amounts import REALS, difference_of, number_of, value_of
-from pyjoystick.sweeps.toml_table import Table
 from pyjoystick.sweeps.variations import Levels, LogNormal, LogUniform, Normal, Uniform, Variation
+from pyjoystick.toml_table import Table
 
 _DISTRIBUTIONS: Final = ("uniform", "loguniform", "normal", "lognormal")
 _FORMS: Final = "values = [...], or from, to and count, or distribution = ..."

@@ -10,7 +10,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pyjoystick.errors import PyJoystickError
+from pyjoystick.errors import InputFileError, PyJoystickError
 from pyjoystick.fmu import Extremes, FmuNotFoundError, Loss, Peaks
 from pyjoystick.sweeps import Settings, SettingsError, Sweep, SweepFileError, read_settings
 from pyjoystick.sweeps.design import Sampling
@@ -218,10 +218,10 @@ def test_the_documented_file_is_one(tmp_path: Path, fmus_by_name: Path) -> None:
 
 
 def test_a_file_that_cannot_be_read(tmp_path: Path) -> None:
-    with pytest.raises(SweepFileError, match="cannot be read"):
+    with pytest.raises(InputFileError, match="cannot be read"):
         read_settings(tmp_path / "none.toml")
     (tmp_path / "latin.toml").write_bytes(b"title = '\xe9'")
-    with pytest.raises(SweepFileError, match="is not text in UTF-8"):
+    with pytest.raises(InputFileError, match="is not text in UTF-8"):
         read_settings(tmp_path / "latin.toml")
 
 

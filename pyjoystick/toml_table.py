@@ -10,8 +10,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any, Final
 
-from pyjoystick.errors import ParameterError, PyJoystickError
-from pyjoystick.sweeps.errors import SettingsError, SweepFileError
+from pyjoystick.errors import InputFileError, ParameterError, PyJoystickError, SettingsError
 
 _BARE_KEY: Final = re.compile(r"[A-Za-z0-9_-]+")
 _ABSENT: Final = object()
@@ -134,15 +133,15 @@ def read_toml(path: Path) -> Table:
     """The whole file as a table.
 
     Raises:
-        SweepFileError: it cannot be read
+        InputFileError: it cannot be read
         SettingsError: it is not TOML
     """
     try:
         text = path.read_text(encoding="utf-8")
     except OSError as error:
-        raise SweepFileError(path, f"cannot be read: {error.strerror}") from error
+        raise InputFileError(path, f"cannot be read: {error.strerror}") from error
     except UnicodeDecodeError as error:
-        raise SweepFileError(path, "is not text in UTF-8") from error
+        raise InputFileError(path, "is not text in UTF-8") from error
     try:
         return Table(path, "", tomllib.loads(text))
     except tomllib.TOMLDecodeError as error:
