@@ -13,7 +13,7 @@ from pyjoystick.fitting.settings import RELEASE_TIME, FitSettings, Free, Noise, 
 from pyjoystick.fmu import MODELS, FmuDescription, Variable, find_fmu, read_description
 from pyjoystick.fmu.values import Value
 from pyjoystick.sweeps.amounts import difference_of, number_of, value_of
-from pyjoystick.sweeps.toml_table import Table, read_toml
+from pyjoystick.toml_table import Table, read_toml
 
 _FREE_KEYS = ("start", "minimum", "maximum")
 
@@ -26,7 +26,7 @@ def read_fit_settings(path: Path, find: Callable[[str], Path] = find_fmu) -> Fit
         find: from the name or path of an FMU to its file
 
     Raises:
-        SweepFileError: the file cannot be read
+        InputFileError: the file cannot be read
         SettingsError: something in it is not allowed; the message names the table and the key
         FmuNotFoundError, FmuFileError: there is no such FMU, or it is broken
     """
