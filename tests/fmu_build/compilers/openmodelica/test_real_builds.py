@@ -5,6 +5,8 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+import threading
+import time
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -189,6 +191,39 @@ def test_interrupted(tmp_path: Path) -> None:
     with pytest.raises(KeyboardInterrupt):
         _build(tmp_path / "Good.mo", GOOD, tmp_path / "out", on_stage=interrupt)
     assert not (tmp_path / "out").exists()
+
+
+def test_omc_dies(tmp_path: Path) -> None:
+    """It is noticed while its answer is waited for."""
+
+    def kill_soon(stage: str) -> None:
+        if stage.startswith("compiling"):
+            threading.Thread(target=_kill_the_next_omc).start()
+
+    with pytest.raises(ToolchainError, match=r"omc ended suddenly|omc ended with exit code"):
+        _build(tmp_path / "Good.mo", GOOD, tmp_path / "out", on_stage=kill_soon)
+
+
+def _kill_the_next_omc() -> None:
+    while not (found := _omcs()):
+        time.sleep(0.01)
+    time.sleep(0.3)
+    psutil.Process(found[0]).kill()
+
+
+@pytest.mark.parametrize("fault", [None, "syntax"])
+def test_no_temporary_file_is_left(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, fault: str | None
+) -> None:
+    folder = tmp_path / "temporary"
+    folder.mkdir()
+    monkeypatch.setattr("tempfile.tempdir", str(folder))
+    if fault is None:
+        _build(tmp_path / "Good.mo", GOOD, tmp_path / "out")
+    else:
+        with pytest.raises(ModelicaError):
+            _build(tmp_path / "M.mo", ERRORS[fault][0], tmp_path / "out")
+    assert list(folder.iterdir()) == []
 
 
 @pytest.fixture
