@@ -7,15 +7,18 @@ from typing import NamedTuple, Protocol
 
 import numpy as np
 import pandas as pd
+from numpy.typing import NDArray
 
 from pyjoystick._types import FloatArray
 from pyjoystick.fitting.errors import FitError, FitInterruptedError
 from pyjoystick.fitting.measurement import Measurement
-from pyjoystick.fmu import Fmu, Plan, Reduction
+from pyjoystick.fmu import Fmu, FmuRunError, Plan, Reduction
 from pyjoystick.fmu.values import Value
 
 #: Plans of the last release times are kept: a search comes back to the point that it left.
 _PLANS_KEPT = 4
+#: Up to so many runs are done one after the other.
+_FEW = 24
 
 
 class Prediction(NamedTuple):
@@ -170,11 +173,28 @@ def run_rows(plan: Plan, rows: FloatArray, settings: FmuSettings, reduction: Red
     shape = (plan.time.size, len(plan.outputs)) if reduction is None else (len(reduction.columns),)
     numbers = np.full((len(rows), *shape), np.nan)
     message = "" if allowed[0] else "a parameter is outside the range that the FMU allows"
-    if allowed.any():
-        batch = plan.run_batch(rows[allowed], reductions=None if reduction is None else [reduction])
-        if batch.interrupted:
-            raise FitInterruptedError
-        found = batch.values if batch.reduced is None else batch.reduced.to_numpy(dtype=np.float64)
-        numbers[allowed] = found
-        message = message or batch.messages[0]
+    if not allowed.any():
+        return Runs(numbers, message)
+    if reduction is None and len(rows) <= _FEW:
+        return _few_runs(plan, rows, allowed, numbers, message)
+    batch = plan.run_batch(rows[allowed], reductions=None if reduction is None else [reduction])
+    if batch.interrupted:
+        raise FitInterruptedError
+    found = batch.values if batch.reduced is None else batch.reduced.to_numpy(dtype=np.float64)
+    numbers[allowed] = found
+    return Runs(numbers, message or batch.messages[0])
+
+
+def _few_runs(
+    plan: Plan, rows: FloatArray, allowed: NDArray[np.bool_], numbers: FloatArray, message: str
+) -> Runs:
+    """Runs one after the other: for a handful of them the threads of a batch take longer than they save."""
+    try:
+        for i in np.flatnonzero(allowed):
+            try:
+                numbers[i] = plan.run(rows[i])
+            except FmuRunError as error:
+                message = message or (str(error) if i == 0 else "")
+    except KeyboardInterrupt:
+        raise FitInterruptedError from None
     return Runs(numbers, message)
