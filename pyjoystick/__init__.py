@@ -1,7 +1,12 @@
-"""Dynamics of joysticks with opposing restrained preloaded springs: parameters, reference model, peaks.
+"""Dynamics of joysticks with opposing restrained preloaded springs: FMUs, parameters, reference model, peaks.
 
-The names below are the ones that most uses need; `pyjoystick.reference` holds the pure-Python model.
+The names below are the ones that most uses need; the sub-packages hold the rest. What runs FMUs and makes
+tables is loaded when it is first used, so that importing this package takes no longer than importing NumPy.
 """
+
+from importlib import import_module
+from types import MappingProxyType
+from typing import TYPE_CHECKING
 
 from pyjoystick.errors import (
     ParameterError,
@@ -19,13 +24,32 @@ from pyjoystick.parameters import (
     PowerLawDamping,
     RestrainedSpring,
 )
-from pyjoystick.peaks import find_peaks
+
+if TYPE_CHECKING:
+    from pyjoystick.comparison import compare
+    from pyjoystick.experiments import free_oscillation, reference_free_oscillation
+    from pyjoystick.fmu import Fmu, FmuFileError, FmuNotFoundError, FmuRunError
+    from pyjoystick.fmu_comparison import compare_fmus
+    from pyjoystick.peaks import find_peaks
+else:
+
+    def __getattr__(name: str) -> object:
+        if name not in _LATER:
+            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        value = getattr(import_module(f"{__name__}.{_LATER[name]}"), name)
+        globals()[name] = value
+        return value
+
 
 __all__ = [
     "NOMINAL",
     "NOMINAL_POWER_LAW",
     "ActuatorAssembly",
     "ConstantDamping",
+    "Fmu",
+    "FmuFileError",
+    "FmuNotFoundError",
+    "FmuRunError",
     "JoystickParameters",
     "ParameterError",
     "PowerLawDamping",
@@ -34,5 +58,27 @@ __all__ = [
     "SeriesError",
     "SimulationError",
     "UnknownParameterError",
+    "compare",
+    "compare_fmus",
     "find_peaks",
+    "free_oscillation",
+    "reference_free_oscillation",
 ]
+
+_LATER = MappingProxyType(
+    {
+        "Fmu": "fmu",
+        "FmuFileError": "fmu",
+        "FmuNotFoundError": "fmu",
+        "FmuRunError": "fmu",
+        "compare": "comparison",
+        "compare_fmus": "fmu_comparison",
+        "find_peaks": "peaks",
+        "free_oscillation": "experiments",
+        "reference_free_oscillation": "experiments",
+    }
+)
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *_LATER})
