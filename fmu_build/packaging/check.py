@@ -24,29 +24,28 @@ def check_fmu(path: Path, *, fmi_types: Sequence[FmiType], load: bool) -> str:
     The library is loaded in a process of its own, because a faulty one can kill the process.
     Returns what the checks printed; raises `BuildError` for any finding.
     """
-    _check_archive(path)
+    check_archive(path)
     problems = validate_fmu(str(path))
     if problems:
         raise BuildError("internal error: the FMU is not valid:\n" + "\n".join(f"- {p}" for p in problems))
     if not load:
         return "The FMU has no binary for this machine; it was validated but not loaded.\n"
-    return _load(path, fmi_types)
+    return check_loads(path, fmi_types)
 
 
-def check_loads(path: Path, fmi_types: Sequence[FmiType]) -> str:
-    """The checks of `check_fmu` without the validation: the archive, and loading on this machine."""
-    _check_archive(path)
-    return _load(path, fmi_types)
-
-
-def _check_archive(path: Path) -> None:
+def check_archive(path: Path) -> None:
+    """Reads every file of the archive; raises `BuildError` where one is damaged."""
     with zipfile.ZipFile(path) as archive:
         damaged = archive.testzip()
     if damaged is not None:
         raise BuildError(f"the archive was damaged while it was written: {damaged} has a wrong checksum")
 
 
-def _load(path: Path, fmi_types: Sequence[FmiType]) -> str:
+def check_loads(path: Path, fmi_types: Sequence[FmiType]) -> str:
+    """Instantiates the FMU on this machine as each of the types; returns what it printed.
+
+    Raises `BuildError` where that fails.
+    """
     script = Path(__file__).with_name("load_fmu.py")
     with tempfile.TemporaryDirectory(prefix="fmu_build-", ignore_cleanup_errors=True) as folder:
         with zipfile.ZipFile(path) as archive:

@@ -7,10 +7,11 @@ import zipfile
 from pathlib import Path
 
 from fmpy.validation import validate_fmu
+from lxml import etree
 
 from fmu_build.errors import BuildError
 from fmu_build.packaging.archive import check_output_folder, replacing
-from fmu_build.packaging.check import check_loads
+from fmu_build.packaging.check import check_archive, check_loads
 from fmu_build.packaging.fmi2_units import add_unit_definitions
 from fmu_build.packaging.platforms import host_platform
 from fmu_build.request import BuildRequest
@@ -44,7 +45,11 @@ def place(made: Path, request: BuildRequest) -> tuple[Path, str]:
     """
     if not zipfile.is_zipfile(made):
         raise BuildError(f"{made.name} is not a ZIP archive: it was not written to its end")
-    content, log = _with_unit_definitions(made.read_bytes())
+    check_archive(made)
+    try:
+        content, log = _with_unit_definitions(made.read_bytes())
+    except (KeyError, etree.XMLSyntaxError) as error:
+        raise BuildError(f"{made.name} has no readable {_DESCRIPTION}: {error}") from error
     target = request.output / made.name
     with replacing(target, content) as new:
         log += check_loads(new, request.fmi_types)

@@ -7,7 +7,14 @@ from pathlib import Path
 
 import pytest
 
-from fmu_build.compilers.library import default_library, entry_file, mentions, not_found, read_classes
+from fmu_build.compilers.library import (
+    default_library,
+    entry_file,
+    mentions,
+    needed_files,
+    not_found,
+    read_classes,
+)
 from fmu_build.errors import ModelicaError, ModelNotFoundError
 
 _ONE_FILE = """
@@ -136,3 +143,34 @@ def test_mentions_whole_words(tmp_path: Path) -> None:
     (tmp_path / "A.mo").write_text("model A extends Lib.B; end A;")
     assert mentions(tmp_path / "A.mo", "Lib")
     assert not mentions(tmp_path / "A.mo", "Li")
+
+
+def test_what_has_to_be_loaded_for_a_file(tmp_path: Path) -> None:
+    """Neighbors that it mentions, what these mention, and this project's library, each before its users."""
+    for name, text in {
+        "Top": "model Top extends Middle; end Top;",
+        "Middle": "model Middle Low low; end Middle;",
+        "Low": "model Low PreloadedSprings.Parts.Fixed wall; end Low;",
+        "Other": "model Other extends Top; end Other;",
+    }.items():
+        (tmp_path / f"{name}.mo").write_text(text)
+    own = default_library() / "package.mo"
+    assert needed_files(tmp_path / "Top.mo") == [
+        own,
+        tmp_path / "Low.mo",
+        tmp_path / "Middle.mo",
+        tmp_path / "Top.mo",
+    ]
+    assert needed_files(tmp_path / "Low.mo") == [own, tmp_path / "Low.mo"]
+
+
+def test_what_has_to_be_loaded_for_a_package(tmp_path: Path) -> None:
+    folder = tmp_path / "Lib"
+    folder.mkdir()
+    (folder / "package.mo").write_text("package Lib end Lib;")
+    (tmp_path / "Neighbor.mo").write_text("model Neighbor end Neighbor;")
+    (folder / "M.mo").write_text("within Lib; model M extends Neighbor; end M;")
+    assert needed_files(folder) == [folder / "package.mo"]
+    (folder / "N.mo").write_text("within Lib; model N extends PreloadedSprings.Joystick.Joystick; end N;")
+    assert needed_files(folder) == [default_library() / "package.mo", folder / "package.mo"]
+    assert needed_files(default_library()) == [default_library() / "package.mo"]
