@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import itertools
 import tempfile
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Annotated
 
@@ -11,15 +14,17 @@ from rich.console import Console
 from rich.markup import escape
 
 from benchmarks import cluster
+from benchmarks.batches import BatchRow, measure_batches
 from benchmarks.build import UnpackedFmu, compile_programs, unpack
 from benchmarks.c_programs import fmu_loop, hand_written
 from benchmarks.contender import Contender, as_accurate
 from benchmarks.errors import BenchmarkError
 from benchmarks.measurement import Row, measure
-from benchmarks.python_runs import fmpy_run, reference_run
+from benchmarks.python_runs import compiled_run, fmpy_run, reference_run, scipy_run
 from benchmarks.report import as_json, as_markdown, machine
 from benchmarks.task import LAWS, MODELS, TOLERANCE, Law
 from fmu_build import BuildError, build_fmu
+from pyjoystick.fmu import Fmu
 
 _LONG_STEPS = 15
 _messages = Console(stderr=True, highlight=False, soft_wrap=True)
@@ -34,19 +39,21 @@ def main(
 ) -> None:
     """Time the joystick's free oscillation on the FMU against a C program written by hand, and other ways.
 
-    Both damping laws; 1.5 s from -20 degrees with 901 samples. The tables are printed on standard output.
+    Both damping laws; 1.5 s from -20 degrees with 901 samples. Then batches of such runs on one and two
+    threads, and on a Dask cluster. The tables are printed on standard output.
     """
     try:
         with tempfile.TemporaryDirectory(prefix="benchmarks-") as folder:
             results = _measure_all(fmus, Path(folder), rounds)
+            batches = _measure_batches(fmus, rounds)
         on_cluster = "" if json else _on_cluster(fmus)
     except (BenchmarkError, BuildError) as error:
         _messages.print(f"[bold red]error:[/bold red] {escape(str(error))}")
         raise typer.Exit(1) from None
     if json:
-        typer.echo(as_json(results))
+        typer.echo(as_json(results, batches))
     else:
-        typer.echo(f"{machine()}\n\n{as_markdown(results)}\n{on_cluster}", nl=False)
+        typer.echo(f"{machine()}\n\n{as_markdown(results, batches)}\n{on_cluster}", nl=False)
 
 
 def _on_cluster(fmus: Path) -> str:
@@ -59,41 +66,59 @@ def _measure_all(fmus: Path, folder: Path, rounds: int) -> dict[Law, list[Row]]:
     programs = compile_programs(folder)
     results = {}
     for law in LAWS:
-        path = fmus / f"{MODELS[law]}.fmu"
-        if not path.exists():
-            _messages.print(f"building {escape(str(path))}")
-            build_fmu(f"PreloadedSprings.Joystick.{MODELS[law]}", fmus)
+        path = _found_or_built(fmus, MODELS[law])
         _messages.print(f"{law}: looking for tolerances of equal accuracy")
-        contenders = _contenders(law, unpack(path, folder), programs, folder)
-        with _messages.status(f"{law}: timing") as status:
-            done = 0
-
-            def show_round(law: Law = law) -> None:
-                nonlocal done
-                done += 1
-                status.update(f"{law}: round {done} of {rounds}")
-
-            results[law] = measure(contenders, rounds, show_round)
+        with Fmu(path) as fmu:
+            contenders = _contenders(law, unpack(path, folder), fmu, programs, folder)
+            with _rounds(law, rounds) as show_round:
+                results[law] = measure(contenders, rounds, show_round)
     return results
 
 
-def _contenders(law: Law, fmu: UnpackedFmu, programs: dict[str, Path], folder: Path) -> list[Contender]:
-    """The yardstick, the FMU in C, then the others.
+def _measure_batches(fmus: Path, rounds: int) -> list[BatchRow]:
+    with _rounds("batches", rounds) as show_round:
+        return measure_batches(_found_or_built(fmus, MODELS["constant"]), rounds, show_round)
 
-    The yardstick and CVode get the tolerance at which they are as accurate as the FMU.
+
+def _found_or_built(fmus: Path, model: str) -> Path:
+    path = fmus / f"{model}.fmu"
+    if not path.exists():
+        _messages.print(f"building {escape(str(path))}")
+        build_fmu(f"PreloadedSprings.Joystick.{model}", fmus)
+    return path
+
+
+@contextmanager
+def _rounds(what: str, rounds: int) -> Iterator[Callable[[], None]]:
+    """Shows how far the timing is; what is yielded is to be called after every round."""
+    with _messages.status(f"{what}: timing") as status:
+        done = itertools.count(1)
+        yield lambda: status.update(f"{what}: round {next(done)} of {rounds}")
+
+
+def _contenders(
+    law: Law, unpacked: UnpackedFmu, fmu: Fmu, programs: dict[str, Path], folder: Path
+) -> list[Contender]:
+    """The yardstick, the FMU in C, the same in the compiled loop from Python, then the others.
+
+    The yardstick, CVode and SciPy get the tolerance at which they are as accurate as the FMU.
     """
-    loop = fmu_loop(programs["fmu_loop"], fmu, law, TOLERANCE, folder)
+    loop = fmu_loop(programs["fmu_loop"], unpacked, law, TOLERANCE, folder)
     target = loop.error()
     by_hand = as_accurate(
         lambda tolerance: hand_written(programs["joystick"], law, tolerance, folder), target, 1e-7, 1.25
     )
-    cvode = as_accurate(lambda tolerance: fmpy_run(fmu, law, "ModelExchange", tolerance), target, 1e-9, 2.0)
+    cvode = as_accurate(
+        lambda tolerance: fmpy_run(unpacked, law, "ModelExchange", tolerance), target, 1e-9, 2.0
+    )
     return [
         by_hand,
         loop,
-        fmu_loop(programs["fmu_loop"], fmu, law, TOLERANCE, folder, steps=_LONG_STEPS),
-        fmpy_run(fmu, law, "CoSimulation", TOLERANCE),
+        compiled_run(fmu, law, TOLERANCE),
+        fmu_loop(programs["fmu_loop"], unpacked, law, TOLERANCE, folder, steps=_LONG_STEPS),
+        fmpy_run(unpacked, law, "CoSimulation", TOLERANCE),
         cvode,
+        as_accurate(lambda tolerance: scipy_run(law, tolerance), target, 1e-8, 2.0),
         reference_run(law),
     ]
 

@@ -20,6 +20,7 @@ class Row:
         ratio: that time over the yardstick's of the same round, median over the rounds
         ratio_spread: first and third quartile of that ratio
         ratio_to_second: likewise over the time of the second contender
+        ratio_to_third: likewise over the time of the third contender
         error: largest error of theta (rad)
         evaluations: of the equation of motion, None where not known
     """
@@ -30,6 +31,7 @@ class Row:
     ratio: float
     ratio_spread: tuple[float, float]
     ratio_to_second: float
+    ratio_to_third: float
     error: float
     evaluations: int | None
 
@@ -38,7 +40,7 @@ def measure(contenders: Sequence[Contender], rounds: int, on_round: Callable[[],
     """The rows in the order of `contenders`, of which the first is the yardstick.
 
     Args:
-        contenders: two or more
+        contenders: three or more
         rounds: 2 or more; each contender is timed once a round
         on_round: called after every round
     """
@@ -58,6 +60,7 @@ def measure(contenders: Sequence[Contender], rounds: int, on_round: Callable[[],
                 ratio=statistics.median(ratios),
                 ratio_spread=(quartiles[0], quartiles[2]),
                 ratio_to_second=statistics.median(of_round[i] / of_round[1] for of_round in times),
+                ratio_to_third=statistics.median(of_round[i] / of_round[2] for of_round in times),
                 error=contender.error(),
                 evaluations=contender.evaluations,
             )

@@ -1,25 +1,78 @@
-"""The contenders that are Python: FMPy on the same FMU, and the reference."""
+"""The contenders that are called from Python: the compiled loop, FMPy, SciPy, and the reference."""
 
 from __future__ import annotations
 
+import statistics
 import time
 from collections.abc import Callable
-from typing import Literal
+from typing import Any, Final, Literal
 
 import numpy as np
 from fmpy import simulate_fmu
+from scipy.integrate import solve_ivp
 
 from benchmarks.build import UnpackedFmu
 from benchmarks.contender import Contender
+from benchmarks.equation_of_motion import right_hand_side
 from benchmarks.errors import BenchmarkError
 from benchmarks.task import DURATION, INTERVALS, PARAMETERS, RELEASE, Law, sample_times
 from pyjoystick._types import FloatArray
+from pyjoystick.fmu import Fmu
 from pyjoystick.reference import DEFAULT_TOLERANCE, simulate
 
-_NAMES = {
+#: Runs of which a short one is timed: interruptions by other programs of the machine hit few of them.
+_RUNS: Final = 100
+_NAMES: Final = {
     "CoSimulation": "FMU (CS), FMPy simulate_fmu",
     "ModelExchange": "FMU (ME), FMPy simulate_fmu with CVode",
 }
+
+
+def compiled_run(fmu: Fmu, law: Law, tolerance: float) -> Contender:
+    """`Plan.run` of an opened FMU."""
+    name = "FMU (CS), compiled loop from Python"
+    outputs = ("theta", "omega", "alpha")
+    plan = fmu.plan(sample_times(INTERVALS), varied="theta_start", outputs=outputs, tolerance=tolerance)
+    checked = plan.run((RELEASE,))
+
+    def seconds() -> float:
+        times = []
+        for _ in range(_RUNS):
+            start = time.perf_counter()
+            result = plan.run((RELEASE,))
+            times.append(time.perf_counter() - start)
+        if not np.array_equal(result, checked):
+            raise BenchmarkError(f"{name}: the timed runs gave other results than the checked one")
+        return statistics.median(times)
+
+    return Contender(name, law, tolerance, lambda release: plan.run((release,))[:, 0], seconds, None)
+
+
+def scipy_run(law: Law, tolerance: float) -> Contender:
+    """SciPy's LSODA over the kinks as they come.
+
+    To stop at every kink by events and go on from there takes several times as long at the same accuracy,
+    with LSODA, RK45 and DOP853 alike, because SciPy calls each event function in each step; without events
+    RK45 and DOP853 take 2 to 9 times as long as LSODA, and Radau far longer.
+    """
+    equation, times = right_hand_side(PARAMETERS[law]), sample_times(INTERVALS)
+
+    def solution(release: float) -> Any:
+        return solve_ivp(
+            equation,
+            (0.0, DURATION),
+            (release, 0.0),
+            method="LSODA",
+            t_eval=times,
+            rtol=tolerance,
+            atol=tolerance,
+        )
+
+    def theta(release: float) -> FloatArray:
+        return np.asarray(solution(release).y[0], dtype=np.float64)
+
+    name = "equation in Python, SciPy solve_ivp with LSODA"
+    return Contender(name, law, tolerance, theta, _timed(name, theta), int(solution(RELEASE).nfev))
 
 
 def fmpy_run(
