@@ -89,7 +89,7 @@ def _attempt(
 ) -> Attempt:
     asked = statements(request, sources.files, folder, options.cs_solver)
     top_level = {name: file for file in sources.files for name in read_classes(file) if "." not in name}
-    with left_as_found(opened.session, top_level) if opened.shared else nullcontext():
+    with left_as_found(opened.session, folder, top_level) if opened.shared else nullcontext():
         answers = opened.session.run(list(asked.values()))
     return read_attempt(dict(zip(asked, answers, strict=False)))
 

@@ -16,7 +16,7 @@ from OMPython import OMCSessionABC, OMCSessionDocker, OMCSessionPort, OMSessionE
 from fmu_build.compilers.openmodelica.messages import Answer, read_answers, watched
 from fmu_build.errors import ToolchainError
 
-_SECONDS_TO_CONNECT = 30.0
+_SECONDS_TO_CONNECT = 10.0
 _SECONDS_TO_START = 120.0
 _MILLISECONDS = 200
 
@@ -60,7 +60,7 @@ class Connection:
     def run(self, statements: Sequence[str]) -> list[Answer]:
         """The answers; the last one has the reason where there are fewer of them than statements.
 
-        Raises `ToolchainError` where the server has ended or does not answer in time.
+        Raises `ToolchainError` where there is no server, or it has ended or does not answer in time.
         """
         answers: list[Answer] = []
         for statement in statements:
@@ -71,6 +71,8 @@ class Connection:
                 output = self._session.sendExpression(watched(statement, marker), parsed=False)
             except OMSessionException as error:
                 output = str(error)
+                if output.startswith("No connection"):
+                    raise ToolchainError(f"no omc server answers at {self._session.get_port()}") from error
             answers += read_answers(output, marker, 1)
         return answers
 

@@ -15,13 +15,14 @@ _FLAGS = re.compile(r"--fmiFlags=[^\s\"]*")
 
 
 @contextmanager
-def left_as_found(session: Session, classes: Mapping[str, Path]) -> Iterator[None]:
+def left_as_found(session: Session, folder: Path, classes: Mapping[str, Path]) -> Iterator[None]:
     """Takes back, on leaving, what a build changes in a server: classes, folder and the solver asked for.
 
     `classes` are the top-level classes that will be loaded, with their files. Raises `ToolchainError` where
-    the server has one of them from elsewhere, because loading would replace it.
+    the server has one of them from elsewhere, because loading would replace it, and where it cannot enter
+    `folder`, because it would build in its own.
     """
-    folder, names, flags = (answer.value for answer in session.run(_STATE))
+    previous, names, flags = (answer.value for answer in session.run(_STATE))
     before = _names(names)
     for name in before & classes.keys():
         source = session.run([f"getSourceFile({name})"])[0].text
@@ -30,6 +31,12 @@ def left_as_found(session: Session, classes: Mapping[str, Path]) -> Iterator[Non
                 f"the server has a class {name} already, from {source or 'no file'}; it would be replaced by "
                 f"that of {classes[name]}. Delete it there, or use another server"
             )
+    entered = session.run([f"cd({quoted(str(folder))})"])[0].text
+    if Path(entered) != folder:
+        raise ToolchainError(
+            f"the server cannot work in {folder}: {entered.strip()}. It has to run on this machine, as the "
+            "user who asks (root may use anyone's)"
+        )
     try:
         yield
     finally:
@@ -39,7 +46,7 @@ def left_as_found(session: Session, classes: Mapping[str, Path]) -> Iterator[Non
             [
                 *(f"deleteClass({name})" for name in sorted(added)),
                 f"setCommandLineOptions({quoted(solver.group() if solver else '--fmiFlags=none')})",
-                f"cd({folder})",
+                f"cd({previous})",
             ]
         )
 

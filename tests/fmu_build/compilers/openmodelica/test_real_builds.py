@@ -256,6 +256,16 @@ def test_a_server_that_runs_already_is_left_as_it_was(tmp_path: Path, server: Pa
     assert before[1].value == "{Mine}"
 
 
+def test_a_server_that_cannot_enter_the_folder_builds_nothing(
+    tmp_path: Path, server: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("fmu_build.compilers.openmodelica.shared.quoted", lambda text: '"/nowhere"')
+    before = sorted(server.parent.iterdir())
+    with pytest.raises(ToolchainError, match="the server cannot work in"):
+        _build(tmp_path / "Good.mo", GOOD, tmp_path / "out", options={"port-file": str(server)})
+    assert sorted(server.parent.iterdir()) == before
+
+
 def test_a_class_that_the_server_has_from_elsewhere_is_not_replaced(tmp_path: Path, server: Path) -> None:
     with connected(server.read_text(), 60.0) as connection:
         connection.run(['loadString("model Good end Good;")'])
