@@ -121,9 +121,9 @@ def _in_docker(
 
 def _require_ompython() -> None:
     try:
-        import OMPython  # noqa: F401
+        from OMPython import OMCSessionPort  # noqa: F401
     except ImportError as error:
         raise ToolchainError(
-            "OMPython, which talks to OpenModelica, is missing: pip install 'pyjoystick[openmodelica]'. "
-            "The default compiler, rumoca, does not need it."
+            f"OMPython 4.1 or newer, which talks to OpenModelica, is missing ({error}): "
+            "pip install 'pyjoystick[openmodelica]'. The default compiler, rumoca, does not need it."
         ) from error

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 import os
+import sys
 import threading
 import time
 from collections.abc import Iterator
@@ -151,6 +152,17 @@ def test_a_port_that_nobody_serves(tmp_path: Path, monkeypatch: pytest.MonkeyPat
         open_session(Options(port_file=file), tmp_path) as opened,
     ):
         opened.session.run(["getVersion()"])
+
+
+def test_no_ompython(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "OMPython", None)
+    file = tmp_path / "port"
+    file.write_text("tcp://127.0.0.1:1")
+    with (
+        pytest.raises(ToolchainError, match=r"pip install 'pyjoystick\[openmodelica\]'"),
+        open_session(Options(port_file=file), tmp_path),
+    ):
+        pass
 
 
 def test_what_ompython_logs_is_kept(capfd: pytest.CaptureFixture[str]) -> None:
