@@ -4,10 +4,10 @@
     python -m benchmarks.fit_beside_estim8 --python /path/to/environment/bin/python
 
 estim8 has no release time, so that the synthetic records of this comparison begin at the release. Both fit
-the damping and the release angle of each of four records to the trajectory, with FMU runs at the same tolerance.
-estim8 is run by the differential evolution of its documentation (SciPy's, which ends with a local search), or
-by its local search alone from the start values that pyjoystick has. Standard errors, profiles and checks are not
-in pyjoystick's time: estim8 computes none here.
+the damping and the release angle of each of four records to the trajectory, with FMU runs at the same
+tolerance. estim8 is run by the differential evolution of its documentation (SciPy's, which ends with a local
+search), or by its local search alone from the start values that pyjoystick has. Standard errors, profiles and
+checks are not in pyjoystick's time: estim8 computes none here.
 """
 
 from __future__ import annotations

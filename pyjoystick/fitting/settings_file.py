@@ -9,10 +9,13 @@ from pathlib import Path
 from typing import Any
 
 from pyjoystick.errors import ParameterError, UnknownNameError, UnknownVariableError
+from pyjoystick.fitting.joystick_values import with_values
 from pyjoystick.fitting.settings import RELEASE_TIME, FitSettings, Free, Noise, Search, Uncertainty
 from pyjoystick.fmu import MODELS, FmuDescription, Variable, find_fmu, read_description
 from pyjoystick.fmu.values import Value
+from pyjoystick.sweeps import SettingsError
 from pyjoystick.sweeps.amounts import difference_of, number_of, value_of
+from pyjoystick.sweeps.joystick_file import values_from_joystick_file
 from pyjoystick.toml_table import Table, read_toml
 
 _FREE_KEYS = ("start", "minimum", "maximum")
@@ -43,6 +46,7 @@ def read_fit_settings(path: Path, find: Callable[[str], Path] = find_fmu) -> Fit
         "noise": _noise(root.table("noise"), description),
         **_compared(root.table("compare")),
     }
+    values = values_from_joystick_file(fmu, description)
     if "tolerance" in fmu:
         given["tolerance"] = fmu.number("tolerance")
     fmu.optional("tolerance")
@@ -51,9 +55,9 @@ def read_fit_settings(path: Path, find: Callable[[str], Path] = find_fmu) -> Fit
     fmu.finish()
     root.finish()
     try:
-        return FitSettings(**given)
+        return with_values(FitSettings(**given), values)
     except ParameterError as error:
-        raise root.refused("", error) from None
+        raise SettingsError(path, "", "", None, str(error)) from None
 
 
 def _fixed(table: Table, fmu: FmuDescription) -> dict[str, Value]:
