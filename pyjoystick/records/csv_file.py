@@ -15,7 +15,7 @@ from pyjoystick._types import FloatArray
 from pyjoystick.records.errors import RecordError
 
 _COMMENT = "#"
-_DELIMITERS = ",;\t"
+DELIMITERS = ",;\t"
 _HEADING = re.compile(r"(?P<name>.*?)\s*[(\[](?P<unit>[^()\[\]]*)[)\]]\s*")
 _EMPTY = ("", "nan", "na", "n/a", "null", "none", "-")
 
@@ -86,9 +86,9 @@ def read_csv_file(path: Path) -> CsvFile:
     filled = [(number, line) for number, line in numbered if line and not line.startswith(_COMMENT)]
     if len(filled) < 2:
         raise RecordError(str(path), "has no rows under a heading", "write a heading, then one sample a row")
-    delimiter = max(_DELIMITERS, key=filled[0][1].count)
-    rows = [_split(line, delimiter) for _, line in filled]
-    headings = tuple(_heading(cell) for cell in rows[0])
+    delimiter = max(DELIMITERS, key=filled[0][1].count)
+    rows = [split_cells(line, delimiter) for _, line in filled]
+    headings = tuple(parse_heading(cell) for cell in rows[0])
     _require_headings(path, headings, filled[0][0])
     for (number, _), row in zip(filled, rows, strict=True):
         if len(row) != len(headings):
@@ -109,12 +109,14 @@ def _text(path: Path) -> str:
         raise RecordError(str(path), "is no text in UTF-8", "export the record as CSV in UTF-8") from error
 
 
-def _split(line: str, delimiter: str) -> tuple[str, ...]:
+def split_cells(line: str, delimiter: str) -> tuple[str, ...]:
+    """The cells of a line without the blanks around them."""
     cells = next(csv.reader(io.StringIO(line), delimiter=delimiter, skipinitialspace=True))
     return tuple(cell.strip() for cell in cells)
 
 
-def _heading(text: str) -> Heading:
+def parse_heading(text: str) -> Heading:
+    """Name and unit of a heading such as ``theta (deg)`` or ``theta [deg]``."""
     match = _HEADING.fullmatch(text)
     return Heading(text, match["name"].strip(), match["unit"].strip()) if match else Heading(text, text, "")
 
