@@ -104,7 +104,7 @@ def compare_fmus(
         first: name or path of an FMU, see `pyjoystick.fmu.find_fmu`
         second: that of the other
         experiments: what to run; `experiments_for` the two if not given
-        interfaces: ``ModelExchange``, which is run by CVode, ``CoSimulation``; what both have if not given
+        interfaces: ``ModelExchange`` (FMI 2.0, by CVode), ``CoSimulation``; what both have if not given
         variables: names of what to compare; the outputs that both have if not given, and where there are
             none, the local variables that both have
         limits: what is allowed
@@ -131,10 +131,18 @@ def compare_fmus(
 
 
 def _interfaces(a: FmuDescription, b: FmuDescription) -> tuple[Interface, ...]:
-    shared = tuple(name for name in INTERFACES if name in a.interfaces and name in b.interfaces)
+    shared = tuple(
+        name
+        for name in INTERFACES
+        if name in a.interfaces
+        and name in b.interfaces
+        and (name == "CoSimulation" or a.fmi_version == b.fmi_version == "2.0")
+    )
     if not shared:
         has = " and ".join(f"{one.path} {' and '.join(one.interfaces) or 'none'}" for one in (a, b))
-        raise ParameterError("interfaces", f"none that both FMUs have ({has})", "at least one in common")
+        raise ParameterError(
+            "interfaces", f"none that can be run with both FMUs ({has})", "at least one in common"
+        )
     return shared
 
 
@@ -163,7 +171,9 @@ def _variables(
 
 def _is_number(fmu: FmuDescription, name: str) -> bool:
     variable = fmu.variables[name]
-    return variable.type != "String" and variable.causality != "independent"
+    if variable.is_array or variable.type in ("String", "Binary", "Clock"):
+        return False
+    return variable.causality != "independent"
 
 
 def _compare_run(

@@ -21,6 +21,7 @@ from pyjoystick.fmu_comparison import (
     compare_fmus,
     experiments_for,
 )
+from tests.pyjoystick.fmu import awkward
 from tests.pyjoystick.fmu.doctored import doctored, without_co_simulation
 
 TIME = np.linspace(0.0, 2.0, 501)
@@ -164,7 +165,7 @@ def test_only_the_interfaces_that_both_have(pair: Path, tmp_path: Path) -> None:
 
     other = doctored(first, tmp_path / "cs.fmu", description=without_model_exchange)
     with pytest.raises(
-        ParameterError, match=r"none that both FMUs have \(.*me\.fmu ModelExchange and .*cs\."
+        ParameterError, match=r"none that can be run with both FMUs \(.*me\.fmu ModelExchange and .*cs\."
     ):
         compare_fmus(alone, other)
 
@@ -190,3 +191,17 @@ def test_what_is_run_is_told(pair: Path) -> None:
     told: list[str] = []
     compare_fmus(pair / "Closed.fmu", pair / "Closed.fmu", on_run=told.append)
     assert told == ["ModelExchange: 0 to 1 s", "CoSimulation: 0 to 1 s"]
+
+
+def test_one_model_by_fmi_2_and_3(tmp_path: Path) -> None:
+    """By Co-Simulation. FMI 3 has arrays, binaries and clocks besides, which are no numbers."""
+    fmus = [
+        awkward.build(version, tmp_path / f"{version}.fmu", awkward.compile_library(version, tmp_path))
+        for version in (2, 3)
+    ]
+    (run,) = compare_fmus(*fmus, experiments=[Experiment("", TIME, {"gain": 2.0}, {"u": 3.0})]).runs
+    assert run.interface == "CoSimulation"
+    assert by_name(run)["y"].largest == 0.0
+    assert by_name(run)["steps"].largest == 1000.0, "the one counts 500 steps up, the other down"
+    (alone,) = compare_fmus(fmus[1], fmus[1]).runs
+    assert len(alone.differences) > len(run.differences)
