@@ -85,7 +85,7 @@ def free_oscillation(
         if name in values:
             raise ParameterError(name, values[name], "left out", "a free oscillation starts at rest")
     if fmu is None:
-        law = parameters.damping if isinstance(parameters, JoystickParameters) else ConstantDamping()
+        law = parameters.damping if isinstance(parameters, JoystickParameters) else NOMINAL.damping
         fmu = fmu_of_damping(law)
     with nullcontext(fmu) if isinstance(fmu, Fmu) else Fmu(fmu) as opened:
         require_joystick(opened.description)

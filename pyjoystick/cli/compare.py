@@ -62,6 +62,7 @@ def run(
         ),
     ] = None,
     damping: options.Law = None,
+    parameters: options.Parameters = None,
     assignments: options.Set = None,
     fmu: options.FmuFile = None,
     limit: Annotated[
@@ -178,11 +179,14 @@ def run(
         ):
             if value is not None:
                 raise typer.BadParameter(_TWO_ONLY, param_hint=option)
-        kept = comparisons.with_reference(names[0] if names else None, damping, assignments, request)
+        kept = comparisons.with_reference(
+            names[0] if names else None, damping, parameters, assignments, request
+        )
     else:
         if damping is not None:
             raise typer.BadParameter("the damping laws of given FMUs are their own", param_hint="--damping")
         between = comparisons.BetweenFmus(
+            parameters=parameters,
             settings=options.parse_assignments(assignments or [], "--set"),
             relative_limit=relative_limit,
             cs_limits=options.parse_assignments(cs_limit or [], "--cs-limit"),

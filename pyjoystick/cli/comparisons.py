@@ -15,7 +15,7 @@ from rich.table import Table
 from pyjoystick.cli.console import messages, output, print_note
 from pyjoystick.cli.difference_table import print_differences
 from pyjoystick.cli.fmus import found_or_built
-from pyjoystick.cli.options import DEFAULT_RELEASE_ANGLE, DampingLaw, parse_angle
+from pyjoystick.cli.options import DEFAULT_RELEASE_ANGLE, DampingLaw, law_of, parameter_file, parse_angle
 from pyjoystick.cli.setup import opened
 from pyjoystick.experiments import DEFAULT_DURATION, DEFAULT_OUTPUT_INTERVAL
 from pyjoystick.fmu import FmuDescription, read_description
@@ -69,13 +69,15 @@ class BetweenFmus:
     """What the form for two FMUs understands besides.
 
     Attributes:
-        settings: parameters and inputs of both by name
+        parameters: a parameter file for both
+        settings: parameters and inputs of both by name, which go before the file
         relative_limit: of the variables without a limit of their own; None for the preset one
         cs_limits: what is judged in Co-Simulation
         variables: what is compared; None for the outputs
         inputs: a CSV file
     """
 
+    parameters: Path | None
     settings: Mapping[str, float]
     relative_limit: float | None
     cs_limits: Mapping[str, float]
@@ -84,7 +86,11 @@ class BetweenFmus:
 
 
 def with_reference(
-    name: str | None, damping: DampingLaw | None, assignments: list[str] | None, request: Request
+    name: str | None,
+    damping: DampingLaw | None,
+    parameters: Path | None,
+    assignments: list[str] | None,
+    request: Request,
 ) -> bool:
     """Compare an FMU with the reference and print what came of it; False where a limit is exceeded."""
     check_outputs(request.json)
@@ -92,7 +98,7 @@ def with_reference(
     angles = [parse_angle(DEFAULT_RELEASE_ANGLE)] if request.angles is None else request.angles
     duration = DEFAULT_DURATION if request.duration is None else request.duration
     step = DEFAULT_OUTPUT_INTERVAL if request.output_interval is None else request.output_interval
-    with opened(damping, name, assignments) as (fmu, joystick), messages().status("") as status:
+    with opened(damping, name, assignments, parameters) as (fmu, joystick), messages().status("") as status:
         description = fmu.description
         runs = compare_with_reference(
             description.path,
@@ -120,12 +126,13 @@ def of_two(first: str, second: str, between: BetweenFmus, request: Request) -> b
     """Compare two FMUs and print what came of it; False where a limit is exceeded."""
     check_outputs(request.json)
     paths = found_or_built(first), found_or_built(second)
+    descriptions = [read_description(path) for path in paths]
     experiments = experiments_for(
-        *map(read_description, paths),
+        *descriptions,
         angles=request.angles,
         duration=request.duration,
         output_interval=request.output_interval,
-        settings=between.settings,
+        settings={**_joystick(between, descriptions[0]), **between.settings},
         inputs=None if between.inputs is None else _read_inputs(between.inputs),
     )
     limits = Limits(absolute=request.limits, co_simulation=between.cs_limits)
@@ -144,6 +151,13 @@ def of_two(first: str, second: str, between: BetweenFmus, request: Request) -> b
     _print_comparison(output(), comparison, request.every_run)
     _write_json([comparison.first, comparison.second], comparison.runs, request, comparison.declarations)
     return comparison.within_limits
+
+
+def _joystick(between: BetweenFmus, fmu: FmuDescription) -> Mapping[str, float]:
+    """What the parameter file sets, with the damping law of the FMU."""
+    if between.parameters is None:
+        return {}
+    return parameter_file(between.parameters).with_law(law_of(fmu).value).to_names()
 
 
 def _print_comparison(console: Console, comparison: FmuComparison, every_run: bool) -> None:

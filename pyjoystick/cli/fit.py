@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from pyjoystick.cli.options import DampingLaw
+from pyjoystick.cli.options import DampingLaw, Parameters
 
 EXAMPLES = """
 Examples:
@@ -36,8 +36,13 @@ def run(
     ] = None,
     damping: Annotated[
         DampingLaw | None,
-        typer.Option("--damping", help="Damping law to fit; constant if not given.", show_default=False),
+        typer.Option(
+            "--damping",
+            help="Damping law to fit; that of --parameters or constant if not given.",
+            show_default=False,
+        ),
     ] = None,
+    parameters: Parameters = None,
     target: Annotated[
         Path | None,
         typer.Option(
@@ -67,6 +72,6 @@ def run(
     # SciPy, lmfit and Matplotlib take a while to load, which the other commands need not wait for.
     from pyjoystick.cli.fit_steps import fit_and_show
 
-    code = fit_and_show(records, settings, damping, target, columns, units)
+    code = fit_and_show(records, settings, damping, parameters, target, columns, units)
     if code:
         raise typer.Exit(code)

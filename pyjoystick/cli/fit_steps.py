@@ -12,7 +12,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 
 from pyjoystick.cli.console import messages, output, print_error, print_note
 from pyjoystick.cli.fmus import found_or_built
-from pyjoystick.cli.options import DampingLaw
+from pyjoystick.cli.options import DampingLaw, law_of, parameter_file
 from pyjoystick.fitting import (
     CONSTANT_DAMPING,
     POWER_LAW_DAMPING,
@@ -23,6 +23,7 @@ from pyjoystick.fitting import (
 from pyjoystick.fitting import fit as carry_out
 from pyjoystick.fitting.figures import save_figures
 from pyjoystick.fitting.fit import OnProgress
+from pyjoystick.fitting.joystick_values import with_values
 from pyjoystick.fitting.json_report import as_json
 from pyjoystick.fitting.result import Fit
 from pyjoystick.fitting.settings_file import read_fit_settings, reads_releases
@@ -41,6 +42,7 @@ def fit_and_show(
     paths: Sequence[Path],
     settings_file: Path | None,
     damping: DampingLaw | None,
+    parameters: Path | None,
     folder: Path | None,
     columns: Sequence[str] | None,
     units: Sequence[str] | None,
@@ -49,8 +51,12 @@ def fit_and_show(
     if settings_file is not None:
         settings = read_fit_settings(settings_file, found_or_built)
     else:
-        settings = POWER_LAW_DAMPING if damping is DampingLaw.POWER_LAW else CONSTANT_DAMPING
+        law = damping or DampingLaw(parameter_file(parameters).law)
+        settings = POWER_LAW_DAMPING if law is DampingLaw.POWER_LAW else CONSTANT_DAMPING
     with Fmu(found_or_built(settings.fmu)) as fmu:
+        if parameters is not None:
+            joystick = parameter_file(parameters).with_law(law_of(fmu.description).value)
+            settings = with_values(settings, joystick.to_names(), replace_starts=settings_file is None)
         records = _records(paths, settings, fmu.description, columns, units)
         try:
             with _progress() as tell:

@@ -26,6 +26,7 @@ Examples:
     pyjoystick free-oscillation --csv run.csv --plot run.png
     pyjoystick free-oscillation -a 15deg --damping power-law
     pyjoystick free-oscillation -a -0.3rad -d 3 --set J=0.012 --set b=0.006
+    pyjoystick free-oscillation --parameters joystick.toml
 """
 
 
@@ -33,6 +34,7 @@ def run(
     release_angle: options.ReleaseAngle = options.DEFAULT_RELEASE_ANGLE,
     duration: options.Duration = experiments.DEFAULT_DURATION,
     damping: options.Law = None,
+    parameters_file: options.Parameters = None,
     assignments: options.Set = None,
     fmu: options.FmuFile = None,
     csv: Annotated[
@@ -60,7 +62,10 @@ def run(
 
         check_figure_path(plot)
     check_outputs(csv, plot)
-    with opened(damping, fmu, assignments) as (joystick, parameters), messages().status("simulating"):
+    with (
+        opened(damping, fmu, assignments, parameters_file) as (joystick, parameters),
+        messages().status("simulating"),
+    ):
         table = experiments.free_oscillation(
             start,
             fmu=joystick,

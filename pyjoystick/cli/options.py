@@ -5,13 +5,14 @@ from __future__ import annotations
 import math
 import re
 from enum import StrEnum
+from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from pyjoystick.errors import ParameterError
-from pyjoystick.fmu import Fmu
-from pyjoystick.parameters import NOMINAL, NOMINAL_POWER_LAW, JoystickParameters
+from pyjoystick.fmu import FmuDescription
+from pyjoystick.parameters import PAPER, JoystickParameters, ParameterFile, read_parameter_file
 
 _ANGLE = re.compile(r"(?P<number>[-+0-9.eE]+)\s*(?P<unit>deg|rad|)")
 
@@ -71,22 +72,34 @@ def parse_assignments(texts: list[str], option: str) -> dict[str, float]:
     return values
 
 
-def joystick_of(law: DampingLaw, changes: dict[str, float]) -> JoystickParameters:
-    """The paper's joystick with a damping law and some parameters changed.
+def parameter_file(path: Path | None) -> ParameterFile:
+    """The file of --parameters; the paper's where none is given.
+
+    Raises:
+        InputFileError, SettingsError: the file cannot be used
+    """
+    return PAPER if path is None else read_parameter_file(path)
+
+
+def joystick_of(
+    law: DampingLaw | None, changes: dict[str, float], file: ParameterFile = PAPER
+) -> JoystickParameters:
+    """The joystick of a parameter file with a damping law, its own where None, and some parameters changed.
 
     Raises:
         UnknownParameterError, ParameterError: a name or value is not allowed
+        SettingsError: the file has no numbers of that damping law
     """
     for name in ("theta_start", "omega_start"):
         if name in changes:
             raise ParameterError(name, changes[name], "left out", "the release is --release-angle, from rest")
-    nominal = NOMINAL if law is DampingLaw.CONSTANT else NOMINAL_POWER_LAW
-    return nominal.replace(changes)
+    joystick = file.joystick if law is None else file.with_law(law.value)
+    return joystick.replace(changes)
 
 
-def law_of(fmu: Fmu) -> DampingLaw:
+def law_of(fmu: FmuDescription) -> DampingLaw:
     """The damping law that an FMU's parameters belong to."""
-    has_power_law = "damping.alpha" in fmu.description.variables
+    has_power_law = "damping.alpha" in fmu.variables
     return DampingLaw.POWER_LAW if has_power_law else DampingLaw.CONSTANT
 
 
@@ -105,7 +118,20 @@ Duration = Annotated[float, typer.Option("--duration", "-d", metavar="SECONDS", 
 Law = Annotated[
     DampingLaw | None,
     typer.Option(
-        "--damping", help="Damping law; constant if neither this nor --fmu is given.", show_default=False
+        "--damping",
+        help="Damping law; that of --parameters if neither this nor --fmu is given, constant without a file.",
+        show_default=False,
+    ),
+]
+Parameters = Annotated[
+    Path | None,
+    typer.Option(
+        "--parameters",
+        "-p",
+        metavar="FILE",
+        help="The joystick, a TOML file as `pyjoystick parameters` writes it; the paper's if not given. "
+        "--set and --damping go before it.",
+        show_default=False,
     ),
 ]
 Set = Annotated[

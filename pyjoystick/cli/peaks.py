@@ -46,6 +46,7 @@ def run(
         str | None,
         typer.Option(metavar="SIDE", help="forward or backward: other records are refused."),
     ] = None,
+    parameters: options.Parameters = None,
     assignments: options.Set = None,
     plot: Annotated[
         Path | None,
@@ -59,7 +60,9 @@ def run(
         from pyjoystick.plots import check_figure_path
 
         check_figure_path(plot)
-    joystick = NOMINAL.replace(options.parse_assignments(assignments or [], "--set"))
+    joystick = options.joystick_of(
+        None, options.parse_assignments(assignments or [], "--set"), options.parameter_file(parameters)
+    )
     found = read_repeats(
         records,
         columns=_named(columns, "--column"),

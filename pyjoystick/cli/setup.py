@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 
 import typer
 
 from pyjoystick.cli.fmus import found_or_built
-from pyjoystick.cli.options import DampingLaw, joystick_of, law_of, parse_assignments
+from pyjoystick.cli.options import DampingLaw, joystick_of, law_of, parameter_file, parse_assignments
 from pyjoystick.experiments import fmu_of_damping
 from pyjoystick.fmu import Fmu
 from pyjoystick.parameters import JoystickParameters
@@ -16,16 +17,17 @@ from pyjoystick.parameters import JoystickParameters
 
 @contextmanager
 def opened(
-    law: DampingLaw | None, fmu: str | None, assignments: list[str] | None
+    law: DampingLaw | None, fmu: str | None, assignments: list[str] | None, parameters: Path | None = None
 ) -> Iterator[tuple[Fmu, JoystickParameters]]:
-    """The FMU that the options name and the joystick that it is to be: the paper's, with the changes."""
+    """The FMU that the options name, and the joystick that it is to be: a file's or the paper's, changed."""
+    file = parameter_file(parameters)
     changes = parse_assignments(assignments or [], "--set")
     if law is not None and fmu is not None:
         raise typer.BadParameter("give --damping or --fmu: the damping law of a given FMU is its own")
     if fmu is None:
-        joystick = joystick_of(law or DampingLaw.CONSTANT, changes)
+        joystick = joystick_of(law, changes, file)
         with Fmu(found_or_built(fmu_of_damping(joystick.damping))) as opened_fmu:
             yield opened_fmu, joystick
     else:
         with Fmu(found_or_built(fmu)) as opened_fmu:
-            yield opened_fmu, joystick_of(law_of(opened_fmu), changes)
+            yield opened_fmu, joystick_of(law_of(opened_fmu.description), changes, file)

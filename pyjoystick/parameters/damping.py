@@ -19,7 +19,7 @@ class ConstantDamping:
         ParameterError: C is not finite or negative
     """
 
-    C: float = 0.045
+    C: float
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "C", checks.not_negative("C", self.C, "N.m.s/rad"))
@@ -44,13 +44,13 @@ class PowerLawDamping:
         ParameterError: a value is not finite or outside its range
     """
 
-    alpha: float = 0.9
-    A_pos: float = 0.086
-    n_pos: float = 0.084
-    A_neg: float = 0.032
-    n_neg: float = -0.23
-    B: float = 0.051
-    m: float = -0.26
+    alpha: float
+    A_pos: float
+    n_pos: float
+    A_neg: float
+    n_neg: float
+    B: float
+    m: float
     eps_theta: float = 1e-4
     eps_omega: float = 1e-3
 

@@ -25,6 +25,7 @@ from pyjoystick.fmu.values import Value, checked_parameters
 from pyjoystick.sweeps.amounts import value_of
 from pyjoystick.sweeps.design import METHODS, Sampling
 from pyjoystick.sweeps.input_series import read_inputs
+from pyjoystick.sweeps.joystick_file import values_from_joystick_file
 from pyjoystick.sweeps.result_settings import read_results
 from pyjoystick.sweeps.variation_settings import read_variation
 from pyjoystick.sweeps.variations import Variation
@@ -79,6 +80,7 @@ def read_settings(path: Path, find: Callable[[str], Path] = find_fmu) -> Setting
     """
     root = read_toml(path)
     fmu = _fmu(root, find)
+    joystick = _joystick(root, fmu)
     experiment = root.table("experiment")
     time = _time(experiment, fmu)
     tolerance = _tolerance(experiment, fmu)
@@ -86,6 +88,7 @@ def read_settings(path: Path, find: Callable[[str], Path] = find_fmu) -> Setting
     inputs = read_inputs(fmu, experiment, constants)
     parameters = _parameters(root.table("parameters"), fmu)
     varied = _varied(root.table("vary", required=True), fmu, parameters)
+    parameters = {name: value for name, value in joystick.items() if name not in varied} | parameters
     settings = Settings(
         path=path,
         title=root.text("title", ""),
@@ -107,9 +110,16 @@ def read_settings(path: Path, find: Callable[[str], Path] = find_fmu) -> Setting
 def _fmu(root: Table, find: Callable[[str], Path]) -> FmuDescription:
     table = root.table("fmu", required=True)
     name = table.text("path")
-    table.finish()
     path = name if name in MODELS else str(root.path.parent / name)
     return read_description(find(path))
+
+
+def _joystick(root: Table, fmu: FmuDescription) -> dict[str, Value]:
+    table = root.table("fmu")
+    table.optional("path")
+    values = values_from_joystick_file(table, fmu)
+    table.finish()
+    return values
 
 
 def _time(experiment: Table, fmu: FmuDescription) -> FloatArray:

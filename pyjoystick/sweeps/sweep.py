@@ -83,6 +83,7 @@ class Sweep:
                 "guid": fmu.guid,
                 "sha256": self.fmu_sha256,
             },
+            "parameters": self.settings.parameters,
             "runs": len(self.design),
             "runs_sha256": digest(self.design),
             "inputs_sha256": digest(inputs.reset_index()) if isinstance(inputs, pd.DataFrame) else "",

@@ -1,12 +1,12 @@
 from __future__ import annotations
 
+import dataclasses
 import math
-from typing import Any
 
 import pytest
 
 from pyjoystick.errors import ParameterError
-from pyjoystick.parameters import ConstantDamping, PowerLawDamping
+from pyjoystick.parameters import NOMINAL_POWER_LAW, ConstantDamping, PowerLawDamping
 
 
 @pytest.mark.parametrize("value", [-0.01, math.nan, math.inf])
@@ -31,18 +31,18 @@ def test_a_constant_coefficient_out_of_range_is_refused(value: float) -> None:
     ],
 )
 def test_a_power_law_value_out_of_range_is_refused(name: str, value: float) -> None:
-    arguments: dict[str, Any] = {name: value}
     with pytest.raises(ParameterError, match=f"^{name} = "):
-        PowerLawDamping(**arguments)
+        dataclasses.replace(NOMINAL_POWER_LAW.damping, **{name: value})
 
 
 def test_the_weights_add_up_to_one() -> None:
-    law = PowerLawDamping(alpha=0.7)
+    law = NOMINAL_POWER_LAW.replace({"damping.alpha": 0.7}).damping
+    assert isinstance(law, PowerLawDamping)
     assert law.alpha + law.beta == 1.0
-    assert PowerLawDamping(alpha=1).beta == 0.0
+    assert dataclasses.replace(law, alpha=1).beta == 0.0
 
 
 def test_a_law_is_frozen() -> None:
-    law = ConstantDamping()
+    law = ConstantDamping(C=0.045)
     with pytest.raises(AttributeError):
         law.C = 0.1  # type: ignore[misc]

@@ -13,7 +13,6 @@ from pyjoystick.parameters import (
     NOMINAL_POWER_LAW,
     ConstantDamping,
     JoystickParameters,
-    PowerLawDamping,
 )
 from pyjoystick.reference import (
     contact_force,
@@ -82,7 +81,7 @@ def test_constant_damping_fills_the_shape_of_the_motion() -> None:
 
 
 def test_power_law_by_hand_far_from_zero() -> None:
-    law = PowerLawDamping(alpha=0.9)
+    law = NOMINAL_POWER_LAW.damping
     forward = 0.9 * 0.086 * 0.2**0.084 + 0.1 * 0.051 * 5.0**-0.26
     backward = 0.9 * 0.032 * 0.2**-0.23 + 0.1 * 0.051 * 5.0**-0.26
     # Rounding off changes |theta| by eps^2/(2*theta^2) = 1.25e-7 of itself, and C by a quarter of that.
@@ -92,7 +91,7 @@ def test_power_law_by_hand_far_from_zero() -> None:
 
 
 def test_power_law_at_zero_is_finite() -> None:
-    law = PowerLawDamping(alpha=0.5)
+    law = NOMINAL_POWER_LAW.replace({"damping.alpha": 0.5}).damping
     expected = 0.5 * 0.086 * 1e-4**0.084 + 0.5 * 0.051 * 1e-3**-0.26
     assert damping_coefficient(law, 0.0, 0.0) == pytest.approx(expected, rel=1e-14)
 
