@@ -25,10 +25,10 @@ def _request(*types: FmiType, version: str = "2.0") -> BuildRequest:
     [(("me",), "me"), (("cs",), "cs"), (("me", "cs"), "me_cs"), (("cs", "me"), "me_cs")],
 )
 def test_the_call(types: tuple[FmiType, ...], fmu_type: str) -> None:
-    asked = statements(_request(*types), [Path("/lib/package.mo")], Path("/work"), "cvode")
+    asked = statements(_request(*types), [Path("/lib/package.mo")], Path("/build"), "cvode")
     assert list(asked.values()) == [
         "getVersion()",
-        'cd("/work")',
+        'cd("/build")',
         *(['setCommandLineOptions("--fmiFlags=s:cvode")'] if "cs" in types else []),
         'loadFile("/lib/package.mo")',
         f'buildModelFMU({JOYSTICK}, version="2.0", fmuType="{fmu_type}", fileNamePrefix="Joystick", '
@@ -39,9 +39,9 @@ def test_the_call(types: tuple[FmiType, ...], fmu_type: str) -> None:
 def test_names_that_need_care() -> None:
     files = [Path('/a "b"/Ü.mo'), Path("/c")]
     request = BuildRequest("P.'a b'", Path("out"), fmi_version="3.0")
-    asked = list(statements(request, files, Path("/work dir"), "euler").values())
+    asked = list(statements(request, files, Path("/build dir"), "euler").values())
     assert asked[1:5] == [
-        'cd("/work dir")',
+        'cd("/build dir")',
         'setCommandLineOptions("--fmiFlags=s:euler")',
         'loadFile("/a \\"b\\"/Ü.mo")',
         'loadFile("/c")',
@@ -55,7 +55,7 @@ def test_a_solver_that_is_not_offered_is_no_failure() -> None:
         "version": Answer('"OMCompiler v1.14.2"', ()),
         "solver": Answer("false", read_messages(recorded.UNKNOWN_OPTION)),
         "load x": Answer("true", ()),
-        "build": Answer('"/work/Joystick.fmu"', read_messages(recorded.WARNINGS)),
+        "build": Answer('"/build/Joystick.fmu"', read_messages(recorded.WARNINGS)),
     }
     attempt = read_attempt(answers)
     assert (attempt.version, attempt.solver_offered) == ("1.14.2", False)

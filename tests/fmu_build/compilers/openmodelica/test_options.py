@@ -17,8 +17,8 @@ def test_none_given() -> None:
 
 
 def test_values() -> None:
-    given = {"port-file": "/tmp/p", "timeout": "2.5", "cs-solver": "euler"}
-    assert read_options(given) == Options(port_file=Path("/tmp/p"), timeout=2.5, cs_solver="euler")
+    given = {"port-file": "/run/p", "timeout": "2.5", "cs-solver": "euler"}
+    assert read_options(given) == Options(port_file=Path("/run/p"), timeout=2.5, cs_solver="euler")
     assert read_options({"omc": "here"}).omc == Path("here")
     assert read_options({"docker": "image:1"}).docker == "image:1"
 
