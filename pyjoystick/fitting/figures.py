@@ -101,11 +101,11 @@ def plot_residuals(fit: Fit) -> Figure:
 
 
 def plot_profiles(fit: Fit) -> Figure:
-    """The profile of each shared parameter; the dashed line is the linear approximation."""
+    """The profile of each shared parameter in standard deviations of the noise, the linear one dashed."""
     count = len(fit.profiles)
     columns = min(count, _COLUMNS)
     rows = math.ceil(count / columns)
-    figure = Figure(figsize=(2.6 * columns + 0.4, 2.3 * rows + 0.4), layout="constrained")
+    figure = Figure(figsize=(2.6 * columns + 0.8, 2.6 * rows + 0.4), layout="constrained")
     grid = figure.subplots(rows, columns, squeeze=False).ravel()
     quantile = fit.standard_errors.quantile
     for axes, (j, profile) in zip(grid, fit.profiles.items(), strict=False):
@@ -122,7 +122,7 @@ def plot_profiles(fit: Fit) -> Figure:
         _dress(axes)
     for axes in grid[count:]:
         axes.set_visible(False)
-    figure.supylabel("Distance from the best fit (standard deviations)", fontsize="small")
+    figure.supylabel("Distance from the best fit", fontsize="small")
     return figure
 
 

@@ -13,10 +13,13 @@ from pyjoystick.fitting.problem import Problem
 from pyjoystick.fitting.search import search
 from pyjoystick.fitting.uncertainty import StandardErrors
 
-#: Points on either side, in half-widths of the linear interval; more are added until the quantile is passed.
-_POINTS: Final = (0.5, 0.85, 1.0, 1.15)
-_MOST_POINTS: Final = 12
-_GROWTH: Final = 1.5
+#: The first step on either side, in half-widths of the linear interval.
+_FIRST_STEP: Final = 0.55
+#: A step is to make the distance grow by this part of the quantile; more than the second is too much.
+_GROWTH: Final = 0.55
+_LARGEST_GROWTH: Final = 0.9
+_SHORTER: Final = 0.35
+_MOST_POINTS: Final = 14
 _EVALUATIONS: Final = 40
 #: Change of the sum of squares, in parts of it, at which a search ends.
 _TOLERANCE: Final = 1e-6
@@ -99,31 +102,39 @@ def _side(
 ) -> tuple[list[tuple[float, float]], float, bool]:
     """From the best value outward, until the quantile is passed or a bound is met.
 
+    A step that makes the distance grow by too much is taken back and shortened: the search over the others
+    has then begun too far away, or the interval would be interpolated over too wide a gap.
+
     Returns:
         values and distances; the least sum of squares; whether every search ended by itself
     """
     found: list[tuple[float, float]] = []
     least, converged = cost, True
-    near, nearest = x, float(x[variable])
-    factor = 0.0
-    for number in range(_MOST_POINTS):
-        factor = _POINTS[number] if number < len(_POINTS) else factor * _GROWTH
-        value = float(x[variable] + sign * factor * first)
+    near, nearest, distance = x, float(x[variable]), 0.0
+    step = _FIRST_STEP * first
+    for _ in range(_MOST_POINTS):
+        value = nearest + sign * step
         at_bound = sign * (value - bound) >= 0.0
         value = bound if at_bound else value
-        if found and value == found[-1][0]:
-            break
+        if value == nearest:
+            return found, least, converged
         begin = np.clip(near + slope * (value - nearest), problem.variables.lower, problem.variables.upper)
         minimum = search(
             problem, begin, evaluations=_EVALUATIONS, held={variable: value}, tolerance=_TOLERANCE
         )
+        reached = float(np.sqrt(max(minimum.cost - cost, 0.0)))
+        growth = (reached - distance) / quantile
+        if growth > _LARGEST_GROWTH:
+            step = _SHORTER * abs(value - nearest)
+            continue
         slope = (minimum.x - near) / (value - nearest)
-        near, nearest = minimum.x, value
+        near, nearest, distance = minimum.x, value, reached
         least, converged = min(least, minimum.cost), converged and minimum.converged
-        found.append((value, sign * float(np.sqrt(max(minimum.cost - cost, 0.0)))))
-        if at_bound or (abs(found[-1][1]) > quantile and number + 1 >= len(_POINTS) - 1):
-            break
-    return found, least, converged
+        found.append((value, sign * reached))
+        if at_bound or reached > quantile:
+            return found, least, converged
+        step *= float(np.clip(_GROWTH / max(growth, 1e-3), 0.5, 2.0))
+    return found, least, False
 
 
 def _end(points: list[tuple[float, float]], wanted: float) -> float:
