@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from typing import Any, Final
+from typing import Any
 
 import numpy as np
 from fmpy.fmi1 import FMICallException
@@ -13,9 +13,7 @@ from fmpy.fmi1 import FMICallException
 from pyjoystick.fmu.description import FmuDescription
 from pyjoystick.fmu.errors import FmuRunError
 from pyjoystick.fmu.log import FmuLog
-from pyjoystick.fmu.stepping.program import BETWEEN_RUNS, FATAL, POINT, Workspace
-
-_FLAGS: Final = 32
+from pyjoystick.fmu.stepping.program import BETWEEN_RUNS, FATAL, FLAGS_SIZE, POINT, Workspace
 
 
 @dataclass(slots=True)
@@ -42,7 +40,7 @@ class Instance:
     def workspace(self, raw_size: int) -> Workspace:
         """Memory for the compiled loop, with room for so many bytes of samples."""
         if self._workspace is None or self._workspace.raw.size != raw_size:
-            raw, flags = np.zeros(raw_size, np.uint8), np.zeros(_FLAGS, np.uint8)
+            raw, flags = np.zeros(raw_size, np.uint8), np.zeros(FLAGS_SIZE, np.uint8)
             address = int(self.fmi.component)
             place = self.log.place
             place[POINT] = BETWEEN_RUNS

@@ -12,14 +12,18 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from benchmarks import batches
+from benchmarks.batches import BatchRow, measure_batches
 from benchmarks.build import UnpackedFmu, compile_programs, unpack
 from benchmarks.c_programs import fmu_loop, hand_written
 from benchmarks.contender import Contender, as_accurate
+from benchmarks.equation_of_motion import right_hand_side
 from benchmarks.errors import BenchmarkError
 from benchmarks.measurement import Row, measure
-from benchmarks.python_runs import fmpy_run, reference_run
+from benchmarks.python_runs import compiled_run, fmpy_run, reference_run, scipy_run
 from benchmarks.report import as_json, as_markdown
 from benchmarks.task import INTERVALS, PARAMETERS, RELEASE, Law, reference_theta, sample_times
+from pyjoystick.fmu import Fmu, Plan
 from pyjoystick.reference import simulate
 
 LAW: Law = "constant"
@@ -58,12 +62,16 @@ def test_yardstick_samples_omega_and_alpha(programs: dict[str, Path], tmp_path: 
 
 
 def test_bare_loop_and_fmpy_give_same_result(
-    programs: dict[str, Path], fmu: UnpackedFmu, tmp_path: Path
+    programs: dict[str, Path], fmu: UnpackedFmu, joystick_fmus: Path, tmp_path: Path
 ) -> None:
     loop = fmu_loop(programs["fmu_loop"], fmu, LAW, 1e-8, tmp_path)
     fmpy = fmpy_run(fmu, LAW, "CoSimulation", 1e-8)
     np.testing.assert_allclose(loop.theta(RELEASE), fmpy.theta(RELEASE), rtol=0.0, atol=1e-12)
     assert loop.error() < 1e-7
+    with Fmu(joystick_fmus / "Joystick.fmu") as opened:
+        compiled = compiled_run(opened, LAW, 1e-8)
+        np.testing.assert_allclose(compiled.theta(RELEASE), fmpy.theta(RELEASE), rtol=0.0, atol=1e-12)
+        assert compiled.seconds() > 0.0
     assert loop.evaluations is not None
     assert loop.evaluations > 1000
 
@@ -100,6 +108,45 @@ def test_reference_row_counts_evaluations() -> None:
     assert row.error() < 1e-10
 
 
+@pytest.mark.parametrize("law", ["constant", "power-law"])
+def test_equation_for_scipy_is_that_of_the_reference(law: Law) -> None:
+    truth = simulate(PARAMETERS[law], time=sample_times(INTERVALS), theta_start=RELEASE)
+    derivatives = [
+        right_hand_side(PARAMETERS[law])(0.0, state) for state in np.column_stack([truth.theta, truth.omega])
+    ]
+    np.testing.assert_allclose(derivatives, np.column_stack([truth.omega, truth.alpha]), rtol=1e-9, atol=1e-9)
+
+
+def test_scipy_row_converges_and_counts_evaluations() -> None:
+    coarse, fine = scipy_run(LAW, 1e-7), scipy_run(LAW, 1e-10)
+    assert fine.error() < 0.1 * coarse.error() < 1e-4
+    assert fine.evaluations is not None
+    assert fine.evaluations > 1000
+
+
+def test_batches(joystick_fmus: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for name, runs in (("RUNS", 30), ("FEW_RUNS", 20), ("MANY_RUNS", 40)):
+        monkeypatch.setattr(batches, name, runs)
+    rounds: list[int] = []
+    rows = measure_batches(joystick_fmus / "Joystick.fmu", 2, lambda: rounds.append(1))
+    assert len(rounds) == 2
+    assert [(row.runs, row.threads) for row in rows] == [(30, 1), (30, 2), (20, 2), (40, 2)]
+    assert all(row.rate > 0.0 for row in rows)
+    assert rows[1].speedup is not None
+    assert rows[3].memory is None or rows[3].memory < 100.0
+
+
+def test_a_failing_batch_stops_the_benchmark(joystick_fmus: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def refusing(fmu: Fmu) -> Plan:
+        names = ("theta_start", "forward.balanceSpring.x_0")
+        return fmu.plan([0.0, 0.1], varied=names, outputs=("theta", "omega", "alpha"))
+
+    monkeypatch.setattr(batches, "prepared", refusing)
+    monkeypatch.setattr(batches, "random_joysticks", lambda runs: np.zeros((runs, 2)))
+    with pytest.raises(BenchmarkError, match="a run of the batch failed: "):
+        measure_batches(joystick_fmus / "Joystick.fmu", 2, lambda: None)
+
+
 def _fake(tolerance: float, seconds: list[float]) -> Contender:
     times = cycle(seconds)
     return Contender(
@@ -124,30 +171,37 @@ def test_unreachable_accuracy_is_not_claimed() -> None:
 
 def test_ratios_are_taken_within_a_round() -> None:
     rounds = []
-    rows = measure(
-        [_fake(1e-9, [1.0, 10.0, 2.0]), _fake(2e-9, [3.0, 30.0, 6.0])], 3, lambda: rounds.append(1)
-    )
+    contenders = [
+        _fake(1e-9, [1.0, 10.0, 2.0]),
+        _fake(2e-9, [3.0, 30.0, 6.0]),
+        _fake(1e-9, [6.0, 60.0, 12.0]),
+    ]
+    rows = measure(contenders, 3, lambda: rounds.append(1))
     assert len(rounds) == 3
-    assert [row.ratio for row in rows] == [1.0, 3.0]
-    assert [row.ratio_to_second for row in rows] == [1.0 / 3.0, 1.0]
+    assert [row.ratio for row in rows] == [1.0, 3.0, 6.0]
+    assert [row.ratio_to_second for row in rows] == [1.0 / 3.0, 1.0, 2.0]
+    assert [row.ratio_to_third for row in rows] == [1.0 / 6.0, 0.5, 1.0]
     assert rows[1].ratio_spread == (3.0, 3.0)
     assert rows[1].milliseconds == 6000.0
     assert rows[1].error == pytest.approx(2e-8, rel=1e-6)
 
 
-ROW = Row("a run", 1e-8, 0.25, 2.0, (1.9, 2.1), 0.5, 3e-9, None)
+ROW = Row("a run", 1e-8, 0.25, 2.0, (1.9, 2.1), 0.5, 0.4, 3e-9, None)
+BATCH = BatchRow(1000, 2, 1800.4, 1.9, (1.85, 1.95))
 
 
 def test_table() -> None:
-    lines = as_markdown({LAW: [ROW]}).splitlines()
+    lines = as_markdown({LAW: [ROW]}, [BATCH, BatchRow(10, 2, 1700.0, memory=0.31)]).splitlines()
     assert lines[0] == "## Damping law: constant"
-    assert lines[-1] == "| a run | 1.0e-08 | 0.25 | 3.0e-09 |  | 2 (1.9 to 2.1) | 0.5 |"
+    assert lines[4] == "| a run | 1.0e-08 | 0.25 | 3.0e-09 |  | 2 (1.9 to 2.1) | 0.5 | 0.4 |"
+    assert lines[-2:] == ["| 1000 | 2 | 1800 | 1.9 (1.85 to 1.95) |  |", "| 10 | 2 | 1700 |  | 0.31 |"]
 
 
 def test_json() -> None:
-    row = json.loads(as_json({LAW: [ROW]}))["laws"][LAW][0]
-    assert row["ratio"] == 2.0
-    assert row["evaluations"] is None
+    document = json.loads(as_json({LAW: [ROW]}, [BATCH]))
+    assert document["laws"][LAW][0]["ratio"] == 2.0
+    assert document["laws"][LAW][0]["evaluations"] is None
+    assert document["batches"][0]["speedup"] == 1.9
 
 
 @pytest.mark.parametrize(

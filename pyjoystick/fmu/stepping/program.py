@@ -28,8 +28,12 @@ UNFINISHED: Final = 104
 # Places in an array of integers that the kernel keeps up to date: the run, the communication point that was
 # reached (`BETWEEN_RUNS` where none is under way), the number of samples taken, the function called last.
 RUN, POINT, SAMPLES, FUNCTION = range(4)
-PLACE_SIZE: Final = 4
+#: 128 bytes: two threads that write to one cache line in every step would slow each other down.
+PLACE_SIZE: Final = 16
 BETWEEN_RUNS: Final = -1
+
+#: Bytes for what fmi3DoStep tells, a cache line of their own.
+FLAGS_SIZE: Final = 128
 
 # How values of an FMU are stored. A whole number or a Boolean has four times its bytes and what it is.
 FLOAT64, FLOAT32, TEXT = range(3)
@@ -115,7 +119,7 @@ class Workspace(NamedTuple):
         place: where it is, shape (PLACE_SIZE,)
         raw: samples of one run as the FMU stores them, shape (samples * outputs_stride,)
         raw_address: of `raw`
-        flags: what fmi3DoStep tells, shape (32,)
+        flags: what fmi3DoStep tells, shape (FLAGS_SIZE,)
         flags_address: of `flags`
     """
 
