@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from pyjoystick.cli import compare, fit, free_oscillation, info, parameters, peaks, sweep
+from pyjoystick.cli import compare, fit, free_oscillation, imports, info, parameters, peaks, sweep
 from pyjoystick.cli.console import print_error, print_traceback
 from pyjoystick.errors import PyJoystickError
 from pyjoystick.versions import version_of
@@ -26,6 +26,7 @@ app.command("free-oscillation", epilog=free_oscillation.EXAMPLES)(free_oscillati
 app.command("compare", epilog=compare.EXAMPLES)(compare.run)
 app.command("info", epilog=info.EXAMPLES)(info.run)
 app.command("fit", epilog=fit.EXAMPLES)(fit.run)
+app.add_typer(imports.app, name="import")
 app.command("parameters", epilog=parameters.EXAMPLES)(parameters.run)
 app.command("peaks", epilog=peaks.EXAMPLES)(peaks.run)
 app.command("sweep", epilog=sweep.EXAMPLES)(sweep.run)

@@ -1,0 +1,114 @@
+"""``pyjoystick import markers``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from pyjoystick.cli import chain_options
+from pyjoystick.cli.chain_options import PAPER, chain_of
+from pyjoystick.cli.console import output, print_note
+from pyjoystick.measurements.angle import measure_angle
+from pyjoystick.measurements.motion_files import write_motion, write_record
+from pyjoystick.measurements.reading import read_markers
+from pyjoystick.measurements.report import chain_report, markers_report
+from pyjoystick.output import check_outputs
+from pyjoystick.records import check_free_oscillation
+
+EXAMPLES = """
+Examples:
+
+    pyjoystick import markers trial1.c3d --top TOP --base BASE1 BASE2 --output trial1.csv
+
+    pyjoystick import markers nexus.csv --top TOP --base BASE1 BASE2 --forward -y --released backward
+    --output trial1.csv --motion motion1.csv
+
+The record has the angle as measured, which `pyjoystick peaks` and `pyjoystick fit` want: the filter of the
+chain lowers the peaks of the velocity and makes the noise of neighboring samples alike. The motion is what
+the chain gives: angle, velocity and acceleration.
+"""
+
+
+def run(
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="C3D, Nexus CSV or plain CSV.")],
+    top: Annotated[str, typer.Option("--top", metavar="NAME", help="Marker on top of the joystick.")],
+    base: Annotated[
+        tuple[str, str], typer.Option("--base", metavar="NAME NAME", help="The two markers on the base.")
+    ],
+    record_file: Annotated[
+        Path, typer.Option("--output", "-o", metavar="FILE", help="Where the record goes: time and angle.")
+    ],
+    motion_file: Annotated[
+        Path | None, typer.Option("--motion", metavar="FILE", help="Where the filtered motion goes.")
+    ] = None,
+    forward: Annotated[
+        str, typer.Option("--forward", metavar="AXIS", help="Axis that points forward: x, -x, y, -y, z, -z.")
+    ] = "x",
+    up: Annotated[
+        str | None,
+        typer.Option(
+            "--up", metavar="AXIS", help="Axis in the plane of motion, where this is not to be found."
+        ),
+    ] = None,
+    middle: Annotated[
+        bool, typer.Option("--middle", help="The pivot is the middle of the base, not the center of the arc.")
+    ] = False,
+    moving_base: Annotated[
+        bool, typer.Option("--moving-base", help="Take the angle relative to the base in each frame.")
+    ] = False,
+    rest: Annotated[
+        tuple[float, float] | None,
+        typer.Option(
+            "--rest", metavar="START END", help="Stretch at rest (s); the last 0.25 s if not given."
+        ),
+    ] = None,
+    released: Annotated[
+        str | None,
+        typer.Option("--released", metavar="SIDE", help="forward or backward: other records are refused."),
+    ] = None,
+    unit: Annotated[
+        str | None, typer.Option("--unit", metavar="UNIT", help="m, cm or mm, where the file does not say.")
+    ] = None,
+    rate: chain_options.Rate = PAPER.rate,
+    cutoff: chain_options.Cutoff = PAPER.low_pass.cutoff,
+    order: chain_options.Order = PAPER.low_pass.order,
+    corrected: chain_options.Corrected = False,
+    longest_gap: chain_options.LongestGap = PAPER.longest_gap,
+    velocity_points: chain_options.VelocityPoints = PAPER.velocity_points,
+    acceleration_points: chain_options.AccelerationPoints = PAPER.acceleration_points,
+) -> None:
+    """Make a record of the joystick's angle from motion capture (section 2 of the paper)."""
+    if released not in (None, "forward", "backward"):
+        raise typer.BadParameter(f"{released!r} must be forward or backward", param_hint="--released")
+    chain = chain_of(rate, cutoff, order, corrected, longest_gap, velocity_points, acceleration_points)
+    check_outputs(record_file, motion_file)
+    markers = read_markers(file, unit=unit)
+    measured = measure_angle(
+        markers,
+        top=top,
+        base=base,
+        forward=forward,
+        up=up,
+        origin="middle" if middle else "arc",
+        base_motion="moving" if moving_base else "still",
+        rest=rest,
+    )
+    record = measured.record(record_file.stem)
+    if released is not None:
+        record = check_free_oscillation(record, released=released)  # type: ignore[arg-type]  # checked above
+    for note in record.notes:
+        print_note(f"{file}: {note}")
+    motion = chain.run(measured.time, measured.theta)
+    origin = f"angle from {file.name}: top {top}, base {base[0]} and {base[1]}, forward {forward}"
+    write_record(record, record_file, [origin])
+    print_note(f"wrote {record_file}")
+    if motion_file is not None:
+        filtered = f"filtered at {cutoff:g} Hz, order {order}, forward and reverse, {rate:g} Hz"
+        write_motion(motion, motion_file, [origin, filtered])
+        print_note(f"wrote {motion_file}")
+    console = output()
+    console.print(markers_report(markers, (top, *base), measured))
+    console.print()
+    console.print(chain_report(chain, motion))

@@ -1,0 +1,16 @@
+"""``pyjoystick import``: measurements from a laboratory's own files."""
+
+from __future__ import annotations
+
+import typer
+
+from pyjoystick.cli import import_accelerometer, import_markers
+
+app = typer.Typer(
+    add_completion=False,
+    no_args_is_help=True,
+    rich_markup_mode="markdown",
+    help="Make records from a laboratory's own files.",
+)
+app.command("markers", epilog=import_markers.EXAMPLES)(import_markers.run)
+app.command("accelerometer", epilog=import_accelerometer.EXAMPLES)(import_accelerometer.run)
