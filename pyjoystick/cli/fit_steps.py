@@ -7,12 +7,11 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Final
 
-import typer
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
 from pyjoystick.cli.console import messages, output, print_error, print_note
 from pyjoystick.cli.fmus import found_or_built
-from pyjoystick.cli.options import DampingLaw, law_of, parameter_file
+from pyjoystick.cli.options import DampingLaw, law_of, parameter_file, parse_names
 from pyjoystick.fitting import (
     CONSTANT_DAMPING,
     POWER_LAW_DAMPING,
@@ -80,22 +79,13 @@ def _records(
     if not reads_releases(settings):
         names = (*settings.outputs, *settings.inputs)
         return [read_table_record(path, names, fmu) for path in paths]
-    records = read_repeats(paths, columns=_named(columns, "--column"), units=_named(units, "--unit"))
+    records = read_repeats(
+        paths, columns=parse_names(columns, "--column"), units=parse_names(units, "--unit")
+    )
     for record in records:
         for note in record.notes:
             print_note(f"{record.name}: {note}")
     return records
-
-
-def _named(texts: Sequence[str] | None, option: str) -> dict[str, str]:
-    """Names and what they stand for from texts such as ``theta=Angle``."""
-    found = {}
-    for text in texts or []:
-        name, sign, value = (part.strip() for part in text.partition("="))
-        if not (name and sign and value):
-            raise typer.BadParameter(f"{text!r} must be NAME=TEXT", param_hint=option)
-        found[name] = value
-    return found
 
 
 def _show(found: Fit, folder: Path | None, names: Sequence[str]) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Sequence
 from enum import StrEnum
 from pathlib import Path
 from typing import Annotated
@@ -70,6 +71,21 @@ def parse_assignments(texts: list[str], option: str) -> dict[str, float]:
             raise typer.BadParameter(f"{name} is given twice", param_hint=option)
         values[name] = number
     return values
+
+
+def parse_names(texts: Sequence[str] | None, option: str) -> dict[str, str]:
+    """Names and what they stand for from texts such as ``theta=Angle``.
+
+    Raises:
+        BadParameter: it is not of that form
+    """
+    found = {}
+    for text in texts or []:
+        name, sign, value = (part.strip() for part in text.partition("="))
+        if not (name and sign and value):
+            raise typer.BadParameter(f"{text!r} must be NAME=TEXT", param_hint=option)
+        found[name] = value
+    return found
 
 
 def parameter_file(path: Path | None) -> ParameterFile:

@@ -65,8 +65,8 @@ def run(
     )
     found = read_repeats(
         records,
-        columns=_named(columns, "--column"),
-        units=_named(units, "--unit"),
+        columns=options.parse_names(columns, "--column"),
+        units=options.parse_names(units, "--unit"),
         released=released,  # type: ignore[arg-type]  # it was checked above
     )
     for record in found:
@@ -93,12 +93,3 @@ def run(
 
 def _mean_angle(releases: Sequence[MeasuredPeaks]) -> float:
     return float(np.mean([release.release_angle for release in releases]))
-
-
-def _named(texts: list[str] | None, option: str) -> dict[str, str]:
-    """Names and what they stand for from texts such as ``theta=Angle``."""
-    pairs = [text.partition("=") for text in texts or []]
-    for name, sign, value in pairs:
-        if not (name.strip() and sign and value.strip()):
-            raise typer.BadParameter(f"{name + sign + value!r} must be NAME=TEXT", param_hint=option)
-    return {name.strip(): value.strip() for name, _, value in pairs}

@@ -11,10 +11,11 @@ from typing import Final
 import numpy as np
 
 from pyjoystick._types import FloatArray
+from pyjoystick.records.columns import find_column, finite_numbers, unit_factor
 from pyjoystick.records.csv_file import CsvFile, Heading, read_csv_file
 from pyjoystick.records.errors import RecordError
 from pyjoystick.records.free_oscillation import Side, check_free_oscillation
-from pyjoystick.records.record import Record, not_finite
+from pyjoystick.records.record import MISSING_ADVICE, Record
 
 _RAD: Final = math.radians(1.0)
 #: Factors to SI units by quantity and unit.
@@ -66,13 +67,8 @@ def read_record(
         if heading is None:
             series[quantity] = None
             continue
-        factor = _factor(file, quantity, heading, units or {})
-        numbers = file.numbers(heading)
-        bad = np.flatnonzero(~np.isfinite(numbers))
-        if bad.size:
-            position = file.headings.index(heading)
-            value = file.cells[bad[0]][position] or "nothing"
-            raise not_finite(str(path), heading.text, file.lines[bad], value)
+        factor = unit_factor(file, heading, UNITS[quantity], (units or {}).get(quantity, ""))
+        numbers = finite_numbers(file, heading, MISSING_ADVICE)
         series[quantity] = numbers * factor
     time, theta = series["time"], series["theta"]
     assert time is not None
@@ -145,40 +141,8 @@ def _column(file: CsvFile, quantity: str, columns: Mapping[str, str]) -> Heading
     for given in columns:
         if given not in UNITS:
             raise RecordError("columns", f"{given!r} is no quantity", f"known are {', '.join(UNITS)}")
-    wanted = columns.get(quantity, quantity)
-    candidates = [
-        heading
-        for heading in file.headings
-        if wanted.casefold() in (heading.text.casefold(), heading.name.casefold())
-    ]
-    if len(candidates) == 1:
-        return candidates[0]
-    texts = ", ".join(repr(heading.text) for heading in file.headings)
-    if candidates:
-        advice = f"say which one is meant by its whole heading; there are {texts}"
-        raise RecordError(str(file.path), f"has {len(candidates)} columns {wanted!r}", advice)
-    if quantity in _REQUIRED or quantity in columns:
-        advice = f"name the column of {quantity}; there are {texts}"
-        raise RecordError(str(file.path), f"has no column {wanted!r}", advice)
-    return None
-
-
-def _factor(file: CsvFile, quantity: str, heading: Heading, units: Mapping[str, str]) -> float:
-    """What turns the column into SI units."""
-    known = ", ".join(UNITS[quantity])
-    given = units.get(quantity, "")
-    if heading.unit and given and heading.unit != given:
-        reason = f"has the unit {heading.unit} in its heading, but {given} is asked for"
-        raise RecordError(str(file.path), reason, "leave one of the two out", column=heading.text)
-    unit = heading.unit or given
-    if not unit:
-        advice = f"write it in the heading or give it as an option: {known}"
-        raise RecordError(str(file.path), "has no unit", advice, column=heading.text)
-    if unit not in UNITS[quantity]:
-        raise RecordError(
-            str(file.path), "has an unknown unit", f"known are {known}", column=heading.text, value=unit
-        )
-    return UNITS[quantity][unit]
+    required = quantity in _REQUIRED or quantity in columns
+    return find_column(file, quantity, columns.get(quantity, quantity), required=required)
 
 
 def _small_degrees(heading: Heading | None, units: Mapping[str, str], theta: FloatArray) -> tuple[str, ...]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import math
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,6 +15,11 @@ from pyjoystick.records.errors import RecordError
 
 #: A record cannot do with fewer samples than these.
 FEWEST_SAMPLES = 3
+#: What to do about samples without a number.
+MISSING_ADVICE: Final = (
+    "a lost marker? Leave these rows out; what is missing then counts as a gap, which is allowed where "
+    "no peak can hide in it"
+)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -147,8 +153,7 @@ def not_finite(source: str, column: str, rows: ArrayLike, value: object) -> Reco
     return RecordError(
         source,
         "samples without a finite number",
-        "a lost marker? Leave these rows out; what is missing then counts as a gap, which is allowed where "
-        "no peak can hide in it",
+        MISSING_ADVICE,
         column=column,
         rows=np.asarray(rows).tolist(),
         value=value,
