@@ -14,10 +14,11 @@ from itertools import pairwise
 import numpy as np
 
 from pyjoystick._types import FloatArray
-from pyjoystick.measurements.chain import Chain
+from pyjoystick.measurements.chain import Chain, Motion
 from pyjoystick.parameters import JoystickParameters
 from pyjoystick.reference import simulate
 from pyjoystick.reference.moments import energy
+from pyjoystick.reference.trajectory import Trajectory
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -34,6 +35,8 @@ class ChainEffect:
         energy_start: energy at the release (J)
         energy_rise: how far the energy from the chain's angle and velocity rises above its least before (J)
         true_rise: the same of the true motion (J), zero but for rounding
+        run: the true motion from the release on
+        motion: what the chain gives, from the first frame on
     """
 
     time: FloatArray
@@ -43,6 +46,8 @@ class ChainEffect:
     energy_start: float
     energy_rise: float
     true_rise: float
+    run: Trajectory
+    motion: Motion
 
     @property
     def shortfall(self) -> FloatArray:
@@ -101,6 +106,8 @@ def chain_effect(
         energy_start=float(run.E[0]),
         energy_rise=_rise(found),
         true_rise=_rise(run.E),
+        run=run,
+        motion=motion,
     )
 
 

@@ -1,0 +1,31 @@
+"""The script of Fig. 12: the energy that rises is the filter's doing."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.scenarios.scripts import SCENARIOS, load
+
+
+def test_fig_12(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    scenario = load("fig12_measured_energy")
+    assert scenario.main(tmp_path) == 0
+    printed = capsys.readouterr().out
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["energy.pdf", "energy.png", "summary.md"]
+    assert printed.rstrip() == (tmp_path / "summary.md").read_text().rstrip()
+    cells = {
+        line.split("|")[1].strip(): [float(cell) for cell in line.split("|")[2:-1]]
+        for line in printed.splitlines()
+        if " camera " in line and line.startswith("| ")
+    }
+    assert cells["13 Hz, camera 60 Hz"][0] == pytest.approx(6.7, abs=0.2)
+    assert cells["13 Hz, camera 60 Hz"][-1] == pytest.approx(5.9, abs=0.2)
+    assert cells["13 Hz, camera 240 Hz"][-1] == pytest.approx(5.9, abs=0.2)
+    assert cells["100 Hz, camera 240 Hz"][-1] < 0.3
+
+
+def test_results_go_into_the_checkout() -> None:
+    found = load("fig12_measured_energy").RESULTS
+    assert found == SCENARIOS.parent / "results" / "fig12_measured_energy"
