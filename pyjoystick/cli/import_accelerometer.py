@@ -10,7 +10,7 @@ import typer
 from pyjoystick.cli import chain_options
 from pyjoystick.cli.chain_options import PAPER, chain_of
 from pyjoystick.cli.console import output, print_note
-from pyjoystick.measurements.accelerometer import angular_acceleration, read_accelerometer
+from pyjoystick.measurements.accelerometer import LARGEST_LAG, angular_acceleration, read_accelerometer
 from pyjoystick.measurements.angle import REST_TIME
 from pyjoystick.measurements.motion_files import write_acceleration
 from pyjoystick.measurements.report import acceleration_report
@@ -106,6 +106,8 @@ def run(
         low_pass=chain.low_pass,
         backward=backward,
     )
+    if abs(found.lag) > 0.99 * LARGEST_LAG:
+        print_note(f"{file}: the clocks may differ by more than {LARGEST_LAG:g} s: give --delay")
     if found.correlation < 0.0:
         print_note(f"{file}: goes against the angle: if its positive direction is backward, add --backward")
     if result is not None:

@@ -36,7 +36,7 @@ VOLTAGES: Final = {"V": 1.0, "mV": 1e-3}
 #: Steps in time that differ by more than this from the usual one are no even sampling.
 _UNEVEN: Final = 0.02
 #: Clocks are compared over this much to either side (s), in these steps.
-_LARGEST_LAG: Final = 0.1
+LARGEST_LAG: Final = 0.1
 _LAG_STEP: Final = 5e-4
 
 
@@ -276,5 +276,5 @@ def _rms(values: FloatArray) -> float:
 
 def _lag(clock: FloatArray, series: FloatArray, time: FloatArray, wanted: FloatArray) -> float:
     """The delay of a series on its clock behind what it should be, by the least rms difference."""
-    lags = np.arange(-_LARGEST_LAG, _LARGEST_LAG + _LAG_STEP / 2.0, _LAG_STEP)
+    lags = np.arange(-LARGEST_LAG, LARGEST_LAG + _LAG_STEP / 2.0, _LAG_STEP)
     return float(lags[np.argmin([_rms(np.interp(time + lag, clock, series) - wanted) for lag in lags])])

@@ -100,6 +100,7 @@ def test_the_accelerometer_beside_the_angle(command: Command, record: Path, tmp_
     assert outcome.code == 0
     assert "+0.0000 |" in outcome.out
     assert len(np.loadtxt(result, delimiter=",", skiprows=2)) > 5000
+    assert "differ by more than 0.1 s" in command(*arguments, "--delay", "0.14").err
     assert "add --backward" in command(*arguments, "--delay", "0.02", "--backward").err
 
 
