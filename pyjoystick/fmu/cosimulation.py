@@ -66,7 +66,7 @@ class Fmu:
         self.close()
 
     def close(self) -> None:
-        """Free the instance and delete what was unpacked; closing twice does no harm."""
+        """Free the instances and delete what was unpacked; closing twice does no harm."""
         self._close()
 
     def run(

@@ -37,7 +37,8 @@ class Plan:
         time: instants of the samples (s), shape (samples,)
         varied: names of the parameters that each run gives
         outputs: names of the recorded variables
-        units: units of the recorded variables by name
+        variables: the recorded variables as the FMU describes them
+        units: their units by name
     """
 
     def __init__(
@@ -79,7 +80,7 @@ class Plan:
             "time": self.time,
             "varied": self.varied,
             "parameters": dict(parameters),
-            "inputs": inputs,
+            "inputs": inputs.copy() if isinstance(inputs, pd.DataFrame) else inputs,
             "outputs": self.outputs,
             "tolerance": tolerance,
         }

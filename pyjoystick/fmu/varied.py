@@ -84,4 +84,4 @@ def _numbers(values: pd.DataFrame | ArrayLike) -> FloatArray:
     try:
         return np.ascontiguousarray(values, dtype=np.float64)
     except (TypeError, ValueError):
-        raise ParameterError("values", "something else", "numbers") from None
+        raise ParameterError("values", f"a {type(values).__name__}", "made of numbers in rows") from None
