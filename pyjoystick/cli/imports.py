@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import typer
 
-from pyjoystick.cli import import_accelerometer, import_load_curve, import_markers
+from pyjoystick.cli import import_accelerometer, import_inertia, import_load_curve, import_markers
 
 app = typer.Typer(
     add_completion=False,
@@ -15,3 +15,5 @@ app = typer.Typer(
 app.command("markers", epilog=import_markers.EXAMPLES)(import_markers.run)
 app.command("accelerometer", epilog=import_accelerometer.EXAMPLES)(import_accelerometer.run)
 app.command("load-curve", epilog=import_load_curve.EXAMPLES)(import_load_curve.run)
+app.command("swing", epilog=import_inertia.SWING_EXAMPLES)(import_inertia.swing)
+app.command("parts", epilog=import_inertia.PARTS_EXAMPLES)(import_inertia.parts)

@@ -25,7 +25,7 @@ class DampingLaw(StrEnum):
     POWER_LAW = "power-law"
 
 
-def parse_angle(text: str) -> float:
+def parse_angle(text: str, option: str = "--release-angle") -> float:
     """An angle in rad from text such as ``-20``, ``-20deg`` or ``-0.35rad``; a bare number is in degrees.
 
     Raises:
@@ -37,15 +37,11 @@ def parse_angle(text: str) -> float:
     except ValueError:
         number = math.nan
     if match is None or not math.isfinite(number):
-        raise typer.BadParameter(
-            f"{text!r} is no angle; write it as -20deg or -0.35rad", param_hint="--release-angle"
-        )
+        raise typer.BadParameter(f"{text!r} is no angle; write it as -20deg or -0.35rad", param_hint=option)
     angle = number if match["unit"] == "rad" else math.radians(number)
     if abs(angle) >= math.pi / 2.0:
         hint = f"; did you mean {number:g}deg?" if match["unit"] == "rad" and abs(number) < 90.0 else ""
-        raise typer.BadParameter(
-            f"{text!r} must lie between -90deg and 90deg{hint}", param_hint="--release-angle"
-        )
+        raise typer.BadParameter(f"{text!r} must lie between -90deg and 90deg{hint}", param_hint=option)
     return angle
 
 

@@ -1,0 +1,59 @@
+"""``pyjoystick import swing`` and ``pyjoystick import parts``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pyjoystick.parameters import NOMINAL, read_parameter_file
+from tests.pyjoystick.cli.conftest import Command
+from tests.pyjoystick.inertia.pendulum import swing
+from tests.pyjoystick.inertia.test_parts import FILE
+
+
+def test_a_recorded_swing_goes_into_the_parameter_file(command: Command, tmp_path: Path) -> None:
+    record = swing(1)
+    lines = [f"{t:.6f},{angle:.5f}" for t, angle in zip(record.time, np.degrees(record.theta), strict=True)]
+    (tmp_path / "swing.csv").write_text("\n".join(("time (s),theta (deg)", *lines)), encoding="utf-8")
+    known = ("--uncertainty", "m=0.001", "--uncertainty", "h=0.0005", "--set", "m=0.871")
+    outcome = command("import", "swing", "swing.csv", "-p", "joystick.toml", *known)
+    assert outcome.code == 0, outcome.err
+    assert "damping ratio 0.011" in outcome.out
+    found = read_parameter_file(tmp_path / "joystick.toml")
+    assert found.joystick.m == 0.871
+    assert pytest.approx(NOMINAL.J * 0.871 / NOMINAL.m, rel=2e-4) == found.joystick.J
+    assert found.uncertainties["body.m"] == 0.001
+    expected = found.joystick.J * np.hypot(0.001 / 0.871, 0.0005 / NOMINAL.h)
+    assert found.uncertainties["body.J"] == pytest.approx(expected, rel=0.02)
+    assert found.sources["body"] == "swing test swing.csv"
+    again = command("import", "swing", "swing.csv", "-p", "joystick.toml")
+    assert again.code == 0
+    assert "taken as exact" not in again.err
+
+
+def test_stopwatch_readings(command: Command) -> None:
+    readings = ("--time", "8.03", "--time", "8.07", "--time", "8.01", "--swings", "10")
+    outcome = command("import", "swing", *readings, "--amplitude", "12deg", "--end-amplitude", "7deg")
+    assert outcome.code == 0
+    assert "from reaction" in outcome.out
+    assert "Period 0.803667 s as measured" in outcome.out
+    assert "m = 0.87 has no uncertainty and is taken as exact" in outcome.err
+
+
+def test_parts_give_a_joystick(command: Command, tmp_path: Path) -> None:
+    (tmp_path / "parts.csv").write_text(FILE, encoding="utf-8")
+    outcome = command("import", "parts", "parts.csv", "-p", "joystick.toml")
+    assert outcome.code == 0, outcome.err
+    found = read_parameter_file(tmp_path / "joystick.toml")
+    assert found.joystick.m == pytest.approx(0.87)
+    assert found.uncertainties["body.m"] == pytest.approx(0.0023)
+    assert found.sources["body"] == "parts parts.csv"
+
+
+def test_wrong_usage(command: Command) -> None:
+    assert command("import", "swing").code == 2
+    assert command("import", "swing", "--time", "8").code == 2
+    refused = command("import", "swing", "--time", "8", "--amplitude", "10", "--set", "J=1")
+    assert (refused.code, refused.message) == (1, "J = 1.0: must be one of m, h, g")
