@@ -1,9 +1,9 @@
 """Makes the files of a synthetic laboratory: no joystick was measured, the reference was sampled.
 
-Four releases of the paper's joystick (eq. 11, alpha = 0.9) as cameras at 60 Hz and an accelerometer at 1800 Hz
-would record them, in results/synthetic_laboratory/: two C3D files, two exports as from Vicon Nexus, in one of
-which the laboratory's x axis points backward, the accelerometer of the first, whose clock is late, and
-truth.json with what was put in. There are noise and lost frames. ezc3d writes the C3D files.
+Four releases of the paper's joystick (eq. 11, alpha = 0.9) as cameras at 60 Hz and an accelerometer at
+1800 Hz would record them, in results/synthetic_laboratory/: two C3D files, two exports as from Vicon Nexus,
+in one of which the laboratory's x axis points backward, the accelerometer of the first, whose clock is late,
+and truth.json with what was put in. There are noise and lost frames. ezc3d writes the C3D files.
 """
 
 import json
