@@ -25,7 +25,7 @@ RECORDS = {
     "eq. (11) with alpha = 0.9": sorted(DATA.glob("synthetic_power_law_?.csv")),
     "constant C = 0.045": sorted(DATA.glob("synthetic_constant_?.csv")),
 }
-JOYSTICK = NOMINAL  # all but the damping is taken as known
+JOYSTICK = NOMINAL  # all but the damping is taken as known; read_parameters("joystick.toml") takes your own
 TRUE_C = (0.02, 0.03, 0.045, 0.06, 0.08)  # N m s/rad
 RELEASE_ANGLES = np.radians([-20.0, -10.0])
 RESULTS = Path(__file__).parents[1] / "results" / "fig09_damping_from_peaks"

@@ -11,14 +11,18 @@ from pathlib import Path
 from pyjoystick.comparison import compare, within_limits
 from pyjoystick.experiments import free_oscillation, reference_free_oscillation
 from pyjoystick.output import write_text
-from pyjoystick.parameters import NOMINAL, NOMINAL_POWER_LAW
+from pyjoystick.parameters import PAPER
 from pyjoystick.plots import plot_motion, save_figure
 from pyjoystick.report import Case, free_oscillation_report
 from pyjoystick.tables import write_csv
 
 RELEASE_ANGLE = math.radians(-20.0)
 DURATION = 1.5  # s
-JOYSTICKS = {"constant damping": NOMINAL, "power-law damping": NOMINAL_POWER_LAW}
+FILE = PAPER  # read_parameter_file("joystick.toml") of pyjoystick.parameters takes your own joystick
+JOYSTICKS = {
+    "constant damping": FILE.with_law("constant"),
+    "power-law damping": FILE.with_law("power-law"),
+}
 LIMITS = {"theta": 1e-7}  # rad, largest difference to the reference
 RESULTS = Path(__file__).parents[1] / "results" / "free_oscillation"
 

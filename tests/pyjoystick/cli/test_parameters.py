@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
@@ -91,6 +92,14 @@ def test_peaks_take_the_inertia_of_the_file(command: Command, heavy: Path) -> No
     assert by_file.code == 0
     by_option = command("peaks", str(RECORD), "--set", "J=0.02", "--set", "damping.C=0.06")
     assert by_file.out == by_option.out
+
+
+def test_a_fit_takes_the_file(command: Command, heavy: Path, tmp_path: Path) -> None:
+    assert command("fit", str(RECORD), "-p", "heavy.toml", "-o", "by_file").code in (0, 3)
+    settings = json.loads((tmp_path / "by_file" / "fit.json").read_text())["settings"]
+    assert settings["fixed"]["J"] == 0.02
+    (start,) = [one["start"] for one in settings["free"] if one["name"] == "damping.C"]
+    assert start == 0.06
 
 
 def test_a_sweep_of_a_file(command: Command, heavy: Path, tmp_path: Path) -> None:

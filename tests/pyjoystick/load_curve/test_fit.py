@@ -16,6 +16,7 @@ from pyjoystick.load_curve.report import hysteresis_work, load_curve_report
 from pyjoystick.parameters import BACKWARD_TABLE, FORWARD_TABLE, NOMINAL, SegmentTable
 from pyjoystick.records import RecordError
 from pyjoystick.reference import table_force
+from tests.pyjoystick.load_curve.coverage import deviations_of
 from tests.pyjoystick.load_curve.machine import FORCE_NOISE, FRICTION, TRAVEL_NOISE, ZERO, curve, cycle
 
 _RUNS = 6
@@ -24,20 +25,13 @@ _RUNS = 6
 def test_stated_errors_cover_the_truth() -> None:
     """Monte Carlo: of 17 quantities in 6 records, 95 % intervals hold 90 % or more, and 4 sigma hold all.
 
-    The quantities of one record are not independent; a longer run of 120 records is in the documentation.
+    The quantities of one record are not independent; `coverage` as a script takes more
+    of them.
     """
-    deviations = []
-    for seed in range(_RUNS):
-        side, table = (("forward", FORWARD_TABLE), ("backward", BACKWARD_TABLE))[seed % 2]
-        fit = fit_load_curve(curve(table, 100 + seed))
-        names = NOMINAL.to_names()
-        deviations += list((np.array(fit.table.x) - table.x) / fit.x_errors)
-        deviations += list((np.array(fit.table.k) - table.k) / fit.k_errors)
-        deviations += [(v - names[f"{side}.{name}"]) / e for name, (v, e) in fit.springs().items()]
-        deviations.append((fit.friction - FRICTION) / fit.friction_error)
-        assert fit.misfit == pytest.approx(1.0, abs=0.1)
-    sizes = np.abs(deviations)
-    assert sizes.size == 17 * _RUNS
+    found = deviations_of(range(100, 100 + _RUNS))
+    assert found.pop("misfit") == pytest.approx(np.ones(_RUNS), abs=0.1)
+    sizes = np.abs(list(found.values()))
+    assert sizes.shape == (17, _RUNS)
     assert np.mean(sizes < 1.96) >= 0.9
     assert np.max(sizes) < 4.0
 
