@@ -98,7 +98,7 @@ def _measure(fmu: Path, runs: int, rounds: int, folder: Path) -> tuple[list[floa
     try:
         dask.start(_WORKERS)
         with Fmu(fmu) as opened:
-            plan = sweep.plan(opened)
+            plan = sweep.task.plan(opened)
             _wait_for_workers(sweep, dask)
             times: list[tuple[float, float]] = []
             # The first round compiles the loops, here and on the workers.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+import time
 import uuid
 import warnings
 from asyncio import CancelledError
@@ -16,7 +17,6 @@ from numpy.typing import NDArray
 from pyjoystick.errors import PyJoystickError
 from pyjoystick.sweeps.chunks import Chunks
 from pyjoystick.sweeps.errors import ClusterError, MissingPackageError
-from pyjoystick.sweeps.result_settings import variables_of
 from pyjoystick.sweeps.sweep import Part, Sweep
 from pyjoystick.sweeps.worker_versions import check_workers
 
@@ -24,9 +24,11 @@ try:
     from dask import config as dask_config
     from distributed import Client, Future, wait
     from distributed.client import FuturesCancelledError
+    from distributed.comm.addressing import get_address_host_port
+    from distributed.comm.core import CommClosedError
     from distributed.scheduler import KilledWorker
 
-    from pyjoystick.sweeps.worker import FmuPlugin, Task, run_chunk
+    from pyjoystick.sweeps.worker import FmuPlugin, run_chunk
 except ImportError as error:
     raise MissingPackageError("sweeps on a cluster", "cluster") from error
 
@@ -36,6 +38,9 @@ _CHUNK: Final = 1.0
 _AHEAD: Final = 2
 #: Time to reach the scheduler (s).
 _TIMEOUT: Final = 5.0
+#: How often all workers are spoken to if some are lost meanwhile, and the pause before each repetition (s).
+_ATTEMPTS: Final = 5
+_PAUSE: Final = 0.5
 
 _LOST: Final = "the connection was lost; what was finished is kept"
 
@@ -66,11 +71,11 @@ def run_on_cluster(
     content = sweep.settings.fmu.path.read_bytes()
     try:
         with _connected(address, on_note) as client:
-            check_workers(client, address, on_note)
+            _despite_lost_workers(lambda: check_workers(client, address, on_note))
             with _shipped(client, sweep, content) as name:
                 yield from _carry_out(_Work(client, address, sweep, name, pending), on_progress, on_note)
     except (OSError, CancelledError) as error:
-        raise ClusterError(address, _LOST) from error
+        raise ClusterError(address, f"{_LOST} ({error})" if str(error) else _LOST) from error
 
 
 def _carry_out(work: _Work, on_progress: Callable[[int], None], on_note: OnNote) -> Generator[Part]:
@@ -170,6 +175,11 @@ def _connected(address: str, on_note: OnNote) -> Iterator[Client]:
 
 
 def _client(address: str, on_note: OnNote) -> Client:
+    try:
+        # A client that cannot understand its address would hang when it is collected.
+        get_address_host_port(address)
+    except ValueError as error:
+        raise ClusterError(address, f"is no address like tcp://HOST:PORT: {error}") from error
     with warnings.catch_warnings(record=True) as said:
         warnings.simplefilter("always")
         try:
@@ -185,20 +195,23 @@ def _client(address: str, on_note: OnNote) -> Client:
 @contextmanager
 def _shipped(client: Client, sweep: Sweep, content: bytes) -> Iterator[str]:
     """Send the FMU to every worker; the name of the plugin that has it there."""
-    settings = sweep.settings
     name = f"pyjoystick-{uuid.uuid4().hex}"
-    task = Task(
-        time=settings.time,
-        varied=tuple(sweep.design.columns),
-        parameters=settings.parameters,
-        inputs=settings.inputs,
-        outputs=variables_of(settings.results),
-        tolerance=settings.tolerance,
-        results=settings.results,
-    )
-    client.register_plugin(FmuPlugin(name, content, task), name=name)
+    plugin = FmuPlugin(name, content, sweep.task)
     try:
+        _despite_lost_workers(lambda: client.register_plugin(plugin, name=name))
         yield name
     finally:
         if client.status == "running":
-            client.unregister_worker_plugin(name)
+            # A worker that is lost now takes its FMU with it; one that was never told has none.
+            with suppress(OSError, ValueError):
+                client.unregister_worker_plugin(name)
+
+
+def _despite_lost_workers(speak: Callable[[], object]) -> None:
+    """Speak to all workers, again where one is lost before it has answered."""
+    for _ in range(_ATTEMPTS - 1):
+        with suppress(CommClosedError):
+            speak()
+            return
+        time.sleep(_PAUSE)
+    speak()

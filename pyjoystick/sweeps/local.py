@@ -38,7 +38,8 @@ def run_locally(
     chunks = Chunks(pending, seconds=_CHUNK, slots=1, least=least)
     done = 0
     with Fmu(sweep.settings.fmu.path) as fmu:
-        plan = sweep.plan(fmu)
+        task = sweep.task
+        plan = task.plan(fmu)
 
         def show(finished: int, _: int) -> None:
             on_progress(done + finished)
@@ -48,7 +49,7 @@ def run_locally(
             result = plan.run_batch(
                 sweep.design.iloc[runs],
                 threads=threads,
-                reductions=sweep.settings.results,
+                reductions=task.results,
                 on_progress=show,
             )
             chunks.timed(runs.size, time.perf_counter() - begin)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -14,7 +15,8 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from pyjoystick._types import FloatArray
-from pyjoystick.fmu import BatchResult, Fmu, Plan
+from pyjoystick.fmu import BatchResult, Fmu, Inputs, Plan, Reduction
+from pyjoystick.fmu.values import Value
 from pyjoystick.sweeps.design import design, digest
 from pyjoystick.sweeps.result_settings import columns_of, units_of, variables_of
 from pyjoystick.sweeps.settings import Settings
@@ -42,6 +44,30 @@ class Part:
     messages: list[str]
 
 
+@dataclass(frozen=True, slots=True)
+class Task:
+    """What all runs of a sweep share; see `Fmu.plan`."""
+
+    time: FloatArray
+    varied: tuple[str, ...]
+    parameters: Mapping[str, Value]
+    inputs: Inputs
+    outputs: Sequence[str]
+    tolerance: float
+    results: tuple[Reduction, ...]
+
+    def plan(self, fmu: Fmu) -> Plan:
+        """The prepared run on an open FMU, which must be that of the sweep."""
+        return fmu.plan(
+            self.time,
+            varied=self.varied,
+            parameters=self.parameters,
+            inputs=self.inputs,
+            outputs=self.outputs,
+            tolerance=self.tolerance,
+        )
+
+
 class Sweep:
     """Settings with the runs that follow from them.
 
@@ -58,16 +84,18 @@ class Sweep:
         self.columns = columns_of(settings.results)
         self.fmu_sha256 = _sha256(settings.fmu.path)
 
-    def plan(self, fmu: Fmu) -> Plan:
-        """The prepared run on an open FMU, which must be that of the settings."""
+    @property
+    def task(self) -> Task:
+        """What is prepared once, on this machine or on each worker of a cluster."""
         one = self.settings
-        return fmu.plan(
-            one.time,
+        return Task(
+            time=one.time,
             varied=tuple(self.design.columns),
             parameters=one.parameters,
             inputs=one.inputs,
             outputs=variables_of(one.results),
             tolerance=one.tolerance,
+            results=one.results,
         )
 
     @cached_property

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import threading
 import time
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -13,24 +11,9 @@ import pandas as pd
 from distributed import Worker, WorkerPlugin, get_worker
 from numpy.typing import NDArray
 
-from pyjoystick._types import FloatArray
-from pyjoystick.fmu import Fmu, Inputs, Plan, Reduction
-from pyjoystick.fmu.values import Value
-from pyjoystick.sweeps.sweep import Part, part_of
+from pyjoystick.fmu import Fmu, Plan
+from pyjoystick.sweeps.sweep import Part, Task, part_of
 from pyjoystick.versions import version_of
-
-
-@dataclass(frozen=True, slots=True)
-class Task:
-    """What all chunks of a sweep share; see `Fmu.plan`."""
-
-    time: FloatArray
-    varied: tuple[str, ...]
-    parameters: Mapping[str, Value]
-    inputs: Inputs
-    outputs: Sequence[str]
-    tolerance: float
-    results: tuple[Reduction, ...]
 
 
 class FmuPlugin(WorkerPlugin):
@@ -80,16 +63,8 @@ class FmuPlugin(WorkerPlugin):
         """The plan that all threads share; the FMU is opened by the first of them."""
         with self._lock:
             if self._plan is None:
-                task = self._task
                 self._fmu = Fmu(self._path)
-                self._plan = self._fmu.plan(
-                    task.time,
-                    varied=task.varied,
-                    parameters=task.parameters,
-                    inputs=task.inputs,
-                    outputs=task.outputs,
-                    tolerance=task.tolerance,
-                )
+                self._plan = self._task.plan(self._fmu)
             return self._plan
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any, Final
 
 from pyjoystick.sweeps.errors import ClusterError
@@ -10,7 +11,7 @@ from pyjoystick.sweeps.errors import ClusterError
 _NUMERICAL: Final = ("Python", "numpy", "scipy")
 
 
-def check_workers(client: Any, address: str, on_note: Any) -> None:
+def check_workers(client: Any, address: str, on_note: Callable[[str], None]) -> None:
     """Compare the versions on every worker with those here.
 
     Args:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import os
+import signal
 import sys
+import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager, nullcontext
@@ -12,12 +15,14 @@ from typing import Any, cast
 import numpy as np
 import pandas as pd
 import pytest
+from distributed import Client
 from distributed.scheduler import KilledWorker
 
 from benchmarks.dask_processes import DaskProcesses, kill
 from pyjoystick.fmu import FmuFileError
 from pyjoystick.sweeps import ClusterError, MissingPackageError, Outcome, Sweep, read_settings, run_sweep
 from pyjoystick.sweeps import cluster as cluster_module
+from pyjoystick.sweeps.worker import FmuPlugin
 from pyjoystick.sweeps.worker_versions import check_workers
 from tests.pyjoystick.sweeps.conftest import LONG, SMALL, Write
 
@@ -81,6 +86,32 @@ def test_a_worker_is_lost_in_mid_run_and_the_numbers_are_the_local_ones(
     assert list((dask.folder / "worker1").rglob("*.fmu")) == []
 
 
+def test_a_worker_is_lost_while_the_fmu_is_sent(
+    written: Write, tmp_path: Path, cluster: Start, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    sweep = Sweep(read_settings(written(SMALL)))
+    dask = cluster(2)
+    sent = []
+    register = Client.register_plugin
+
+    def stop_a_worker(client: Client, address: str, on_note: Callable[[str], None]) -> None:
+        check_workers(client, address, on_note)
+        client.wait_for_workers(2, timeout=_PATIENCE)
+        # It stops before it hears of the FMU, and is gone before it can answer.
+        os.kill(dask.workers[0].pid, signal.SIGSTOP)
+        threading.Timer(0.5, kill, [dask.workers[0]]).start()
+
+    def counted(client: Client, plugin: FmuPlugin, name: str) -> object:
+        sent.append(name)
+        return register(client, plugin, name=name)
+
+    monkeypatch.setattr(cluster_module, "check_workers", stop_a_worker)
+    monkeypatch.setattr(Client, "register_plugin", counted)
+    outcome = _on(dask, sweep, tmp_path / "a.csv", lambda _: None)
+    assert len(sent) > 1
+    assert (outcome.done, outcome.failed) == (12, 0)
+
+
 def test_ctrl_c_and_a_lost_scheduler_lose_nothing(written: Write, tmp_path: Path, cluster: Start) -> None:
     sweep = Sweep(read_settings(written(LONG)))
     dask = cluster(1)
@@ -125,8 +156,12 @@ def test_a_scheduler_that_is_not_there(small_sweep: Sweep, tmp_path: Path) -> No
     with pytest.raises(ClusterError, match=r"tcp://127.0.0.1:9: cannot be reached"):
         run_sweep(small_sweep, tmp_path / "a.csv", scheduler="tcp://127.0.0.1:9")
     assert time.monotonic() - begin < _PATIENCE
-    with pytest.raises(ClusterError, match="cannot be reached"):
-        run_sweep(small_sweep, tmp_path / "a.csv", scheduler="nonsense://x")
+
+
+@pytest.mark.parametrize("address", ["nonsense", "nonsense://x:1", "tcp://127.0.0.1"])
+def test_what_is_no_address_is_said_at_once(small_sweep: Sweep, tmp_path: Path, address: str) -> None:
+    with pytest.raises(ClusterError, match=f"{address}: is no address like tcp://HOST:PORT"):
+        run_sweep(small_sweep, tmp_path / "a.csv", scheduler=address)
 
 
 def test_runs_that_crash_worker_after_worker_are_named(
