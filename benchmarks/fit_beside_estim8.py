@@ -25,7 +25,7 @@ from typing import Any, Final
 import numpy as np
 
 from benchmarks.errors import BenchmarkError
-from pyjoystick.fitting import CONSTANT_DAMPING, POWER_LAW_DAMPING, FitSettings, Measurement, Search
+from pyjoystick.fitting import CONSTANT_DAMPING, POWER_LAW_DAMPING, FitSettings, Measurement
 from pyjoystick.fitting.search import multi_start
 from pyjoystick.fitting.setup import make_problem
 from pyjoystick.fitting.steps import choose_steps
@@ -85,7 +85,7 @@ def _case(law: str) -> tuple[FitSettings, list[Measurement]]:
         if one.name != "release_time"
     )
     fixed = {**settings.fixed, "release_time": 0.0}
-    return dataclasses.replace(settings, free=free, fixed=fixed, search=Search()), records
+    return dataclasses.replace(settings, free=free, fixed=fixed), records
 
 
 def _ours(settings: FitSettings, records: list[Measurement]) -> dict[str, Any]:
@@ -102,6 +102,7 @@ def _ours(settings: FitSettings, records: list[Measurement]) -> dict[str, Any]:
             seed=0,
             evaluations=wanted.evaluations,
             stages=wanted.stages,
+            exchanges=wanted.exchanges,
         )[0]
         seconds = time.perf_counter() - begun
         loss = sum(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from pyjoystick.fitting.settings import RELEASE_TIME, FitSettings, Free, Uncertainty
+from pyjoystick.fitting.settings import RELEASE_TIME, FitSettings, Free, Search, Uncertainty
 
 #: The release of each record: its angle and its instant.
 RELEASE: Final = (Free("theta_start", per_record=True), Free(RELEASE_TIME, per_record=True))
@@ -28,6 +28,8 @@ POWER_LAW_DAMPING: Final = FitSettings(
         Free("damping.m", start=0.0, minimum=-1.0, maximum=1.0),
         *RELEASE,
     ),
+    # With the sides exchanged eq. (11) has a second minimum that looks right at 0.1 degree of noise.
+    search=Search(exchanges=(("damping.A_pos", "damping.A_neg"), ("damping.n_pos", "damping.n_neg"))),
     # Six parameters along a curved valley: their profiles take minutes, and are there where asked for.
     uncertainty=Uncertainty(profiles=()),
 )

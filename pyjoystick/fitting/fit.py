@@ -76,6 +76,7 @@ def _search(problem: Problem, settings: FitSettings, tell: OnProgress) -> list[M
         seed=wanted.seed,
         evaluations=wanted.evaluations,
         stages=wanted.stages,
+        exchanges=wanted.exchanges,
         on_start=lambda done, total: tell("searching", done, total),
     )
     if settings.noise.sigma:

@@ -158,11 +158,13 @@ def multi_start(
     seed: int,
     evaluations: int,
     stages: Sequence[float] = (),
+    exchanges: Sequence[tuple[str, str]] = (),
     on_start: OnStart | None = None,
 ) -> list[Minimum]:
     """Searches from x and from a Latin hypercube over the bounds of the shared variables.
 
-    Only shared variables with two finite bounds are spread; the others begin where x has them.
+    Only shared variables with two finite bounds are spread; the others begin where x has them. Where there
+    are exchanges, a last search begins at the best minimum with the variables of each pair exchanged.
 
     Returns:
         the minima that differ, best first, each with the number of searches that ended in it
@@ -172,7 +174,23 @@ def multi_start(
         _merge(minima, staged_search(problem, start, evaluations=evaluations, stages=stages), problem)
         if on_start is not None:
             on_start(number + 1, starts)
+    if exchanges:
+        best = min(minima, key=lambda one: one.cost)
+        begun = _exchanged(problem, best.x, exchanges)
+        _merge(minima, search(problem, begun, evaluations=evaluations), problem)
     return sorted(minima, key=lambda one: one.cost)
+
+
+def _exchanged(problem: Problem, x: FloatArray, exchanges: Sequence[tuple[str, str]]) -> FloatArray:
+    """X with the values of pairs of variables exchanged, within their bounds."""
+    point = x.copy()
+    names = [(variable.name, variable.record) for variable in problem.variables.free]
+    for first, second in exchanges:
+        for i, (name, record) in enumerate(names):
+            if name == first and (second, record) in names:
+                j = names.index((second, record))
+                point[i], point[j] = x[j], x[i]
+    return np.clip(point, problem.variables.lower, problem.variables.upper)
 
 
 def start_points(problem: Problem, x: FloatArray, starts: int, seed: int) -> list[FloatArray]:

@@ -82,12 +82,15 @@ class Search:
         seed: of the hypercube and of the bootstrap
         evaluations: most evaluations of the residuals in one search
         stages: parts of the records on which each search begins, see `staged_search`; increasing, below 1
+        exchanges: pairs of free parameters, those of the two sides of a mechanism for one, that a last search
+            begins with exchanged
     """
 
     starts: int = 1
     seed: int = 0
     evaluations: int = 200
     stages: tuple[float, ...] = (0.3, 0.6)
+    exchanges: tuple[tuple[str, str], ...] = ()
 
     def __post_init__(self) -> None:
         whole_number("search.starts", self.starts, 1)
@@ -179,10 +182,19 @@ class FitSettings:
         for name in self.noise.sigma:
             if name not in self.outputs:
                 raise ParameterError("noise.sigma", name, f"one of the outputs, {', '.join(self.outputs)}")
+        self._check_exchanges()
         if RELEASE_TIME in given and self.inputs:
             raise ParameterError(RELEASE_TIME, "given", "left out where inputs drive the FMU")
         whole_number("peaks", self.peaks, 2)
         positive("tolerance", self.tolerance)
+
+    def _check_exchanges(self) -> None:
+        free = [one.name for one in self.free]
+        for name in (name for pair in self.search.exchanges for name in pair):
+            if name not in free:
+                raise ParameterError(
+                    "search.exchanges", name, f"among the free parameters, {', '.join(free)}"
+                )
 
 
 def whole_number(name: str, value: object, least: int) -> int:

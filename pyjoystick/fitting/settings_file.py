@@ -50,7 +50,7 @@ def read_fit_settings(path: Path, find: Callable[[str], Path] = find_fmu) -> Fit
     if "tolerance" in fmu:
         given["tolerance"] = fmu.number("tolerance")
     fmu.optional("tolerance")
-    given["search"] = _made(root.table("search"), Search, tuples=("stages",))
+    given["search"] = _made(root.table("search"), Search, tuples=("stages", "exchanges"))
     given["uncertainty"] = _made(root.table("uncertainty"), Uncertainty, tuples=("profiles",))
     fmu.finish()
     root.finish()
@@ -149,10 +149,15 @@ def _made(table: Table, kind: type[Any], *, tuples: tuple[str, ...]) -> Any:
             continue
         if one.name in tuples and not isinstance(value, list):
             raise table.error(one.name, "must be a list")
-        given[one.name] = tuple(value) if one.name in tuples else value
+        given[one.name] = _tuples(value) if one.name in tuples else value
     table.finish()
     with _placed(table, ""):
         return kind(**given)
+
+
+def _tuples(value: Any) -> Any:
+    """Lists as tuples, those inside too."""
+    return tuple(_tuples(one) for one in value) if isinstance(value, list) else value
 
 
 def _variable(fmu: FmuDescription, name: str) -> Variable:
