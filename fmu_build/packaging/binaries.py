@@ -23,6 +23,7 @@ COMPILER_FLAGS = (
     "-O2",
     "-fno-math-errno",
     "-ffp-contract=off",
+    "-fomit-frame-pointer",
     "-fvisibility=hidden",
     "-DNDEBUG",
     "-Wall",
