@@ -9,6 +9,8 @@ from fmu_build.codegen.algebraics import Assignment, NewtonBlock, Step
 from fmu_build.codegen.c_expression import Writer, shared_nodes
 from fmu_build.codegen.expression import Expression, Slot
 from fmu_build.codegen.functions import FunctionSignature
+from fmu_build.codegen.half_angle import NAME as SIN_FROM_HALF
+from fmu_build.codegen.half_angle import sines_from_half
 
 
 class FunctionBody:
@@ -23,7 +25,9 @@ class FunctionBody:
         self.lines: list[str] = []
         self._slot_names = slot_names
         self._signatures = signatures
-        self._shared = shared_nodes(expressions)
+        expressions = tuple(expressions)
+        self._sines = sines_from_half(expressions)
+        self._shared = shared_nodes(expressions) | set(self._sines.values())
         self._names = _Names(slot_names)
         self._writer = Writer(self._names)
         self._temporaries = 0
@@ -31,12 +35,21 @@ class FunctionBody:
 
     def value(self, node: Expression) -> str:
         """The C text of a value, after the lines that compute what it shares with others."""
-        for part in ex.walk(node):
-            if part.operator == "call" and part not in self._names:
-                self._name_call(part)
-            elif part in self._shared and part not in self._names:
-                self._declare(part)
+        self._prepare(node)
         return self._writer.text(node)
+
+    def _prepare(self, *nodes: Expression) -> None:
+        """The lines that compute what the nodes share with others."""
+        for part in ex.walk(*nodes):
+            if part in self._names:
+                continue
+            if part.operator == "call":
+                self._name_call(part)
+                continue
+            if part in self._sines:
+                self._names[part] = f"{SIN_FROM_HALF}({self.value(self._sines[part])})"
+            if part in self._shared:
+                self._declare(part)
 
     def _declare(self, node: Expression) -> None:
         self._temporaries += 1
@@ -89,8 +102,16 @@ class FunctionBody:
     def _assign(self, step: Assignment, stored: bool) -> None:
         slot = self._slot_names[("y", step.unknown)]
         local = f"v{slot[1:]}"
-        self.lines.append(f"const double {local} = {self.value(step.value)};")
+        value = step.value
+        if value in self._names or value.operator == "call" or value in self._sines:
+            text = self.value(value)
+        else:
+            self._prepare(*value.arguments)
+            text = self._writer.text(value)
+        self.lines.append(f"const double {local} = {text};")
         self._names[ex.y(step.unknown)] = local
+        # What shares the value uses the variable, not one more name.
+        self._names.setdefault(value, local)
         if stored:
             self.lines.append(f"y[{slot}] = {local};")
 

@@ -14,12 +14,17 @@ from fmu_build.codegen.c_tables import tables
 from fmu_build.codegen.equations import Equations, watched_conditions
 from fmu_build.codegen.expression import Expression, Slot
 from fmu_build.codegen.functions import FunctionSources
+from fmu_build.codegen.half_angle import NAME as SIN_FROM_HALF
+from fmu_build.codegen.half_angle import SOURCE as SIN_FROM_HALF_SOURCE
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.names import slot_names
 from fmu_build.codegen.start_values import StartValues
 from fmu_build.codegen.variables import StoredVariable
 
-_SIGN = "static double sign(double a) { return (a > 0.0) - (a < 0.0); }"
+_HELPERS = {
+    "sign": "static double sign(double a) { return (a > 0.0) - (a < 0.0); }",
+    SIN_FROM_HALF: SIN_FROM_HALF_SOURCE,
+}
 
 
 def write_model(
@@ -33,7 +38,11 @@ def write_model(
     names = slot_names(model, equations)
     code = _Code(equations, names, functions)
     body = [*code.blocks(), *code.functions()]
-    uses_sign = any(re.search(r"\bsign\(", part) for part in (functions.source, *body))
+    helpers = [
+        source
+        for name, source in _HELPERS.items()
+        if any(re.search(rf"\b{name}\(", part) for part in (functions.source, *body))
+    ]
     parts = [
         f"/* {model.name}: generated from Modelica; edit the Modelica source instead. */",
         '#include "model.h"',
@@ -45,7 +54,7 @@ def write_model(
         "",
         _enumeration(names, "y"),
         _enumeration(names, "p"),
-        *([_SIGN, ""] if uses_sign else []),
+        *(f"{source}\n" for source in helpers),
         *([functions.source] if functions.source else []),
         *body,
         tables(model, equations, variables, starts, names),
