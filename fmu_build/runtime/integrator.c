@@ -3,17 +3,20 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 /* The method's nodes, weights (a7j are those of order 5), error weights and dense output weights. */
-static const double c2 = 1.0 / 5, c3 = 3.0 / 10, c4 = 4.0 / 5, c5 = 8.0 / 9;
-static const double a21 = 1.0 / 5;
-static const double a31 = 3.0 / 40, a32 = 9.0 / 40;
-static const double a41 = 44.0 / 45, a42 = -56.0 / 15, a43 = 32.0 / 9;
-static const double a51 = 19372.0 / 6561, a52 = -25360.0 / 2187, a53 = 64448.0 / 6561, a54 = -212.0 / 729;
-static const double a61 = 9017.0 / 3168, a62 = -355.0 / 33, a63 = 46732.0 / 5247, a64 = 49.0 / 176,
-                    a65 = -5103.0 / 18656;
-static const double a71 = 35.0 / 384, a73 = 500.0 / 1113, a74 = 125.0 / 192, a75 = -2187.0 / 6784, a76 = 11.0 / 84;
+enum { STAGES = 7 };
+static const double nodes[STAGES - 1] = {1.0 / 5, 3.0 / 10, 4.0 / 5, 8.0 / 9, 1.0, 1.0};
+static const double weights[STAGES - 1][STAGES - 1] = {
+    {1.0 / 5},
+    {3.0 / 40, 9.0 / 40},
+    {44.0 / 45, -56.0 / 15, 32.0 / 9},
+    {19372.0 / 6561, -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729},
+    {9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656},
+    {35.0 / 384, 0.0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84},
+};
 static const double e1 = 71.0 / 57600, e3 = -71.0 / 16695, e4 = 71.0 / 1920, e5 = -17253.0 / 339200, e6 = 22.0 / 525,
                     e7 = -1.0 / 40;
 static const double d1 = -12715105075.0 / 11282082432.0, d3 = 87487479700.0 / 32700410799.0,
@@ -22,7 +25,19 @@ static const double d1 = -12715105075.0 / 11282082432.0, d3 = 87487479700.0 / 32
 
 static const double safety = 0.9, smallest_factor = 0.1, largest_factor = 5.0;
 
-enum { ARRAYS = 1 + 7 + 5 };
+/* Neither argument is NaN: one instruction, where fmin() and fmax() take five. */
+static double smaller(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+static double larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+/* The arrays of the block, [size] each: the states, the slopes of 7 stages, 5 coefficients of the dense output. */
+enum { STATES, SLOPES, DENSE = SLOPES + 7, ARRAYS = DENSE + 5 };
 
 size_t integrator_count(void)
 {
@@ -31,12 +46,18 @@ size_t integrator_count(void)
 
 void integrator_bind(Integrator *integrator, double *block)
 {
-    const size_t n = model.n_states;
-    integrator->states = block;
-    for (size_t i = 0; i < 7; ++i)
-        integrator->slopes[i] = block + (1 + i) * n;
-    for (size_t i = 0; i < 5; ++i)
-        integrator->dense[i] = block + (8 + i) * n;
+    integrator->arrays = block;
+}
+
+static double *states_of(const Integrator *integrator)
+{
+    return integrator->arrays;
+}
+
+/* Of stage 1 to 7. */
+static double *slope_of(const Integrator *integrator, size_t stage)
+{
+    return integrator->arrays + (SLOPES + stage - 1) * model.n_states;
 }
 
 void integrator_restart(Integrator *integrator, double time, const double *states)
@@ -46,46 +67,56 @@ void integrator_restart(Integrator *integrator, double time, const double *state
     record->step = 0.0;
     record->slope_known = false;
     if (model.n_states > 0)
-        memmove(integrator->states, states, model.n_states * sizeof(double));
+        memmove(states_of(integrator), states, model.n_states * sizeof(double));
+}
+
+/* The dense output at the fraction s of the step. */
+static void interpolate(const double *arrays, double s, double *states)
+{
+    const size_t n = model.n_states;
+    const double *r1 = arrays + DENSE * n, *r2 = r1 + n, *r3 = r2 + n, *r4 = r3 + n, *r5 = r4 + n;
+    const double r = 1.0 - s;
+    for (size_t i = 0; i < n; ++i)
+        states[i] = r1[i] + s * (r2[i] + r * (r3[i] + s * (r4[i] + r * r5[i])));
 }
 
 void integrator_interpolate(const Integrator *integrator, double time, double *states)
 {
     const StepRecord *record = &integrator->record;
-    if (time == record->time) {
-        if (model.n_states > 0)
-            memcpy(states, integrator->states, model.n_states * sizeof(double));
-        return;
-    }
-    const double s = (time - record->base) / record->step, r = 1.0 - s;
-    const double *r1 = integrator->dense[0], *r2 = integrator->dense[1], *r3 = integrator->dense[2],
-                 *r4 = integrator->dense[3], *r5 = integrator->dense[4];
-    for (size_t i = 0; i < model.n_states; ++i)
-        states[i] = r1[i] + s * (r2[i] + r * (r3[i] + s * (r4[i] + r * r5[i])));
+    if (time != record->time)
+        interpolate(integrator->arrays, (time - record->base) / record->step, states);
+    else if (model.n_states > 0)
+        memcpy(states, states_of(integrator), model.n_states * sizeof(double));
 }
 
 void integrator_truncate(Integrator *integrator, double time)
 {
     StepRecord *record = &integrator->record;
-    integrator_interpolate(integrator, time, integrator->states);
+    if (time != record->time)
+        interpolate(integrator->arrays, (time - record->base) / record->step, states_of(integrator));
     record->time = time;
     record->slope_known = false;
     /* What was cut off must not let the steps grow, for the dense output of a step that is far too long for what
      * is used of it is spoilt by rounding. */
-    record->suggestion = fmin(record->suggestion, record->step);
+    record->suggestion = smaller(record->suggestion, record->step);
 }
 
-/* x^(-1/10) within 0.7 % between the values of it that no step size uses, 0.1 and 6.3. That is plenty for a
- * step size, takes far less time than pow(), and gives the same number on every platform. */
+/* x^(-1/10) within 1 % between the values of it that no step size uses, 0.1 and 6.3. That is plenty for a step
+ * size, takes far less time than pow(), and gives the same number on every platform. A double read as a whole number
+ * is its binary logarithm in units of 2^-52, from -1023 on and with straight lines between the powers of 2. */
 static double inverse_tenth_root(double x)
 {
-    static const double powers[10] = {1.0,      0.933033, 0.870551, 0.812252, 0.757858,
-                                      0.707107, 0.659754, 0.615572, 0.574349, 0.535887}; /* 2^(-i/10) */
-    int exponent;
-    const double mantissa = frexp(fmin(fmax(x, 1e-8), 1e10), &exponent); /* in [0.5, 1) */
-    const int whole = exponent >= 0 ? exponent / 10 : -((9 - exponent) / 10);
-    const double power = whole >= 0 ? 1.0 / (1 << whole) : 1 << -whole;
-    return powers[exponent - 10 * whole] * power * (1.0 + 0.143547 * (1.0 - mantissa));
+    static const double unit = 4503599627370496.0 /* 2^52 */, bias = 1023.0;
+    const uint64_t digits = ((uint64_t)1 << 52) - 1, one = (uint64_t)1023 << 52;
+    const double bounded = smaller(larger(x, 1e-8), 1e10);
+    uint64_t bits;
+    memcpy(&bits, &bounded, sizeof bits);
+    bits = (uint64_t)(int64_t)(1.1 * bias * unit - 0.1 * (double)(int64_t)bits);
+    double power, mantissa;
+    memcpy(&power, &bits, sizeof power);
+    bits = (bits & digits) | one;
+    memcpy(&mantissa, &bits, sizeof mantissa);
+    return power * (0.998 - 0.245 * (mantissa - 1.0) * (2.0 - mantissa));
 }
 
 static bool evaluate(Integrator *integrator, double time, double *slope)
@@ -104,96 +135,96 @@ static bool guess_step(Integrator *integrator)
 {
     const size_t n = model.n_states;
     StepRecord *record = &integrator->record;
-    const double *slope = integrator->slopes[0];
-    double *other = integrator->slopes[1];
+    const double *y = states_of(integrator), *slope = slope_of(integrator, 1);
+    double *other = slope_of(integrator, 2);
     double states_norm = 0.0, slope_norm = 0.0, curvature = 0.0;
     for (size_t i = 0; i < n; ++i) {
-        const double w = weight(integrator, i, fabs(integrator->states[i]));
-        states_norm = fmax(states_norm, fabs(w * integrator->states[i]));
-        slope_norm = fmax(slope_norm, fabs(w * slope[i]));
+        const double w = weight(integrator, i, fabs(y[i]));
+        states_norm = larger(states_norm, fabs(w * y[i]));
+        slope_norm = larger(slope_norm, fabs(w * slope[i]));
     }
     const double usable = states_norm >= 1e-5 && slope_norm >= 1e-5;
-    const double small = fmin(usable ? 0.01 * states_norm / slope_norm : 1e-6, integrator->largest_step);
+    const double small = smaller(usable ? 0.01 * states_norm / slope_norm : 1e-6, integrator->largest_step);
     for (size_t i = 0; i < n; ++i)
-        integrator->argument[i] = integrator->states[i] + small * slope[i];
+        integrator->argument[i] = y[i] + small * slope[i];
     if (!evaluate(integrator, record->time + small, other))
         return false;
     for (size_t i = 0; i < n; ++i)
-        curvature = fmax(curvature, fabs(weight(integrator, i, fabs(integrator->states[i])) * (other[i] - slope[i])));
-    const double largest = fmax(slope_norm, curvature / small);
-    const double fitting = largest <= 1e-15 ? fmax(1e-6, small * 1e-3) : pow(0.01 / largest, 0.2);
-    record->suggestion = fmin(fmin(100.0 * small, fitting), integrator->largest_step);
+        curvature = larger(curvature, fabs(weight(integrator, i, fabs(y[i])) * (other[i] - slope[i])));
+    const double largest = larger(slope_norm, curvature / small);
+    const double fitting = largest <= 1e-15 ? larger(1e-6, small * 1e-3) : pow(0.01 / largest, 0.2);
+    record->suggestion = smaller(smaller(100.0 * small, fitting), integrator->largest_step);
     return isfinite(record->suggestion);
 }
 
-/* The stages of one step of size h; the result of order 5 is left in `argument`. */
-static bool stages(Integrator *integrator, double h)
+/* out = states + h * (weight[0] * slope 1 + weight[1] * slope 2 + ...) */
+static inline void combine(const double *arrays, double h, const double *weight, size_t stages, double *out)
 {
     const size_t n = model.n_states;
-    const double t = integrator->record.time;
-    const double *y = integrator->states;
-    double *out = integrator->argument;
-    double *k1 = integrator->slopes[0], *k2 = integrator->slopes[1], *k3 = integrator->slopes[2],
-           *k4 = integrator->slopes[3], *k5 = integrator->slopes[4], *k6 = integrator->slopes[5],
-           *k7 = integrator->slopes[6];
-    for (size_t i = 0; i < n; ++i)
-        out[i] = y[i] + h * a21 * k1[i];
-    if (!evaluate(integrator, t + c2 * h, k2))
-        return false;
-    for (size_t i = 0; i < n; ++i)
-        out[i] = y[i] + h * (a31 * k1[i] + a32 * k2[i]);
-    if (!evaluate(integrator, t + c3 * h, k3))
-        return false;
-    for (size_t i = 0; i < n; ++i)
-        out[i] = y[i] + h * (a41 * k1[i] + a42 * k2[i] + a43 * k3[i]);
-    if (!evaluate(integrator, t + c4 * h, k4))
-        return false;
-    for (size_t i = 0; i < n; ++i)
-        out[i] = y[i] + h * (a51 * k1[i] + a52 * k2[i] + a53 * k3[i] + a54 * k4[i]);
-    if (!evaluate(integrator, t + c5 * h, k5))
-        return false;
-    for (size_t i = 0; i < n; ++i)
-        out[i] = y[i] + h * (a61 * k1[i] + a62 * k2[i] + a63 * k3[i] + a64 * k4[i] + a65 * k5[i]);
-    if (!evaluate(integrator, t + h, k6))
-        return false;
-    for (size_t i = 0; i < n; ++i)
-        out[i] = y[i] + h * (a71 * k1[i] + a73 * k3[i] + a74 * k4[i] + a75 * k5[i] + a76 * k6[i]);
-    return evaluate(integrator, t + h, k7);
+    const double *y = arrays + STATES * n, *k = arrays + SLOPES * n;
+    for (size_t i = 0; i < n; ++i) {
+        double sum = weight[0] * k[i];
+        for (size_t j = 1; j < stages; ++j)
+            if (weight[j] != 0.0)
+                sum += weight[j] * k[j * n + i];
+        out[i] = y[i] + h * sum;
+    }
+}
+
+/* One stage of a step of size h. Called with a constant, so that the loop over the weights is unrolled. */
+static inline bool stage(Integrator *integrator, double h, size_t number)
+{
+    combine(integrator->arrays, h, weights[number - 2], number - 1, integrator->argument);
+    return evaluate(integrator, integrator->record.time + nodes[number - 2] * h, slope_of(integrator, number));
+}
+
+/* All stages; the result of order 5 is left in `argument`. */
+static bool stages(Integrator *integrator, double h)
+{
+    return stage(integrator, h, 2) && stage(integrator, h, 3) && stage(integrator, h, 4) && stage(integrator, h, 5) &&
+           stage(integrator, h, 6) && stage(integrator, h, 7);
 }
 
 /* Mean square, in units of the tolerance, of the error estimate and of the rounding in the dense output, which is
  * relative to the change over the whole step. */
 static double squared_error(const Integrator *integrator, double h)
 {
-    double *const *k = integrator->slopes;
+    const size_t n = model.n_states;
+    const double *y = integrator->arrays + STATES * n, *k = integrator->arrays + SLOPES * n;
     double sum = 0.0;
-    for (size_t i = 0; i < model.n_states; ++i) {
-        const double error = e1 * k[0][i] + e3 * k[2][i] + e4 * k[3][i] + e5 * k[4][i] + e6 * k[5][i] + e7 * k[6][i];
-        const double rounding = DBL_EPSILON * (integrator->argument[i] - integrator->states[i]);
-        const double scaled = (fabs(h * error) + fabs(rounding)) * weight(integrator, i, fabs(integrator->states[i]));
+    for (size_t i = 0; i < n; ++i) {
+        const double error = e1 * k[i] + e3 * k[2 * n + i] + e4 * k[3 * n + i] + e5 * k[4 * n + i] +
+                             e6 * k[5 * n + i] + e7 * k[6 * n + i];
+        const double rounding = DBL_EPSILON * (integrator->argument[i] - y[i]);
+        const double scaled = (fabs(h * error) + fabs(rounding)) * weight(integrator, i, fabs(y[i]));
         sum += scaled * scaled;
     }
-    return model.n_states > 0 ? sum / (double)model.n_states : 0.0;
+    return n > 0 ? sum / (double)n : 0.0;
+}
+
+static void make_dense(double *restrict arrays, double h, const double *restrict end)
+{
+    const size_t n = model.n_states;
+    double *y = arrays + STATES * n, *k = arrays + SLOPES * n, *r = arrays + DENSE * n;
+    for (size_t i = 0; i < n; ++i) {
+        const double change = end[i] - y[i];
+        const double bend = h * k[i] - change;
+        r[i] = y[i];
+        r[n + i] = change;
+        r[2 * n + i] = bend;
+        r[3 * n + i] = change - h * k[6 * n + i] - bend;
+        r[4 * n + i] = h * (d1 * k[i] + d3 * k[2 * n + i] + d4 * k[3 * n + i] + d5 * k[4 * n + i] +
+                            d6 * k[5 * n + i] + d7 * k[6 * n + i]);
+        y[i] = end[i];
+        k[i] = k[6 * n + i];
+    }
 }
 
 /* Takes the step over: the dense output, the new states and the first slope of the next step. */
 static void accept(Integrator *integrator, double h, double end)
 {
-    const size_t n = model.n_states;
     StepRecord *record = &integrator->record;
-    double *const *k = integrator->slopes;
-    double *const *r = integrator->dense;
-    for (size_t i = 0; i < n; ++i) {
-        const double change = integrator->argument[i] - integrator->states[i];
-        const double bend = h * k[0][i] - change;
-        r[0][i] = integrator->states[i];
-        r[1][i] = change;
-        r[2][i] = bend;
-        r[3][i] = change - h * k[6][i] - bend;
-        r[4][i] = h * (d1 * k[0][i] + d3 * k[2][i] + d4 * k[3][i] + d5 * k[4][i] + d6 * k[5][i] + d7 * k[6][i]);
-        integrator->states[i] = integrator->argument[i];
-        k[0][i] = k[6][i];
-    }
+    make_dense(integrator->arrays, h, integrator->argument);
     record->base = record->time;
     record->step = h;
     record->time = end;
@@ -207,8 +238,8 @@ static bool prepare(Integrator *integrator)
     StepRecord *record = &integrator->record;
     if (!record->slope_known) {
         if (model.n_states > 0)
-            memcpy(integrator->argument, integrator->states, model.n_states * sizeof(double));
-        if (!evaluate(integrator, record->time, integrator->slopes[0]))
+            memcpy(integrator->argument, states_of(integrator), model.n_states * sizeof(double));
+        if (!evaluate(integrator, record->time, slope_of(integrator, 1)))
             return false;
         record->slope_known = true;
     }
@@ -220,8 +251,8 @@ StepResult integrator_step(Integrator *integrator, double limit)
     if (!prepare(integrator))
         return STEP_NOT_COMPUTABLE;
     StepRecord *record = &integrator->record;
-    const double smallest = fmax(16.0 * DBL_EPSILON * fabs(record->time), 16.0 * DBL_MIN);
-    double h = fmin(record->suggestion, integrator->largest_step);
+    const double smallest = larger(16.0 * DBL_EPSILON * fabs(record->time), 16.0 * DBL_MIN);
+    double h = smaller(record->suggestion, integrator->largest_step);
     bool rejected = false;
     for (;;) {
         /* A step that would leave a sliver before the limit is stretched to it. */
@@ -231,15 +262,15 @@ StepResult integrator_step(Integrator *integrator, double limit)
         const bool computed = stages(integrator, h);
         const double error = computed ? squared_error(integrator, h) : INFINITY;
         if (error <= 1.0) {
-            const double factor = fmin(safety * inverse_tenth_root(error), rejected ? 1.0 : largest_factor);
-            const double next = h * fmax(factor, smallest_factor);
-            record->suggestion = limited ? fmax(next, record->suggestion) : next;
+            const double factor = smaller(safety * inverse_tenth_root(error), rejected ? 1.0 : largest_factor);
+            const double next = h * larger(factor, smallest_factor);
+            record->suggestion = limited ? larger(next, record->suggestion) : next;
             accept(integrator, h, limited ? limit : record->time + h);
             return STEP_DONE;
         }
         ++record->rejected;
         rejected = true;
-        h *= isfinite(error) ? fmax(safety * inverse_tenth_root(error), smallest_factor) : smallest_factor;
+        h *= isfinite(error) ? larger(safety * inverse_tenth_root(error), smallest_factor) : smallest_factor;
         record->suggestion = h;
         if (!(h > smallest))
             return isfinite(error) ? STEP_TOO_SMALL : STEP_NOT_COMPUTABLE;

@@ -25,9 +25,8 @@ typedef struct {
     void *context;
 
     StepRecord record;
-    double *states;    /* [size] at record.time */
-    double *slopes[7]; /* [size] each, of the stages */
-    double *dense[5];  /* [size] each, coefficients of the interpolating polynomial */
+    double *arrays; /* [integrator_count()] states at record.time, slopes of the stages, coefficients of the dense
+                     * output: one block, whose parts a compiler knows to be apart */
 } Integrator;
 
 typedef enum {
