@@ -23,13 +23,14 @@ PROGRAMS: Final = {"joystick": ("joystick.c", "measure.c"), "fmu_loop": ("fmu_lo
 _COUNTER: Final = """\
 #include "model.h"
 
-bool model_derivatives_itself(double time, double *y, const double *p, double *der);
+bool model_derivatives_itself(double time, double *y, const double *p, double *der,
+                              double *root);
 __attribute__((visibility("default"))) unsigned long derivative_evaluations = 0;
 
-bool model_derivatives(double time, double *y, const double *p, double *der)
+bool model_derivatives(double time, double *y, const double *p, double *der, double *root)
 {
     ++derivative_evaluations;
-    return model_derivatives_itself(time, y, p, der);
+    return model_derivatives_itself(time, y, p, der, root);
 }
 """
 

@@ -105,7 +105,7 @@ class _Code:
         e = self._equations
         read_y = "double time, const double *y, const double *p"
         return [
-            self._evaluation("model_derivatives", "double *der", e.derivatives, "der"),
+            self._derivatives(),
             self._algebraics(),
             self._evaluation("model_roots", "double *root", e.relations.roots, "root"),
             _function(
@@ -158,6 +158,26 @@ class _Code:
         self._store(body, array, values, as_truth)
         body.lines.append("return true;")
         return _function(f"bool {name}(double time, double *y, const double *p, {output})", body.lines)
+
+    def _derivatives(self) -> str:
+        """The derivatives, and on request the roots, which need much the same algebraic variables."""
+        e = self._equations
+        roots = e.relations.roots
+        steps = needed(e.algebraics, [*e.derivatives, *roots])
+        first = needed(steps, e.derivatives)
+        rest = [step for step in steps if step not in first]
+        in_blocks = _read_by_blocks(steps)
+        body = self._body([*_parts(steps), *e.derivatives, *roots])
+        body.steps(first, self._block_names, stored=lambda unknown: unknown in in_blocks)
+        self._store(body, "der", e.derivatives, as_truth=False)
+        if roots:
+            before, body.lines = body.lines, []
+            body.steps(rest, self._block_names, stored=lambda unknown: unknown in in_blocks)
+            self._store(body, "root", roots, as_truth=False)
+            body.lines = [*before, "if (root != NULL) {", *(f"    {line}" for line in body.lines), "}"]
+        body.lines.append("return true;")
+        signature = "bool model_derivatives(double time, double *y, const double *p, double *der, double *root)"
+        return _function(signature, body.lines)
 
     def _watched_actions(self) -> str:
         conditions = watched_conditions(self._equations)

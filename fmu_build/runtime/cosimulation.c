@@ -24,7 +24,7 @@ static Status fail(Instance *instance, double time, const char *why)
     return STATUS_ERROR;
 }
 
-static Status restart(Instance *instance)
+static void restart(Instance *instance)
 {
     const Values *values = &instance->values;
     Progress *progress = &instance->progress;
@@ -33,7 +33,6 @@ static Status restart(Instance *instance)
     integrator_restart(&instance->integrator, values->time, values->y);
     double *suggestion = &instance->integrator.record.suggestion;
     *suggestion = step_memory_switch(&instance->steps, values->p, *suggestion);
-    return evaluation_roots(instance, instance->roots.start) ? STATUS_OK : STATUS_ERROR;
 }
 
 /* The event at values.time, with everything that follows from it at the same instant. */
@@ -45,7 +44,8 @@ static Status carry_out_event(Instance *instance)
     switch (event_update(&instance->values, &reporter, &states_changed)) {
     case EVENT_OK:
         evaluation_invalidate(instance);
-        return restart(instance);
+        restart(instance);
+        return STATUS_OK;
     case EVENT_TERMINATE:
         return STATUS_DISCARD;
     case EVENT_ERROR:
@@ -159,19 +159,23 @@ static Status absorb_changes(Instance *instance)
     evaluation_update_parameters(instance);
     bool event = changed->discrete;
     if (!event && model.n_roots > 0) {
-        if (!evaluation_roots(instance, instance->roots.start))
+        double *root = instance->roots.start;
+        if (!evaluation_roots(instance, root))
             return STATUS_ERROR;
-        event = roots_first_changed(instance->roots.start, instance->values.p) < model.n_relations;
+        event = roots_first_changed(root, instance->values.p) < model.n_relations;
     }
     *changed = (Changes){0};
-    return event ? carry_out_event(instance) : restart(instance);
+    if (event)
+        return carry_out_event(instance);
+    restart(instance);
+    return STATUS_OK;
 }
 
-Status cosimulation_start(Instance *instance)
+void cosimulation_start(Instance *instance)
 {
     instance->progress = (Progress){.crowd_start = instance->values.time};
     instance->changed = (Changes){0};
-    return restart(instance);
+    restart(instance);
 }
 
 static bool reaches(const Instance *instance, double target)

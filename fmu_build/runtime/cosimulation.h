@@ -9,7 +9,7 @@
 #include "instance.h"
 
 /* After the initialisation. */
-Status cosimulation_start(Instance *instance);
+void cosimulation_start(Instance *instance);
 
 /* To a communication point not before the present one. STATUS_DISCARD where the model ended the simulation on
  * the way; values.time is then the time of the end. */

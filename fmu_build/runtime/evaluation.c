@@ -35,7 +35,7 @@ bool evaluation_update_derivatives(Instance *instance)
     if (instance->current.derivatives)
         return true;
     evaluation_update_parameters(instance);
-    instance->current.derivatives = model_derivatives(values->time, values->y, values->p, instance->derivatives);
+    instance->current.derivatives = model_derivatives(values->time, values->y, values->p, instance->derivatives, NULL);
     return instance->current.derivatives || fail(instance, "derivatives");
 }
 

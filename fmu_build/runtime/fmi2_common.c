@@ -127,9 +127,9 @@ fmi2Status fmi2ExitInitializationMode(fmi2Component c)
     Instance *instance = fmi2_enter(c, CALL_EXIT_INITIALIZATION_MODE);
     if (instance == NULL)
         return fmi2Error;
-    Status status = instance_initialize(instance);
+    const Status status = instance_initialize(instance);
     if (status == STATUS_OK && instance->co_simulation)
-        status = cosimulation_start(instance);
+        cosimulation_start(instance);
     instance->phase = instance->co_simulation ? PHASE_STEP_COMPLETE : PHASE_EVENT;
     return fmi2_finish(instance, status);
 }

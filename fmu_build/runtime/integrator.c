@@ -8,7 +8,7 @@
 
 /* The method's nodes, weights (a7j are those of order 5), error weights and dense output weights. */
 enum { STAGES = 7 };
-static const double nodes[STAGES - 1] = {1.0 / 5, 3.0 / 10, 4.0 / 5, 8.0 / 9, 1.0, 1.0};
+static const double nodes[STAGES - 1] = {1.0 / 5, 3.0 / 10, 4.0 / 5, 8.0 / 9, 1.0, 1.0}; /* of stage 2 to 7 */
 static const double weights[STAGES - 1][STAGES - 1] = {
     {1.0 / 5},
     {3.0 / 40, 9.0 / 40},
@@ -119,10 +119,10 @@ static double inverse_tenth_root(double x)
     return power * (0.998 - 0.245 * (mantissa - 1.0) * (2.0 - mantissa));
 }
 
-static bool evaluate(Integrator *integrator, double time, double *slope)
+static bool evaluate(Integrator *integrator, double time, StepPoint point, double *slope)
 {
     ++integrator->record.evaluations;
-    return integrator_derivatives(integrator->context, time, slope);
+    return integrator_derivatives(integrator->context, time, point, slope);
 }
 
 static double weight(const Integrator *integrator, size_t i, double magnitude)
@@ -147,7 +147,7 @@ static bool guess_step(Integrator *integrator)
     const double small = smaller(usable ? 0.01 * states_norm / slope_norm : 1e-6, integrator->largest_step);
     for (size_t i = 0; i < n; ++i)
         integrator->argument[i] = y[i] + small * slope[i];
-    if (!evaluate(integrator, record->time + small, other))
+    if (!evaluate(integrator, record->time + small, STEP_INSIDE, other))
         return false;
     for (size_t i = 0; i < n; ++i)
         curvature = larger(curvature, fabs(weight(integrator, i, fabs(y[i])) * (other[i] - slope[i])));
@@ -172,17 +172,18 @@ static inline void combine(const double *arrays, double h, const double *weight,
 }
 
 /* One stage of a step of size h. Called with a constant, so that the loop over the weights is unrolled. */
-static inline bool stage(Integrator *integrator, double h, size_t number)
+static inline bool stage(Integrator *integrator, size_t number, double h, double end)
 {
+    const double time = number < 6 ? integrator->record.time + nodes[number - 2] * h : end;
     combine(integrator->arrays, h, weights[number - 2], number - 1, integrator->argument);
-    return evaluate(integrator, integrator->record.time + nodes[number - 2] * h, slope_of(integrator, number));
+    return evaluate(integrator, time, number < 7 ? STEP_INSIDE : STEP_END, slope_of(integrator, number));
 }
 
 /* All stages; the result of order 5 is left in `argument`. */
-static bool stages(Integrator *integrator, double h)
+static bool stages(Integrator *integrator, double h, double end)
 {
-    return stage(integrator, h, 2) && stage(integrator, h, 3) && stage(integrator, h, 4) && stage(integrator, h, 5) &&
-           stage(integrator, h, 6) && stage(integrator, h, 7);
+    return stage(integrator, 2, h, end) && stage(integrator, 3, h, end) && stage(integrator, 4, h, end) &&
+           stage(integrator, 5, h, end) && stage(integrator, 6, h, end) && stage(integrator, 7, h, end);
 }
 
 /* Mean square, in units of the tolerance, of the error estimate and of the rounding in the dense output, which is
@@ -239,7 +240,7 @@ static bool prepare(Integrator *integrator)
     if (!record->slope_known) {
         if (model.n_states > 0)
             memcpy(integrator->argument, states_of(integrator), model.n_states * sizeof(double));
-        if (!evaluate(integrator, record->time, slope_of(integrator, 1)))
+        if (!evaluate(integrator, record->time, STEP_START, slope_of(integrator, 1)))
             return false;
         record->slope_known = true;
     }
@@ -259,13 +260,14 @@ StepResult integrator_step(Integrator *integrator, double limit)
         const bool limited = record->time + 1.01 * h >= limit;
         if (limited)
             h = limit - record->time;
-        const bool computed = stages(integrator, h);
+        const double end = limited ? limit : record->time + h;
+        const bool computed = stages(integrator, h, end);
         const double error = computed ? squared_error(integrator, h) : INFINITY;
         if (error <= 1.0) {
             const double factor = smaller(safety * inverse_tenth_root(error), rejected ? 1.0 : largest_factor);
             const double next = h * larger(factor, smallest_factor);
             record->suggestion = limited ? larger(next, record->suggestion) : next;
-            accept(integrator, h, limited ? limit : record->time + h);
+            accept(integrator, h, end);
             return STEP_DONE;
         }
         ++record->rejected;

@@ -37,9 +37,12 @@ typedef enum {
 
 size_t integrator_count(void); /* doubles in the block */
 
+typedef enum { STEP_START, STEP_INSIDE, STEP_END } StepPoint;
+
 /* The derivatives at integrator->argument, which the user of the integrator supplies; false where they cannot be
- * computed. */
-bool integrator_derivatives(void *context, double time, double *der);
+ * computed. `point` says where in the step this is, for users who look at more than derivatives there: the start is
+ * that of a first step, the end that of a step which may still be rejected. */
+bool integrator_derivatives(void *context, double time, StepPoint point, double *der);
 
 void integrator_bind(Integrator *integrator, double *block);
 

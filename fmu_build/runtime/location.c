@@ -20,8 +20,9 @@ size_t roots_count(void)
 void roots_bind(RootFinder *finder, double *block)
 {
     finder->start = block;
-    for (size_t i = 0; i < 4; ++i)
-        finder->work[i] = block + (i + 1) * model.n_roots;
+    finder->end = block + model.n_roots;
+    for (size_t i = 0; i < 3; ++i)
+        finder->work[i] = block + (i + 2) * model.n_roots;
 }
 
 static bool has_changed(size_t relation, const double *root, const double *p)
@@ -215,11 +216,11 @@ static RootResult search_double(const RootFinder *finder, const double *p, const
 Crossing roots_search(RootFinder *finder, const double *p, double from, double to)
 {
     const Crossing none = {.result = ROOTS_NOT_CROSSED}, failed = {.result = ROOTS_NOT_COMPUTABLE};
-    Sample start = {from, finder->start}, middle = {0.0, finder->work[0]}, end = {0.0, finder->work[1]};
-    Sample between = {0.0, finder->work[2]}, spare = {0.0, finder->work[3]};
+    Sample start = {from, finder->start}, middle = {0.0, finder->work[0]}, end = {to, finder->end};
+    Sample between = {0.0, finder->work[1]}, spare = {0.0, finder->work[2]};
     if (model.n_roots == 0)
         return none;
-    if (!sample(finder, &end, to) || !sample(finder, &middle, from + 0.5 * (to - from)))
+    if (!sample(finder, &middle, from + 0.5 * (to - from)))
         return failed;
     const Overview overview = look_over(start.root, middle.root, end.root, p);
     if (overview.changed_in_middle) {

@@ -7,7 +7,8 @@
 typedef struct {
     void *context;
     double *start;   /* [n_roots] at the start of the step, kept from step to step */
-    double *work[4]; /* [n_roots] each */
+    double *end;     /* [n_roots] at its end */
+    double *work[3]; /* [n_roots] each */
 } RootFinder;
 
 typedef enum { ROOTS_NOT_CROSSED, ROOTS_CROSSED, ROOTS_NOT_COMPUTABLE } RootResult;
@@ -29,8 +30,8 @@ bool roots_evaluate(void *context, double time, double *root);
 size_t roots_first_changed(const double *root, const double *p);
 
 /* The first crossing in the step from `from` to `to`, whose relations all had the side that their memories
- * in p tell: a change between start and end, or there and back within the step. Looks at `start`, and moves
- * it to the end of the step where nothing was crossed. */
+ * in p tell: a change between start and end, or there and back within the step. Looks at `start` and `end`, which
+ * whoever takes the step fills; where nothing was crossed, `end` becomes the next step's `start`. */
 Crossing roots_search(RootFinder *finder, const double *p, double from, double to);
 
 #endif

@@ -145,8 +145,9 @@ extern const Model model;
 /* The functions below return true on success and false when a block has no solution at this point.
  * They read the states y[0..n_states) and p; blocks take the old values in y as their first guess. */
 
-/* der = d(states)/dt. Computes what it needs; leaves the algebraic variables of y, blocks apart, as they were. */
-bool model_derivatives(double time, double *y, const double *p, double *der);
+/* der = d(states)/dt, and the roots of model_roots unless root is NULL. Computes what it needs; leaves the algebraic
+ * variables of y, blocks apart, as they were. */
+bool model_derivatives(double time, double *y, const double *p, double *der, double *root);
 /* All algebraic variables of y. */
 bool model_algebraics(double time, double *y, const double *p);
 /* root[0..n_roots) = lhs - rhs of each relation, the smaller side first for "<" and "<=". */

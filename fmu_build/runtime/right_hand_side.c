@@ -2,9 +2,10 @@
 
 #include "instance.h"
 
-bool integrator_derivatives(void *context, double time, double *der)
+bool integrator_derivatives(void *context, double time, StepPoint point, double *der)
 {
     const Instance *instance = context;
+    double *root = point == STEP_START ? instance->roots.start : point == STEP_END ? instance->roots.end : NULL;
     inputs_apply(&instance->inputs, time, instance->values.p);
-    return model_derivatives(time, instance->values.y, instance->values.p, der);
+    return model_derivatives(time, instance->values.y, instance->values.p, der, root);
 }

@@ -42,11 +42,10 @@ const Model model = {
     .initial_event_slot = NO_SLOT,
 };
 
-bool model_derivatives(double time, double *y, const double *p, double *der) {
-    (void)time;
+bool model_derivatives(double time, double *y, const double *p, double *der, double *root) {
     der[X] = y[V];
     der[V] = (p[F] - p[K] * y[X]) / p[M];
-    return true;
+    return root == NULL || model_roots(time, y, p, root);
 }
 
 bool model_algebraics(double time, double *y, const double *p) {

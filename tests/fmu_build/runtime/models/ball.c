@@ -41,12 +41,11 @@ const Model model = {
     .initial_event_slot = NO_SLOT,
 };
 
-bool model_derivatives(double time, double *y, const double *p, double *der)
+bool model_derivatives(double time, double *y, const double *p, double *der, double *root)
 {
-    (void)time;
     der[H] = y[V];
     der[V] = -p[G];
-    return true;
+    return root == NULL || model_roots(time, y, p, root);
 }
 
 bool model_algebraics(double time, double *y, const double *p)

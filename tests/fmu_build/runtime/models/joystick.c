@@ -87,12 +87,11 @@ static Motion motion(const double *y, const double *p)
     return (Motion){x, force, moment, (p[T] + gravity - moment - p[C] * y[OMEGA]) / p[J]};
 }
 
-bool model_derivatives(double time, double *y, const double *p, double *der)
+bool model_derivatives(double time, double *y, const double *p, double *der, double *root)
 {
-    (void)time;
     der[THETA] = y[OMEGA];
     der[OMEGA] = motion(y, p).alpha;
-    return true;
+    return root == NULL || model_roots(time, y, p, root);
 }
 
 static double spring_energy(const double *p, int number, double x)

@@ -52,11 +52,10 @@ const Model model = {
     .initial_event_slot = NO_SLOT,
 };
 
-bool model_derivatives(double time, double *y, const double *p, double *der)
+bool model_derivatives(double time, double *y, const double *p, double *der, double *root)
 {
-    (void)time;
     der[X] = (p[U] - y[X]) / p[TAU];
-    return true;
+    return root == NULL || model_roots(time, y, p, root);
 }
 
 bool model_algebraics(double time, double *y, const double *p)

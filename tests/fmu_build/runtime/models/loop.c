@@ -61,12 +61,12 @@ static const size_t cubic_unknowns[] = {Z, W}, root_unknowns[] = {S};
 static const Block cubic = {2, cubic_unknowns, cubic_residual, cubic_jacobian};
 static const Block square_root = {1, root_unknowns, root_residual, root_jacobian};
 
-bool model_derivatives(double time, double *y, const double *p, double *der)
+bool model_derivatives(double time, double *y, const double *p, double *der, double *root)
 {
     if (!model_algebraics(time, y, p))
         return false;
     der[X] = -y[Z];
-    return true;
+    return root == NULL || model_roots(time, y, p, root);
 }
 
 bool model_algebraics(double time, double *y, const double *p)

@@ -35,11 +35,10 @@ const Model model = {
     .initial_event_slot = NO_SLOT,
 };
 
-bool model_derivatives(double time, double *y, const double *p, double *der)
+bool model_derivatives(double time, double *y, const double *p, double *der, double *root)
 {
-    (void)time, (void)y, (void)p;
     der[X] = 1.0;
-    return true;
+    return root == NULL || model_roots(time, y, p, root);
 }
 
 bool model_algebraics(double time, double *y, const double *p)

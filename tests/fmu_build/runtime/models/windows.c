@@ -36,13 +36,12 @@ const Model model = {
     .initial_event_slot = NO_SLOT,
 };
 
-bool model_derivatives(double time, double *y, const double *p, double *der)
+bool model_derivatives(double time, double *y, const double *p, double *der, double *root)
 {
-    (void)time, (void)y;
     der[X] = 1.0;
     der[AREA] = p[INSIDE] != 0.0 ? 1.0 / p[WIDTH] : 0.0;
     der[AFTER] = p[PAST] != 0.0 && p[NOT_PAST] == 0.0 ? 1.0 : 0.0;
-    return true;
+    return root == NULL || model_roots(time, y, p, root);
 }
 
 bool model_algebraics(double time, double *y, const double *p)
