@@ -10,7 +10,6 @@ from fmu_build.codegen.c_expression import Writer, shared_nodes
 from fmu_build.codegen.expression import Expression, Slot
 from fmu_build.codegen.functions import FunctionSignature
 from fmu_build.codegen.half_angle import NAME as SIN_FROM_HALF
-from fmu_build.codegen.half_angle import sines_from_half
 
 
 class FunctionBody:
@@ -21,13 +20,14 @@ class FunctionBody:
         slot_names: Mapping[Slot, str],
         signatures: Mapping[str, FunctionSignature],
         expressions: Iterable[Expression],
+        sines: Mapping[Expression, Expression],
     ) -> None:
         self.lines: list[str] = []
         self._slot_names = slot_names
         self._signatures = signatures
         expressions = tuple(expressions)
-        self._sines = sines_from_half(expressions)
-        self._shared = shared_nodes(expressions) | set(self._sines.values())
+        self._sines = sines
+        self._shared = shared_nodes(expressions) | {sines[e] for e in ex.walk(*expressions) if e in sines}
         self._names = _Names(slot_names)
         self._writer = Writer(self._names)
         self._temporaries = 0

@@ -16,6 +16,7 @@ from fmu_build.codegen.expression import Expression, Slot
 from fmu_build.codegen.functions import FunctionSources
 from fmu_build.codegen.half_angle import NAME as SIN_FROM_HALF
 from fmu_build.codegen.half_angle import SOURCE as SIN_FROM_HALF_SOURCE
+from fmu_build.codegen.half_angle import sines_from_half
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.names import slot_names
 from fmu_build.codegen.start_values import StartValues
@@ -77,10 +78,13 @@ class _Code:
         self._names = names
         self._signatures = functions.signatures
         blocks = [step for step in equations.algebraics if isinstance(step, NewtonBlock)]
+        self._sines = sines_from_half(
+            [*_parts(equations.algebraics), *equations.derivatives, *equations.relations.roots]
+        )
         self._block_names = {block: f"block_{number}" for number, block in enumerate(blocks)}
 
     def _body(self, expressions: Iterable[Expression]) -> FunctionBody:
-        return FunctionBody(self._names, self._signatures, expressions)
+        return FunctionBody(self._names, self._signatures, expressions, self._sines)
 
     def blocks(self) -> list[str]:
         """Residual, Jacobian and table of each system that Newton's method solves."""

@@ -21,9 +21,10 @@ _TWO, _HALF = ex.number(2.0), ex.number(0.5)
 
 
 def sines_from_half(expressions: Iterable[Expression]) -> dict[Expression, Expression]:
-    """From each sine to the tangent of half its angle, where the expressions contain both.
+    """From each sine to the tangent of half its angle, where the expressions, those of a model, contain both.
 
-    A sine beside the cosine of the same angle is left alone: C compilers make one call of the two.
+    A sine beside the cosine of the same angle is left alone: C compilers make one call of the two. Every function of
+    the model must go by the same answer: the zero crossings are computed in two of them, to the same last digit.
     """
     nodes = set(ex.walk(*expressions))
     tangents = {}
