@@ -21,6 +21,7 @@ class FunctionBody:
         signatures: Mapping[str, FunctionSignature],
         expressions: Iterable[Expression],
         sines: Mapping[Expression, Expression],
+        parts: Mapping[Expression, int],
     ) -> None:
         self.lines: list[str] = []
         self._slot_names = slot_names
@@ -29,6 +30,7 @@ class FunctionBody:
         self._sines = sines
         self._shared = shared_nodes(expressions) | {sines[e] for e in ex.walk(*expressions) if e in sines}
         self._names = _Names(slot_names)
+        self._names.update((part, self._names[ex.p(slot)]) for part, slot in parts.items())
         self._writer = Writer(self._names)
         self._temporaries = 0
         self._calls: dict[tuple[str, tuple[Expression, ...]], str] = {}
@@ -40,7 +42,7 @@ class FunctionBody:
 
     def _prepare(self, *nodes: Expression) -> None:
         """The lines that compute what the nodes share with others."""
-        for part in ex.walk(*nodes):
+        for part in ex.walk(*nodes, closed=self._names):
             if part in self._names:
                 continue
             if part.operator == "call":

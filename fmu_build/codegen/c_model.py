@@ -11,7 +11,7 @@ from fmu_build.codegen.algebraics import NewtonBlock, Step, needed
 from fmu_build.codegen.c_function import FunctionBody
 from fmu_build.codegen.c_message import message_call
 from fmu_build.codegen.c_tables import tables
-from fmu_build.codegen.equations import Equations, watched_conditions
+from fmu_build.codegen.equations import Equations, watched_conditions, written_slots
 from fmu_build.codegen.expression import Expression, Slot
 from fmu_build.codegen.functions import FunctionSources
 from fmu_build.codegen.half_angle import NAME as SIN_FROM_HALF
@@ -19,6 +19,7 @@ from fmu_build.codegen.half_angle import SOURCE as SIN_FROM_HALF_SOURCE
 from fmu_build.codegen.half_angle import sines_from_half
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.names import slot_names
+from fmu_build.codegen.right_hand_side import RightHandSide, arrange, with_parts
 from fmu_build.codegen.start_values import StartValues
 from fmu_build.codegen.variables import StoredVariable
 
@@ -36,8 +37,11 @@ def write_model(
     functions: FunctionSources,
 ) -> str:
     """C11 source that defines everything that model.h declares."""
-    names = slot_names(model, equations)
-    code = _Code(equations, names, functions)
+    inputs = {s.index for s in variables if s.store == "p" and s.variable.causality == "input"}
+    side = arrange(equations, inputs | written_slots(equations))
+    equations = with_parts(equations, side.parts)
+    names = slot_names(model, equations, side.parts)
+    code = _Code(equations, side, names, functions)
     body = [*code.blocks(), *code.functions()]
     helpers = [
         source
@@ -73,8 +77,15 @@ def _enumeration(names: Mapping[Slot, str], store: str) -> str:
 class _Code:
     """The functions of one model."""
 
-    def __init__(self, equations: Equations, names: Mapping[Slot, str], functions: FunctionSources) -> None:
+    def __init__(
+        self,
+        equations: Equations,
+        side: RightHandSide,
+        names: Mapping[Slot, str],
+        functions: FunctionSources,
+    ) -> None:
         self._equations = equations
+        self._side = side
         self._names = names
         self._signatures = functions.signatures
         blocks = [step for step in equations.algebraics if isinstance(step, NewtonBlock)]
@@ -83,8 +94,16 @@ class _Code:
         )
         self._block_names = {block: f"block_{number}" for number, block in enumerate(blocks)}
 
-    def _body(self, expressions: Iterable[Expression]) -> FunctionBody:
-        return FunctionBody(self._names, self._signatures, expressions, self._sines)
+    def _body(
+        self, expressions: Iterable[Expression], parts: Mapping[Expression, int] | None = None
+    ) -> FunctionBody:
+        return FunctionBody(
+            self._names,
+            self._signatures,
+            expressions,
+            self._sines,
+            self._side.parts if parts is None else parts,
+        )
 
     def blocks(self) -> list[str]:
         """Residual, Jacobian and table of each system that Newton's method solves."""
@@ -165,18 +184,15 @@ class _Code:
 
     def _derivatives(self) -> str:
         """The derivatives, and on request the roots, which need much the same algebraic variables."""
-        e = self._equations
-        roots = e.relations.roots
-        steps = needed(e.algebraics, [*e.derivatives, *roots])
-        first = needed(steps, e.derivatives)
-        rest = [step for step in steps if step not in first]
+        side, roots = self._side, self._equations.relations.roots
+        steps = (*side.for_derivatives, *side.for_roots)
         in_blocks = _read_by_blocks(steps)
-        body = self._body([*_parts(steps), *e.derivatives, *roots])
-        body.steps(first, self._block_names, stored=lambda unknown: unknown in in_blocks)
-        self._store(body, "der", e.derivatives, as_truth=False)
+        body = self._body([*_parts(steps), *side.derivatives, *roots])
+        body.steps(side.for_derivatives, self._block_names, stored=lambda unknown: unknown in in_blocks)
+        self._store(body, "der", side.derivatives, as_truth=False)
         if roots:
             before, body.lines = body.lines, []
-            body.steps(rest, self._block_names, stored=lambda unknown: unknown in in_blocks)
+            body.steps(side.for_roots, self._block_names, stored=lambda unknown: unknown in in_blocks)
             self._store(body, "root", roots, as_truth=False)
             body.lines = [*before, "if (root != NULL) {", *(f"    {line}" for line in body.lines), "}"]
         body.lines.append("return true;")
@@ -206,7 +222,7 @@ class _Code:
     def _sequence(self, rows: Iterable[tuple[Slot, Expression]]) -> list[str]:
         lines: list[str] = []
         for slot, value in rows:
-            body = self._body([value])
+            body = self._body([value], parts={})
             text = body.value(value)
             assignment = f"{slot[0]}[{self._names[slot]}] = {text};"
             lines += (

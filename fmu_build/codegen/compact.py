@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from fmu_build.codegen import expression as ex
 from fmu_build.codegen.algebraics import Assignment, NewtonBlock, Step
-from fmu_build.codegen.equations import Equations
+from fmu_build.codegen.equations import Equations, written_slots
 from fmu_build.codegen.expression import ZERO, Expression, Slot
 from fmu_build.codegen.relations import Relation, Relations
 
@@ -21,24 +21,15 @@ def compact(equations: Equations, n_named: int) -> Equations:
     """
     equations = _without_unwritten(equations, n_named)
     equations = _without_unread(equations)
-    kept = [slot for slot in range(equations.n_p) if slot < n_named or slot in _written(equations)]
+    kept = [slot for slot in range(equations.n_p) if slot < n_named or slot in written_slots(equations)]
     numbers = {old: new for new, old in enumerate(kept)}
     moved = {ex.p(old): ex.p(new) for old, new in numbers.items() if old != new}
     return _renumbered(_changed(equations, lambda e: ex.substitute(e, moved)), numbers)
 
 
-def _written(equations: Equations) -> set[int]:
-    """Slots of p that the runtime or an equation writes."""
-    relations = equations.relations
-    slots = {relation.memory for relation in (*relations.crossings, *relations.of_time)}
-    slots |= {row.slot[1] for row in equations.discrete if row.slot[0] == "p"}
-    slots |= {slot for slot, _ in equations.pre} | {clock.activation for clock in equations.clocks}
-    return slots if equations.initial_event is None else slots | {equations.initial_event}
-
-
 def _without_unwritten(equations: Equations, n_named: int) -> Equations:
     """A memory that nothing writes stays 0."""
-    written = _written(equations)
+    written = written_slots(equations)
     zero = {ex.p(slot): ZERO for slot in range(n_named, equations.n_p) if slot not in written}
     return _changed(equations, lambda e: ex.substitute(e, zero))
 

@@ -269,6 +269,15 @@ def watched_conditions(equations: Equations) -> list[Expression]:
     ]
 
 
+def written_slots(equations: Equations) -> set[int]:
+    """Slots of p that the runtime or an equation writes."""
+    relations = equations.relations
+    slots = {relation.memory for relation in (*relations.crossings, *relations.of_time)}
+    slots |= {row.slot[1] for row in equations.discrete if row.slot[0] == "p"}
+    slots |= {slot for slot, _ in equations.pre} | {clock.activation for clock in equations.clocks}
+    return slots if equations.initial_event is None else slots | {equations.initial_event}
+
+
 def acting_expressions(equations: Equations) -> Sequence[Expression]:
     """Every expression that acts on the solution after initialisation; asserts only judge it."""
     return (

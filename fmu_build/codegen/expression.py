@@ -6,7 +6,7 @@ were made, so shared parts of an expression can be found by looking them up in a
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Container, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
@@ -203,8 +203,8 @@ def _is_finite_guard(condition: Expression, guarded: Expression) -> bool:
     )
 
 
-def walk(*roots: Expression) -> Iterator[Expression]:
-    """Every distinct node below the roots, arguments before the nodes that use them."""
+def walk(*roots: Expression, closed: Container[Expression] = ()) -> Iterator[Expression]:
+    """Every distinct node below the roots, arguments before the nodes that use them; not into those `closed`."""
     seen: set[Expression] = set()
     for root in roots:
         stack: list[tuple[Expression, bool]] = [(root, False)]
@@ -215,7 +215,8 @@ def walk(*roots: Expression) -> Iterator[Expression]:
             elif node not in seen:
                 seen.add(node)
                 stack.append((node, True))
-                stack.extend((argument, False) for argument in reversed(node.arguments))
+                if node not in closed:
+                    stack.extend((argument, False) for argument in reversed(node.arguments))
 
 
 def leaves(*roots: Expression) -> set[Expression]:

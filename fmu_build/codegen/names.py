@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from fmu_build.codegen.equations import Equations
-from fmu_build.codegen.expression import Slot
+from fmu_build.codegen.expression import ONE, Expression, Slot
 from fmu_build.codegen.lowered import LoweredModel
 
 
-def slot_names(model: LoweredModel, equations: Equations) -> dict[Slot, str]:
+def slot_names(
+    model: LoweredModel, equations: Equations, parts: Mapping[Expression, int]
+) -> dict[Slot, str]:
     """A C identifier for every slot: ``Y_theta``, ``P_forward_returnSpring_k_s``, ``P_pre_v`` ..."""
     names: dict[Slot, str] = {}
     taken: set[str] = set()
-    for slot, text in (*_variables(model), *_memories(equations), *_others(equations)):
+    for slot, text in (*_variables(model), *_memories(equations), *_parts(model, parts), *_others(equations)):
         if slot in names:
             continue
         base = f"{slot[0].upper()}_{_identifier(text)}"
@@ -47,6 +49,16 @@ def _memories(equations: Equations) -> Iterator[tuple[Slot, str]]:
         yield ("p", clock.activation), f"tick_{number}"
     for index, (store, source) in equations.pre:
         yield ("p", index), f"pre_{store}_{source}"
+
+
+def _parts(model: LoweredModel, parts: Mapping[Expression, int]) -> Iterator[tuple[Slot, str]]:
+    """What is computed from parameters: ``inverse_J`` for 1/J, else a number."""
+    texts = dict(_variables(model))
+    for number, (part, slot) in enumerate(parts.items()):
+        text = f"part_{number}"
+        if part.operator == "Div" and part.arguments[0] == ONE and part.arguments[1].operator == "p":
+            text = f"inverse_{texts[('p', part.arguments[1].index)]}"
+        yield ("p", slot), text
 
 
 def _others(equations: Equations) -> Iterator[tuple[Slot, str]]:
