@@ -1,5 +1,6 @@
 #include "cosimulation.h"
 #include "evaluation.h"
+#include "extremes.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -15,7 +16,7 @@ static const double crowd_width = 100.0;
 
 static double instant_at(double time)
 {
-    return relative_instant * fmax(1.0, fabs(time));
+    return relative_instant * larger(1.0, fabs(time));
 }
 
 static Status fail(Instance *instance, double time, const char *why)
@@ -187,8 +188,8 @@ static bool reaches(const Instance *instance, double target)
 Status cosimulation_advance(Instance *instance, double target)
 {
     Status status = STATUS_OK;
-    double limit = fmax(target, instance->experiment.stop_time);
-    target = fmax(target, instance->values.time);
+    double limit = larger(target, instance->experiment.stop_time);
+    target = larger(target, instance->values.time);
     inputs_begin(&instance->inputs, instance->values.time, instance->values.p);
     instance->changed.any = instance->changed.any || instance->inputs.active;
     if (instance->changed.any) {
@@ -204,7 +205,7 @@ Status cosimulation_advance(Instance *instance, double target)
     }
     if (status != STATUS_OK)
         return status;
-    target = fmax(target, instance->values.time);
+    target = larger(target, instance->values.time);
     if (instance->values.time != target || instance->integrator.record.time != target)
         move_to(instance, target);
     instance->changed.any = instance->inputs.active;

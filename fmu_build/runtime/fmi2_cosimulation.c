@@ -58,15 +58,16 @@ static const char *fault_of_step(const Instance *instance, double point, double 
 {
     const double time = instance->values.time;
     const double slack = 1e-6 * step + 16.0 * DBL_EPSILON * fabs(time);
+    const double stop_time = instance->experiment.stop_time;
+    if (fabs(point - time) <= slack && step >= 0.0 && step <= DBL_MAX && point + step <= stop_time + slack)
+        return NULL;
     if (!isfinite(point) || !isfinite(step))
         return "the communication point and the step size must be finite.";
     if (step < 0.0)
         return "the communication step size is negative.";
     if (fabs(point - time) > slack)
         return "the communication point is not where the last step ended.";
-    if (point + step > instance->experiment.stop_time + slack)
-        return "the step goes beyond the stop time.";
-    return NULL;
+    return "the step goes beyond the stop time.";
 }
 
 fmi2Status fmi2DoStep(fmi2Component c, fmi2Real currentCommunicationPoint, fmi2Real communicationStepSize,

@@ -30,15 +30,15 @@ void inputs_begin(Inputs *inputs, double time, const double *p)
 {
     inputs->since = time;
     inputs->active = false;
-    for (size_t i = 0; i < inputs->count; ++i) {
-        inputs->base[i] = p[inputs->index[i]];
+    for (size_t i = 0; i < inputs->count; ++i)
         inputs->active = inputs->active || inputs->slope[i] != 0.0;
-    }
+    for (size_t i = 0; inputs->active && i < inputs->count; ++i)
+        inputs->base[i] = p[inputs->index[i]];
 }
 
 void inputs_end(Inputs *inputs)
 {
-    inputs->active = false;
-    for (size_t i = 0; i < inputs->count; ++i)
+    for (size_t i = 0; inputs->active && i < inputs->count; ++i)
         inputs->slope[i] = 0.0;
+    inputs->active = false;
 }

@@ -1,4 +1,5 @@
 #include "integrator.h"
+#include "extremes.h"
 #include "model.h"
 
 #include <float.h>
@@ -24,17 +25,6 @@ static const double d1 = -12715105075.0 / 11282082432.0, d3 = 87487479700.0 / 32
                     d6 = -1453857185.0 / 822651844.0, d7 = 69997945.0 / 29380423.0;
 
 static const double safety = 0.9, smallest_factor = 0.1, largest_factor = 5.0;
-
-/* Neither argument is NaN: one instruction, where fmin() and fmax() take five. */
-static double smaller(double a, double b)
-{
-    return a < b ? a : b;
-}
-
-static double larger(double a, double b)
-{
-    return a > b ? a : b;
-}
 
 /* The arrays of the block, [size] each: the states, the slopes of 7 stages, 5 coefficients of the dense output. */
 enum { STATES, SLOPES, DENSE = SLOPES + 7, ARRAYS = DENSE + 5 };
