@@ -41,7 +41,7 @@ static bool fail_not_a_number(const Instance *instance, const Variable *variable
     return false;
 }
 
-bool variable_get(Instance *instance, const Variable *variable, double *value)
+bool variable_compute(Instance *instance, const Variable *variable, double *value)
 {
     if (instance->phase == PHASE_INITIALIZATION && instance_initialize(instance) != STATUS_OK)
         return false;

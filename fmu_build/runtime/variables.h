@@ -4,15 +4,28 @@
 
 #include "instance.h"
 
+#include <math.h>
 #include <stdint.h>
 
 /* The variable of a value reference; NULL, after a message, where there is none or it has another type. */
 const Variable *variable_find(const Instance *instance, size_t reference, ValueType type);
 
-/* Its present value. False, after a message, where it could not be computed. */
-bool variable_get(Instance *instance, const Variable *variable, double *value);
+/* Its present value, after the equations that it needs. False, after a message, where it could not be computed. */
+bool variable_compute(Instance *instance, const Variable *variable, double *value);
 
-/* The same for an Integer. False too, after a message, where the value, held as a double, is beyond 32 bits. */
+/* The same, by a short cut where the value is there already. */
+static inline bool variable_get(Instance *instance, const Variable *variable, double *value)
+{
+    if (instance->phase != PHASE_INITIALIZATION && variable->store == STORE_STATE_OR_ALGEBRAIC &&
+        (variable->index < model.n_states || instance->current.algebraics)) {
+        *value = instance->values.y[variable->index];
+        if (!isnan(*value))
+            return true;
+    }
+    return variable_compute(instance, variable, value);
+}
+
+/* Its value where it is an Integer. False too, after a message, where the value, held as a double, is beyond 32 bits. */
 bool variable_get_int32(Instance *instance, const Variable *variable, int32_t *value);
 
 /* Whether it may be set, now and to this value. False after a message that names variable, value and what is
