@@ -31,6 +31,7 @@ static void restart(Instance *instance)
     Progress *progress = &instance->progress;
     progress->event_pending = false;
     progress->next_time_event = event_next_time(values);
+    *instance->roots.agrees = 0.0;
     integrator_restart(&instance->integrator, values->time, values->y);
     double *suggestion = &instance->integrator.record.suggestion;
     *suggestion = step_memory_switch(&instance->steps, values->p, *suggestion);

@@ -9,7 +9,7 @@
 
 /* The method's nodes, weights (a7j are those of order 5), error weights and dense output weights. */
 enum { STAGES = 7 };
-static const double nodes[STAGES - 1] = {1.0 / 5, 3.0 / 10, 4.0 / 5, 8.0 / 9, 1.0, 1.0}; /* of stage 2 to 7 */
+static const double nodes[STAGES - 1] = {1.0 / 5, 3.0 / 10, SAMPLE_FRACTION, 8.0 / 9, 1.0, 1.0}; /* of stage 2 to 7 */
 static const double weights[STAGES - 1][STAGES - 1] = {
     {1.0 / 5},
     {3.0 / 40, 9.0 / 40},
@@ -137,7 +137,7 @@ static bool guess_step(Integrator *integrator)
     const double small = smaller(usable ? 0.01 * states_norm / slope_norm : 1e-6, integrator->largest_step);
     for (size_t i = 0; i < n; ++i)
         integrator->argument[i] = y[i] + small * slope[i];
-    if (!evaluate(integrator, record->time + small, STEP_INSIDE, other))
+    if (!evaluate(integrator, record->time + small, STEP_ELSEWHERE, other))
         return false;
     for (size_t i = 0; i < n; ++i)
         curvature = larger(curvature, fabs(weight(integrator, i, fabs(y[i])) * (other[i] - slope[i])));
@@ -164,9 +164,10 @@ static inline void combine(const double *arrays, double h, const double *weight,
 /* One stage of a step of size h. Called with a constant, so that the loop over the weights is unrolled. */
 static inline bool stage(Integrator *integrator, size_t number, double h, double end)
 {
+    const StepPoint point = number == 4 ? STEP_SAMPLE : number == 7 ? STEP_END : STEP_ELSEWHERE;
     const double time = number < 6 ? integrator->record.time + nodes[number - 2] * h : end;
     combine(integrator->arrays, h, weights[number - 2], number - 1, integrator->argument);
-    return evaluate(integrator, time, number < 7 ? STEP_INSIDE : STEP_END, slope_of(integrator, number));
+    return evaluate(integrator, time, point, slope_of(integrator, number));
 }
 
 /* All stages; the result of order 5 is left in `argument`. */

@@ -37,11 +37,13 @@ typedef enum {
 
 size_t integrator_count(void); /* doubles in the block */
 
-typedef enum { STEP_START, STEP_INSIDE, STEP_END } StepPoint;
+/* Where in a step the derivatives are asked for: the start is that of a first step; the sample lies SAMPLE_FRACTION of
+ * the step behind it, with states of order 3; sample and end are those of a step that may still be rejected. */
+typedef enum { STEP_START, STEP_SAMPLE, STEP_END, STEP_ELSEWHERE } StepPoint;
+#define SAMPLE_FRACTION 0.8
 
 /* The derivatives at integrator->argument, which the user of the integrator supplies; false where they cannot be
- * computed. `point` says where in the step this is, for users who look at more than derivatives there: the start is
- * that of a first step, the end that of a step which may still be rejected. */
+ * computed. `point` is for users who look at more than derivatives. */
 bool integrator_derivatives(void *context, double time, StepPoint point, double *der);
 
 void integrator_bind(Integrator *integrator, double *block);

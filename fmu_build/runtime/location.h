@@ -7,7 +7,9 @@
 typedef struct {
     void *context;
     double *start;   /* [n_roots] at the start of the step, kept from step to step */
+    double *sample;  /* [n_roots] at SAMPLE_FRACTION of it, nearly */
     double *end;     /* [n_roots] at its end */
+    double *agrees;  /* [1] 1 where `start` is known to agree with the memories of the relations, else 0 */
     double *work[3]; /* [n_roots] each */
 } RootFinder;
 
@@ -30,8 +32,8 @@ bool roots_evaluate(void *context, double time, double *root);
 size_t roots_first_changed(const double *root, const double *p);
 
 /* The first crossing in the step from `from` to `to`, whose relations all had the side that their memories
- * in p tell: a change between start and end, or there and back within the step. Looks at `start` and `end`, which
- * whoever takes the step fills; where nothing was crossed, `end` becomes the next step's `start`. */
+ * in p tell: a change between start and end, or there and back within the step. Looks at `start`, `sample` and `end`,
+ * which whoever takes the step fills; where nothing was crossed, `end` becomes the next step's `start`. */
 Crossing roots_search(RootFinder *finder, const double *p, double from, double to);
 
 #endif
