@@ -196,8 +196,8 @@ class _Code:
             self._store(body, "root", roots, as_truth=False)
             body.lines = [*before, "if (root != NULL) {", *(f"    {line}" for line in body.lines), "}"]
         body.lines.append("return true;")
-        signature = "bool model_derivatives(double time, double *y, const double *p, double *der, double *root)"
-        return _function(signature, body.lines)
+        parameters = "double time, double *y, const double *p, double *der, double *root"
+        return _function(f"bool model_derivatives({parameters})", body.lines)
 
     def _watched_actions(self) -> str:
         conditions = watched_conditions(self._equations)

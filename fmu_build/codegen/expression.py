@@ -204,7 +204,10 @@ def _is_finite_guard(condition: Expression, guarded: Expression) -> bool:
 
 
 def walk(*roots: Expression, closed: Container[Expression] = ()) -> Iterator[Expression]:
-    """Every distinct node below the roots, arguments before the nodes that use them; not into those `closed`."""
+    """Every distinct node below the roots, arguments before the nodes that use them.
+
+    What is below a node of `closed` is left out.
+    """
     seen: set[Expression] = set()
     for root in roots:
         stack: list[tuple[Expression, bool]] = [(root, False)]

@@ -10,9 +10,7 @@ from fmu_build.codegen.expression import ONE, Expression, Slot
 from fmu_build.codegen.lowered import LoweredModel
 
 
-def slot_names(
-    model: LoweredModel, equations: Equations, parts: Mapping[Expression, int]
-) -> dict[Slot, str]:
+def slot_names(model: LoweredModel, equations: Equations, parts: Mapping[Expression, int]) -> dict[Slot, str]:
     """A C identifier for every slot: ``Y_theta``, ``P_forward_returnSpring_k_s``, ``P_pre_v`` ..."""
     names: dict[Slot, str] = {}
     taken: set[str] = set()
