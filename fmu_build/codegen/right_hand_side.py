@@ -1,8 +1,8 @@
 """What the integrator computes thousands of times a run, without what can be computed once.
 
 A division takes several times as long as a product, and the next stage of the integrator waits for it: where
-only parameters decide the divisor, the derivatives are multiplied by its reciprocal. The reciprocal, and other
-costly parts that only parameters decide, become slots of p, computed with the dependent parameters.
+only parameters decide the divisor, the derivatives are multiplied by its reciprocal. The reciprocal, and
+other costly parts that only parameters decide, become slots of p, computed with the dependent parameters.
 
 What a zero crossing reads is left as it stands: ``x/L >= 1`` must hold where x equals L.
 """
