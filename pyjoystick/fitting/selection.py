@@ -80,8 +80,9 @@ def _prediction_error(
     records: Sequence[Measurement], left_out: int, settings: FitSettings, whole: Fit, fmu: Fmu
 ) -> float:
     """Root mean square of the residuals of one record, its shared parameters coming from the others."""
-    quick = dataclasses.replace(settings, uncertainty=Uncertainty(profiles=()))
-    # Begin where the fit to all records ended.
+    # One search, which begins where the fit to all records ended.
+    once = dataclasses.replace(settings.search, starts=1, stages=(), exchanges=())
+    quick = dataclasses.replace(settings, search=once, uncertainty=Uncertainty(profiles=()))
     begun = tuple(
         dataclasses.replace(one, start=whole.value(one.name)) if not one.per_record else one
         for one in quick.free
