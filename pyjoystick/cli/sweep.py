@@ -28,14 +28,18 @@ def run(
             "--output",
             "-o",
             metavar="FILE",
-            help="Where the results go, .parquet or .csv; SETTINGS with .csv where not given.",
+            help="Where the results go, .parquet or .csv; SETTINGS with .csv if not given.",
             show_default=False,
         ),
     ] = None,
     threads: Annotated[
         int | None,
         typer.Option(
-            "--threads", min=1, help="Threads on this machine; all cores where not given.", show_default=False
+            "--threads",
+            metavar="NUMBER",
+            min=1,
+            help="Threads on this machine; all cores if not given.",
+            show_default=False,
         ),
     ] = None,
     scheduler: Annotated[
@@ -75,7 +79,7 @@ def run(
         typer.Option(
             "--result",
             metavar="NAME",
-            help="Show and draw this result, such as theta.peak1; repeatable; all where not given.",
+            help="Show and draw this result, such as theta.peak1; repeatable; all if not given.",
             show_default=False,
         ),
     ] = None,

@@ -23,7 +23,7 @@ class ChangedSweepError(PyJoystickError):
 
     def __str__(self) -> str:
         return (
-            f"{self.path} was begun otherwise: {'; '.join(self.differences)}. "
+            f"{self.path} belongs to another sweep: {'; '.join(self.differences)}. "
             "Give the result another name, or begin anew with --overwrite"
         )
 

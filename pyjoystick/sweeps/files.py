@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import json
 from importlib.util import find_spec
+from os import PathLike
 from pathlib import Path
 from typing import Any, Final
 
@@ -57,7 +58,7 @@ def write_sweep(path: Path, table: pd.DataFrame) -> None:
                 table.to_csv(file, quoting=csv.QUOTE_NONNUMERIC, lineterminator="\n")
 
 
-def read_sweep(path: Path) -> pd.DataFrame:
+def read_sweep(path: str | PathLike[str]) -> pd.DataFrame:
     """The results of a sweep, one row a run; ``attrs["sweep"]`` has its settings, FMU, versions and units.
 
     The columns are the varied parameters, the results, ``failed`` and ``message``; the index is ``run``.
@@ -66,6 +67,7 @@ def read_sweep(path: Path) -> pd.DataFrame:
         SweepFileError: there is no such file, or it is no result of a sweep
         MissingPackageError: Parquet without pyarrow
     """
+    path = Path(path)
     check_target(path)
     try:
         table = _read_parquet(path) if _is_parquet(path) else _read_csv(path)

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from contextlib import closing
 from dataclasses import dataclass
+from os import PathLike
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
+from numpy.typing import NDArray
 
 from pyjoystick.sweeps.errors import ChangedSweepError, SweepFileError
 from pyjoystick.sweeps.files import check_target, read_sweep, write_sweep
@@ -45,7 +47,7 @@ class Outcome:
 
 def run_sweep(
     sweep: Sweep,
-    target: Path,
+    target: str | PathLike[str],
     *,
     threads: int | None = None,
     scheduler: str | None = None,
@@ -74,6 +76,7 @@ def run_sweep(
         ClusterError: the cluster cannot be used or was lost; what was finished is kept
         FmuFileError, UnsupportedFmuError, ParameterError: the FMU cannot be run with these settings
     """
+    target = Path(target)
     check_target(target)
     parts = Parts(target)
     if not overwrite and (finished := _finished(sweep, parts)) is not None:
@@ -104,7 +107,7 @@ def run_sweep(
 def _carry_out(
     sweep: Sweep,
     parts: Parts,
-    pending: np.ndarray[tuple[int], np.dtype[np.int64]],
+    pending: NDArray[np.int64],
     threads: int | None,
     scheduler: str | None,
     on_progress: OnProgress,

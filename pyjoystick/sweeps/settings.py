@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from os import PathLike
 from pathlib import Path
 from typing import Any, Final
 
@@ -66,7 +67,7 @@ class Settings:
     document: Mapping[str, Any]
 
 
-def read_settings(path: Path, find: Callable[[str], Path] = find_fmu) -> Settings:
+def read_settings(path: str | PathLike[str], find: Callable[[str], Path] = find_fmu) -> Settings:
     """Read the settings of a sweep; docs/sweeps.md describes the file.
 
     Args:
@@ -78,7 +79,7 @@ def read_settings(path: Path, find: Callable[[str], Path] = find_fmu) -> Setting
         SettingsError: something in it is not allowed
         FmuNotFoundError, FmuFileError: there is no such FMU, or it is broken
     """
-    root = read_toml(path)
+    root = read_toml(Path(path))
     fmu = _fmu(root, find)
     joystick = _joystick(root, fmu)
     experiment = root.table("experiment")
@@ -90,7 +91,7 @@ def read_settings(path: Path, find: Callable[[str], Path] = find_fmu) -> Setting
     varied = _varied(root.table("vary", required=True), fmu, parameters)
     parameters = {name: value for name, value in joystick.items() if name not in varied} | parameters
     settings = Settings(
-        path=path,
+        path=root.path,
         title=root.text("title", ""),
         fmu=fmu,
         time=time,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import re
 from pathlib import Path
 
 import numpy as np
@@ -57,6 +58,18 @@ def test_other_tools_read_the_files(small_sweep: Sweep, tmp_path: Path) -> None:
     write_sweep(tmp_path / "a.parquet", table)
     metadata = pyarrow.parquet.read_schema(tmp_path / "a.parquet").metadata
     assert json.loads(metadata[b"PANDAS_ATTRS"])["sweep"] == table.attrs["sweep"]
+
+
+def test_the_program_in_the_documentation(
+    small_sweep: Sweep, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    page = (Path(__file__).parents[3] / "docs" / "sweeps.md").read_text(encoding="utf-8")
+    (program,) = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
+    monkeypatch.chdir(tmp_path)
+    write_sweep(Path("results/release.csv"), _table(small_sweep))
+    names: dict[str, object] = {}
+    exec(compile(program, "sweeps.md", "exec"), names)
+    assert names["sha256"] == small_sweep.fmu_sha256
 
 
 def test_names_and_packages_are_checked_first(monkeypatch: pytest.MonkeyPatch) -> None:
