@@ -164,6 +164,8 @@ def _print_comparison(console: Console, comparison: FmuComparison, every_run: bo
     facts = Table.grid(padding=(0, 2))
     for label, fmu in (("first", comparison.first), ("second", comparison.second)):
         facts.add_row(f"[dim]{label}[/dim]", escape(str(fmu.path)), escape(fmu.model_name), _made_by(fmu))
+    for column in facts.columns:
+        column.overflow = "fold"
     console.print(facts)
     _print_declarations(console, comparison.declarations, every_run)
     for interface in dict.fromkeys(run.interface for run in comparison.runs):

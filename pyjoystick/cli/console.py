@@ -2,13 +2,22 @@
 
 from __future__ import annotations
 
+import os
+from typing import Final
+
 from rich.console import Console
 from rich.markup import escape
 
+#: Columns for tables where nobody looks on: more than any of them takes.
+_UNBOUNDED: Final = 10_000
+
 
 def output() -> Console:
-    """Standard output, wrapped nowhere so that it can be piped."""
-    return Console(highlight=False, soft_wrap=True)
+    """Standard output; where it is no terminal nothing is wrapped or cut short, so that it can be piped."""
+    console = Console(highlight=False, soft_wrap=True)
+    if not console.is_terminal and "COLUMNS" not in os.environ:
+        console.width = _UNBOUNDED
+    return console
 
 
 def messages() -> Console:

@@ -21,8 +21,12 @@ def print_differences(console: Console, runs: Sequence[RunComparison], *, every_
     several = len(runs) > 1
     columns = ("variable", "unit", "experiment" if every_run else "worst in")[: 3 if several else 2]
     table = Table(
-        *columns, "largest difference", "relative", "at (s)", "limit", "passed at (s)", "", box=None
+        *columns, "largest\ndifference", "relative", "at (s)", "limit", "passed\nat (s)", "", box=None
     )
+    for column in table.columns:
+        column.overflow = "fold"
+    for column in table.columns[-6:]:
+        column.no_wrap = True
     for column in table.columns[-6:-1]:
         column.justify = "right"
     shown = (_all if every_run else _worst)(runs)
