@@ -12,8 +12,8 @@ from pathlib import Path
 
 from fmu_build.errors import ToolchainError
 
-# Reads until this process closes the pipe, be it because it was killed, then kills the group.
-_GUARD = 'read -r _; kill -s KILL -- "-$1"'
+# Reads until this process closes the pipe, be it because it was killed, then kills its own group.
+_GUARD = "read -r _; kill -s KILL 0"
 
 
 @contextmanager
@@ -24,7 +24,7 @@ def running(
 
     Raises `ToolchainError` where it cannot be started.
     """
-    with log.open("wb") as sink:
+    with log.open("wb") as sink, _guard() as group:
         try:
             process = subprocess.Popen(
                 command,
@@ -33,15 +33,14 @@ def running(
                 stdin=subprocess.DEVNULL,
                 stdout=sink,
                 stderr=subprocess.STDOUT,
-                start_new_session=True,
+                process_group=group,
             )
         except OSError as error:
             raise ToolchainError(f"cannot run {command[0]}: {error.strerror or error}") from error
-    try:
-        with _guarded(process):
+        try:
             yield process
-    finally:
-        _end(process)
+        finally:
+            _end(process, group)
 
 
 def run(
@@ -64,29 +63,32 @@ def read_log(log: Path) -> str:
 
 
 @contextmanager
-def _guarded(process: subprocess.Popen[bytes]) -> Iterator[None]:
-    """While this lasts, a sudden end of this process, which runs no handler, is the end of that one too."""
+def _guard() -> Iterator[int | None]:
+    """A process group, None on Windows, that ends with this process even where that runs no handler.
+
+    The guard is there before anything that it guards, so that there is no moment without it.
+    """
     if os.name != "posix":
-        yield
+        yield None
         return
     with subprocess.Popen(
-        ["sh", "-c", _GUARD, "sh", str(process.pid)],
+        ["sh", "-c", _GUARD],
         stdin=subprocess.PIPE,
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
-        start_new_session=True,
+        process_group=0,
     ) as guard:
         try:
-            yield
+            yield guard.pid
         finally:
             guard.kill()
 
 
-def _end(process: subprocess.Popen[bytes]) -> None:
-    if os.name == "posix":
+def _end(process: subprocess.Popen[bytes], group: int | None) -> None:
+    if group is not None:
         # Of a compilation that is cut short, make and the C compiler are left in the group.
         with contextlib.suppress(ProcessLookupError, PermissionError):
-            os.killpg(process.pid, signal.SIGKILL)
+            os.killpg(group, signal.SIGKILL)
     elif process.poll() is None:
         process.kill()
     process.wait()
