@@ -142,7 +142,7 @@ Parameters = Annotated[
         "-p",
         metavar="FILE",
         help="The joystick, a TOML file as `pyjoystick parameters` writes it; the paper's if not given. "
-        "--set and --damping go before it.",
+        "What other options say takes precedence.",
         show_default=False,
     ),
 ]
