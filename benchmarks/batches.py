@@ -21,8 +21,8 @@ from pyjoystick._types import FloatArray
 from pyjoystick.fmu import Extremes, Fmu, Peaks, Plan, Reduction
 
 THREADS: Final = 2
-#: Runs of each batch of a round.
-RUNS: Final = 1_000
+#: Runs of each batch of a round: enough that starting the threads and their last runs weigh little.
+RUNS: Final = 5_000
 #: Runs of the batches whose memory is compared.
 FEW_RUNS, MANY_RUNS = 1_000, 10_000
 #: What is kept of each run.
