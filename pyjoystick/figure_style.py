@@ -1,0 +1,90 @@
+"""How figures look: one meaning has one color in all of them.
+
+The colors are those of Okabe and Ito, which the color-blind can tell apart; lines that share a panel also
+differ in their dashes, for gray print.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Final, NamedTuple
+
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+BLACK: Final = "#000000"
+AMBER: Final = "#E69F00"
+SKY: Final = "#56B4E9"
+GREEN: Final = "#009E73"
+BLUE: Final = "#0072B2"
+VERMILION: Final = "#D55E00"
+PURPLE: Final = "#CC79A7"
+GRAY: Final = "0.6"
+
+#: What was measured, or stands for it.
+MEASURED: Final = BLACK
+#: What is fitted to it, and how sure that is.
+FITTED: Final = VERMILION
+BAND: Final = BLUE
+#: The two damping laws.
+CONSTANT_DAMPING: Final = BLUE
+POWER_LAW: Final = VERMILION
+#: The two sides: positive and negative angles.
+FORWARD: Final = GREEN
+BACKWARD: Final = PURPLE
+
+#: Solid, long and short dashes, dashes with dots, dots.
+SOLID: Final = "-"
+LONG_DASHES: Final = (0, (6, 2))
+SHORT_DASHES: Final = (0, (2, 1.5))
+DASH_DOT: Final = (0, (6, 1.5, 1.5, 1.5))
+DOTS: Final = (0, (1, 1))
+
+
+class LineStyle(NamedTuple):
+    """Keyword arguments of a line; ``axes.plot(x, y, **style._asdict())``."""
+
+    color: str
+    linestyle: str | tuple[int, tuple[float, ...]]
+    linewidth: float
+
+
+#: For lines without a color of their own, in this order.
+SERIES: Final = (
+    LineStyle(BLACK, SOLID, 1.1),
+    LineStyle(VERMILION, LONG_DASHES, 1.4),
+    LineStyle(BLUE, SHORT_DASHES, 1.4),
+    LineStyle(GREEN, DASH_DOT, 1.4),
+    LineStyle(PURPLE, DOTS, 1.6),
+)
+#: Lines of Fig. 10, dashed as there.
+LAWS: Final = {
+    "constant": LineStyle(CONSTANT_DAMPING, SHORT_DASHES, 1.4),
+    "power-law": LineStyle(POWER_LAW, LONG_DASHES, 1.4),
+}
+
+
+def dress(axes: Axes, *, zero: bool = False) -> None:
+    """A light grid and no frame at the top and on the right; with `zero` a line where the value is 0."""
+    if zero:
+        axes.axhline(0.0, color=GRAY, linewidth=0.6, zorder=0)
+    axes.grid(visible=True, color="0.9", linewidth=0.6)
+    axes.set_axisbelow(True)
+    for side in ("top", "right"):
+        axes.spines[side].set_visible(False)
+
+
+def legend_above(figure: Figure, axes: Axes | Sequence[Axes], *, columns: int | None = None) -> None:
+    """The legend of the lines of `axes` above the panels, where it covers no curve; each label once."""
+    panels = [axes] if isinstance(axes, Axes) else axes
+    entries = {}
+    for panel in panels:
+        for handle, label in zip(*panel.get_legend_handles_labels(), strict=True):
+            entries.setdefault(label, handle)
+    figure.legend(
+        list(entries.values()),
+        list(entries),
+        loc="outside upper center",
+        ncols=columns or len(entries),
+        frameon=False,
+    )
