@@ -90,7 +90,7 @@ def unpack(fmu: Path, folder: Path) -> UnpackedFmu:
         raise BenchmarkError(f"{fmu} is not an FMU that can be read: {error}") from error
     identifier = description.coSimulation.modelIdentifier
     platform = _platform()
-    library = target / "binaries" / platform.name / f"{identifier}{platform.extension}"
+    library = target / "binaries" / platform.folder("2.0") / f"{identifier}{platform.extension}"
     if not library.is_file():
         raise BenchmarkError(f"{fmu} has no binary for {platform.name}")
     counting_library = folder / f"{identifier}-counting{platform.extension}"
@@ -108,5 +108,5 @@ def _compile_counting(sources: Path, identifier: str, platform: Platform) -> byt
 def _platform() -> Platform:
     platform = host_platform()
     if platform is None:
-        raise BenchmarkError("FMI 2 has no platform name for this machine")
+        raise BenchmarkError("FMUs cannot be built for this machine")
     return platform

@@ -61,7 +61,8 @@ def build_fmu(
             A library of your own may use PreloadedSprings without naming it here.
         fmi_version: the version of the FMI standard; 3.0 with some versions of OpenModelica alone.
         fmi_types: Model Exchange, Co-Simulation, or both in one FMU.
-        platforms: FMI 2 platform names such as ``linux64``; none means this machine's.
+        platforms: platform tuples such as ``aarch64-linux``, FMI 2's names such as ``win64``, or ``all``;
+            none means this machine's.
         options: settings that only the chosen compiler has, by name; docs/compilers.md lists them.
         on_stage: called with a short text when a stage of the build begins.
 

@@ -12,7 +12,7 @@ from rich.console import Console
 from rich.markup import escape
 
 from fmu_build import BuildError, FmiVersion, build_fmu, compiler_names
-from fmu_build.packaging.platforms import PLATFORMS
+from fmu_build.packaging.platforms import ALL, PLATFORMS, select_platforms
 
 _EXAMPLE = """
 Example:
@@ -29,9 +29,10 @@ def _known_compiler(name: str) -> str:
 
 
 def _known_platforms(names: list[str]) -> list[str]:
-    for name in names:
-        if name not in PLATFORMS:
-            raise typer.BadParameter(f"{name!r} is not one of {', '.join(PLATFORMS)}")
+    try:
+        select_platforms(names or [ALL])
+    except BuildError as error:
+        raise typer.BadParameter(str(error)) from error
     return names
 
 
@@ -70,7 +71,8 @@ def main(
         typer.Option(
             callback=lambda names: _known_platforms(names or []),
             metavar="NAME",
-            help=f"Platform to build for, repeatable: {', '.join(PLATFORMS)}; this machine's if not given.",
+            help=f"Platform to build for, repeatable: {', '.join([*PLATFORMS, ALL])}, "
+            "or FMI 2's name for one; this machine's if not given.",
             show_default=False,
         ),
     ] = None,

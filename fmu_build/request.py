@@ -30,7 +30,8 @@ class BuildRequest:
     fmi_version: FmiVersion = "2.0"
     fmi_types: Sequence[FmiType] = ("me", "cs")
     platforms: Sequence[str] = field(default_factory=tuple)
-    """FMI 2 platform names such as ``linux64``; empty means the host's."""
+    """Platform tuples such as ``aarch64-linux``, FMI 2's names such as ``win64``, or ``all``; empty means the
+    host's."""
     options: Mapping[str, str] = field(default_factory=dict)
     """Settings that only one compiler has, by its own names for them; see `Compiler.options`."""
     on_stage: Callable[[str], None] = _tell_nobody

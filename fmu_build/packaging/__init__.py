@@ -57,11 +57,12 @@ def package_fmu(model: GeneratedModel, request: BuildRequest) -> PackagedFmu:
     for platform in platforms:
         request.on_stage(f"compiling the C code for {platform.name}")
         library, output = compile_library(sources, model.description.identifier, platform)
-        entries[f"binaries/{platform.name}/{model.description.identifier}{platform.extension}"] = library
+        folder = platform.folder(request.fmi_version)
+        entries[f"binaries/{folder}/{model.description.identifier}{platform.extension}"] = library
         log += output
     request.on_stage("packing and checking the FMU")
     entries["documentation/index.html"] = index_html(model.description, _generation_tool())
-    entries["documentation/licenses/license.txt"] = license_text().encode()
+    entries["documentation/licenses/license.txt"] = license_text(request.fmi_version).encode()
     entries["model.png"] = model_png(model.description)
     target = request.output / f"{model.description.identifier}.fmu"
     with replacing(target, archive_bytes(entries)) as new:
@@ -74,7 +75,7 @@ def _description_and_sources(model: GeneratedModel, request: BuildRequest) -> tu
 
     The date is no part of the GUID: it is not content.
     """
-    sources = collect_sources(model.c_source)
+    sources = collect_sources(model.c_source, request.fmi_version)
 
     def description(guid: str, time: str | None) -> bytes:
         return model_description_xml(

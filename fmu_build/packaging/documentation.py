@@ -10,6 +10,7 @@ from lxml.html import builder
 from fmu_build.description import ModelDescription, Variable
 from fmu_build.packaging.sources import FMI_HEADERS, fmi_license
 from fmu_build.packaging.text import xml_text
+from fmu_build.request import FmiVersion
 
 _STYLE = """
 body { font-family: sans-serif; max-width: 60em; margin: 2em auto; padding: 0 1em; }
@@ -37,7 +38,7 @@ def index_html(description: ModelDescription, generation_tool: str) -> bytes:
     return page
 
 
-def license_text() -> str:
+def license_text(fmi_version: FmiVersion) -> str:
     """documentation/licenses/license.txt: the runtime's licence and that of the FMI headers."""
     apache = (resources.files("fmu_build.packaging") / "licenses" / "Apache-2.0.txt").read_text("utf-8")
     return (
@@ -45,10 +46,10 @@ def license_text() -> str:
         "The model (modelDescription.xml and sources/model.c) is under the terms that the author of its\n"
         "Modelica source gave it. The runtime (all other files in sources/, apart from the FMI headers, and\n"
         "its part of the binaries) is under the Apache License 2.0. The FMI headers in sources/\n"
-        f"({', '.join(FMI_HEADERS)}) are under a BSD license.\n"
+        f"({', '.join(FMI_HEADERS[fmi_version])}) are under a BSD license.\n"
         "Both texts follow.\n\n"
         f"{'=' * 78}\nRuntime\n{'=' * 78}\n{apache}\n"
-        f"{'=' * 78}\nFMI headers\n{'=' * 78}\n\n{fmi_license()}\n"
+        f"{'=' * 78}\nFMI headers\n{'=' * 78}\n\n{fmi_license(fmi_version)}\n"
     )
 
 

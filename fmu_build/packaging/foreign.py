@@ -13,7 +13,7 @@ from fmu_build.errors import BuildError
 from fmu_build.packaging.archive import check_output_folder, replacing
 from fmu_build.packaging.check import check_archive, check_loads
 from fmu_build.packaging.fmi2_units import add_unit_definitions
-from fmu_build.packaging.platforms import host_platform
+from fmu_build.packaging.platforms import host_platform, select_platforms
 from fmu_build.request import BuildRequest
 
 _DESCRIPTION = "modelDescription.xml"
@@ -29,7 +29,8 @@ def check_request(request: BuildRequest, tool: str) -> None:
     if not request.fmi_types or not set(request.fmi_types) <= {"me", "cs"}:
         raise BuildError(f"FMI types {list(request.fmi_types)!r}: allowed are 'me', 'cs' or both")
     host = host_platform()
-    others = [name for name in request.platforms if host is None or name != host.name]
+    asked = select_platforms(request.platforms) if request.platforms else ()
+    others = [platform.name for platform in asked if platform != host]
     if others:
         own = f" ({host.name})" if host is not None else ""
         raise BuildError(f"{tool} builds for this machine{own} alone, not for {', '.join(others)}")

@@ -1,4 +1,4 @@
-"""The platforms that binaries are built for: FMI 2 folder name, zig target, file extension."""
+"""The platforms that binaries are built for: folder names, zig target, file extension."""
 
 from __future__ import annotations
 
@@ -8,53 +8,70 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from fmu_build.errors import BuildError
+from fmu_build.request import FmiVersion
+
+ALL = "all"
 
 
 @dataclass(frozen=True, slots=True)
 class Platform:
-    """`name` is the folder in binaries/, `target` what `zig cc -target` takes."""
+    """`name` is the platform tuple of FMI 3, `target` what `zig cc -target` takes."""
 
     name: str
     target: str
     extension: str
+    fmi2_name: str
+
+    def folder(self, fmi_version: FmiVersion) -> str:
+        """The name of the folder in binaries/."""
+        return self.fmi2_name if fmi_version == "2.0" else self.name
 
 
-# glibc 2.17 is the oldest that current distributions' wheels (manylinux2014) reckon with.
+# glibc 2.17 is the oldest that current distributions' wheels (manylinux2014) reckon with, and the first for
+# aarch64; macOS 11 is the first for aarch64. FMI 2 has names of its own for x86 alone; from 2.0.5 on it
+# refers to the platform tuples of FMI 3 for all others.
 PLATFORMS = {
     p.name: p
     for p in (
-        Platform("linux64", "x86_64-linux-gnu.2.17", ".so"),
-        Platform("win64", "x86_64-windows-gnu", ".dll"),
-        Platform("darwin64", "x86_64-macos", ".dylib"),
+        Platform("x86_64-linux", "x86_64-linux-gnu.2.17", ".so", "linux64"),
+        Platform("aarch64-linux", "aarch64-linux-gnu.2.17", ".so", "aarch64-linux"),
+        Platform("x86_64-windows", "x86_64-windows-gnu", ".dll", "win64"),
+        Platform("x86_64-darwin", "x86_64-macos.11.0", ".dylib", "darwin64"),
+        Platform("aarch64-darwin", "aarch64-macos.11.0", ".dylib", "aarch64-darwin"),
     )
 }
-_HOSTS = {
-    ("linux", "x86_64"): "linux64",
-    ("win32", "amd64"): "win64",
-    ("darwin", "x86_64"): "darwin64",
-}
+_BY_ANY_NAME = PLATFORMS | {p.fmi2_name: p for p in PLATFORMS.values()}
+_SYSTEMS = {"linux": "linux", "win32": "windows", "darwin": "darwin"}
+_MACHINES = {"x86_64": "x86_64", "amd64": "x86_64", "aarch64": "aarch64", "arm64": "aarch64"}
 
 
 def host_platform() -> Platform | None:
-    """The platform that this Python runs on, or None where FMI 2 has no name for it."""
-    name = _HOSTS.get((sys.platform, platform.machine().lower()))
-    return None if name is None else PLATFORMS[name]
+    """The platform that this Python runs on, or None where it is not in the table."""
+    machine = _MACHINES.get(platform.machine().lower())
+    return PLATFORMS.get(f"{machine}-{_SYSTEMS.get(sys.platform)}")
+
+
+def find_platform(name: str) -> Platform:
+    """The platform with that platform tuple or FMI 2 name; raises `BuildError` for any other name."""
+    if name not in _BY_ANY_NAME:
+        raise BuildError(f"unknown platform {name!r}; known platforms are {', '.join([*PLATFORMS, ALL])}")
+    return _BY_ANY_NAME[name]
 
 
 def select_platforms(names: Sequence[str]) -> tuple[Platform, ...]:
     """The named platforms, each once and in the order of the table; the host's where none is named.
 
-    Raises `BuildError` for a name that is not in the table.
+    "all" stands for the whole table. Raises `BuildError` for a name that is not in the table.
     """
-    unknown = [name for name in names if name not in PLATFORMS]
-    if unknown:
-        raise BuildError(f"unknown platform {unknown[0]!r}; known platforms are {', '.join(PLATFORMS)}")
-    if names:
-        return tuple(p for p in PLATFORMS.values() if p.name in names)
+    named = {find_platform(name) for name in names if name != ALL}
+    if ALL in names:
+        return tuple(PLATFORMS.values())
+    if named:
+        return tuple(p for p in PLATFORMS.values() if p in named)
     host = host_platform()
     if host is None:
         raise BuildError(
-            f"FMI 2 has no platform name for this machine ({sys.platform}, {platform.machine()}); "
-            f"name the platforms to build for: {', '.join(PLATFORMS)}"
+            f"this machine ({sys.platform}, {platform.machine()}) is none of the known platforms; "
+            f"name those to build for: {', '.join([*PLATFORMS, ALL])}"
         )
     return (host,)

@@ -9,22 +9,33 @@ from importlib import resources
 from pathlib import Path
 
 from fmu_build.errors import BuildError
+from fmu_build.request import FmiVersion
 
 MODEL_FILE = "model.c"
 TOKEN_FILE = "token.h"
 RUNTIME = Path(str(resources.files("fmu_build"))) / "runtime"
-FMI_HEADERS = ("fmi2FunctionTypes.h", "fmi2Functions.h", "fmi2TypesPlatform.h")
+FMI_HEADERS: Mapping[FmiVersion, tuple[str, ...]] = {
+    "2.0": ("fmi2FunctionTypes.h", "fmi2Functions.h", "fmi2TypesPlatform.h"),
+    "3.0": ("fmi3FunctionTypes.h", "fmi3Functions.h", "fmi3PlatformTypes.h"),
+}
 
 
-def collect_sources(c_source: str) -> dict[str, bytes]:
+def runtime_files(fmi_version: FmiVersion) -> list[Path]:
+    """The runtime's files, those of the other versions of FMI left out; raises `BuildError` without any."""
+    others = tuple(f"fmi{version[0]}_" for version in FMI_HEADERS if version != fmi_version)
+    files = sorted(path for path in RUNTIME.glob("*.[ch]") if not path.name.startswith(others))
+    if not any(path.suffix == ".c" for path in files):
+        raise BuildError(f"the C runtime is missing: no C file in {RUNTIME}")
+    return files
+
+
+def collect_sources(c_source: str, fmi_version: FmiVersion) -> dict[str, bytes]:
     """File name -> content of everything but the token, in the order of the names.
 
     Raises `BuildError` where the runtime or FMPy's copy of the FMI headers is missing.
     """
-    files = {path.name: path.read_bytes() for path in RUNTIME.glob("*.[ch]")}
-    if not any(name.endswith(".c") for name in files):
-        raise BuildError(f"the C runtime is missing: no C file in {RUNTIME}")
-    files |= {name: _fmi_header(name) for name in FMI_HEADERS}
+    files = {path.name: path.read_bytes() for path in runtime_files(fmi_version)}
+    files |= {name: _fmi_header(name) for name in FMI_HEADERS[fmi_version]}
     files[MODEL_FILE] = c_source.encode()
     return dict(sorted(files.items()))
 
@@ -51,12 +62,13 @@ def token_header(guid: str) -> bytes:
     return f'/* token.h - made from the content of this FMU. */\n#define MODEL_TOKEN "{guid}"\n'.encode()
 
 
-def fmi_license() -> str:
+def fmi_license(fmi_version: FmiVersion) -> str:
     """Copyright and licence of the FMI headers, as they state it themselves."""
-    text = _fmi_header(FMI_HEADERS[0]).decode()
+    header = FMI_HEADERS[fmi_version][0]
+    text = _fmi_header(header).decode()
     match = re.search(r"^ *Copyright \(C\).*?-{20,}.*?-{20,}", text, re.DOTALL | re.MULTILINE)
     if match is None:
-        raise BuildError(f"no licence text found in the FMI header {FMI_HEADERS[0]} that FMPy brings")
+        raise BuildError(f"no licence text found in the FMI header {header} that FMPy brings")
     return "\n".join(line.removeprefix("   ").rstrip() for line in match[0].splitlines())
 
 

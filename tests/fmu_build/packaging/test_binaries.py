@@ -18,7 +18,7 @@ from fmu_build.packaging import binaries
 from fmu_build.packaging.binaries import compile_library, toolchain_version
 from fmu_build.packaging.platforms import PLATFORMS
 
-_LINUX = PLATFORMS["linux64"]
+_LINUX = PLATFORMS["x86_64-linux"]
 _GOOD = {
     "a.c": b"""
         #include <math.h>
@@ -93,7 +93,7 @@ def test_warnings_are_in_the_log() -> None:
 
 def test_an_error_carries_what_the_compiler_printed(own_temporary_folder: Path) -> None:
     with pytest.raises(
-        ToolchainError, match=r"(?s)failed for linux64 with exit code 1.*\na\.c:1:1: error: "
+        ToolchainError, match=r"(?s)failed for x86_64-linux with exit code 1.*\na\.c:1:1: error: "
     ) as caught:
         compile_library({"a.c": b"nonsense;"}, "Model", _LINUX)
     assert str(own_temporary_folder) not in str(caught.value)
@@ -131,5 +131,5 @@ def test_success_without_a_library_is_a_failure(monkeypatch: pytest.MonkeyPatch)
         return ["version"]
 
     monkeypatch.setattr(binaries, "_arguments", arguments)
-    with pytest.raises(ToolchainError, match="failed for linux64 with exit code 0"):
+    with pytest.raises(ToolchainError, match="failed for x86_64-linux with exit code 0"):
         compile_library(_GOOD, "Model", _LINUX)

@@ -77,7 +77,7 @@ def test_sources_alone_rebuild_the_library(fmu: Path) -> None:
             if n.startswith("sources/")
         }
         library = archive.read("binaries/linux64/Oscillator.so")
-    assert compile_library(files, "Oscillator", PLATFORMS["linux64"])[0] == library
+    assert compile_library(files, "Oscillator", PLATFORMS["x86_64-linux"])[0] == library
 
 
 @pytest.mark.parametrize("fmi_type", ["ModelExchange", "CoSimulation"])
@@ -125,7 +125,7 @@ def test_another_description_has_another_guid(
 def test_stages_are_told(generated: GeneratedModel, request_in: BuildRequest) -> None:
     stages: list[str] = []
     package_fmu(generated, replace(request_in, on_stage=stages.append))
-    assert stages == ["compiling the C code for linux64", "packing and checking the FMU"]
+    assert stages == ["compiling the C code for x86_64-linux", "packing and checking the FMU"]
 
 
 def _source_with(generated: GeneratedModel, old: str, new: str) -> GeneratedModel:

@@ -12,8 +12,25 @@ from fmu_build.packaging.platforms import PLATFORMS, host_platform, select_platf
 
 
 def test_named_platforms_come_once_and_in_order() -> None:
-    chosen = select_platforms(["darwin64", "linux64", "darwin64"])
-    assert [p.name for p in chosen] == ["linux64", "darwin64"]
+    chosen = select_platforms(["darwin64", "aarch64-linux", "x86_64-darwin"])
+    assert [p.name for p in chosen] == ["aarch64-linux", "x86_64-darwin"]
+
+
+def test_all_platforms() -> None:
+    assert select_platforms(["win64", "all"]) == tuple(PLATFORMS.values())
+    with pytest.raises(BuildError, match="unknown platform 'win16'"):
+        select_platforms(["all", "win16"])
+
+
+def test_folders_in_binaries() -> None:
+    assert [p.folder("2.0") for p in PLATFORMS.values()] == [
+        "linux64",
+        "aarch64-linux",
+        "win64",
+        "darwin64",
+        "aarch64-darwin",
+    ]
+    assert [p.folder("3.0") for p in PLATFORMS.values()] == list(PLATFORMS)
 
 
 def test_unknown_name_lists_the_known_ones() -> None:
@@ -23,7 +40,13 @@ def test_unknown_name_lists_the_known_ones() -> None:
 
 @pytest.mark.parametrize(
     ("system", "machine", "name"),
-    [("linux", "x86_64", "linux64"), ("win32", "AMD64", "win64"), ("darwin", "x86_64", "darwin64")],
+    [
+        ("linux", "x86_64", "x86_64-linux"),
+        ("linux", "aarch64", "aarch64-linux"),
+        ("win32", "AMD64", "x86_64-windows"),
+        ("darwin", "x86_64", "x86_64-darwin"),
+        ("darwin", "arm64", "aarch64-darwin"),
+    ],
 )
 def test_default_is_the_host(monkeypatch: pytest.MonkeyPatch, system: str, machine: str, name: str) -> None:
     monkeypatch.setattr(sys, "platform", system)
@@ -31,8 +54,8 @@ def test_default_is_the_host(monkeypatch: pytest.MonkeyPatch, system: str, machi
     assert select_platforms(()) == (PLATFORMS[name],)
 
 
-def test_a_host_that_fmi_2_has_no_name_for(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_host_that_is_not_in_the_table(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(platform, "machine", lambda: "riscv64")
     assert host_platform() is None
-    with pytest.raises(BuildError, match=r"no platform name for this machine.*riscv64"):
+    with pytest.raises(BuildError, match=r"this machine \(.*riscv64\) is none of the known"):
         select_platforms(())

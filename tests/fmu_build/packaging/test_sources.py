@@ -10,6 +10,7 @@ from fmu_build.errors import BuildError
 from fmu_build.packaging import sources
 from fmu_build.packaging.documentation import license_text
 from fmu_build.packaging.sources import c_files, collect_sources, content_guid, token_header
+from fmu_build.request import FmiVersion
 
 _FLAGS = ("-O2", "-s")
 _FILES = {"a.c": b"int a;", "b.h": b""}
@@ -45,22 +46,24 @@ def test_token_header() -> None:
 
 
 def test_sources_are_complete() -> None:
-    files = collect_sources("int model;")
+    files = collect_sources("int model;", "2.0")
     assert files["model.c"] == b"int model;"
-    assert {"model.h", *sources.FMI_HEADERS} <= set(files)
+    assert {"model.h", *sources.FMI_HEADERS["2.0"]} <= set(files)
     assert list(files) == sorted(files)
     assert "model.c" in c_files(files)
     assert all(name.endswith((".c", ".h")) for name in files)
 
 
 def test_a_missing_header_says_where_it_comes_from(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(sources, "FMI_HEADERS", ("fmi2Missing.h",))
+    monkeypatch.setattr(sources, "FMI_HEADERS", {"2.0": ("fmi2Missing.h",)})
     with pytest.raises(BuildError, match=r"fmi2Missing\.h is missing.*pip install fmpy"):
-        collect_sources("")
+        collect_sources("", "2.0")
 
 
-def test_both_licences_are_given_in_full() -> None:
-    text = license_text()
+@pytest.mark.parametrize("fmi_version", ["2.0", "3.0"])
+def test_both_licences_are_given_in_full(fmi_version: FmiVersion) -> None:
+    text = license_text(fmi_version)
+    assert f"fmi{fmi_version[0]}Functions.h" in text
     assert "Apache License" in text
     assert "END OF TERMS AND CONDITIONS" in text
     assert "Modelica Association Project" in text

@@ -10,7 +10,7 @@ from importlib import resources
 from pathlib import Path
 
 from fmu_build.packaging.binaries import COMPILER_FLAGS
-from fmu_build.packaging.sources import FMI_HEADERS, RUNTIME
+from fmu_build.packaging.sources import FMI_HEADERS, RUNTIME, runtime_files
 
 MODELS = Path(__file__).parent / "models"
 TOKEN = "{00000000-0000-0000-0000-000000000001}"
@@ -57,12 +57,14 @@ class Workshop:
     def __init__(self, folder: Path) -> None:
         self._folder = folder
         headers = resources.files("fmpy") / "c-code"
-        for name in FMI_HEADERS:
+        for name in FMI_HEADERS["2.0"]:
             (folder / name).write_bytes((headers / name).read_bytes())
         (folder / "token.h").write_text(f'#define MODEL_TOKEN "{TOKEN}"\n', "utf-8")
         own = ("-I", RUNTIME, "-I", MODELS, "-I", folder)
         self._flags = (*COMPILER_FLAGS, "-Wpedantic", "-Werror", "-fPIC", *own)
-        _compile((*self._flags, "-c", *sorted(RUNTIME.glob("*.c"))), folder)
+        _compile(
+            (*self._flags, "-c", *(file for file in runtime_files("2.0") if file.suffix == ".c")), folder
+        )
         self._libraries: dict[str, c.CDLL] = {}
 
     def library(self, name: str) -> c.CDLL:
