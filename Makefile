@@ -1,6 +1,6 @@
 # make run    environment, FMUs, the paper's free oscillation compared with the reference
 # make test   everything that is tested
-# make fmu    the three FMUs in build/fmi2/ (COMPILER=openmodelica makes them with an installed OpenModelica,
+# make fmu    the four FMUs in build/fmi2/ (COMPILER=openmodelica makes them with an installed OpenModelica,
 #             COMPILER_OPTIONS="omc=/opt/openmodelica" with one that is not on the path)
 # make lint   ruff, mypy, the C compilers with every warning an error, the Modelica checks
 # make bench  speed as ratios within one run
@@ -17,7 +17,8 @@ COMPILER_OPTIONS ?=
 VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
-FMUS := $(addprefix build/fmi2/,Joystick.fmu JoystickPowerLaw.fmu JoystickInverse.fmu)
+FMUS := $(addprefix build/fmi2/,Joystick.fmu JoystickPowerLaw.fmu JoystickInverse.fmu \
+	JoystickInversePowerLaw.fmu)
 FMU_SOURCES := $(shell find modelica fmu_build -name '*.mo' -o -name 'package.order' -o -name '*.[ch]' \
 	-o -name '*.py' -o -name '*.toml' -o -name '*.jinja')
 

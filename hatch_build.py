@@ -10,7 +10,7 @@ from typing import Any
 
 from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 
-MODELS = ("Joystick", "JoystickPowerLaw", "JoystickInverse")
+MODELS = ("Joystick", "JoystickPowerLaw", "JoystickInverse", "JoystickInversePowerLaw")
 
 
 class CustomBuildHook(BuildHookInterface):

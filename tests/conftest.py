@@ -12,12 +12,12 @@ from fmu_build import build_fmu
 from tests.omc import Omc, opened, why_not
 
 ROOT = Path(__file__).parents[1]
-JOYSTICKS = ("Joystick", "JoystickPowerLaw", "JoystickInverse")
+JOYSTICKS = ("Joystick", "JoystickPowerLaw", "JoystickInverse", "JoystickInversePowerLaw")
 
 
 @pytest.fixture(scope="session")
 def joystick_fmus(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The folder with the three joystick FMUs of the default compiler.
+    """The folder with the four joystick FMUs of the default compiler.
 
     Those of ``make fmu`` where they are up to date and not another compiler's, else new ones.
     """

@@ -13,7 +13,7 @@ from pyjoystick.fmu.errors import FmuNotFoundError
 MODELS = MappingProxyType(
     {
         name: f"PreloadedSprings.Joystick.{name}"
-        for name in ("Joystick", "JoystickPowerLaw", "JoystickInverse")
+        for name in ("Joystick", "JoystickPowerLaw", "JoystickInverse", "JoystickInversePowerLaw")
     }
 )
 

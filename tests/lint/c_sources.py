@@ -20,7 +20,7 @@ from fmu_build.compilers.library import default_library, entry_file
 STRICT = ("-std=c11", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-O2", "-c")
 RUNTIME = Path(__file__).parents[2] / "fmu_build" / "runtime"
 BENCHMARKS = Path(__file__).parents[2] / "benchmarks"
-MODELS = ("Joystick", "JoystickPowerLaw", "JoystickInverse")
+MODELS = ("Joystick", "JoystickPowerLaw", "JoystickInverse", "JoystickInversePowerLaw")
 
 
 def main() -> int:

@@ -1,4 +1,4 @@
-"""The names that other tools see of the three joysticks."""
+"""The names that other tools see of the four joysticks."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from tests.modelica.library import compiled, flat_variables
 CONSTANT = "PreloadedSprings.Joystick.Joystick"
 POWER_LAW = "PreloadedSprings.Joystick.JoystickPowerLaw"
 INVERSE = "PreloadedSprings.Joystick.JoystickInverse"
+INVERSE_POWER_LAW = "PreloadedSprings.Joystick.JoystickInversePowerLaw"
 
 BODY = {"J": "kg.m2", "m": "kg", "h": "m", "g": "m/s2", "a": "m", "b": "m"}
 START = {"theta_start": "rad", "omega_start": "rad/s"}
@@ -34,6 +35,8 @@ MOTION = {
     "theta": "rad", "omega": "rad/s", "alpha": "rad/s2", "x": "m", "f_x": "N",
     "M_s": "N.m", "M_d": "N.m", "M_g": "N.m", "C": "N.m.s/rad", "E": "J",
 }  # fmt: skip
+PRESCRIBED = {"theta": "rad", "omega": "rad/s", "alpha": "rad/s2"}
+TORQUES = {"T": "N.m", "T_inertia": "N.m", "T_damping": "N.m", "T_stiffness": "N.m"}
 
 PRESET = {
     "J": 0.01135, "m": 0.87, "h": 0.082, "g": 9.80665, "a": 0.02398, "b": 0.005,
@@ -54,6 +57,7 @@ TABLE_1 = {
         (CONSTANT, BODY | START | SPRINGS | CONSTANT_LAW),
         (POWER_LAW, BODY | START | SPRINGS | POWER_LAWS),
         (INVERSE, BODY | SPRINGS | CONSTANT_LAW),
+        (INVERSE_POWER_LAW, BODY | SPRINGS | POWER_LAWS),
     ],
 )
 def test_parameters_that_can_be_set(name: str, parameters: dict[str, str]) -> None:
@@ -65,11 +69,8 @@ def test_parameters_that_can_be_set(name: str, parameters: dict[str, str]) -> No
     [
         (CONSTANT, {"T": "N.m"}, MOTION),
         (POWER_LAW, {"T": "N.m"}, MOTION),
-        (
-            INVERSE,
-            {"theta": "rad", "omega": "rad/s", "alpha": "rad/s2"},
-            {"T": "N.m", "T_inertia": "N.m", "T_damping": "N.m", "T_stiffness": "N.m"},
-        ),
+        (INVERSE, PRESCRIBED, TORQUES),
+        (INVERSE_POWER_LAW, PRESCRIBED, TORQUES),
     ],
 )
 def test_inputs_and_outputs(name: str, inputs: dict[str, str], outputs: dict[str, str]) -> None:
@@ -77,17 +78,18 @@ def test_inputs_and_outputs(name: str, inputs: dict[str, str], outputs: dict[str
     assert _top_level(name, "Output") == outputs
 
 
-def test_the_other_weight_cannot_be_set() -> None:
-    assert "damping.beta" in flat_variables(POWER_LAW)
-    assert "damping.beta" not in _settable(POWER_LAW)
+@pytest.mark.parametrize("name", [POWER_LAW, INVERSE_POWER_LAW])
+def test_the_other_weight_cannot_be_set(name: str) -> None:
+    assert "damping.beta" in flat_variables(name)
+    assert "damping.beta" not in _settable(name)
 
 
-@pytest.mark.parametrize(("name", "states"), [(CONSTANT, 2), (POWER_LAW, 2), (INVERSE, 0)])
+@pytest.mark.parametrize(("name", "states"), [(CONSTANT, 2), (POWER_LAW, 2), (INVERSE, 0), (INVERSE_POWER_LAW, 0)])
 def test_states(name: str, states: int) -> None:
     assert [state.name for state in compiled(name).states] == ["theta", "omega"][:states]
 
 
-@pytest.mark.parametrize("name", [CONSTANT, POWER_LAW, INVERSE])
+@pytest.mark.parametrize("name", [CONSTANT, POWER_LAW, INVERSE, INVERSE_POWER_LAW])
 def test_preset_values_are_the_papers(name: str) -> None:
     parameters = compiled(name).parameters
     settable = _settable(name)

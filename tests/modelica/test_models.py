@@ -18,7 +18,7 @@ from tests.modelica.library import (
     library_classes,
 )
 
-JOYSTICKS = [f"PreloadedSprings.Joystick.Joystick{kind}" for kind in ("", "PowerLaw", "Inverse")]
+JOYSTICKS = [f"PreloadedSprings.Joystick.Joystick{kind}" for kind in ("", "PowerLaw", "Inverse", "InversePowerLaw")]
 
 
 def test_all_models_are_found() -> None:

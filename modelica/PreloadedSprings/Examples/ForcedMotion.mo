@@ -7,8 +7,7 @@ model ForcedMotion "Torque for a motion forward and back, and the motion under t
     annotation (Placement(transformation(extent = {{-120, -20}, {-80, 20}})));
   Joystick.JoystickInverse inverse "Torque for the motion, constant damping"
     annotation (Placement(transformation(extent = {{-30, 10}, {30, 70}})));
-  Joystick.JoystickInverse inversePowerLaw(redeclare Damping.PowerLaw damping)
-    "Torque for the motion, damping by power laws"
+  Joystick.JoystickInversePowerLaw inversePowerLaw "Torque for the motion, damping by power laws"
     annotation (Placement(transformation(extent = {{-30, -90}, {30, -30}})));
   Joystick.Joystick joystick "Joystick under the torque"
     annotation (Placement(transformation(extent = {{70, 30}, {130, 90}})));

@@ -16,9 +16,10 @@ force for large travel. Joysticks, snubbers and switches are built that way.</p>
 <tr><td>motion under a torque, damping by eq. (11)</td>
 <td><a href=\"modelica://PreloadedSprings.Joystick.JoystickPowerLaw\">Joystick.JoystickPowerLaw</a></td></tr>
 <tr><td>torque that a motion needs</td>
-<td><a href=\"modelica://PreloadedSprings.Joystick.JoystickInverse\">Joystick.JoystickInverse</a></td></tr>
+<td><a href=\"modelica://PreloadedSprings.Joystick.JoystickInverse\">Joystick.JoystickInverse</a>,
+<a href=\"modelica://PreloadedSprings.Joystick.JoystickInversePowerLaw\">Joystick.JoystickInversePowerLaw</a></td></tr>
 </table>
-<p>The <a href=\"modelica://PreloadedSprings.Examples\">examples</a> show all three.</p>
+<p>The <a href=\"modelica://PreloadedSprings.Examples\">examples</a> show all of them.</p>
 <h4>To build a system of your own</h4>
 <p>Connect <a href=\"modelica://PreloadedSprings.Springs\">springs</a> and
 <a href=\"modelica://PreloadedSprings.Parts\">masses and walls</a> by their flanges, as

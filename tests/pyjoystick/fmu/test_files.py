@@ -70,4 +70,4 @@ def test_this_checkout_is_recognized() -> None:
     folder = build_folder()
     assert folder is not None
     assert folder == Path(__file__).parents[3] / "build" / "fmi2"
-    assert set(MODELS) == {"Joystick", "JoystickPowerLaw", "JoystickInverse"}
+    assert set(MODELS) == {"Joystick", "JoystickPowerLaw", "JoystickInverse", "JoystickInversePowerLaw"}
