@@ -6,6 +6,11 @@ import difflib
 import json
 from collections.abc import Iterable
 from pathlib import Path
+from typing import Final
+
+#: Up to so many names are listed whole; of more than that, the first few.
+_MOST_LISTED: Final = 12
+_FEW: Final = 5
 
 
 class PyJoystickError(Exception):
@@ -39,7 +44,7 @@ class ParameterError(PyJoystickError, ValueError):
 
 
 class UnknownNameError(PyJoystickError, KeyError):
-    """Nothing has the given name; the message lists the nearest known names.
+    """Nothing has the given name; the message lists the nearest known names, or where none is near a few.
 
     Attributes:
         name: the name that was given
@@ -58,9 +63,12 @@ class UnknownNameError(PyJoystickError, KeyError):
 
     def _advice(self) -> str:
         near = difflib.get_close_matches(self.name, self.known, n=3, cutoff=0.5)
-        return (
-            f"did you mean {' or '.join(near)}?" if near else f"known are {', '.join(self.known) or 'none'}"
-        )
+        if near:
+            return f"did you mean {' or '.join(near)}?"
+        if len(self.known) <= _MOST_LISTED:
+            return f"known are {', '.join(self.known) or 'none'}"
+        more = f"{', '.join(self.known[:_FEW])} and {len(self.known) - _FEW} more"
+        return f"known are {more} (those of an FMU: `pyjoystick info FMU --all`)"
 
 
 class UnknownParameterError(UnknownNameError):

@@ -45,5 +45,15 @@ def test_an_unknown_name_gets_the_nearest_known_ones_or_all() -> None:
     assert str(UnknownParameterError("zzz", known)).endswith("known are damping.C, forward.returnSpring.k_s")
 
 
+def test_of_many_known_names_a_few_are_listed_and_where_the_others_are() -> None:
+    known = [f"name{i}" for i in range(90)]
+    message = str(UnknownParameterError("zzz", known))
+    assert message.endswith(
+        "; known are name0, name1, name2, name3, name4 and 85 more "
+        "(those of an FMU: `pyjoystick info FMU --all`)"
+    )
+    assert str(UnknownParameterError("zzz", known[:12])).endswith(", name10, name11")
+
+
 def test_a_simulation_error_names_the_time() -> None:
     assert str(EXAMPLES[2]) == "the run stopped at t = 0.25 s: the angle has reached pi/2"
