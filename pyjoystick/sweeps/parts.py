@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import fcntl
 import json
 import shutil
 import zipfile
@@ -16,6 +15,7 @@ import numpy as np
 from pyjoystick.errors import OutputFileError
 from pyjoystick.output import replacing, write_text
 from pyjoystick.sweeps.errors import ChangedSweepError, SweepFileError
+from pyjoystick.sweeps.lock import locked
 from pyjoystick.sweeps.sweep import Document, Part
 
 _IDENTITY: Final = "sweep.json"
@@ -59,10 +59,8 @@ class Parts:
         except OSError as error:
             raise OutputFileError(self.target, f"its folder cannot be made: {error.strerror}") from error
         with lock:
-            try:
-                fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            except BlockingIOError:
-                raise SweepFileError(self.folder, "another process is working on this sweep") from None
+            if not locked(lock):
+                raise SweepFileError(self.folder, "another process is working on this sweep")
             if anew:
                 self._drop()
             self._identify(identity)

@@ -100,7 +100,8 @@ def run_sweep(
             return _unfinished(target, whole, int(done.sum()), found, interrupted)
         table = sweep.table(whole)
         write_sweep(target, table)
-        parts.remove()
+    # After the lock: not every system deletes a file that is open.
+    parts.remove()
     return _outcome(target, table, found)
 
 
