@@ -19,15 +19,11 @@ import pandas as pd
 from pyjoystick import reference
 from pyjoystick._types import FloatArray
 from pyjoystick.checks import angle, positive
+from pyjoystick.defaults import DEFAULT_DURATION, DEFAULT_OUTPUT_INTERVAL, DEFAULT_TOLERANCE
 from pyjoystick.errors import ParameterError
-from pyjoystick.fmu import DEFAULT_TOLERANCE, Fmu, FmuDescription, UnsupportedFmuError
+from pyjoystick.fmu import Fmu, FmuDescription, UnsupportedFmuError
 from pyjoystick.parameters import NOMINAL, ConstantDamping, Damping, JoystickParameters
 from pyjoystick.tables import DisplayUnit, Quantity, make_table
-
-#: Length of a free oscillation (s): the joystick of the paper has come to rest by then.
-DEFAULT_DURATION: Final = 1.5
-#: Time between two rows of a table (s).
-DEFAULT_OUTPUT_INTERVAL: Final = 1e-3
 
 _MOST_ROWS: Final = 10_000_000
 _DEG: Final = math.degrees(1.0)

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Annotated
+from typing import Annotated, Final
 
 import typer
+from typer.core import TyperGroup
 
 from pyjoystick.cli import compare, fit, free_oscillation, imports, info, parameters, peaks, sweep
 from pyjoystick.cli.console import print_error, print_traceback
@@ -14,7 +15,19 @@ from pyjoystick.versions import version_of
 
 __all__ = ["app", "main"]
 
+#: The commands as one comes to need them: the joystick, what was measured, what is simulated, what is judged.
+_ORDER: Final = ("info", "parameters", "import", "peaks", "fit", "free-oscillation", "sweep", "compare")
+
+
+class _InOrder(TyperGroup):
+    """The commands in the order above, any others after them."""
+
+    def list_commands(self, ctx: object) -> list[str]:
+        return sorted(self.commands, key=lambda name: (*_ORDER, name).index(name))
+
+
 app = typer.Typer(
+    cls=_InOrder,
     add_completion=False,
     no_args_is_help=True,
     pretty_exceptions_enable=False,

@@ -9,7 +9,7 @@ from typing import Annotated, Final
 import typer
 
 from pyjoystick.cli import options
-from pyjoystick.fmu import DEFAULT_TOLERANCE
+from pyjoystick.defaults import DEFAULT_TOLERANCE
 
 EXAMPLES = """
 Examples:

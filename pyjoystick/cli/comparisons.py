@@ -17,7 +17,7 @@ from pyjoystick.cli.difference_table import print_differences
 from pyjoystick.cli.fmus import found_or_built
 from pyjoystick.cli.options import DEFAULT_RELEASE_ANGLE, DampingLaw, law_of, parameter_file, parse_angle
 from pyjoystick.cli.setup import opened
-from pyjoystick.experiments import DEFAULT_DURATION, DEFAULT_OUTPUT_INTERVAL
+from pyjoystick.defaults import DEFAULT_DURATION, DEFAULT_OUTPUT_INTERVAL
 from pyjoystick.fmu import FmuDescription, read_description
 from pyjoystick.fmu.description import Interface
 from pyjoystick.fmu_comparison import (

@@ -4,20 +4,18 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
-import pandas as pd
 import typer
 from rich.table import Table
 
-from pyjoystick import experiments
 from pyjoystick.cli import options
 from pyjoystick.cli.console import messages, output, print_note
-from pyjoystick.cli.setup import opened
-from pyjoystick.fmu import DEFAULT_TOLERANCE
+from pyjoystick.defaults import DEFAULT_DURATION, DEFAULT_OUTPUT_INTERVAL, DEFAULT_TOLERANCE
 from pyjoystick.output import check_outputs
-from pyjoystick.peaks import find_peaks
-from pyjoystick.tables import write_csv
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 _PEAKS_SHOWN = 10
 EXAMPLES = """
@@ -32,7 +30,7 @@ Examples:
 
 def run(
     release_angle: options.ReleaseAngle = options.DEFAULT_RELEASE_ANGLE,
-    duration: options.Duration = experiments.DEFAULT_DURATION,
+    duration: options.Duration = DEFAULT_DURATION,
     damping: options.Law = None,
     parameters_file: options.Parameters = None,
     assignments: options.Set = None,
@@ -52,10 +50,15 @@ def run(
             show_default=False,
         ),
     ] = None,
-    output_interval: options.OutputInterval = experiments.DEFAULT_OUTPUT_INTERVAL,
+    output_interval: options.OutputInterval = DEFAULT_OUTPUT_INTERVAL,
     tolerance: options.Tolerance = DEFAULT_TOLERANCE,
 ) -> None:
     """Release the joystick from rest and let it oscillate; prints the peaks of its motion."""
+    # What it takes is loaded when it is wanted, so that the other commands start quickly.
+    from pyjoystick import experiments
+    from pyjoystick.cli.setup import opened
+    from pyjoystick.tables import write_csv
+
     start = options.parse_angle(release_angle)
     if plot is not None:
         from pyjoystick.plots import check_figure_path, plot_motion, save_figure
@@ -86,10 +89,12 @@ def run(
 
 
 def _print_peaks(motion: pd.DataFrame, title: str) -> None:
-    peaks = find_peaks(motion.index, motion["theta"], motion["omega"]) if len(motion) > 2 else pd.DataFrame()
+    from pyjoystick.peaks import find_peaks
+
+    peaks = find_peaks(motion.index, motion["theta"], motion["omega"]) if len(motion) > 2 else None
     console = output()
     console.print(title)
-    if peaks.empty:
+    if peaks is None or peaks.empty:
         console.print("no peak of the displacement within the run")
         return
     table = Table("peak", "time (s)", "displacement (deg)", "half period (s)", box=None)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from pyjoystick.cli.console import output, print_note
-from pyjoystick.cli.options import parse_names
+from pyjoystick.cli.options import SideName, parse_names
 from pyjoystick.cli.parameter_updates import file_to_update, rounded, write_update
 from pyjoystick.errors import ParameterError
 from pyjoystick.output import check_outputs
@@ -34,10 +34,8 @@ def run(
         Path, typer.Argument(metavar="FILE.csv", help="One cycle: columns travel (mm), force (N).")
     ],
     side: Annotated[
-        str | None,
-        typer.Option(
-            "--side", help="forward or backward: where it goes in --parameters.", show_default=False
-        ),
+        SideName | None,
+        typer.Option("--side", help="Where it goes in --parameters.", show_default=False),
     ] = None,
     parameters: Annotated[
         Path | None,
@@ -71,8 +69,6 @@ def run(
     ] = None,
 ) -> None:
     """Fit straight segments to a load-deflection curve, which gives the springs of one side (Table 1)."""
-    if side is not None and side not in ("forward", "backward"):
-        raise typer.BadParameter(f"{side!r} must be forward or backward", param_hint="--side")
     if (side is None) != (parameters is None):
         raise typer.BadParameter("give --side and --parameters together")
     if parameters is not None and segments != 4:
@@ -102,14 +98,14 @@ def run(
         write_update(parameters, joystick, _errors(side, fit), {side: f"load-deflection curve {file.name}"})
 
 
-def _with_side(joystick: JoystickParameters, side: str, fit: LoadCurveFit) -> JoystickParameters:
+def _with_side(joystick: JoystickParameters, side: SideName, fit: LoadCurveFit) -> JoystickParameters:
     x = [rounded(value, error) for value, error in zip(fit.table.x, fit.x_errors, strict=True)]
     k = [rounded(value, error) for value, error in zip(fit.table.k, fit.k_errors, strict=True)]
     try:
         assembly = ActuatorAssembly.from_table(x, k)
     except ParameterError as error:
         raise error.within(side) from None
-    if side == "forward":
+    if side is SideName.FORWARD:
         return dataclasses.replace(joystick, forward=assembly)
     return dataclasses.replace(joystick, backward=assembly)
 

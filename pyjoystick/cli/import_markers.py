@@ -10,12 +10,8 @@ import typer
 from pyjoystick.cli import chain_options
 from pyjoystick.cli.chain_options import PAPER, chain_of
 from pyjoystick.cli.console import output, print_note
-from pyjoystick.measurements.angle import measure_angle
-from pyjoystick.measurements.motion_files import write_motion, write_record
-from pyjoystick.measurements.reading import read_markers
-from pyjoystick.measurements.report import chain_report, markers_report
+from pyjoystick.cli.options import Released, side_of
 from pyjoystick.output import check_outputs
-from pyjoystick.records import check_free_oscillation
 
 EXAMPLES = """
 Examples:
@@ -64,10 +60,7 @@ def run(
             "--rest", metavar="START END", help="Stretch at rest (s); the last 0.25 s if not given."
         ),
     ] = None,
-    released: Annotated[
-        str | None,
-        typer.Option("--released", metavar="SIDE", help="forward or backward: other records are refused."),
-    ] = None,
+    released: Released = None,
     unit: Annotated[
         str | None, typer.Option("--unit", metavar="UNIT", help="m, cm or mm, where the file does not say.")
     ] = None,
@@ -80,8 +73,13 @@ def run(
     acceleration_points: chain_options.AccelerationPoints = PAPER.acceleration_points,
 ) -> None:
     """Make a record of the joystick's angle from motion capture (section 2 of the paper)."""
-    if released not in (None, "forward", "backward"):
-        raise typer.BadParameter(f"{released!r} must be forward or backward", param_hint="--released")
+    # What it takes is loaded when it is wanted, so that the other commands start quickly.
+    from pyjoystick.measurements.angle import measure_angle
+    from pyjoystick.measurements.motion_files import write_motion, write_record
+    from pyjoystick.measurements.reading import read_markers
+    from pyjoystick.measurements.report import chain_report, markers_report
+    from pyjoystick.records import check_free_oscillation
+
     chain = chain_of(rate, cutoff, order, corrected, longest_gap, velocity_points, acceleration_points)
     check_outputs(record_file, motion_file)
     markers = read_markers(file, unit=unit)
@@ -97,7 +95,7 @@ def run(
     )
     record = measured.record(record_file.stem)
     if released is not None:
-        record = check_free_oscillation(record, released=released)  # type: ignore[arg-type]  # checked above
+        record = check_free_oscillation(record, released=side_of(released))
     for note in record.notes:
         print_note(f"{file}: {note}")
     motion = chain.run(measured.time, measured.theta)

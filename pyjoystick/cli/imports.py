@@ -10,7 +10,7 @@ app = typer.Typer(
     add_completion=False,
     no_args_is_help=True,
     rich_markup_mode="markdown",
-    help="Make records from a laboratory's own files.",
+    help="Make records and parameters from a laboratory's own files.",
 )
 app.command("markers", epilog=import_markers.EXAMPLES)(import_markers.run)
 app.command("accelerometer", epilog=import_accelerometer.EXAMPLES)(import_accelerometer.run)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 from rich.console import Console
@@ -10,8 +10,9 @@ from rich.markup import escape
 from rich.table import Table
 
 from pyjoystick.cli.console import output
-from pyjoystick.cli.fmus import found_or_built
-from pyjoystick.fmu import DefaultExperiment, FmuDescription, Variable, read_description
+
+if TYPE_CHECKING:
+    from pyjoystick.fmu import DefaultExperiment, FmuDescription, Variable
 
 _GROUPS = (
     ("input", "Inputs"),
@@ -34,13 +35,18 @@ def run(
         str,
         typer.Argument(
             metavar="FMU",
-            help="Path of any .fmu file, or Joystick, JoystickPowerLaw or JoystickInverse.",
+            help="Path of any .fmu file, or Joystick, JoystickPowerLaw, JoystickInverse or "
+            "JoystickInversePowerLaw.",
             show_default=False,
         ),
     ],
     everything: Annotated[bool, typer.Option("--all", help="Show local variables too.")] = False,
 ) -> None:
     """Show what an FMU is: model, interfaces, platforms, variables; nothing of it is run."""
+    # What it takes is loaded when it is wanted, so that the other commands start quickly.
+    from pyjoystick.cli.fmus import found_or_built
+    from pyjoystick.fmu import read_description
+
     description = read_description(found_or_built(fmu))
     console = output()
     _print_facts(console, description)

@@ -7,13 +7,15 @@ import re
 from collections.abc import Sequence
 from enum import StrEnum
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from pyjoystick.errors import ParameterError
-from pyjoystick.fmu import FmuDescription
-from pyjoystick.parameters import PAPER, JoystickParameters, ParameterFile, read_parameter_file
+from pyjoystick.parameters import PAPER, SIDES, JoystickParameters, ParameterFile, Side, read_parameter_file
+
+if TYPE_CHECKING:
+    from pyjoystick.fmu import FmuDescription
 
 _ANGLE = re.compile(r"(?P<number>[-+0-9.eE]+)\s*(?P<unit>deg|rad|)")
 
@@ -23,6 +25,13 @@ class DampingLaw(StrEnum):
 
     CONSTANT = "constant"
     POWER_LAW = "power-law"
+
+
+class SideName(StrEnum):
+    """The sides of the joystick."""
+
+    FORWARD = "forward"
+    BACKWARD = "backward"
 
 
 def parse_angle(text: str, option: str = "--release-angle") -> float:
@@ -109,6 +118,11 @@ def joystick_of(
     return joystick.replace(changes)
 
 
+def side_of(name: SideName | None) -> Side | None:
+    """The side as the rest of the package takes it."""
+    return next((side for side in SIDES if side == name), None)
+
+
 def law_of(fmu: FmuDescription) -> DampingLaw:
     """The damping law that an FMU's parameters belong to."""
     has_power_law = "damping.alpha" in fmu.variables
@@ -143,6 +157,14 @@ Parameters = Annotated[
         metavar="FILE",
         help="The joystick, a TOML file as `pyjoystick parameters` writes it; the paper's if not given. "
         "What other options say takes precedence.",
+        show_default=False,
+    ),
+]
+Released = Annotated[
+    SideName | None,
+    typer.Option(
+        "--released",
+        help="Side of release, where it is known: other records are refused.",
         show_default=False,
     ),
 ]

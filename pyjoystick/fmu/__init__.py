@@ -1,7 +1,8 @@
 """FMUs: finding, describing and running them through FMPy."""
 
+from pyjoystick.defaults import DEFAULT_TOLERANCE
 from pyjoystick.fmu.batch import BatchResult
-from pyjoystick.fmu.cosimulation import DEFAULT_TOLERANCE, Fmu
+from pyjoystick.fmu.cosimulation import Fmu
 from pyjoystick.fmu.description import (
     DefaultExperiment,
     FmuDescription,

@@ -6,11 +6,12 @@ import weakref
 from collections.abc import Iterable, Mapping
 from os import PathLike
 from types import TracebackType
-from typing import Any, Final, Self
+from typing import Any, Self
 
 import pandas as pd
 from numpy.typing import ArrayLike
 
+from pyjoystick.defaults import DEFAULT_TOLERANCE
 from pyjoystick.fmu.description import FmuDescription, read_description
 from pyjoystick.fmu.files import find_fmu
 from pyjoystick.fmu.inputs import Inputs
@@ -18,9 +19,6 @@ from pyjoystick.fmu.plan import Plan
 from pyjoystick.fmu.pool import InstancePool
 from pyjoystick.fmu.values import Value
 from pyjoystick.tables import make_table
-
-#: Tolerance that the FMU's integrator is asked to keep.
-DEFAULT_TOLERANCE: Final = 1e-8
 
 
 class Fmu:

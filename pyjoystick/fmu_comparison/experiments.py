@@ -12,8 +12,9 @@ import pandas as pd
 
 from pyjoystick._types import FloatArray
 from pyjoystick.checks import angle, finite, positive
+from pyjoystick.defaults import DEFAULT_DURATION, DEFAULT_OUTPUT_INTERVAL
 from pyjoystick.errors import ParameterError
-from pyjoystick.experiments import COLUMNS, DEFAULT_DURATION, DEFAULT_OUTPUT_INTERVAL
+from pyjoystick.experiments import COLUMNS
 from pyjoystick.fmu import DefaultExperiment, FmuDescription, Inputs, Variable
 from pyjoystick.fmu.values import Value
 

@@ -7,13 +7,8 @@ from collections.abc import Callable, Iterable, Mapping
 from os import PathLike
 
 from pyjoystick.comparison import compare
-from pyjoystick.experiments import (
-    COLUMNS,
-    DEFAULT_DURATION,
-    DEFAULT_OUTPUT_INTERVAL,
-    reference_free_oscillation,
-    require_joystick,
-)
+from pyjoystick.defaults import DEFAULT_DURATION, DEFAULT_OUTPUT_INTERVAL
+from pyjoystick.experiments import COLUMNS, reference_free_oscillation, require_joystick
 from pyjoystick.fmu import find_fmu, read_description
 from pyjoystick.fmu.description import Interface
 from pyjoystick.fmu_comparison.compare import RunComparison

@@ -13,7 +13,6 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from scipy import signal
 
 from pyjoystick._types import FloatArray
 from pyjoystick.checks import positive
@@ -78,6 +77,9 @@ class LowPass:
         bad = np.flatnonzero(~np.isfinite(values))
         if bad.size:
             raise SeriesError("values", f"sample {bad[0]} is {values[bad[0]]}")
+        # SciPy takes a while to load, and the settings of a filter alone do without it.
+        from scipy import signal
+
         sections = signal.butter(self.order, cutoff, fs=rate, output="sos")
         padding = min(len(values) - 1, math.ceil(_PROLONGED * rate / cutoff))
         return np.asarray(signal.sosfiltfilt(sections, values, padlen=padding), dtype=np.float64)

@@ -8,7 +8,6 @@ from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import CubicSpline
 
 from pyjoystick._types import FloatArray
 from pyjoystick.checks import not_negative, positive
@@ -60,6 +59,9 @@ def resample(time: FloatArray, values: FloatArray, rate: float, *, longest_gap: 
         ParameterError: the rate or the gap is outside its range
         SeriesError: no stretch has the samples for a spline
     """
+    # SciPy takes a while to load, and the settings of a chain alone do without it.
+    from scipy.interpolate import CubicSpline
+
     interval = 1.0 / positive("rate", rate, "Hz")
     limit = not_negative("longest_gap", longest_gap, "s")
     known = np.isfinite(values)

@@ -2,6 +2,7 @@
 
 from pyjoystick.parameters.damping import ConstantDamping, Damping, PowerLawDamping
 from pyjoystick.parameters.file import (
+    SIDES,
     LawName,
     ParameterFile,
     Side,
@@ -29,6 +30,7 @@ __all__ = [
     "NOMINAL_POWER_LAW",
     "PAPER",
     "PIVOT_TO_TOP",
+    "SIDES",
     "STOP_ANGLE",
     "ActuatorAssembly",
     "ConstantDamping",

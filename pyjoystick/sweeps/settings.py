@@ -11,17 +11,10 @@ from typing import Any, Final
 import numpy as np
 
 from pyjoystick._types import FloatArray
+from pyjoystick.defaults import DEFAULT_OUTPUT_INTERVAL, DEFAULT_TOLERANCE
 from pyjoystick.errors import ParameterError, PyJoystickError, SettingsError
-from pyjoystick.experiments import DEFAULT_OUTPUT_INTERVAL, time_grid
-from pyjoystick.fmu import (
-    DEFAULT_TOLERANCE,
-    MODELS,
-    FmuDescription,
-    Inputs,
-    Reduction,
-    find_fmu,
-    read_description,
-)
+from pyjoystick.experiments import time_grid
+from pyjoystick.fmu import MODELS, FmuDescription, Inputs, Reduction, find_fmu, read_description
 from pyjoystick.fmu.values import Value, checked_parameters
 from pyjoystick.sweeps.amounts import value_of
 from pyjoystick.sweeps.design import METHODS, Sampling

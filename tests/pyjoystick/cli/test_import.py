@@ -120,7 +120,7 @@ def test_a_wrong_sign_is_an_error_where_the_side_is_known(
         (("--top", "TIP"), 1, "has no marker 'TIP'; did you mean TOP?"),
         (("--forward", "y"), 1, "is not along the direction called forward"),
         (("--cutoff", "400"), 1, "must be below half of the sampling rate"),
-        (("--released", "left"), 2, "must be forward or backward"),
+        (("--released", "left"), 2, "'left' is not one of 'forward', 'backward'"),
     ],
 )
 def test_wrong_options_are_one_message(
