@@ -13,6 +13,7 @@ from __future__ import annotations
 import argparse
 import dataclasses
 import math
+import sys
 import time
 from collections import defaultdict
 from typing import Final
@@ -36,6 +37,8 @@ from pyjoystick.synthetic_records import synthetic_record
 
 RECORDS: Final = 4
 NOISE: Final = math.radians(0.1)
+#: Data sets between two lines of progress.
+_NEWS: Final = 10
 #: At alpha = 1 eq. (11) has its displacement terms alone, which four records of this noise determine.
 _DISPLACEMENT_LAW: Final = dataclasses.replace(
     POWER_LAW_DAMPING,
@@ -83,6 +86,9 @@ def coverage_table(law: str, sets: int, seed: int) -> str:
             doubted += not found.trusted
             runs += found.runs
             _count(found, known, hits, profile_hits, deviations)
+            if (number + 1) % _NEWS == 0:
+                seconds = time.perf_counter() - begun
+                print(f"{law}: {number + 1} of {sets} data sets, {seconds:.0f} s", file=sys.stderr, flush=True)
     rows = [
         [
             name,
