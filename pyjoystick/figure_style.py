@@ -7,8 +7,9 @@ differ in their dashes, for gray print.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Final, NamedTuple
+from typing import Final, TypedDict
 
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
@@ -41,26 +42,26 @@ DASH_DOT: Final = (0, (6, 1.5, 1.5, 1.5))
 DOTS: Final = (0, (1, 1))
 
 
-class LineStyle(NamedTuple):
-    """Keyword arguments of a line; ``axes.plot(x, y, **style._asdict())``."""
+class LineStyle(TypedDict):
+    """Keyword arguments of a line: ``axes.plot(x, y, **style)``."""
 
     color: str
-    linestyle: str | tuple[int, tuple[float, ...]]
+    linestyle: str | tuple[float, tuple[float, ...]]
     linewidth: float
 
 
 #: For lines without a color of their own, in this order.
 SERIES: Final = (
-    LineStyle(BLACK, SOLID, 1.1),
-    LineStyle(VERMILION, LONG_DASHES, 1.4),
-    LineStyle(BLUE, SHORT_DASHES, 1.4),
-    LineStyle(GREEN, DASH_DOT, 1.4),
-    LineStyle(PURPLE, DOTS, 1.6),
+    LineStyle(color=BLACK, linestyle=SOLID, linewidth=1.1),
+    LineStyle(color=VERMILION, linestyle=LONG_DASHES, linewidth=1.4),
+    LineStyle(color=BLUE, linestyle=SHORT_DASHES, linewidth=1.4),
+    LineStyle(color=GREEN, linestyle=DASH_DOT, linewidth=1.4),
+    LineStyle(color=PURPLE, linestyle=DOTS, linewidth=1.6),
 )
 #: Lines of Fig. 10, dashed as there.
 LAWS: Final = {
-    "constant": LineStyle(CONSTANT_DAMPING, SHORT_DASHES, 1.4),
-    "power-law": LineStyle(POWER_LAW, LONG_DASHES, 1.4),
+    "constant": LineStyle(color=CONSTANT_DAMPING, linestyle=SHORT_DASHES, linewidth=1.4),
+    "power-law": LineStyle(color=POWER_LAW, linestyle=LONG_DASHES, linewidth=1.4),
 }
 
 
@@ -77,13 +78,13 @@ def dress(axes: Axes, *, zero: bool = False) -> None:
 def legend_above(figure: Figure, axes: Axes | Sequence[Axes], *, columns: int | None = None) -> None:
     """The legend of the lines of `axes` above the panels, where it covers no curve; each label once."""
     panels = [axes] if isinstance(axes, Axes) else axes
-    entries = {}
+    entries: dict[str, Artist] = {}
     for panel in panels:
         for handle, label in zip(*panel.get_legend_handles_labels(), strict=True):
             entries.setdefault(label, handle)
     figure.legend(
-        list(entries.values()),
-        list(entries),
+        handles=list(entries.values()),
+        labels=list(entries),
         loc="outside upper center",
         ncols=columns or len(entries),
         frameon=False,
