@@ -10,7 +10,7 @@ import typer
 from pyjoystick.cli import chain_options
 from pyjoystick.cli.chain_options import PAPER, chain_of
 from pyjoystick.cli.console import output, print_note
-from pyjoystick.cli.options import Released, side_of
+from pyjoystick.cli.options import Released, SideName, parameter_file, side_of
 from pyjoystick.output import check_outputs
 
 EXAMPLES = """
@@ -20,6 +20,9 @@ Examples:
 
     pyjoystick import markers nexus.csv --top TOP --base BASE1 BASE2 --forward -y --released backward
     --output trial1.csv --motion motion1.csv
+
+    pyjoystick import markers trial1.c3d --top TOP --base BASE1 BASE2 --radius 0.266 --rests backward
+    --parameters joystick.toml --output trial1.csv
 
 The record has the angle as measured, which `pyjoystick peaks` and `pyjoystick fit` want: the filter of the
 chain lowers the peaks of the velocity and makes the noise of neighboring samples alike. The motion is what
@@ -51,6 +54,14 @@ def run(
     middle: Annotated[
         bool, typer.Option("--middle", help="The pivot is the middle of the base, not the center of the arc.")
     ] = False,
+    radius: Annotated[
+        float | None,
+        typer.Option(
+            "--radius",
+            metavar="METRES",
+            help="From the pivot to the top marker, where measured; that of its arc if not given.",
+        ),
+    ] = None,
     moving_base: Annotated[
         bool, typer.Option("--moving-base", help="Take the angle relative to the base in each frame.")
     ] = False,
@@ -58,6 +69,20 @@ def run(
         tuple[float, float] | None,
         typer.Option(
             "--rest", metavar="START END", help="Stretch at rest (s); the last 0.25 s if not given."
+        ),
+    ] = None,
+    rests: Annotated[
+        SideName | None,
+        typer.Option(
+            "--rests",
+            help="Side to which it leans at rest: zero is then the middle of the clearance of --parameters.",
+            show_default=False,
+        ),
+    ] = None,
+    parameters: Annotated[
+        Path | None,
+        typer.Option(
+            "--parameters", "-p", metavar="FILE", help="The joystick, for --rests.", show_default=False
         ),
     ] = None,
     released: Released = None,
@@ -78,10 +103,15 @@ def run(
     from pyjoystick.measurements.motion_files import write_motion, write_record
     from pyjoystick.measurements.reading import read_markers
     from pyjoystick.measurements.report import chain_report, markers_report
+    from pyjoystick.measurements.rest_position import rest_angle
     from pyjoystick.records import check_free_oscillation
 
     chain = chain_of(rate, cutoff, order, corrected, longest_gap, velocity_points, acceleration_points)
+    if (rests is None) != (parameters is None):
+        raise typer.BadParameter("give --rests and --parameters together")
     check_outputs(record_file, motion_file)
+    leaning = side_of(rests)
+    at_rest = 0.0 if leaning is None else rest_angle(parameter_file(parameters).joystick, leaning)
     markers = read_markers(file, unit=unit)
     measured = measure_angle(
         markers,
@@ -90,8 +120,10 @@ def run(
         forward=forward,
         up=up,
         origin="middle" if middle else "arc",
+        radius=radius,
         base_motion="moving" if moving_base else "still",
         rest=rest,
+        rest_angle=at_rest,
     )
     record = measured.record(record_file.stem)
     if released is not None:

@@ -3,8 +3,9 @@
 The vectors from the pivot to the top, projected on the plane of motion, give the angle from the rest position
 by their dot product and, for the sign, their cross product: ``atan2(cross, dot)`` is as accurate near zero,
 where the dot product alone is flat. The plane is that of the top marker's path. The pivot is the center of
-this path's arc; with the middle of the base markers in its place the angle is wrong by a factor of about
-L/(L + d), where d is how far the middle lies below the pivot and L the distance to the top.
+this path's arc, which is far more certain where the arc's radius was measured; with the middle of the base
+markers in its place the angle is wrong by a factor of about L/(L + d), where d is how far the middle lies
+below the pivot and L the distance to the top.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyjoystick._types import FloatArray
+from pyjoystick.checks import angle, positive
 from pyjoystick.measurements.circle import Circle, fit_circle
 from pyjoystick.measurements.markers import Markers, unseen
 from pyjoystick.measurements.motion_plane import MotionPlane, motion_plane
@@ -40,6 +42,8 @@ _RESTLESS: Final = math.radians(0.5)
 _OUT_OF_PLANE: Final = 0.05
 _BASE_MOVES: Final = 0.005
 _RADIUS_UNCERTAIN: Final = 0.01
+#: So many standard errors between the arc's radius and the measured one are noted.
+_RADII_DIFFER: Final = 3.0
 #: Above this relative standard error of the radius the pivot is refused.
 _RADIUS_UNKNOWN: Final = 0.05
 _FEWEST: Final = 10
@@ -100,9 +104,11 @@ def measure_angle(
     base: Sequence[str],
     forward: str,
     origin: Origin = "arc",
+    radius: float | None = None,
     base_motion: Base = "still",
     up: str | None = None,
     rest: tuple[float, float] | None = None,
+    rest_angle: float = 0.0,
 ) -> AngleMeasurement:
     """The angle of the joystick from its markers.
 
@@ -112,15 +118,18 @@ def measure_angle(
         base: names of the two markers on the base
         forward: axis of the laboratory that points forward, as far as any does: a name of `AXES`
         origin: the center of the angle: that of the top marker's arc, or the middle of the base markers
+        radius: from the pivot to the top marker (m), where it was measured; the arc's own where not given
         base_motion: ``still`` takes the mean position of the base markers, which averages their noise;
             ``moving`` takes the angle and the pivot in each frame relative to the base, whose two markers
             must then be apart in the plane of motion
         up: axis of the laboratory that lies in the plane of motion (the paper's z), a name of `AXES`; where
             not given the plane is found from the motion alone
-        rest: first and last instant (s) of a stretch at rest in the middle, on the clock of the markers; the
+        rest: first and last instant (s) of a stretch at rest, on the clock of the markers; the
             last `REST_TIME` with the markers in sight where not given
+        rest_angle: the angle there (rad): a joystick leans to one end of its clearance
 
     Raises:
+        ParameterError: the radius is not above zero, or `rest_angle` no angle
         RecordError: a marker is not there or never seen, the rest position is empty, the plane or the pivot
             is uncertain, or forward is no axis along the motion
     """
@@ -146,23 +155,15 @@ def measure_angle(
     if base_motion == "moving":
         flat = _turned_back(flat, plane.project(span[seen]), still, markers.source)
     arc = fit_circle(flat)
-    if origin == "arc" and not arc.radius_error < _RADIUS_UNKNOWN * arc.radius:
-        raise RecordError(
-            markers.source,
-            f"the pivot is uncertain: the arc's radius is {1e3 * arc.radius:.0f} mm with a standard error of "
-            f"{1e3 * arc.radius_error:.0f} mm",
-            "use a record of larger motion, or take the middle of the base markers as the pivot",
-            column=top,
-        )
-    pivot = arc.center if origin == "arc" else np.zeros(2)
+    pivot = _pivot(flat, arc, origin, radius, markers.source, top)
     theta = np.full(len(seen), np.nan)
     rest_radius = (flat[still] - pivot).mean(axis=0)
-    theta[seen] = _angle(flat - pivot, rest_radius)
+    theta[seen] = angle("rest_angle", rest_angle) + _angle(flat - pivot, rest_radius)
     notes = [
         *_rest_notes(np.degrees(theta[seen][still])),
         *_plane_notes(plane),
         *(_base_notes(markers.time, (first + second) / 2.0, arc.radius) if base_motion == "still" else ()),
-        *_arc_notes(arc),
+        *(_arc_notes(arc) if radius is None else _radius_notes(arc, radius)),
     ]
     return AngleMeasurement(
         source=markers.source,
@@ -177,6 +178,25 @@ def measure_angle(
         noise=arc.noise / arc.radius,
         notes=tuple(notes),
     )
+
+
+def _pivot(
+    flat: FloatArray, arc: Circle, origin: Origin, radius: float | None, source: str, top: str
+) -> FloatArray:
+    """Where the pivot is in the plane, shape (2,), from the middle of the base markers."""
+    if origin == "middle":
+        return np.zeros(2)
+    if radius is not None:
+        return fit_circle(flat, positive("radius", radius, "m")).center
+    if not arc.radius_error < _RADIUS_UNKNOWN * arc.radius:
+        raise RecordError(
+            source,
+            f"the pivot is uncertain: the arc's radius is {1e3 * arc.radius:.0f} mm with a standard error of "
+            f"{1e3 * arc.radius_error:.0f} mm",
+            "measure the radius, use a record of larger motion, or take the middle of the base markers",
+            column=top,
+        )
+    return arc.center
 
 
 def _two(markers: Markers, base: Sequence[str]) -> tuple[FloatArray, FloatArray]:
@@ -262,4 +282,13 @@ def _arc_notes(arc: Circle) -> list[str]:
     if arc.radius_error > _RADIUS_UNCERTAIN * arc.radius:
         share = 100.0 * arc.radius_error / arc.radius
         return [f"the arc's radius has a standard error of {share:.1f} %, and so has the scale of the angle"]
+    return []
+
+
+def _radius_notes(arc: Circle, radius: float) -> list[str]:
+    if abs(arc.radius - radius) > _RADII_DIFFER * arc.radius_error:
+        return [
+            f"the arc's radius is {1e3 * arc.radius:.1f} +- {1e3 * arc.radius_error:.1f} mm, "
+            f"{1e3 * radius:.1f} mm were given: is it measured from the pivot to the middle of the marker?"
+        ]
     return []

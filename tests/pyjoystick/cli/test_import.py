@@ -114,6 +114,18 @@ def test_a_wrong_sign_is_an_error_where_the_side_is_known(
     assert not (tmp_path / "r.csv").exists()
 
 
+def test_zero_is_the_middle_of_the_clearance_where_the_side_of_rest_is_known(
+    command: Command, laboratory: Path, record: Path
+) -> None:
+    arguments = ("import", "markers", str(laboratory / "trial.c3d"), *MARKERS, "-o", "leaning.csv")
+    assert command(*arguments, "--rests", "forward").code == 2
+    command("parameters", "--output", "paper.toml")
+    assert command(*arguments, "--rests", "forward", "-p", "paper.toml").code == 0
+    moved = read_record(Path("leaning.csv")).theta - read_record(record).theta
+    # Without the cam surface, which adds 0.03 % to x_0/a.
+    np.testing.assert_allclose(moved, 0.075e-3 / NOMINAL.a, rtol=1e-3)
+
+
 @pytest.mark.parametrize(
     ("changes", "code", "words"),
     [

@@ -5,6 +5,7 @@ import dataclasses
 import numpy as np
 import pytest
 
+from pyjoystick.errors import ParameterError
 from pyjoystick.measurements.angle import AngleMeasurement, Base, Origin, measure_angle
 from pyjoystick.measurements.markers import Markers
 from pyjoystick.records import RecordError
@@ -191,3 +192,31 @@ def test_what_cannot_be_measured_is_refused() -> None:
 def test_a_rest_position_in_motion_is_noted() -> None:
     measured = measure_angle(_markers(), top=TOP, base=BASE, forward="x", rest=(0.5, 0.8))
     assert any("in the rest position" in note for note in measured.notes)
+
+
+def test_a_measured_radius_makes_the_pivot_certain() -> None:
+    """Of ten records: the error of the distance from the pivot to the top, which is that of the scale."""
+    errors = []
+    for seed in range(10):
+        markers = _markers(noise=3e-4, seed=seed)
+        for radius in (None, 0.266):
+            found = measure_angle(markers, top=TOP, base=BASE, forward="x", rest=(2.5, 3.0), radius=radius)
+            errors.append(float(np.hypot(*found.rest_radius)) - 0.266)
+    own, given = np.sqrt(np.mean(np.array(errors).reshape(-1, 2) ** 2, axis=0))
+    assert own > 1e-3
+    assert given < 1e-4
+
+
+def test_a_wrong_radius_is_noted_and_one_that_cannot_be_is_refused() -> None:
+    markers = _markers(noise=3e-4)
+    measured = measure_angle(markers, top=TOP, base=BASE, forward="x", rest=(2.5, 3.0), radius=0.300)
+    (note,) = measured.notes
+    assert "mm, 300.0 mm were given: is it measured from the pivot" in note
+    with pytest.raises(ParameterError, match="radius = -1"):
+        measure_angle(markers, top=TOP, base=BASE, forward="x", radius=-1.0)
+
+
+def test_the_rest_may_lie_beside_the_middle() -> None:
+    markers = _markers()
+    leaning = measure_angle(markers, top=TOP, base=BASE, forward="x", rest=(2.5, 3.0), rest_angle=-0.003)
+    np.testing.assert_allclose(leaning.theta, _measured(markers).theta - 0.003, atol=1e-15)
