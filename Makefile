@@ -1,7 +1,8 @@
 # make run    environment, FMUs, the paper's free oscillation compared with the reference
 # make test   everything that is tested
 # make fmu    the four FMUs in build/fmi2/ (COMPILER=openmodelica makes them with an installed OpenModelica,
-#             COMPILER_OPTIONS="omc=/opt/openmodelica" with one that is not on the path)
+#             COMPILER_OPTIONS="omc=/opt/openmodelica" with one that is not on the path), for this machine's
+#             platform (PLATFORMS=all: Linux, Windows and macOS; PLATFORMS="x86_64-linux x86_64-windows": those)
 # make lint   ruff, mypy, the C compilers with every warning an error, the Modelica checks
 # make bench  speed as ratios within one run
 # make figure  the figure of the README
@@ -13,6 +14,8 @@ PYTHON ?= $(shell for p in python3.13 python3.12 python3.11 python3 python; do \
 	$$p -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null && echo $$p && break; done)
 COMPILER ?= rumoca
 COMPILER_OPTIONS ?=
+PLATFORMS ?=
+FMU_SETTINGS = --compiler $(COMPILER) $(addprefix --option ,$(COMPILER_OPTIONS)) $(addprefix --platform ,$(PLATFORMS))
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -33,15 +36,15 @@ test: fmu
 
 fmu: build/fmi2/.built
 
-build/fmi2/.built: $(FMU_SOURCES) $(READY) build/fmi2/.compiler
+build/fmi2/.built: $(FMU_SOURCES) $(READY) build/fmi2/.settings
 	$(BIN)/python -m fmu_build $(basename $(addprefix PreloadedSprings.Joystick.,$(notdir $(FMUS)))) \
-		--output build/fmi2 --compiler $(COMPILER) $(addprefix --option ,$(COMPILER_OPTIONS))
+		--output build/fmi2 $(FMU_SETTINGS)
 	touch $@
 
-# Changes with the compiler that is asked for, and then only, so that the FMUs of another one are made anew.
-build/fmi2/.compiler: FORCE
+# Changes with the settings that are asked for, and then only, so that FMUs with others are made anew.
+build/fmi2/.settings: FORCE
 	@mkdir -p $(@D)
-	@echo "$(COMPILER) $(COMPILER_OPTIONS)" | cmp -s - $@ || echo "$(COMPILER) $(COMPILER_OPTIONS)" > $@
+	@echo "$(FMU_SETTINGS)" | cmp -s - $@ || echo "$(FMU_SETTINGS)" > $@
 
 lint: $(READY)
 	$(BIN)/ruff check .

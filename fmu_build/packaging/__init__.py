@@ -9,7 +9,7 @@ from pathlib import Path
 from fmu_build.description import GeneratedModel
 from fmu_build.errors import BuildError
 from fmu_build.packaging.archive import archive_bytes, check_output_folder, replacing
-from fmu_build.packaging.binaries import COMPILER_FLAGS, LINKER_FLAGS, compile_library
+from fmu_build.packaging.binaries import COMPILER_FLAGS, LINKER_FLAGS, binary_entries, compile_library
 from fmu_build.packaging.check import check_fmu
 from fmu_build.packaging.consistency import check_description
 from fmu_build.packaging.documentation import index_html, license_text
@@ -54,12 +54,12 @@ def package_fmu(model: GeneratedModel, request: BuildRequest) -> PackagedFmu:
     entries = {f"sources/{name}": content for name, content in sources.items()}
     entries["modelDescription.xml"] = description
     log = ""
+    libraries = {}
     for platform in platforms:
         request.on_stage(f"compiling the C code for {platform.name}")
-        library, output = compile_library(sources, model.description.identifier, platform)
-        folder = platform.folder(request.fmi_version)
-        entries[f"binaries/{folder}/{model.description.identifier}{platform.extension}"] = library
+        libraries[platform], output = compile_library(sources, model.description.identifier, platform)
         log += output
+    entries |= binary_entries(libraries, model.description.identifier, request.fmi_version)
     request.on_stage("packing and checking the FMU")
     entries["documentation/index.html"] = index_html(model.description, _generation_tool())
     entries["documentation/licenses/license.txt"] = license_text(request.fmi_version).encode()

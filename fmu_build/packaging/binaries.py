@@ -13,8 +13,10 @@ from importlib import metadata
 from pathlib import Path
 
 from fmu_build.errors import ToolchainError
-from fmu_build.packaging.platforms import Platform
+from fmu_build.packaging.platforms import PLATFORMS, Platform
 from fmu_build.packaging.sources import c_files
+from fmu_build.packaging.universal import universal_library
+from fmu_build.request import FmiVersion
 
 # Floating point: no contraction to fused multiply-add and nothing of -ffast-math, so that every platform
 # computes alike. -s and the relative paths keep this machine's names out of the library.
@@ -77,6 +79,24 @@ def compile_library(sources: Mapping[str, bytes], identifier: str, platform: Pla
         return (work / library).read_bytes(), log
 
 
+def binary_entries(
+    libraries: Mapping[Platform, bytes], identifier: str, fmi_version: FmiVersion
+) -> dict[str, bytes]:
+    """Archive name -> content of binaries/.
+
+    Importers of FMI 2 on macOS look into darwin64, whatever the processor: where there are libraries for
+    both, it holds the universal one.
+    """
+    content = dict(libraries)
+    macos = [platform for platform in libraries if platform.extension == ".dylib"]
+    if fmi_version == "2.0" and len(macos) > 1:
+        content[PLATFORMS["x86_64-darwin"]] = universal_library([libraries[p] for p in macos])
+    return {
+        f"binaries/{platform.folder(fmi_version)}/{identifier}{platform.extension}": library
+        for platform, library in content.items()
+    }
+
+
 def _environment(cache: Path) -> dict[str, str]:
     """This process's, with zig's cache of the build in `cache`.
 
@@ -98,9 +118,10 @@ def _arguments(files: list[str], library: str, platform: Platform) -> list[str]:
     own = {
         # A function that is missing is an error here, not when an importer first calls it. Optimizing across
         # files pays: the model's functions are short, and the runtime calls them thousands of times a run.
+        # zig links that for Linux alone.
         ".so": ["-Wl,-z,defs", "-flto"],
-        ".dll": ["-flto"],
+        ".dll": [],
         # Without its own install name, a macOS library would carry the path that it was linked at.
         ".dylib": [f"-Wl,-install_name,@rpath/{library}"],
-    }.get(platform.extension, [])
-    return ["cc", *target, *COMPILER_FLAGS, *LINKER_FLAGS, *own, "-o", library, *files, "-lm"]
+    }[platform.extension]
+    return ["cc", *target, *COMPILER_FLAGS, *LINKER_FLAGS, "-o", library, *files, *own, "-lm"]
