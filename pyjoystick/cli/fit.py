@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from pyjoystick.cli.options import DampingLaw, Parameters
+from pyjoystick.cli.options import DampingLaw, Parameters, parse_names
 
 EXAMPLES = """
 Examples:
@@ -15,6 +15,7 @@ Examples:
     pyjoystick fit trial1.csv trial2.csv trial3.csv trial4.csv
     pyjoystick fit trial*.csv --damping power-law --output results/fit
     pyjoystick fit trial*.csv --settings fit.toml --output results/fit
+    pyjoystick fit trial*.csv --parameters joystick.toml --update
 
 docs/fitting.md describes the settings file.
 """
@@ -43,6 +44,18 @@ def run(
         ),
     ] = None,
     parameters: Parameters = None,
+    update: Annotated[
+        bool,
+        typer.Option(
+            "--update",
+            help="Write the result into the file of --parameters, if every check is passed; a new one "
+            "begins as the paper's.",
+        ),
+    ] = False,
+    even_if_doubtful: Annotated[
+        bool,
+        typer.Option("--even-if-doubtful", help="Have --update write a result that is not to be trusted."),
+    ] = False,
     target: Annotated[
         Path | None,
         typer.Option(
@@ -69,9 +82,22 @@ def run(
     """
     if settings is not None and damping is not None:
         raise typer.BadParameter("give --settings or --damping: the settings name the FMU themselves")
+    if update and parameters is None:
+        raise typer.BadParameter("needs --parameters, the file to write to", param_hint="--update")
+    if even_if_doubtful and not update:
+        raise typer.BadParameter("is for --update", param_hint="--even-if-doubtful")
     # SciPy, lmfit and Matplotlib take a while to load, which the other commands need not wait for.
-    from pyjoystick.cli.fit_steps import fit_and_show
+    from pyjoystick.cli.fit_steps import Wanted, fit_and_show
 
-    code = fit_and_show(records, settings, damping, parameters, target, columns, units)
+    wanted = Wanted(target, parameters if update else None, even_if_doubtful)
+    code = fit_and_show(
+        records,
+        settings,
+        damping,
+        parameters,
+        wanted,
+        columns=parse_names(columns, "--column"),
+        units=parse_names(units, "--unit"),
+    )
     if code:
         raise typer.Exit(code)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
@@ -11,7 +12,9 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 
 from pyjoystick.cli.console import messages, output, print_error, print_note
 from pyjoystick.cli.fmus import found_or_built
-from pyjoystick.cli.options import DampingLaw, law_of, parameter_file, parse_names
+from pyjoystick.cli.options import DampingLaw, law_of, parameter_file
+from pyjoystick.cli.parameter_updates import file_to_update, write_update
+from pyjoystick.fitted_joystick import FittedJoystick, fitted_joystick, require_joystick_in
 from pyjoystick.fitting import (
     CONSTANT_DAMPING,
     POWER_LAW_DAMPING,
@@ -29,7 +32,7 @@ from pyjoystick.fitting.settings_file import read_fit_settings, reads_releases
 from pyjoystick.fitting.table_record import read_table_record
 from pyjoystick.fitting.text_report import report, summary
 from pyjoystick.fmu import Fmu, FmuDescription
-from pyjoystick.output import write_text
+from pyjoystick.output import check_outputs, write_text
 from pyjoystick.records import Record, read_repeats
 
 #: Exit code where a fit is done but not to be trusted, and after Ctrl-C.
@@ -37,25 +40,42 @@ DOUBTFUL: Final = 3
 INTERRUPTED: Final = 130
 
 
+@dataclass(frozen=True, slots=True)
+class Wanted:
+    """What is to be written besides the summary.
+
+    Attributes:
+        folder: for report and figures
+        joystick: parameter file that the fit updates
+        even_if_doubtful: whether it does so where the fit is not to be trusted
+    """
+
+    folder: Path | None
+    joystick: Path | None
+    even_if_doubtful: bool
+
+
 def fit_and_show(
     paths: Sequence[Path],
     settings_file: Path | None,
     damping: DampingLaw | None,
     parameters: Path | None,
-    folder: Path | None,
-    columns: Sequence[str] | None,
-    units: Sequence[str] | None,
+    wanted: Wanted,
+    *,
+    columns: Mapping[str, str],
+    units: Mapping[str, str],
 ) -> int:
     """Fit the records of some files; returns the exit code."""
-    if settings_file is not None:
-        settings = read_fit_settings(settings_file, found_or_built)
-    else:
-        law = damping or DampingLaw(parameter_file(parameters).law)
-        settings = POWER_LAW_DAMPING if law is DampingLaw.POWER_LAW else CONSTANT_DAMPING
+    check_outputs(wanted.joystick)
+    given = parameter_file(parameters) if wanted.joystick is None else file_to_update(wanted.joystick)
+    settings = _settings(settings_file, damping or DampingLaw(given.law))
     with Fmu(found_or_built(settings.fmu)) as fmu:
+        joystick = None
         if parameters is not None:
-            joystick = parameter_file(parameters).with_law(law_of(fmu.description).value)
+            joystick = given.with_law(law_of(fmu.description).value)
             settings = with_values(settings, joystick.to_names(), replace_starts=settings_file is None)
+        if wanted.joystick is not None:
+            require_joystick_in(settings)
         records = _records(paths, settings, fmu.description, columns, units)
         try:
             with _progress() as tell:
@@ -63,42 +83,65 @@ def fit_and_show(
         except (FitInterruptedError, KeyboardInterrupt):
             print_error(str(FitInterruptedError()))
             return INTERRUPTED
-    _show(found, folder, [path.name for path in paths])
+    names = ", ".join(path.name for path in paths)
+    _show(found, wanted.folder, names)
+    if wanted.joystick is not None and joystick is not None:
+        _update(found, wanted, fitted_joystick(found, joystick, given.uncertainties), names)
     if found.interrupted:
         return INTERRUPTED
     return 0 if found.trusted else DOUBTFUL
+
+
+def _settings(file: Path | None, law: DampingLaw) -> FitSettings:
+    if file is not None:
+        return read_fit_settings(file, found_or_built)
+    return POWER_LAW_DAMPING if law is DampingLaw.POWER_LAW else CONSTANT_DAMPING
 
 
 def _records(
     paths: Sequence[Path],
     settings: FitSettings,
     fmu: FmuDescription,
-    columns: Sequence[str] | None,
-    units: Sequence[str] | None,
+    columns: Mapping[str, str],
+    units: Mapping[str, str],
 ) -> Sequence[Record | Measurement]:
     if not reads_releases(settings):
         names = (*settings.outputs, *settings.inputs)
         return [read_table_record(path, names, fmu) for path in paths]
-    records = read_repeats(
-        paths, columns=parse_names(columns, "--column"), units=parse_names(units, "--unit")
-    )
+    records = read_repeats(paths, columns=columns, units=units)
     for record in records:
         for note in record.notes:
             print_note(f"{record.name}: {note}")
     return records
 
 
-def _show(found: Fit, folder: Path | None, names: Sequence[str]) -> None:
+def _show(found: Fit, folder: Path | None, names: str) -> None:
     # Plain text: labels such as [run 1] are no markup.
     output().print(summary(found), markup=False)
     if folder is not None:
-        write_text(folder / "fit.md", report(found, f"Fit to {', '.join(names)}"))
+        write_text(folder / "fit.md", report(found, f"Fit to {names}"))
         write_text(folder / "fit.json", as_json(found))
         figures = save_figures(found, folder)
         print_note(f"wrote fit.md, fit.json, {', '.join(path.name for path in figures)} into {folder}")
     if not found.trusted:
-        failed = ", ".join(check.name for check in found.checks if not check.passed)
-        print_error(f"the fit is not to be trusted: {failed} (see above)")
+        print_error(f"the fit is not to be trusted: {_failed(found)} (see above)")
+
+
+def _update(found: Fit, wanted: Wanted, fitted: FittedJoystick, names: str) -> None:
+    """Write the joystick into its file, unless there is something to be said against it."""
+    assert wanted.joystick is not None
+    doubts = "it was stopped" if found.interrupted else "" if found.trusted else _failed(found)
+    if doubts and not wanted.even_if_doubtful:
+        print_note(f"{wanted.joystick} is left as it was; --even-if-doubtful writes the result all the same")
+        return
+    source = f"fit to {names}" + (f"; doubtful: {doubts}" if doubts else "")
+    sources = dict.fromkeys(fitted.tables, source)
+    sources |= dict.fromkeys(fitted.fixed, f"as fixed in the {source}")
+    write_update(wanted.joystick, fitted.joystick, fitted.uncertainties, sources)
+
+
+def _failed(found: Fit) -> str:
+    return ", ".join(check.name for check in found.checks if not check.passed)
 
 
 @contextmanager

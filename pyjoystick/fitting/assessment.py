@@ -16,7 +16,7 @@ from pyjoystick.fitting.peak_prediction import missing_peaks
 from pyjoystick.fitting.problem import Problem
 from pyjoystick.fitting.result import Derived, RecordFit
 from pyjoystick.fitting.search import Minimum
-from pyjoystick.fitting.settings import RELEASE_TIME, FitSettings
+from pyjoystick.fitting.settings import FitSettings
 from pyjoystick.fitting.uncertainty import StandardErrors
 from pyjoystick.fitting.variables import Variables
 
@@ -93,25 +93,34 @@ def all_checks(
 def derived_parameters(
     variables: Variables, x: FloatArray, errors: StandardErrors, names: Sequence[str]
 ) -> Iterator[Derived]:
-    """Tied parameters with the errors that follow from those of the variables."""
-    if not variables.tied:
-        return
-    own = any(one.record is not None and one.name != RELEASE_TIME for one in variables.free)
-    for k, name in enumerate(names if own else names[:1]):
-        values = variables.tied_values(x, k)
-        steps = 1e-6 * np.array([one.scale for one in variables.free])
-        slopes = np.column_stack(
-            [
-                (variables.tied_values(x + step * unit, k) - variables.tied_values(x - step * unit, k))
-                / (2.0 * step)
-                for step, unit in zip(steps, np.eye(len(x)), strict=True)
-            ]
+    """Tied parameters with the errors that follow from those of the variables, one for all records or each.
+
+    Args:
+        variables: what x means
+        x: the minimum
+        errors: standard errors there
+        names: of the records
+    """
+    own = np.array([one.record is not None for one in variables.free])
+    for k, record in enumerate(names if variables.tied else ()):
+        slopes = _tied_slopes(variables, x, k)
+        for name, value, slope in zip(variables.tied, variables.tied_values(x, k), slopes, strict=True):
+            of_record = bool(np.any(slope[own] != 0.0))
+            if of_record or k == 0:
+                yield Derived(name, record if of_record else "", float(value), errors.of(slope), slope)
+
+
+def _tied_slopes(variables: Variables, x: FloatArray, record: int) -> FloatArray:
+    """Derivatives of the tied values of a record, shape (tied, variables)."""
+    columns = []
+    for unit, one in zip(np.eye(len(x)), variables.free, strict=True):
+        step = 1e-6 * one.scale
+        ends = (
+            variables.tied_values(x + step * unit, record),
+            variables.tied_values(x - step * unit, record),
         )
-        for tied, value, slope in zip(variables.tied, values, slopes, strict=True):
-            used = slope != 0.0
-            variance = float(slope[used] @ errors.covariance[np.ix_(used, used)] @ slope[used])
-            error = math.sqrt(variance) if math.isfinite(variance) else math.inf
-            yield Derived(tied, name if own else "", float(value), error)
+        columns.append((ends[0] - ends[1]) / (2.0 * step))
+    return np.column_stack(columns)
 
 
 def criteria_of(

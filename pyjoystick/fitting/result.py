@@ -19,14 +19,22 @@ from pyjoystick.fitting.uncertainty import StandardErrors
 from pyjoystick.fitting.variables import Variable
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Derived:
-    """A tied parameter of the FMU: its value and standard error, which follow from those of others."""
+    """A tied parameter of the FMU: its value and standard error, which follow from those of others.
+
+    Attributes:
+        name: the parameter
+        record: the record that it belongs to; empty where all records share it
+        value, error: its value and standard error
+        slope: derivatives of the value with respect to the variables, shape (variables,)
+    """
 
     name: str
     record: str
     value: float
     error: float
+    slope: FloatArray
 
 
 @dataclass(frozen=True, slots=True, eq=False)

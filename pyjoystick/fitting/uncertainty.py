@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -33,6 +34,15 @@ class StandardErrors:
         """Lower and upper ends, shape (variables, 2)."""
         half = self.quantile * self.errors
         return np.column_stack((x - half, x + half))
+
+    def of(self, slope: FloatArray) -> float:
+        """Standard error of a number whose derivatives with respect to the variables are `slope`.
+
+        Infinite where it depends on a variable that the data leave open.
+        """
+        used = slope != 0.0
+        variance = float(slope[used] @ self.covariance[np.ix_(used, used)] @ slope[used])
+        return math.sqrt(variance) if math.isfinite(variance) else math.inf
 
 
 def standard_errors(

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from pyjoystick.parameters import PAPER, ConstantDamping, read_parameter_file
 from tests.pyjoystick.cli.conftest import Command
 
 DATA = Path(__file__).parents[3] / "scenarios" / "data"
@@ -96,3 +97,59 @@ def test_settings_that_are_refused(
 def test_settings_and_damping_exclude_each_other(command: Command, tmp_path: Path) -> None:
     outcome = command("fit", RECORDS[0], "--settings", str(tmp_path / "x.toml"), "--damping", "constant")
     assert outcome.code == 2
+
+
+@pytest.fixture
+def joystick(tmp_path: Path) -> Path:
+    """A parameter file with another mass than the paper's, as measured somewhere, and a comment."""
+    text = PAPER.path.read_text(encoding="utf-8").replace("m = 0.87 ", "m = 0.871 # weighed:")
+    assert "weighed" in text
+    path = tmp_path / "joystick.toml"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def test_the_result_goes_into_the_parameter_file(command: Command, joystick: Path) -> None:
+    outcome = command("fit", *RECORDS[:2], "--parameters", str(joystick), "--update")
+    assert outcome.code == 0, outcome.err
+    assert outcome.err.splitlines()[-1] == f"wrote [damping.constant] of {joystick}"
+    found = read_parameter_file(joystick)
+    assert isinstance(found.joystick.damping, ConstantDamping)
+    error = found.uncertainties["damping.constant.C"]
+    assert 1e-5 < error < 1e-4
+    assert abs(found.joystick.damping.C - 0.045) < 5.0 * error
+    assert found.sources["damping.constant"] == "fit to synthetic_constant_1.csv, synthetic_constant_2.csv"
+    assert found.joystick.m == 0.871
+    assert "# weighed" in joystick.read_text(encoding="utf-8")
+
+
+def test_a_new_file_begins_as_the_paper_s(command: Command, tmp_path: Path) -> None:
+    path = tmp_path / "new.toml"
+    outcome = command("fit", RECORDS[0], "--parameters", str(path), "--update")
+    assert outcome.code == 0, outcome.err
+    assert "is new: everything but [damping.constant] is the paper's" in outcome.err
+    assert read_parameter_file(path).joystick.J == PAPER.joystick.J
+
+
+def test_a_doubtful_fit_leaves_the_file_alone_unless_told(command: Command, joystick: Path) -> None:
+    before = joystick.read_bytes()
+    arguments = ("fit", str(DATA / "synthetic_power_law_1.csv"), "--parameters", str(joystick), "--update")
+    outcome = command(*arguments)
+    assert outcome.code == 3
+    assert "joystick.toml is left as it was; --even-if-doubtful writes" in outcome.err
+    assert joystick.read_bytes() == before
+    outcome = command(*arguments, "--even-if-doubtful")
+    assert outcome.code == 3
+    source = read_parameter_file(joystick).sources["damping.constant"]
+    assert source == "fit to synthetic_power_law_1.csv; doubtful: whiteness"
+
+
+def test_wrong_usage_of_update(command: Command, joystick: Path, tmp_path: Path) -> None:
+    assert command("fit", RECORDS[0], "--update").code == 2
+    assert command("fit", RECORDS[0], "--parameters", str(joystick), "--even-if-doubtful").code == 2
+    settings = tmp_path / "fit.toml"
+    release = SETTINGS.replace('"damping.C" = { start = 0.06, minimum = 0.0, maximum = 0.5 }', "")
+    settings.write_text(release, encoding="utf-8")
+    outcome = command("fit", RECORDS[0], "-p", str(joystick), "--settings", str(settings), "--update")
+    assert outcome.code == 1
+    assert outcome.message == "the joystick: nothing of it is fitted, so that there is nothing to be written"
