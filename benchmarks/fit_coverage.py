@@ -1,7 +1,7 @@
 """Do 95 % intervals hold the truth in 95 % of cases? A Monte Carlo of fits to synthetic records.
 
-    python -m benchmarks.fit_coverage            # both damping laws, 200 data sets of four records each
-    python -m benchmarks.fit_coverage --sets 50 --law constant
+    python -m benchmarks.fit_coverage            # all cases, 200 data sets of four records each
+    python -m benchmarks.fit_coverage --sets 50 --case constant
 
 Every data set has four releases made by the pure-Python reference, sampled at 60 Hz with 0.1 degree of white
 noise. The release angle differs from repeat to repeat and the release falls anywhere between two samples, as
@@ -26,6 +26,7 @@ from pyjoystick.fitting import (
     RELEASE,
     Fit,
     FitSettings,
+    Free,
     Uncertainty,
     fit,
 )
@@ -49,8 +50,14 @@ _DISPLACEMENT_LAW: Final = dataclasses.replace(
         if one.name.startswith(("damping.A", "damping.n")) or one in RELEASE
     ),
 )
+_PRELOADS: Final = ("forward.returnSpring.F_0", "backward.returnSpring.F_0")
+_SPRINGS: Final = dataclasses.replace(
+    CONSTANT_DAMPING,
+    free=(*CONSTANT_DAMPING.free, *(Free(name, start=1.05 * NOMINAL.to_names()[name]) for name in _PRELOADS)),
+)
 CASES: Final[dict[str, tuple[FitSettings, JoystickParameters, tuple[str, ...]]]] = {
     "constant": (CONSTANT_DAMPING, NOMINAL, ("damping.C",)),
+    "springs": (_SPRINGS, NOMINAL, _PRELOADS),
     # The profile of one parameter, the most curved: four would take most of the time.
     "displacement": (
         _DISPLACEMENT_LAW,
@@ -64,16 +71,16 @@ def main() -> None:
     """Run the cases that are asked for and print their tables."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--sets", type=int, default=200, help="data sets of each case")
-    parser.add_argument("--law", choices=(*CASES, "all"), default="all")
+    parser.add_argument("--case", choices=(*CASES, "all"), default="all", help="what is fitted")
     parser.add_argument("--seed", type=int, default=1)
     options = parser.parse_args()
-    for law in CASES if options.law == "all" else [options.law]:
-        print(coverage_table(law, options.sets, options.seed), flush=True)
+    for case in CASES if options.case == "all" else [options.case]:
+        print(coverage_table(case, options.sets, options.seed), flush=True)
 
 
-def coverage_table(law: str, sets: int, seed: int) -> str:
+def coverage_table(case: str, sets: int, seed: int) -> str:
     """The table of one case: how often each interval holds the truth, and whether the fits are biased."""
-    settings, truth, profiles = CASES[law]
+    settings, truth, profiles = CASES[case]
     settings = dataclasses.replace(settings, uncertainty=Uncertainty(profiles=profiles))
     hits: dict[str, list[bool]] = defaultdict(list)
     profile_hits: dict[str, list[bool]] = defaultdict(list)
@@ -88,7 +95,9 @@ def coverage_table(law: str, sets: int, seed: int) -> str:
             _count(found, known, hits, profile_hits, deviations)
             if (number + 1) % _NEWS == 0:
                 seconds = time.perf_counter() - begun
-                print(f"{law}: {number + 1} of {sets} data sets, {seconds:.0f} s", file=sys.stderr, flush=True)
+                print(
+                    f"{case}: {number + 1} of {sets} data sets, {seconds:.0f} s", file=sys.stderr, flush=True
+                )
     rows = [
         [
             name,
@@ -103,7 +112,7 @@ def coverage_table(law: str, sets: int, seed: int) -> str:
     header = ["parameter", "intervals", "linear holds", "profile holds", "mean of z", "deviation of z"]
     seconds = time.perf_counter() - begun
     return (
-        f"{law}: {sets} data sets of {RECORDS} records, {runs} runs, {seconds:.0f} s; "
+        f"{case}: {sets} data sets of {RECORDS} records, {runs} runs, {seconds:.0f} s; "
         f"{doubted} fits were called doubtful\n\n{markdown_table(header, rows)}\n"
     )
 
