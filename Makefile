@@ -1,6 +1,6 @@
 # make run    environment, FMUs, the paper's free oscillation compared with the reference
 # make test   everything that is tested
-# make fmu    the four FMUs in build/fmi2/ (COMPILER=openmodelica makes them with an installed OpenModelica,
+# make fmu    the six FMUs in build/fmi2/ (COMPILER=openmodelica makes them with an installed OpenModelica,
 #             COMPILER_OPTIONS="omc=/opt/openmodelica" with one that is not on the path), for this machine's
 #             platform (PLATFORMS=all: Linux, Windows and macOS; PLATFORMS="x86_64-linux x86_64-windows": those)
 # make lint   ruff, mypy, the C compilers with every warning an error, the Modelica checks
@@ -20,8 +20,8 @@ FMU_SETTINGS = --compiler $(COMPILER) $(addprefix --option ,$(COMPILER_OPTIONS))
 VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
-FMUS := $(addprefix build/fmi2/,Joystick.fmu JoystickPowerLaw.fmu JoystickInverse.fmu \
-	JoystickInversePowerLaw.fmu)
+MODELS := $(addprefix PreloadedSprings.,Joystick.Joystick Joystick.JoystickPowerLaw Joystick.JoystickInverse \
+	Joystick.JoystickInversePowerLaw Operator.Operator Examples.OperatedJoystick)
 FMU_SOURCES := $(shell find modelica fmu_build -name '*.mo' -o -name 'package.order' -o -name '*.[ch]' \
 	-o -name '*.py' -o -name '*.toml' -o -name '*.jinja')
 
@@ -37,8 +37,7 @@ test: fmu
 fmu: build/fmi2/.built
 
 build/fmi2/.built: $(FMU_SOURCES) $(READY) build/fmi2/.settings
-	$(BIN)/python -m fmu_build $(basename $(addprefix PreloadedSprings.Joystick.,$(notdir $(FMUS)))) \
-		--output build/fmi2 $(FMU_SETTINGS)
+	$(BIN)/python -m fmu_build $(MODELS) --output build/fmi2 $(FMU_SETTINGS)
 	touch $@
 
 # Changes with the settings that are asked for, and then only, so that FMUs with others are made anew.

@@ -10,7 +10,14 @@ from typing import Any
 
 from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 
-MODELS = ("Joystick", "JoystickPowerLaw", "JoystickInverse", "JoystickInversePowerLaw")
+MODELS = (
+    "Joystick.Joystick",
+    "Joystick.JoystickPowerLaw",
+    "Joystick.JoystickInverse",
+    "Joystick.JoystickInversePowerLaw",
+    "Operator.Operator",
+    "Examples.OperatedJoystick",
+)
 
 
 class CustomBuildHook(BuildHookInterface):
@@ -25,8 +32,8 @@ class CustomBuildHook(BuildHookInterface):
 
         self._folder = tempfile.TemporaryDirectory()
         for model in MODELS:
-            result = build_fmu(f"PreloadedSprings.Joystick.{model}", Path(self._folder.name))
-            build_data["force_include"][str(result.path)] = f"pyjoystick/fmus/{model}.fmu"
+            result = build_fmu(f"PreloadedSprings.{model}", Path(self._folder.name))
+            build_data["force_include"][str(result.path)] = f"pyjoystick/fmus/{result.path.name}"
         build_data["pure_python"] = False
         platform = sysconfig.get_platform().replace("-", "_").replace(".", "_")
         build_data["tag"] = f"py3-none-{platform}"

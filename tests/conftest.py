@@ -9,15 +9,15 @@ import fmpy
 import pytest
 
 from fmu_build import build_fmu
+from pyjoystick.fmu import MODELS
 from tests.omc import Omc, opened, why_not
 
 ROOT = Path(__file__).parents[1]
-JOYSTICKS = ("Joystick", "JoystickPowerLaw", "JoystickInverse", "JoystickInversePowerLaw")
 
 
 @pytest.fixture(scope="session")
 def joystick_fmus(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The folder with the four joystick FMUs of the default compiler.
+    """The folder with the FMUs of this project by the default compiler.
 
     Those of ``make fmu`` where they are up to date and not another compiler's, else new ones.
     """
@@ -25,13 +25,13 @@ def joystick_fmus(tmp_path_factory: pytest.TempPathFactory) -> Path:
     if _is_up_to_date(made):
         return made
     folder = tmp_path_factory.mktemp("fmi2")
-    for name in JOYSTICKS:
-        build_fmu(f"PreloadedSprings.Joystick.{name}", folder)
+    for model in MODELS.values():
+        build_fmu(model, folder)
     return folder
 
 
 def _is_up_to_date(folder: Path) -> bool:
-    fmus = [folder / f"{name}.fmu" for name in JOYSTICKS]
+    fmus = [folder / f"{name}.fmu" for name in MODELS]
     if not all(fmu.is_file() for fmu in fmus):
         return False
     if not all(_tool(fmu).startswith("pyjoystick") for fmu in fmus):

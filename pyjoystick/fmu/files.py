@@ -12,8 +12,15 @@ from pyjoystick.fmu.errors import FmuNotFoundError
 #: Modelica class by the name of each FMU of this project.
 MODELS = MappingProxyType(
     {
-        name: f"PreloadedSprings.Joystick.{name}"
-        for name in ("Joystick", "JoystickPowerLaw", "JoystickInverse", "JoystickInversePowerLaw")
+        name: f"PreloadedSprings.{package}.{name}"
+        for package, name in (
+            ("Joystick", "Joystick"),
+            ("Joystick", "JoystickPowerLaw"),
+            ("Joystick", "JoystickInverse"),
+            ("Joystick", "JoystickInversePowerLaw"),
+            ("Operator", "Operator"),
+            ("Examples", "OperatedJoystick"),
+        )
     }
 )
 

@@ -16,11 +16,11 @@ import rumoca
 
 from fmu_build.codegen import ModelSource, generate
 from fmu_build.compilers.library import default_library, entry_file
+from pyjoystick.fmu import MODELS
 
 STRICT = ("-std=c11", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-O2", "-c")
 RUNTIME = Path(__file__).parents[2] / "fmu_build" / "runtime"
 BENCHMARKS = Path(__file__).parents[2] / "benchmarks"
-MODELS = ("Joystick", "JoystickPowerLaw", "JoystickInverse", "JoystickInversePowerLaw")
 
 
 def main() -> int:
@@ -39,10 +39,10 @@ def main() -> int:
 def _generated(folder: Path) -> list[Path]:
     (folder / "token.h").write_text('#define MODEL_TOKEN "{}"\n')
     files = []
-    for model in MODELS:
+    for name, model in MODELS.items():
         session = rumoca.Session()
-        loaded = session.load(str(entry_file(default_library())), model=f"PreloadedSprings.Joystick.{model}")
-        files.append(folder / f"{model}.c")
+        loaded = session.load(str(entry_file(default_library())), model=model)
+        files.append(folder / f"{name}.c")
         files[-1].write_text(generate(ModelSource(session, loaded)).c_source)
     return files
 

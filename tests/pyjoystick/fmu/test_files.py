@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from importlib import resources
 from pathlib import Path
 
@@ -70,4 +71,10 @@ def test_this_checkout_is_recognized() -> None:
     folder = build_folder()
     assert folder is not None
     assert folder == Path(__file__).parents[3] / "build" / "fmi2"
-    assert set(MODELS) == {"Joystick", "JoystickPowerLaw", "JoystickInverse", "JoystickInversePowerLaw"}
+
+
+@pytest.mark.parametrize("file", ["Makefile", "hatch_build.py"])
+def test_make_and_the_wheel_build_what_has_a_name(file: str) -> None:
+    text = (Path(__file__).parents[3] / file).read_text(encoding="utf-8")
+    built = re.findall(r"\b(?:Joystick|Operator|Examples)\.[A-Z]\w+", text)
+    assert [f"PreloadedSprings.{model}" for model in built] == list(MODELS.values())

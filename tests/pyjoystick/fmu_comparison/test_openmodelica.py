@@ -7,9 +7,8 @@ from pathlib import Path
 import pytest
 
 from fmu_build import build_fmu
-from pyjoystick.fmu import read_description
+from pyjoystick.fmu import MODELS, read_description
 from pyjoystick.fmu_comparison import Experiment, compare_fmus, experiments_for
-from tests.conftest import JOYSTICKS
 from tests.omc import why_not
 
 pytestmark = pytest.mark.skipif(bool(why_not()), reason=why_not())
@@ -19,8 +18,8 @@ pytestmark = pytest.mark.skipif(bool(why_not()), reason=why_not())
 def others(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The folder with OpenModelica's FMUs."""
     folder = tmp_path_factory.mktemp("openmodelica")
-    for name in JOYSTICKS:
-        build_fmu(f"PreloadedSprings.Joystick.{name}", folder, compiler="openmodelica")
+    for model in MODELS.values():
+        build_fmu(model, folder, compiler="openmodelica")
     return folder
 
 
@@ -36,7 +35,7 @@ def test_by_model_exchange_they_are_the_same_joystick(name: str, others: Path, j
 
 
 def test_they_declare_the_same_interface(others: Path, joystick_fmus: Path) -> None:
-    for name in JOYSTICKS:
+    for name in MODELS:
         comparison = compare_fmus(joystick_fmus / f"{name}.fmu", others / f"{name}.fmu", experiments=[])
         declarations = comparison.declarations
         assert (declarations.only_first, declarations.only_second) == ((), ())
