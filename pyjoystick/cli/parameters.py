@@ -40,7 +40,9 @@ def run(
     """Check a parameter file and print it, the paper's joystick if none is given, perhaps with changes."""
     file = options.parameter_file(parameters)
     changes = options.parse_assignments(assignments or [], "--set")
-    text = updated_text(file, options.joystick_of(damping, changes, file))
+    # A changed joystick is no longer the one that the title names.
+    title = target.stem if target is not None and changes else None
+    text = updated_text(file, options.joystick_of(damping, changes, file), title=title)
     if target is None:
         output().print(text, end="", markup=False)
         return

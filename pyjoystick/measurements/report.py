@@ -25,7 +25,7 @@ def markers_report(markers: Markers, names: tuple[str, ...], measured: AngleMeas
         *([["residual, rms (mm)", _residuals(markers, names)]] if markers.residuals is not None else []),
         ["main direction (x, y, z)", direction],
         ["out of the plane", f"{100.0 * plane.out_of_plane:.2f} %"],
-        ["pivot to top (mm)", f"{1e3 * arc.radius:.1f} +- {1e3 * arc.radius_error:.1f}"],
+        ["pivot to top, by the arc (mm)", f"{1e3 * arc.radius:.1f} +- {1e3 * arc.radius_error:.1f}"],
         ["noise across the arc (mm)", f"{1e3 * arc.noise:.3f}"],
         ["noise of the angle (deg)", f"{math.degrees(measured.noise):.3f}"],
         ["angle (deg)", f"{theta.min():+.2f} to {theta.max():+.2f}"],

@@ -41,6 +41,9 @@ HIDING: Final = 0.75
 HELD: Final = 0.95
 #: Samples at the end of a record that are looked at for the rest position.
 _REST_SAMPLES: Final = 10
+#: A rest farther from zero than this part of the largest angle is noted. A joystick leans to an end of its
+#: clearance, 0.2 degrees, which is 1 % of a release from 20.
+_OFF_ZERO: Final = 0.02
 
 
 def check_free_oscillation(record: Record, *, released: Side | None = None) -> Record:
@@ -227,7 +230,7 @@ def _rest(record: Record, largest: float) -> Iterator[str]:
     tail = record.theta[-_REST_SAMPLES:]
     offset = float(np.mean(tail))
     error = float(np.std(tail)) / math.sqrt(len(tail))
-    if float(np.ptp(tail)) < THRESHOLD * largest and abs(offset) > max(0.01 * largest, 4.0 * error):
+    if float(np.ptp(tail)) < THRESHOLD * largest and abs(offset) > max(_OFF_ZERO * largest, 4.0 * error):
         yield (
             f"the record ends at rest at {math.degrees(offset):+.3f} degrees "
             f"({rows_in_words(record.rows[-len(tail) :].tolist())}): is zero the middle position?"

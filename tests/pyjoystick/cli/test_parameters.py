@@ -7,7 +7,14 @@ from pathlib import Path
 
 import pytest
 
-from pyjoystick.parameters import NOMINAL, NOMINAL_POWER_LAW, PAPER, read_parameters, write_parameters
+from pyjoystick.parameters import (
+    NOMINAL,
+    NOMINAL_POWER_LAW,
+    PAPER,
+    read_parameter_file,
+    read_parameters,
+    write_parameters,
+)
 from pyjoystick.sweeps import read_sweep
 from tests.pyjoystick.cli.conftest import Command
 
@@ -33,6 +40,7 @@ def test_it_writes_a_file_with_changes_and_replaces_none(command: Command, tmp_p
     arguments = ("parameters", "--set", "J=0.012", "--damping", "power-law", "-o", "mine.toml")
     assert command(*arguments).code == 0
     assert read_parameters(tmp_path / "mine.toml") == NOMINAL_POWER_LAW.replace({"J": 0.012})
+    assert read_parameter_file(tmp_path / "mine.toml").title == "mine"  # no longer the paper's joystick
     refused = command(*arguments)
     assert (refused.code, refused.message) == (
         1,

@@ -9,7 +9,7 @@ import numpy as np
 from pyjoystick._types import FloatArray
 from pyjoystick.load_curve import fit_load_curve
 from pyjoystick.parameters import BACKWARD_TABLE, FORWARD_TABLE, NOMINAL
-from tests.pyjoystick.load_curve.machine import FRICTION, curve
+from tests.pyjoystick.load_curve.machine import MACHINE, curve
 
 
 def deviations(seed: int) -> dict[str, float]:
@@ -20,7 +20,7 @@ def deviations(seed: int) -> dict[str, float]:
     found = {f"x_{i}": float((fit.table.x[i] - table.x[i]) / fit.x_errors[i]) for i in range(4)}
     found |= {f"k_{i}": float((fit.table.k[i] - table.k[i]) / fit.k_errors[i]) for i in range(4)}
     found |= {name: (v - names[f"{side}.{name}"]) / e for name, (v, e) in fit.springs().items()}
-    return found | {"friction": (fit.friction - FRICTION) / fit.friction_error, "misfit": fit.misfit}
+    return found | {"friction": (fit.friction - MACHINE.friction) / fit.friction_error, "misfit": fit.misfit}
 
 
 def deviations_of(seeds: range) -> dict[str, FloatArray]:

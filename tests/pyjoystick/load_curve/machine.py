@@ -1,7 +1,8 @@
-"""A synthetic testing machine: the reference's curve with friction, noise of both axes, and an offset."""
+"""Records of the synthetic testing machine."""
 
 from __future__ import annotations
 
+import dataclasses
 from pathlib import Path
 
 import numpy as np
@@ -9,47 +10,24 @@ import numpy as np
 from pyjoystick._types import FloatArray
 from pyjoystick.load_curve import LoadCurve
 from pyjoystick.parameters import SegmentTable
-from pyjoystick.reference import table_force
+from pyjoystick.synthetic_laboratory import MachineErrors, synthetic_load_cycle
 
-FRICTION = 0.3
-ZERO = 0.1
-TRAVEL_NOISE = 1e-6
-FORCE_NOISE = 0.05
+MACHINE = MachineErrors()
 
 
 def cycle(
-    table: SegmentTable,
-    seed: int,
-    *,
-    step: float = 3e-6,
-    end: float = 3.6e-3,
-    slack: tuple[float, float] = (0.0, 0.0),
+    table: SegmentTable, seed: int, *, step: float = 3e-6, slack: tuple[float, float] = (0.0, 0.0)
 ) -> tuple[FloatArray, FloatArray]:
-    """Travel (m) and force (N) of loading and unloading.
-
-    Args:
-        table: the curve
-        seed: of the noise
-        step: between two samples (m)
-        end: where the machine turns (m)
-        slack: travel of the machine (m) at which the fixture slips while loading, and by how much (m)
-    """
-    up = np.arange(0.0, end, step)
-    down = up[::-1]
-    at, by = slack
-    loading = table_force(table, up - np.where(up > at, by, 0.0))
-    loading = loading + FRICTION * (loading > 0.0)
-    unloading = np.maximum(table_force(table, down - by) - FRICTION, 0.0)
-    random = np.random.default_rng(seed)
-    travel, force = np.concatenate((up, down)), np.concatenate((loading, unloading)) + ZERO
-    travel += TRAVEL_NOISE * random.standard_normal(travel.size)
-    force += FORCE_NOISE * random.standard_normal(force.size)
-    return travel, force
+    """Travel (m) and force (N) of one record, by the seed of its noise."""
+    errors = dataclasses.replace(MACHINE, slack=slack)
+    return synthetic_load_cycle(table, random=np.random.default_rng(seed), errors=errors, step=step)
 
 
-def curve(table: SegmentTable, seed: int, **options: float) -> LoadCurve:
+def curve(
+    table: SegmentTable, seed: int, *, step: float = 3e-6, slack: tuple[float, float] = (0.0, 0.0)
+) -> LoadCurve:
     """The same as a curve."""
-    return LoadCurve.from_cycle(*cycle(table, seed, **options))  # type: ignore[arg-type]
+    return LoadCurve.from_cycle(*cycle(table, seed, step=step, slack=slack))
 
 
 def write(path: Path, travel: FloatArray, force: FloatArray, heading: str = "travel (mm);force (N)") -> Path:

@@ -17,7 +17,7 @@ from pyjoystick.parameters import BACKWARD_TABLE, FORWARD_TABLE, NOMINAL, Segmen
 from pyjoystick.records import RecordError
 from pyjoystick.reference import table_force
 from tests.pyjoystick.load_curve.coverage import deviations_of
-from tests.pyjoystick.load_curve.machine import FORCE_NOISE, FRICTION, TRAVEL_NOISE, ZERO, curve, cycle
+from tests.pyjoystick.load_curve.machine import MACHINE, curve, cycle
 
 _RUNS = 6
 
@@ -38,10 +38,10 @@ def test_stated_errors_cover_the_truth() -> None:
 
 def test_noise_friction_and_zero_are_found() -> None:
     fit = fit_load_curve(curve(FORWARD_TABLE, 1))
-    assert fit.travel_noise == pytest.approx(TRAVEL_NOISE, rel=0.1)
-    assert fit.force_noise == pytest.approx(FORCE_NOISE, rel=0.1)
-    assert fit.friction == pytest.approx(FRICTION, abs=0.01)
-    assert fit.zero == pytest.approx(ZERO, abs=0.03)
+    assert fit.travel_noise == pytest.approx(MACHINE.travel_noise, rel=0.1)
+    assert fit.force_noise == pytest.approx(MACHINE.force_noise, rel=0.1)
+    assert fit.friction == pytest.approx(MACHINE.friction, abs=0.01)
+    assert fit.zero == pytest.approx(MACHINE.zero, abs=0.03)
 
 
 def test_a_curve_without_noise_comes_back() -> None:
@@ -96,11 +96,11 @@ def test_the_cubic_is_no_match() -> None:
 def test_hysteresis() -> None:
     fit = fit_load_curve(curve(FORWARD_TABLE, 1))
     # Twice the friction over the travel in contact that is kept: the last 0.5 % are not.
-    expected = 2.0 * FRICTION * (0.995 * 3.6e-3 - FORWARD_TABLE.x[0])
+    expected = 2.0 * MACHINE.friction * (0.995 * 3.6e-3 - FORWARD_TABLE.x[0])
     assert hysteresis_work(fit) == pytest.approx(expected, rel=0.02)
     match = re.search(r"loading lies ([.\d]+) N above unloading", load_curve_report(fit))
     assert match
-    assert float(match[1]) == pytest.approx(2.0 * FRICTION, abs=0.02)
+    assert float(match[1]) == pytest.approx(2.0 * MACHINE.friction, abs=0.02)
 
 
 def test_loading_alone_is_used_with_a_note() -> None:
@@ -111,12 +111,12 @@ def test_loading_alone_is_used_with_a_note() -> None:
     assert any("friction counts as force of the springs" in note for note in fit.notes)
     # The force of friction is in the preload now, as the note says.
     preload = fit.springs()["returnSpring.F_0"]
-    assert preload[0] == pytest.approx(NOMINAL.forward.return_spring.F_0 + FRICTION, abs=0.1)
+    assert preload[0] == pytest.approx(NOMINAL.forward.return_spring.F_0 + MACHINE.friction, abs=0.1)
     assert np.isnan(hysteresis_work(fit))
 
 
 def test_slack_within_the_curve_is_told_with_its_rows() -> None:
-    fit = fit_load_curve(curve(FORWARD_TABLE, 6, slack=(1.5e-3, 0.05e-3)))  # type: ignore[arg-type]
+    fit = fit_load_curve(curve(FORWARD_TABLE, 6, slack=(1.5e-3, 0.05e-3)))
     (note,) = [note for note in fit.notes if "miss the record" in note]
     assert "look there for slack" in note
     assert fit.misfit > 1.5
@@ -161,8 +161,9 @@ def test_noise_that_is_refused(name: str) -> None:
 
 def test_the_figure_shows_the_steep_segments() -> None:
     fit = fit_load_curve(curve(FORWARD_TABLE, 1))
-    whole, first, second = plot_load_curve(fit, title="synthetic").axes
-    labels = [text.get_text() for text in whole.get_legend().get_texts()]
+    figure = plot_load_curve(fit, title="synthetic")
+    _, first, second = figure.axes
+    labels = [text.get_text() for text in figure.legends[0].get_texts()]
     assert labels == ["loading", "unloading", "segments", "cubic"]
     for axes, i in ((first, 0), (second, 2)):
         low, high = axes.get_xlim()

@@ -1,7 +1,6 @@
-"""A synthetic laboratory: what cameras and an accelerometer would have seen of a motion that is known.
+"""What cameras and an accelerometer would have seen of a motion that is known.
 
-Wherever its output appears it is called synthetic. The impacts of the plungers, which ring in a real
-accelerometer (Fig. 4d), are not in it.
+The impacts of the plungers, which ring in a real accelerometer (Fig. 4d), are not in it.
 """
 
 from __future__ import annotations
