@@ -33,7 +33,7 @@ _TYPES = {
     "Real": "TYPE_REAL",
     "Integer": "TYPE_INTEGER",
     "Boolean": "TYPE_BOOLEAN",
-    "Enumeration": "TYPE_INTEGER",
+    "Enumeration": "TYPE_ENUMERATION",
 }
 
 

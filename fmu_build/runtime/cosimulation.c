@@ -19,6 +19,11 @@ static double instant_at(double time)
     return relative_instant * larger(1.0, fabs(time));
 }
 
+bool cosimulation_is_before(double time, double other)
+{
+    return time < other - instant_at(other);
+}
+
 static Status fail(Instance *instance, double time, const char *why)
 {
     log_message(&instance->log, LOG_STATUS_ERROR, STATUS_ERROR, "The simulation stopped at time %.17g: %s", time, why);
@@ -89,7 +94,8 @@ static void move_to(Instance *instance, double time)
     evaluation_invalidate(instance);
 }
 
-static Status carry_out_pending_event(Instance *instance)
+/* Goes to the pending event, tells of it and counts it. */
+static Status reach_pending_event(Instance *instance)
 {
     const Progress *progress = &instance->progress;
     const double time = instance->integrator.record.time;
@@ -101,17 +107,35 @@ static Status carry_out_pending_event(Instance *instance)
         else
             log_message(&instance->log, LOG_EVENTS, STATUS_OK, "Time event at time %.17g.", time);
     }
-    const Status counted = count_event(instance, time);
-    return counted == STATUS_OK ? carry_out_event(instance) : counted;
+    return count_event(instance, time);
 }
 
-/* What holds between events must hold at the end of a step, once time passes it. */
-static Status check_asserts(Instance *instance)
+/* Whether the communication step ends before the pending event, for the importer to carry it out. */
+static bool leaves_event_to_importer(const Instance *instance, double target)
 {
-    if (!model.actions_follow_states || instance->integrator.record.time <= instance->values.time)
-        return STATUS_OK;
+    const Attendance *attendance = &instance->attendance;
+    return attendance->event_mode &&
+           (attendance->early_return || !cosimulation_is_before(instance->integrator.record.time, target));
+}
+
+/* The event at the end of the last integrator step: carried out, or left to the importer. */
+static Status take_event(Instance *instance, double target)
+{
+    Progress *progress = &instance->progress;
+    const Status status = reach_pending_event(instance);
+    if (status != STATUS_OK)
+        return status;
+    progress->ended_at_event = leaves_event_to_importer(instance, target);
+    if (!progress->ended_at_event)
+        return carry_out_event(instance);
+    ++progress->events;
+    return STATUS_OK;
+}
+
+/* What holds between events must hold now. */
+static Status check_asserts_here(Instance *instance)
+{
     const EventReporter reporter = instance_reporter(instance);
-    move_to(instance, instance->integrator.record.time);
     switch (event_check_asserts(&instance->values, &reporter)) {
     case EVENT_OK:
         return STATUS_OK;
@@ -121,6 +145,15 @@ static Status check_asserts(Instance *instance)
         break;
     }
     return fail(instance, instance->values.time, "an assertion is violated.");
+}
+
+/* The same at the end of a step, once time passes it. */
+static Status check_asserts(Instance *instance)
+{
+    if (!model.actions_follow_states || instance->integrator.record.time <= instance->values.time)
+        return STATUS_OK;
+    move_to(instance, instance->integrator.record.time);
+    return check_asserts_here(instance);
 }
 
 /* One integrator step, cut short at the first event in it. */
@@ -154,6 +187,21 @@ static Status take_step(Instance *instance, double limit)
     return STATUS_OK;
 }
 
+/* Has the importer look at the end of the last integrator step. */
+COLD static Status show_step(Instance *instance, double *target)
+{
+    const Attendance *attendance = &instance->attendance;
+    move_to(instance, instance->integrator.record.time);
+    if (model.actions_follow_states && !instance->progress.event_pending) {
+        const Status status = check_asserts_here(instance);
+        if (status != STATUS_OK)
+            return status;
+    }
+    if (attendance->step_finished(attendance->context, instance->values.time, target))
+        return STATUS_OK;
+    return fail(instance, instance->values.time, "a call of the importer during the communication step failed.");
+}
+
 /* Goes back to the communication point and takes in what the importer changed there. */
 static Status absorb_changes(Instance *instance)
 {
@@ -180,6 +228,11 @@ void cosimulation_start(Instance *instance)
     restart(instance);
 }
 
+void cosimulation_resume(Instance *instance)
+{
+    restart(instance);
+}
+
 static bool reaches(const Instance *instance, double target)
 {
     const double end = instance->integrator.record.time;
@@ -189,8 +242,10 @@ static bool reaches(const Instance *instance, double target)
 Status cosimulation_advance(Instance *instance, double target)
 {
     Status status = STATUS_OK;
+    bool *ended = &instance->progress.ended_at_event;
     double limit = larger(target, instance->experiment.stop_time);
     target = larger(target, instance->values.time);
+    *ended = false;
     inputs_begin(&instance->inputs, instance->values.time, instance->values.p);
     instance->changed.any = instance->changed.any || instance->inputs.active;
     if (instance->changed.any) {
@@ -198,15 +253,19 @@ Status cosimulation_advance(Instance *instance, double target)
         limit = target;
         status = absorb_changes(instance);
     }
-    while (status == STATUS_OK && !reaches(instance, target)) {
+    const bool attended = instance->attendance.step_finished != NULL;
+    if (attended)
+        limit = target; /* what the importer gets and sets belongs to this communication step alone */
+    while (status == STATUS_OK && !*ended && !reaches(instance, target)) {
         if (instance->progress.event_pending)
-            status = carry_out_pending_event(instance);
-        else if ((status = check_asserts(instance)) == STATUS_OK)
-            status = take_step(instance, limit);
+            status = take_event(instance, target);
+        else if ((status = check_asserts(instance)) == STATUS_OK &&
+                 (status = take_step(instance, limit)) == STATUS_OK && attended)
+            status = show_step(instance, &target);
     }
     if (status != STATUS_OK)
         return status;
-    target = larger(target, instance->values.time);
+    target = *ended ? instance->values.time : larger(target, instance->values.time);
     if (instance->values.time != target || instance->integrator.record.time != target)
         move_to(instance, target);
     instance->changed.any = instance->inputs.active;

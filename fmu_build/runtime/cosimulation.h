@@ -8,11 +8,18 @@
 
 #include "instance.h"
 
+/* By more than rounding. */
+bool cosimulation_is_before(double time, double other);
+
 /* After the initialisation. */
 void cosimulation_start(Instance *instance);
 
+/* After Event Mode, which the importer has called. */
+void cosimulation_resume(Instance *instance);
+
 /* To a communication point not before the present one. STATUS_DISCARD where the model ended the simulation on
- * the way; values.time is then the time of the end. */
+ * the way; values.time is then the time of the end. The time reached is an earlier one, too, where the importer attends
+ * to the step and asks for it, or where progress.ended_at_event says so. */
 Status cosimulation_advance(Instance *instance, double target);
 
 #endif

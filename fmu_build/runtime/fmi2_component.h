@@ -3,8 +3,8 @@
 #ifndef FMI2_COMPONENT_H
 #define FMI2_COMPONENT_H
 
+#include "calls.h"
 #include "fmi2Functions.h"
-#include "instance.h"
 
 typedef struct {
     Instance *instance;
@@ -57,17 +57,18 @@ typedef enum {
     CALL_COUNT
 } Call;
 
-/* The instance behind a handle where the call is allowed in its phase; else NULL, after a message. A refused
- * call changes nothing. */
+extern const Face fmi2_face;
+
+/* The instance behind a handle where the call is allowed in its phase; else NULL, after a message. */
 Instance *fmi2_enter(fmi2Component handle, Call call);
 
-/* Says what is wrong with a call and returns fmi2Error. */
-fmi2Status fmi2_refuse(const Instance *instance, Call call, const char *why);
-
-/* False, after a message, where an array of n elements is missing. */
-bool fmi2_has_array(const Instance *instance, Call call, size_t n, const void *array);
-
-/* After a failure nothing but reading, resetting and freeing is left. */
-fmi2Status fmi2_finish(Instance *instance, Status status);
+static inline fmi2Status fmi2_status(Status status)
+{
+    _Static_assert((int)fmi2OK == (int)STATUS_OK && (int)fmi2Warning == (int)STATUS_WARNING &&
+                       (int)fmi2Discard == (int)STATUS_DISCARD && (int)fmi2Error == (int)STATUS_ERROR &&
+                       (int)fmi2Fatal == (int)STATUS_FATAL,
+                   "the severities of FMI 2.0");
+    return (fmi2Status)status;
+}
 
 #endif

@@ -29,11 +29,21 @@ bool inputs_set_slope(Inputs *inputs, size_t index, double slope)
 void inputs_begin(Inputs *inputs, double time, const double *p)
 {
     inputs->since = time;
-    inputs->active = false;
+    inputs->active = inputs->ask != NULL;
     for (size_t i = 0; i < inputs->count; ++i)
         inputs->active = inputs->active || inputs->slope[i] != 0.0;
     for (size_t i = 0; inputs->active && i < inputs->count; ++i)
         inputs->base[i] = p[inputs->index[i]];
+}
+
+void inputs_move(const Inputs *inputs, double time, double *p)
+{
+    if (inputs->ask != NULL) {
+        inputs->ask(inputs->context, time);
+        return;
+    }
+    for (size_t i = 0; i < inputs->count; ++i)
+        p[inputs->index[i]] = inputs->base[i] + inputs->slope[i] * (time - inputs->since);
 }
 
 void inputs_end(Inputs *inputs)

@@ -45,13 +45,14 @@ static void connect(Instance *instance)
     integrator->argument = instance->values.y;
 }
 
-Instance *instance_create(bool co_simulation, const Log *log)
+Instance *instance_create(bool co_simulation, const Face *face, const Log *log)
 {
     const size_t n_inputs = inputs_of_model(NULL);
     Instance *instance = calloc(1, sizeof *instance);
     if (instance == NULL)
         return NULL;
     instance->co_simulation = co_simulation;
+    instance->face = face;
     instance->log = *log;
     instance->block_count = block_count(n_inputs);
     instance->block = malloc((instance->block_count + 1) * sizeof(double));

@@ -16,15 +16,34 @@
 typedef enum {
     PHASE_INSTANTIATED,
     PHASE_INITIALIZATION,
-    PHASE_EVENT,           /* Model Exchange: Event Mode */
+    PHASE_EVENT,           /* Event Mode */
     PHASE_CONTINUOUS_TIME, /* Model Exchange: Continuous-Time Mode */
     PHASE_STEP_COMPLETE,   /* Co-Simulation: between communication steps */
     PHASE_STEP_DISCARDED,  /* Co-Simulation: the model ended within the last step */
+    PHASE_INTERMEDIATE,    /* Co-Simulation: the importer is told of a communication step that is under way */
     PHASE_TERMINATED,
     PHASE_ERROR
 } Phase;
 
 #define DEFAULT_TOLERANCE 1e-8
+
+/* What a version of FMI has in its own way. */
+typedef struct {
+    const char *const *phase_names; /* by Phase */
+    unsigned told_always;           /* log categories that are on however the importer sets the log */
+    bool steps_may_be_empty;        /* communication steps of length zero are allowed */
+    bool states_settable_in_event_mode;
+} Face;
+
+/* How the importer takes part in communication steps; all zero where it does not. */
+typedef struct {
+    bool event_mode;   /* it calls Event Mode itself: a step ends at an event, ... */
+    bool early_return; /* ... before its communication point where this is set */
+    /* Tells it of a step of the integrator that ended at a time; it may move the end of the communication step to an
+     * earlier time. False where it made a fatal call. NULL where it does not want to know. */
+    bool (*step_finished)(void *context, double time, double *end);
+    void *context;
+} Attendance;
 
 typedef struct {
     double start_time;
@@ -54,12 +73,16 @@ typedef struct {
     double crowd_start; /* all events since this time lie practically at one time */
     size_t crowd;       /* their number */
     size_t events;
-    Status last_step; /* outcome of the last communication step */
+    bool ended_at_event; /* the last communication step ended before an event, which the importer must carry out */
+    Status last_step;    /* its outcome */
 } Progress;
 
 typedef struct {
     Log log;
+    const Face *face;
+    const char *call; /* name of the function that the importer called last */
     bool co_simulation;
+    Attendance attendance;
     Phase phase;
     Experiment experiment;
     Changes changed;
@@ -80,10 +103,10 @@ typedef struct {
 } Instance;
 
 /* NULL where memory is short. */
-Instance *instance_create(bool co_simulation, const Log *log);
+Instance *instance_create(bool co_simulation, const Face *face, const Log *log);
 void instance_free(Instance *instance);
 
-/* Everything but the log's settings as it was after instance_create. */
+/* Everything but the log's settings and the attendance as it was after instance_create. */
 void instance_reset(Instance *instance);
 
 /* Start and stop time and tolerance, each checked; the tolerance is kept within what double precision can do. */

@@ -19,24 +19,12 @@ static const char *const category_names[LOG_CATEGORY_COUNT] = {
     [LOG_ALL] = "logAll",
 };
 
-static const unsigned all_categories = (1u << LOG_CATEGORY_COUNT) - 1u;
-static const unsigned failures = 1u << LOG_STATUS_ERROR | 1u << LOG_STATUS_FATAL;
-static const unsigned on_without_debugging =
-    1u << LOG_STATUS_WARNING | 1u << LOG_STATUS_DISCARD | 1u << LOG_STATUS_ERROR | 1u << LOG_STATUS_FATAL;
-
-void log_init(Log *log, void *context, void (*write)(void *, Status, const char *, const char *), bool debug)
-{
-    log->context = context;
-    log->write = write;
-    log->enabled = debug ? all_categories : on_without_debugging;
-}
-
 bool log_switch(Log *log, const char *category, bool on)
 {
     for (unsigned i = 0; i < LOG_CATEGORY_COUNT; ++i) {
         if (strcmp(category, category_names[i]) == 0) {
-            const unsigned mask = i == LOG_ALL ? all_categories : 1u << i;
-            log->enabled = (on ? log->enabled | mask : log->enabled & ~mask) | failures;
+            const unsigned mask = i == LOG_ALL ? LOG_EVERYTHING : 1u << i;
+            log->enabled = on ? log->enabled | mask : log->enabled & ~mask;
             return true;
         }
     }

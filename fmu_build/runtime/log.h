@@ -28,11 +28,12 @@ typedef struct {
     unsigned enabled; /* bit n: category n */
 } Log;
 
-/* Warnings and failures are on from the start, everything else where `debug` says so. */
-void log_init(Log *log, void *context, void (*write)(void *, Status, const char *, const char *), bool debug);
+/* Sets of categories. */
+#define LOG_FAILURES (1u << LOG_STATUS_ERROR | 1u << LOG_STATUS_FATAL)
+#define LOG_PROBLEMS (1u << LOG_STATUS_WARNING | 1u << LOG_STATUS_DISCARD | LOG_FAILURES)
+#define LOG_EVERYTHING ((1u << LOG_CATEGORY_COUNT) - 1u)
 
-/* Switches one category by its name, all of them for "logAll"; false where there is no such category.
- * Errors cannot be switched off. */
+/* Switches one category by its name, all of them for "logAll"; false where there is no such category. */
 bool log_switch(Log *log, const char *category, bool on);
 
 #if defined __GNUC__

@@ -16,7 +16,7 @@
 #include <stddef.h>
 
 typedef enum { STORE_STATE_OR_ALGEBRAIC /* y */, STORE_PARAMETER /* p */, STORE_DERIVATIVE, STORE_TIME } Store;
-typedef enum { TYPE_REAL, TYPE_INTEGER, TYPE_BOOLEAN } ValueType; /* enumerations are TYPE_INTEGER */
+typedef enum { TYPE_REAL = 1, TYPE_INTEGER = 2, TYPE_BOOLEAN = 4, TYPE_ENUMERATION = 8 } ValueType; /* or a set */
 typedef enum {
     CAUSALITY_PARAMETER,
     CAUSALITY_CALCULATED_PARAMETER,

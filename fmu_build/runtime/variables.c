@@ -4,7 +4,10 @@
 #include <inttypes.h>
 #include <math.h>
 
-static const char *const type_names[] = {[TYPE_REAL] = "Real", [TYPE_INTEGER] = "Integer", [TYPE_BOOLEAN] = "Boolean"};
+static const char *const type_names[] = {[TYPE_REAL] = "Real",
+                                         [TYPE_INTEGER] = "Integer",
+                                         [TYPE_BOOLEAN] = "Boolean",
+                                         [TYPE_ENUMERATION] = "Enumeration"};
 static const char *const causality_names[] = {
     [CAUSALITY_PARAMETER] = "parameter", [CAUSALITY_CALCULATED_PARAMETER] = "calculated parameter",
     [CAUSALITY_INPUT] = "input",         [CAUSALITY_OUTPUT] = "output",
@@ -15,7 +18,7 @@ static const char *const variability_names[] = {[VARIABILITY_CONSTANT] = "consta
                                                 [VARIABILITY_DISCRETE] = "discrete",
                                                 [VARIABILITY_CONTINUOUS] = "continuous"};
 
-const Variable *variable_find(const Instance *instance, size_t reference, ValueType type)
+const Variable *variable_find(const Instance *instance, size_t reference, unsigned types, const char *wanted)
 {
     if (reference >= model.n_variables) {
         log_message(&instance->log, LOG_STATUS_ERROR, STATUS_ERROR,
@@ -24,9 +27,9 @@ const Variable *variable_find(const Instance *instance, size_t reference, ValueT
         return NULL;
     }
     const Variable *variable = &model.variables[reference];
-    if (variable->type != type) {
+    if ((variable->type & types) == 0) {
         log_message(&instance->log, LOG_STATUS_ERROR, STATUS_ERROR, "Variable \"%s\" is of type %s, not %s.",
-                    variable->name, type_names[variable->type], type_names[type]);
+                    variable->name, type_names[variable->type], wanted);
         return NULL;
     }
     return variable;
@@ -41,8 +44,28 @@ static bool fail_not_a_number(const Instance *instance, const Variable *variable
     return false;
 }
 
+/* Before the initialization a variable has no value but its start value. */
+static bool read_start(const Instance *instance, const Variable *variable, double *value)
+{
+    const bool has_start = variable->initial == INITIAL_EXACT || variable->initial == INITIAL_APPROX ||
+                           variable->causality == CAUSALITY_INPUT;
+    if (has_start && variable->store == STORE_STATE_OR_ALGEBRAIC) {
+        *value = instance->start.y[variable->index];
+        return true;
+    }
+    if (has_start && variable->store == STORE_PARAMETER) {
+        *value = instance->start.p[variable->index];
+        return true;
+    }
+    log_message(&instance->log, LOG_STATUS_ERROR, STATUS_ERROR,
+                "Variable \"%s\" has no value before the initialization.", variable->name);
+    return false;
+}
+
 bool variable_compute(Instance *instance, const Variable *variable, double *value)
 {
+    if (instance->phase == PHASE_INSTANTIATED)
+        return read_start(instance, variable, value);
     if (instance->phase == PHASE_INITIALIZATION && instance_initialize(instance) != STATUS_OK)
         return false;
     const Values *values = &instance->values;
@@ -68,25 +91,45 @@ bool variable_compute(Instance *instance, const Variable *variable, double *valu
     return false;
 }
 
-bool variable_get_int32(Instance *instance, const Variable *variable, int32_t *value)
+bool variable_fits(const Instance *instance, const Variable *variable, double value)
 {
-    double number;
-    if (!variable_get(instance, variable, &number))
-        return false;
-    if (!(number >= INT32_MIN && number <= INT32_MAX)) {
-        log_message(&instance->log, LOG_STATUS_ERROR, STATUS_ERROR,
-                    "At time %.9g %s is %.17g, outside of the range of 32-bit integers, %" PRId32 " to %" PRId32 ".",
-                    instance->values.time, variable->name, number, INT32_MIN, INT32_MAX);
-        return false;
-    }
-    *value = (int32_t)number;
-    return true;
+    if (variable->type != TYPE_INTEGER || (value >= INT32_MIN && value <= INT32_MAX))
+        return true;
+    log_message(&instance->log, LOG_STATUS_ERROR, STATUS_ERROR,
+                "At time %.9g %s is %.17g, outside of the range of 32-bit integers, %" PRId32 " to %" PRId32 ".",
+                instance->values.time, variable->name, value, INT32_MIN, INT32_MAX);
+    return false;
 }
 
-/* What may be set when: FMI 2.0.4, the notes to the tables of sections 3.2.3 and 4.2.4. */
+static bool is_state(const Variable *variable)
+{
+    return variable->store == STORE_STATE_OR_ALGEBRAIC && variable->index < model.n_states;
+}
+
+const char *variable_name_of_state(size_t index)
+{
+    for (size_t i = 0; i < model.n_variables; ++i)
+        if (is_state(&model.variables[i]) && model.variables[i].index == index)
+            return model.variables[i].name;
+    return "";
+}
+
+/* Whether a reinit() sets the state. */
+static bool is_reinitialized(size_t state)
+{
+    for (size_t i = 0; i < model.n_discrete; ++i)
+        if (model.discrete[i].kind == DISCRETE_REINIT && model.discrete[i].index == state)
+            return true;
+    return false;
+}
+
+/* What may be set when: FMI 2.0.5, the notes to the tables of sections 3.2.3 and 4.2.4; FMI 3.0.2, the states of
+ * sections 2.3, 3.2 and 4.2. */
 static bool is_settable_now(const Instance *instance, const Variable *variable)
 {
     const bool input = variable->causality == CAUSALITY_INPUT;
+    const bool tunable =
+        variable->causality == CAUSALITY_PARAMETER && variable->variability == VARIABILITY_TUNABLE;
     switch (instance->phase) {
     case PHASE_INSTANTIATED:
         return input || (variable->variability != VARIABILITY_CONSTANT &&
@@ -94,10 +137,14 @@ static bool is_settable_now(const Instance *instance, const Variable *variable)
     case PHASE_INITIALIZATION:
         return input || (variable->variability != VARIABILITY_CONSTANT && variable->initial == INITIAL_EXACT);
     case PHASE_EVENT:
+        return input || tunable ||
+               (is_state(variable) && instance->face->states_settable_in_event_mode &&
+                !is_reinitialized(variable->index));
     case PHASE_STEP_COMPLETE:
-        return input ||
-               (variable->causality == CAUSALITY_PARAMETER && variable->variability == VARIABILITY_TUNABLE);
+        return input || tunable;
     case PHASE_CONTINUOUS_TIME:
+        return (input && variable->variability == VARIABILITY_CONTINUOUS) || is_state(variable);
+    case PHASE_INTERMEDIATE:
         return input && variable->variability == VARIABILITY_CONTINUOUS;
     default:
         return false;

@@ -7,8 +7,9 @@
 #include <math.h>
 #include <stdint.h>
 
-/* The variable of a value reference; NULL, after a message, where there is none or it has another type. */
-const Variable *variable_find(const Instance *instance, size_t reference, ValueType type);
+/* The variable of a value reference; NULL, after a message, where there is none or it has none of the types, a set
+ * that the importer calls `wanted`. */
+const Variable *variable_find(const Instance *instance, size_t reference, unsigned types, const char *wanted);
 
 /* Its present value, after the equations that it needs. False, after a message, where it could not be computed. */
 bool variable_compute(Instance *instance, const Variable *variable, double *value);
@@ -16,7 +17,7 @@ bool variable_compute(Instance *instance, const Variable *variable, double *valu
 /* The same, by a short cut where the value is there already. */
 static inline bool variable_get(Instance *instance, const Variable *variable, double *value)
 {
-    if (instance->phase != PHASE_INITIALIZATION && variable->store == STORE_STATE_OR_ALGEBRAIC &&
+    if (instance->phase > PHASE_INITIALIZATION && variable->store == STORE_STATE_OR_ALGEBRAIC &&
         (variable->index < model.n_states || instance->current.algebraics)) {
         *value = instance->values.y[variable->index];
         if (!isnan(*value))
@@ -25,8 +26,11 @@ static inline bool variable_get(Instance *instance, const Variable *variable, do
     return variable_compute(instance, variable, value);
 }
 
-/* Its value where it is an Integer. False too, after a message, where the value, held as a double, is beyond 32 bits. */
-bool variable_get_int32(Instance *instance, const Variable *variable, int32_t *value);
+/* False, after a message, where a value of an Integer variable, held as a double, is beyond 32 bits. */
+bool variable_fits(const Instance *instance, const Variable *variable, double value);
+
+/* The name of a state by its place among the states. */
+const char *variable_name_of_state(size_t index);
 
 /* Whether it may be set, now and to this value. False after a message that names variable, value and what is
  * allowed. */

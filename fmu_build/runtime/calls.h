@@ -1,0 +1,89 @@
+/* calls.h - what an importer can ask of an instance, whichever version of FMI it speaks.
+ *
+ * The files fmi2_* and fmi3_* translate: they know the names and types of their standard and its tables of allowed
+ * calls. Every function below takes the instance that call_enter let through, or NULL, and then returns STATUS_ERROR;
+ * it says what is wrong with a call before it refuses it, and a refused call changes nothing. */
+#ifndef CALLS_H
+#define CALLS_H
+
+#include "instance.h"
+
+#include <stdint.h>
+
+/* One row of a standard's table of allowed calls: bit n of a mask is phase n. */
+typedef struct {
+    const char *name;
+    unsigned model_exchange, co_simulation;
+} Rule;
+
+/* Passes the instance on where the rule allows the call in its phase; else NULL, after a message. */
+Instance *call_enter(Instance *instance, const Rule *rule);
+
+/* Says what is wrong with the call that was entered last, and returns STATUS_ERROR. */
+#if defined __GNUC__
+__attribute__((format(printf, 2, 3)))
+#endif
+Status call_refuse(const Instance *instance, const char *format, ...);
+
+/* False, after a message, where an array of n elements is missing, or where there is no instance. */
+bool call_has(const Instance *instance, size_t n, const void *array);
+
+/* What becomes of the instance after a failure, and of warnings that were reported on the way. */
+Status call_finish(Instance *instance, Status status);
+
+/* Creation: why these arguments cannot make an instance, or NULL. */
+const char *call_fault_of_creation(const char *name, const char *token);
+
+/* The life cycle. */
+Status call_set_logging(Instance *instance, bool on, size_t n, const char *const *categories);
+Status call_enter_initialization(Instance *instance);
+Status call_exit_initialization(Instance *instance);
+Status call_terminate(Instance *instance);
+Status call_reset(Instance *instance);
+
+/* Variables, in the importer's types. */
+typedef enum { NUMBER_DOUBLE, NUMBER_INT32, NUMBER_INT64, NUMBER_INT32_TRUTH, NUMBER_BYTE_TRUTH } NumberType;
+typedef struct {
+    unsigned value_types; /* of the model, ValueType */
+    NumberType stored;
+    const char *name; /* as the standard has it */
+} AccessType;
+Status call_get_real(Instance *instance, const unsigned *references, size_t n, double *values);
+Status call_get(Instance *instance, const AccessType *type, const unsigned *references, size_t n, void *values);
+Status call_set(Instance *instance, const AccessType *type, const unsigned *references, size_t n, const void *values);
+/* Of types of which no model has a variable. */
+Status call_access_nothing(const Instance *instance, const char *type, size_t n);
+
+/* Saved states, which importers hold as pointers to void. */
+Status call_get_state(const Instance *instance, void **state);
+Status call_set_state(Instance *instance, const void *state);
+Status call_free_state(const Instance *instance, void **state);
+Status call_state_size(const Instance *instance, const void *state, size_t *size);
+Status call_serialize_state(const Instance *instance, const void *state, void *bytes, size_t size);
+Status call_deserialize_state(const Instance *instance, const void *bytes, size_t size, void **state);
+
+/* Event Mode. */
+typedef struct {
+    bool terminate, states_changed;
+    double next_time; /* INFINITY for none */
+} EventOutcome;
+Status call_enter_event_mode(Instance *instance);
+Status call_update_discrete_states(Instance *instance, EventOutcome *outcome);
+
+/* Model Exchange. */
+Status call_enter_continuous_time_mode(Instance *instance);
+Status call_completed_step(Instance *instance, bool *terminate);
+Status call_set_time(Instance *instance, double time);
+Status call_set_states(Instance *instance, const double *states, size_t n);
+Status call_get_states(Instance *instance, double *states, size_t n);
+Status call_get_derivatives(Instance *instance, double *derivatives, size_t n);
+Status call_get_event_indicators(Instance *instance, double *indicators, size_t n);
+Status call_get_nominals(Instance *instance, double *nominals, size_t n);
+
+/* Co-Simulation. */
+Status call_get_output_derivatives(Instance *instance, const unsigned *references, size_t n, const int *orders,
+                                   double *values);
+Status call_enter_step_mode(Instance *instance);
+Status call_do_step(Instance *instance, double point, double step);
+
+#endif

@@ -1,0 +1,99 @@
+/* FMI 3.0: reading and setting variables. */
+#include "evaluation.h"
+#include "fmi3_intermediate.h"
+
+#include <stdlib.h>
+
+static const AccessType float64_type = {TYPE_REAL, NUMBER_DOUBLE, "Float64"};
+static const AccessType int32_type = {TYPE_INTEGER, NUMBER_INT32, "Int32"};
+static const AccessType int64_type = {TYPE_ENUMERATION, NUMBER_INT64, "Int64"};
+static const AccessType boolean_type = {TYPE_BOOLEAN, NUMBER_BYTE_TRUTH, "Boolean"};
+
+/* The instance where the arrays fit together and an intermediate update, if one is under way, allows the access. */
+static Instance *enter(fmi3Instance handle, Call call, bool setting, const fmi3ValueReference references[], size_t n,
+                       size_t n_values)
+{
+    Instance *instance = fmi3_enter(handle, call);
+    if (!call_has(instance, n, references))
+        return NULL;
+    if (n != n_values) {
+        call_refuse(instance, "%zu values for %zu variables, all of them scalars.", n_values, n);
+        return NULL;
+    }
+    return intermediate_allows(handle, setting, references, n) ? instance : NULL;
+}
+
+/* The event indicators have the value references behind those of the variables. */
+static Status get_event_indicator(Instance *instance, size_t number, double *value)
+{
+    double *indicators = malloc(model.n_roots * sizeof(double));
+    if (indicators == NULL)
+        return call_refuse(instance, "memory is short.");
+    const Status status = call_get_event_indicators(instance, indicators, model.n_roots);
+    if (status == STATUS_OK)
+        *value = indicators[number];
+    free(indicators);
+    return status;
+}
+
+fmi3Status fmi3GetFloat64(fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences,
+                          fmi3Float64 values[], size_t nValues)
+{
+    Instance *entered = enter(instance, CALL_GetFloat64, false, valueReferences, nValueReferences, nValues);
+    Status status = call_has(entered, nValueReferences, values) ? STATUS_OK : STATUS_ERROR;
+    for (size_t i = 0; status == STATUS_OK && i < nValueReferences; ++i) {
+        const fmi3ValueReference reference = valueReferences[i];
+        const bool indicator = reference >= model.n_variables && reference - model.n_variables < model.n_roots;
+        status = indicator && entered->phase != PHASE_INSTANTIATED
+                     ? get_event_indicator(entered, reference - model.n_variables, &values[i])
+                     : call_get_real(entered, &reference, 1, &values[i]);
+    }
+    return fmi3_leave(instance, status);
+}
+
+#define GETTER(NAME, TYPE)                                                                                            \
+    fmi3Status fmi3Get##NAME(fmi3Instance instance, const fmi3ValueReference valueReferences[],                       \
+                             size_t nValueReferences, fmi3##NAME values[], size_t nValues)                            \
+    {                                                                                                                 \
+        Instance *entered = enter(instance, CALL_Get##NAME, false, valueReferences, nValueReferences, nValues);       \
+        return fmi3_leave(instance, call_get(entered, TYPE, valueReferences, nValueReferences, values));              \
+    }
+#define SETTER(NAME, TYPE)                                                                                            \
+    fmi3Status fmi3Set##NAME(fmi3Instance instance, const fmi3ValueReference valueReferences[],                       \
+                             size_t nValueReferences, const fmi3##NAME values[], size_t nValues)                      \
+    {                                                                                                                 \
+        Instance *entered = enter(instance, CALL_Set##NAME, true, valueReferences, nValueReferences, nValues);        \
+        return fmi3_leave(instance, call_set(entered, TYPE, valueReferences, nValueReferences, values));              \
+    }
+
+GETTER(Int32, &int32_type)
+GETTER(Int64, &int64_type)
+GETTER(Boolean, &boolean_type)
+SETTER(Float64, &float64_type)
+SETTER(Int32, &int32_type)
+SETTER(Int64, &int64_type)
+SETTER(Boolean, &boolean_type)
+
+static fmi3Status refuse_derivatives(fmi3Instance instance, Call call)
+{
+    const Instance *entered = fmi3_enter(instance, call);
+    return fmi3_leave(instance, entered == NULL ? STATUS_ERROR : call_refuse(entered, "derivatives are not supported."));
+}
+
+fmi3Status fmi3GetDirectionalDerivative(fmi3Instance instance, const fmi3ValueReference unknowns[], size_t nUnknowns,
+                                        const fmi3ValueReference knowns[], size_t nKnowns, const fmi3Float64 seed[],
+                                        size_t nSeed, fmi3Float64 sensitivity[], size_t nSensitivity)
+{
+    (void)unknowns, (void)nUnknowns, (void)knowns, (void)nKnowns;
+    (void)seed, (void)nSeed, (void)sensitivity, (void)nSensitivity;
+    return refuse_derivatives(instance, CALL_GetDirectionalDerivative);
+}
+
+fmi3Status fmi3GetAdjointDerivative(fmi3Instance instance, const fmi3ValueReference unknowns[], size_t nUnknowns,
+                                    const fmi3ValueReference knowns[], size_t nKnowns, const fmi3Float64 seed[],
+                                    size_t nSeed, fmi3Float64 sensitivity[], size_t nSensitivity)
+{
+    (void)unknowns, (void)nUnknowns, (void)knowns, (void)nKnowns;
+    (void)seed, (void)nSeed, (void)sensitivity, (void)nSensitivity;
+    return refuse_derivatives(instance, CALL_GetAdjointDerivative);
+}
