@@ -9,7 +9,6 @@ from contextlib import nullcontext
 import numpy as np
 
 from pyjoystick._types import FloatArray
-from pyjoystick.errors import ParameterError
 from pyjoystick.fitting.assessment import all_checks, criteria_of, derived_parameters, record_fits
 from pyjoystick.fitting.bootstrap import Bootstrap, bootstrap
 from pyjoystick.fitting.errors import FitInterruptedError
@@ -162,10 +161,6 @@ def _optional(
     drawn: Bootstrap | None = None
     wanted = settings.uncertainty
     shared = [j for j, one in enumerate(problem.variables.free) if one.record is None]
-    names = [problem.variables.free[j].name for j in shared]
-    for name in wanted.profiles or ():
-        if name not in names:
-            raise ParameterError("uncertainty.profiles", name, f"among {', '.join(names)}")
     chosen = [
         j for j in shared if wanted.profiles is None or problem.variables.free[j].name in wanted.profiles
     ]

@@ -101,6 +101,9 @@ class Search:
             if not before < finite("search.stages", stage) < 1.0:
                 raise ParameterError("search.stages", list(self.stages), "increasing, between 0 and 1")
             before = stage
+        for pair in self.exchanges:
+            if not _names(pair) or len(pair) != 2:
+                raise ParameterError("search.exchanges", pair, "pairs of names")
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,6 +125,8 @@ class Uncertainty:
     def __post_init__(self) -> None:
         if not 0.0 < finite("uncertainty.level", self.level) < 1.0:
             raise ParameterError("uncertainty.level", self.level, "between 0 and 1")
+        if not _names(self.profiles or ()):
+            raise ParameterError("uncertainty.profiles", self.profiles, "names of parameters")
         whole_number("uncertainty.bootstrap", self.bootstrap, 0)
         if self.resampling not in get_args(Resampling):
             raise ParameterError("uncertainty.resampling", self.resampling, "'records' or 'residuals'")
@@ -182,19 +187,29 @@ class FitSettings:
         for name in self.noise.sigma:
             if name not in self.outputs:
                 raise ParameterError("noise.sigma", name, f"one of the outputs, {', '.join(self.outputs)}")
-        self._check_exchanges()
+        self._check_names()
         if RELEASE_TIME in given and self.inputs:
             raise ParameterError(RELEASE_TIME, "given", "left out where inputs drive the FMU")
         whole_number("peaks", self.peaks, 2)
         positive("tolerance", self.tolerance)
 
-    def _check_exchanges(self) -> None:
+    def _check_names(self) -> None:
+        """The parameters that are exchanged and profiled are free ones."""
         free = [one.name for one in self.free]
         for name in (name for pair in self.search.exchanges for name in pair):
             if name not in free:
-                raise ParameterError(
-                    "search.exchanges", name, f"among the free parameters, {', '.join(free)}"
-                )
+                allowed = f"among the free parameters, {', '.join(free)}"
+                raise ParameterError("search.exchanges", name, allowed)
+        shared = [one.name for one in self.free if not one.per_record]
+        for name in self.uncertainty.profiles or ():
+            if name not in shared:
+                allowed = f"among the parameters that all records share, {', '.join(shared)}"
+                raise ParameterError("uncertainty.profiles", name, allowed)
+
+
+def _names(given: object) -> bool:
+    """Whether something is a tuple of names."""
+    return isinstance(given, tuple) and all(isinstance(name, str) for name in given)
 
 
 def whole_number(name: str, value: object, least: int) -> int:

@@ -79,7 +79,7 @@ def _free(table: Table, fmu: FmuDescription) -> tuple[Free, ...]:
             inner.optional(key)
         per_record = _flag(inner, "per_record")
         inner.finish()
-        with _placed(table, name):
+        with _placed(inner):
             found.append(Free(name, **numbers, per_record=per_record))
     return tuple(found)
 
@@ -111,7 +111,7 @@ def _noise(table: Table, fmu: FmuDescription) -> Noise:
             sigma[name] = difference_of(_variable(fmu, name), given)
     per_record = _flag(table, "per_record")
     table.finish()
-    with _placed(table, "per_record"):
+    with _placed(table):
         return Noise(sigma, per_record)
 
 
@@ -151,7 +151,7 @@ def _made(table: Table, kind: type[Any], *, tuples: tuple[str, ...]) -> Any:
             raise table.error(one.name, "must be a list")
         given[one.name] = _tuples(value) if one.name in tuples else value
     table.finish()
-    with _placed(table, ""):
+    with _placed(table):
         return kind(**given)
 
 
@@ -167,11 +167,14 @@ def _variable(fmu: FmuDescription, name: str) -> Variable:
 
 
 @contextmanager
-def _placed(table: Table, key: str) -> Iterator[None]:
-    """What is refused inside is named with its place in the file."""
+def _placed(table: Table, key: str = "") -> Iterator[None]:
+    """What is refused inside is named with its place in the file; where no key is given, by its own name."""
     try:
         yield
-    except (ParameterError, UnknownNameError) as error:
+    except ParameterError as error:
+        field = error.field.rpartition(".")[2]
+        raise table.refused(key or (field if field in table else ""), error) from None
+    except UnknownNameError as error:
         raise table.refused(key, error) from None
 
 

@@ -3,9 +3,16 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
+from pyjoystick._types import FloatArray
+from pyjoystick.fitting import FitSettings, Free, Measurement
+from pyjoystick.fitting.prediction import Prediction
+from pyjoystick.fitting.problem import Problem
+from pyjoystick.fitting.variables import Variables
+from pyjoystick.fmu import find_fmu, read_description
 from pyjoystick.parameters import JoystickParameters
 from pyjoystick.records import Record
 from pyjoystick.synthetic_records import synthetic_record
@@ -35,3 +42,34 @@ def releases(
         )
         for number in range(count)
     ]
+
+
+class LinearPredictor:
+    """Predicts ``matrix @ row``, so that what a fit must find has a formula."""
+
+    def __init__(self, name: str, matrix: FloatArray, data: FloatArray) -> None:
+        self.times: FloatArray = np.linspace(0.0, 1.0, len(data))
+        self.record = Measurement(name, self.times, {"y": data})
+        self.data = data
+        self.labels = ("y",) * len(data)
+        self.matrix = matrix
+        self.runs = 0
+
+    def predict(self, rows: FloatArray, release_time: float) -> Prediction:
+        self.runs += len(rows)
+        return Prediction(rows @ self.matrix.T, np.zeros(len(self.data)), "")
+
+
+def linear_problem(
+    matrices: Sequence[FloatArray], data: Sequence[FloatArray], free: Sequence[Free], sigma: float = 1.0
+) -> Problem:
+    """A problem whose variables are parameters of the joystick in name alone."""
+    predictors = [
+        LinearPredictor(f"run {k}", matrix, one)
+        for k, (matrix, one) in enumerate(zip(matrices, data, strict=True))
+    ]
+    settings = FitSettings(fmu="Joystick", free=tuple(free))
+    variables = Variables(
+        settings, read_description(find_fmu("Joystick")), [one.record for one in predictors]
+    )
+    return Problem(variables, predictors, [np.full(len(one), 1.0 / sigma) for one in data])
