@@ -8,6 +8,7 @@ from pathlib import Path
 import matplotlib as mpl
 
 from pyjoystick.experiments import free_oscillation
+from pyjoystick.figure_style import LAWS
 from pyjoystick.parameters import NOMINAL, NOMINAL_POWER_LAW
 from pyjoystick.plots import plot_motion
 
@@ -17,4 +18,5 @@ runs = {
     label: free_oscillation(math.radians(-20), parameters=joystick, output_interval=2e-3)
     for label, joystick in {"constant damping": NOMINAL, "power-law damping": NOMINAL_POWER_LAW}.items()
 }
-plot_motion(runs).savefig(Path(__file__).with_suffix(".svg"), metadata={"Date": None})
+styles = dict(zip(runs, (LAWS["constant"], LAWS["power-law"]), strict=True))
+plot_motion(runs, styles=styles).savefig(Path(__file__).with_suffix(".svg"), metadata={"Date": None})

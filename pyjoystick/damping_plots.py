@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 import pandas as pd
@@ -15,20 +15,21 @@ from matplotlib.ticker import FixedLocator, MaxNLocator, NullFormatter, NullLoca
 from pyjoystick._types import FloatArray
 from pyjoystick.damping_estimate import DampingEstimate, PowerLine
 from pyjoystick.errors import ParameterError
+from pyjoystick.figure_style import BACKWARD, BLACK, FORWARD, LAWS, SERIES, dress
 
 #: Color and marker of the peaks of either sign.
-_SIDES: Final = {"positive": ("#D55E00", "o"), "negative": ("#0072B2", "v")}
-_BOTH: Final = "#000000"
+_SIDES: Final = {"positive": (FORWARD, "o"), "negative": (BACKWARD, "v")}
+_BOTH: Final = BLACK
 _CONSTANT: Final = "constant C without the bias"
 #: Ticks of the logarithmic axes: a few round numbers, for a decade is too wide for the range of C.
 _C_TICKS: Final = (0.01, 0.02, 0.03, 0.04, 0.05, 0.06, 0.08, 0.1, 0.15, 0.2)
 _ANGLE_TICKS: Final = (0.5, 1.0, 2.0, 3.0, 5.0, 10.0, 15.0, 20.0)
 _VELOCITY_TICKS: Final = (1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)
-_ERROR_STYLES: Final[dict[str, dict[str, Any]]] = {
-    "displacement_time": {"label": "peak time", "color": "#000000", "linestyle": "-"},
-    "displacement": {"label": "peak displacement", "color": "#D55E00", "linestyle": (0, (6, 2))},
-    "velocity_time": {"label": "velocity peak time", "color": "#0072B2", "linestyle": (0, (2, 1.5))},
-    "velocity": {"label": "peak velocity", "color": "#009E73", "linestyle": (0, (6, 1.5, 1.5, 1.5))},
+_ERRORS: Final = {
+    "displacement_time": "peak time",
+    "displacement": "peak displacement",
+    "velocity_time": "velocity peak time",
+    "velocity": "peak velocity",
 }
 
 
@@ -59,7 +60,7 @@ def plot_damping_estimate(
     _line(velocity, estimate.lines["velocity"], estimate.velocity, _BOTH, confidence)
     if constant is not None:
         for axes in (angle, velocity):
-            axes.axhline(constant, color="0.4", linewidth=1.1, linestyle=(0, (5, 3)), label=_CONSTANT)
+            axes.axhline(constant, label=_CONSTANT, **LAWS["constant"])
     angle.set_ylabel("$C_\\mathrm{exp}$ (N m s/rad)")
     for axes, label, ticks in (
         (angle, "(a)  Peak displacement (deg)", _ANGLE_TICKS),
@@ -96,15 +97,15 @@ def plot_peak_errors(
     apart = {"wspace": 0.08}
     panels = figure.subplots(1, len(sweeps), sharey=True, squeeze=False, gridspec_kw=apart)[0]
     for axes, (label, sweep) in zip(panels, sweeps.items(), strict=True):
-        for column, style in _ERROR_STYLES.items():
-            axes.plot(sweep.index, sweep[column], linewidth=1.3, **style)
+        for (column, label_of_error), style in zip(_ERRORS.items(), SERIES, strict=False):
+            axes.plot(sweep.index, sweep[column], label=label_of_error, **style)
             at = sweep[column].idxmin()
             axes.plot([at], [sweep[column].min()], marker="o", markersize=4, color=style["color"])
         axes.set_xlabel(label)
         axes.set_xlim(float(sweep.index.min()), float(sweep.index.max()))
         axes.set_ylim(0.0, largest)
         axes.xaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 5, 10]))
-        _dress(axes)
+        dress(axes)
     panels[0].set_ylabel("Average error of the peaks (%)")
     handles, labels = panels[0].get_legend_handles_labels()
     figure.legend(handles, labels, title=title, loc="outside upper center", ncols=4, frameon=False)
@@ -157,11 +158,4 @@ def _dress_logarithmic(axes: Axes, ticks: tuple[float, ...]) -> None:
         axis.set_major_formatter(StrMethodFormatter("{x:g}"))
         axis.set_minor_locator(NullLocator())
         axis.set_minor_formatter(NullFormatter())
-    _dress(axes)
-
-
-def _dress(axes: Axes) -> None:
-    axes.grid(visible=True, color="0.9", linewidth=0.6)
-    axes.set_axisbelow(True)
-    for side in ("top", "right"):
-        axes.spines[side].set_visible(False)
+    dress(axes)

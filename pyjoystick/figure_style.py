@@ -75,7 +75,9 @@ def dress(axes: Axes, *, zero: bool = False) -> None:
         axes.spines[side].set_visible(False)
 
 
-def legend_above(figure: Figure, axes: Axes | Sequence[Axes], *, columns: int | None = None) -> None:
+def legend_above(
+    figure: Figure, axes: Axes | Sequence[Axes], *, columns: int | None = None, marker_scale: float = 1.0
+) -> None:
     """The legend of the lines of `axes` above the panels, where it covers no curve; each label once."""
     panels = [axes] if isinstance(axes, Axes) else axes
     entries: dict[str, Artist] = {}
@@ -88,4 +90,5 @@ def legend_above(figure: Figure, axes: Axes | Sequence[Axes], *, columns: int | 
         loc="outside upper center",
         ncols=columns or len(entries),
         frameon=False,
+        markerscale=marker_scale,
     )

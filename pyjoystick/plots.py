@@ -8,22 +8,14 @@ from pathlib import Path
 from typing import Final, Literal
 
 import pandas as pd
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from pyjoystick.errors import OutputFileError, ParameterError, UnknownVariableError
+from pyjoystick.figure_style import SERIES, LineStyle, dress, legend_above
 from pyjoystick.output import replacing
 
 AngleUnit = Literal["deg", "rad"]
 
-#: Colors that the color-blind can tell apart (Okabe and Ito), with dashes that survive gray print.
-_STYLES: Final = (
-    {"color": "#000000", "linestyle": "-", "linewidth": 1.1},
-    {"color": "#D55E00", "linestyle": (0, (6, 2)), "linewidth": 1.4},
-    {"color": "#0072B2", "linestyle": (0, (2, 1.5)), "linewidth": 1.4},
-    {"color": "#009E73", "linestyle": (0, (6, 1.5, 1.5, 1.5)), "linewidth": 1.4},
-    {"color": "#CC79A7", "linestyle": (0, (1, 1)), "linewidth": 1.6},
-)
 _PANELS: Final = (
     ("theta", "Displacement", ""),
     ("omega", "Velocity", "/s"),
@@ -35,6 +27,7 @@ _SUFFIXES: Final = (".png", ".pdf", ".svg")
 def plot_motion(
     runs: Mapping[str, pd.DataFrame],
     *,
+    styles: Mapping[str, LineStyle] | None = None,
     angle_unit: AngleUnit = "deg",
     title: str = "",
     size: tuple[float, float] = (7.0, 6.4),
@@ -43,6 +36,7 @@ def plot_motion(
 
     Args:
         runs: tables with the columns ``theta`` (rad), ``omega`` (rad/s), ``alpha`` (rad/s2), by label
+        styles: how each run is drawn, by label; in the order of `SERIES` where not given
         angle_unit: ``deg`` or ``rad``
         title: a line above the figure
         size: width and height (inch)
@@ -51,20 +45,22 @@ def plot_motion(
         ParameterError: no run, more runs than there are line styles, or an unknown unit
         UnknownVariableError: a table lacks a column
     """
-    if not 1 <= len(runs) <= len(_STYLES):
-        raise ParameterError("runs", f"{len(runs)} runs", f"1 to {len(_STYLES)} runs")
+    if not 1 <= len(runs) <= len(SERIES):
+        raise ParameterError("runs", f"{len(runs)} runs", f"1 to {len(SERIES)} runs")
     if angle_unit not in ("deg", "rad"):
         raise ParameterError("angle_unit", angle_unit, "'deg' or 'rad'")
     factor = math.degrees(1.0) if angle_unit == "deg" else 1.0
+    drawn = dict(zip(runs, SERIES, strict=False)) if styles is None else styles
     figure = Figure(figsize=size, layout="constrained")
     axes = figure.subplots(len(_PANELS), 1, sharex=True)
     for panel, (column, name, per) in zip(axes, _PANELS, strict=True):
-        for (label, table), style in zip(runs.items(), _STYLES, strict=False):
+        for label, table in runs.items():
             if column not in table.columns:
                 raise UnknownVariableError(column, map(str, table.columns))
-            panel.plot(table.index, table[column] * factor, label=label, **style)
+            panel.plot(table.index, table[column] * factor, label=label, **drawn[label])
         panel.set_ylabel(f"{name} ({angle_unit}{per})")
-        _dress(panel)
+        panel.margins(y=0.08)
+        dress(panel, zero=True)
     axes[-1].set_xlabel("Time (s)")
     axes[-1].set_xlim(
         min(float(table.index[0]) for table in runs.values()),
@@ -74,10 +70,7 @@ def plot_motion(
     if title:
         figure.suptitle(title, fontsize="medium")
     if len(runs) > 1:
-        # Beside the curves, never over them.
-        figure.legend(
-            *axes[0].get_legend_handles_labels(), loc="outside upper center", ncols=len(runs), frameon=False
-        )
+        legend_above(figure, axes[0])
     return figure
 
 
@@ -103,12 +96,3 @@ def check_figure_path(path: Path) -> None:
     """Raise OutputFileError unless the suffix is one that `save_figure` knows."""
     if path.suffix.lower() not in _SUFFIXES:
         raise OutputFileError(path, f"the name must end in {', '.join(_SUFFIXES)}")
-
-
-def _dress(axes: Axes) -> None:
-    axes.axhline(0.0, color="0.6", linewidth=0.6, zorder=0)
-    axes.grid(visible=True, color="0.9", linewidth=0.6)
-    axes.set_axisbelow(True)
-    axes.margins(y=0.08)
-    for side in ("top", "right"):
-        axes.spines[side].set_visible(False)

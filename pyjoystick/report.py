@@ -43,7 +43,7 @@ def free_oscillation_report(title: str, cases: Mapping[str, Case]) -> str:
             "",
             f"Side by side: {legend}.",
             "",
-            _peak_table([case.run for case in cases.values()]),
+            peak_table([case.run for case in cases.values()]),
             "",
             _difference_table(cases),
             "",
@@ -66,7 +66,12 @@ def markdown_table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
     return "\n".join((line(header), line(rule), *(line(row) for row in rows)))
 
 
-def _peak_table(runs: Sequence[pd.DataFrame]) -> str:
+def peak_table(runs: Sequence[pd.DataFrame]) -> str:
+    """The first peaks of runs that start with the release, side by side: time, angle, period around each.
+
+    Args:
+        runs: tables over ``time`` (s) with ``theta`` (rad) and ``omega`` (rad/s)
+    """
     columns = [_peak_cells(run) for run in runs]
     rows = [
         [str(number), *(cell for cells in row for cell in cells)]

@@ -14,10 +14,9 @@ from pyjoystick.damping_estimate import bias_table, constant_bias, estimate_damp
 from pyjoystick.damping_plots import plot_damping_estimate
 from pyjoystick.damping_report import bias_report, damping_report, releases_report
 from pyjoystick.measured_peaks import measured_peaks
-from pyjoystick.output import write_text
 from pyjoystick.parameters import NOMINAL
-from pyjoystick.plots import save_figure
 from pyjoystick.records import read_repeats
+from pyjoystick.results import save_results
 from pyjoystick.simulated_releases import SimulatedReleases
 
 DATA = Path(__file__).parent / "data"
@@ -33,7 +32,7 @@ RESULTS = Path(__file__).parents[1] / "results" / "fig09_damping_from_peaks"
 
 def main(results: Path = RESULTS) -> int:
     """Run the scenario."""
-    texts = []
+    texts, figures = [], {}
     with SimulatedReleases() as simulate:
         for law, paths in RECORDS.items():
             releases = [measured_peaks(record) for record in read_repeats(paths, released="backward")]
@@ -44,13 +43,10 @@ def main(results: Path = RESULTS) -> int:
             title = f"{len(releases)} synthetic records made with {law}"
             texts += [f"## {title}", releases_report(releases), damping_report(estimate, constants, lines)]
             figure = plot_damping_estimate(estimate, constant=constants["both"].corrected, title=title)
-            for suffix in ("png", "pdf"):
-                save_figure(figure, results / f"{paths[0].stem[:-2]}.{suffix}")
+            figures[paths[0].stem[:-2]] = figure
         table = bias_table(JOYSTICK, TRUE_C, RELEASE_ANGLES, simulate)
     texts += ["## What the method makes of a known constant C, as parts of it", bias_report(table)]
-    summary = "\n\n".join(texts) + "\n"
-    write_text(results / "summary.md", summary)
-    print(summary)
+    save_results(results, "\n\n".join(texts), figures)
     return 0
 
 

@@ -13,12 +13,11 @@ import numpy as np
 from pyjoystick.damping_plots import plot_peak_errors
 from pyjoystick.damping_report import peak_error_report
 from pyjoystick.measured_peaks import measured_peaks
-from pyjoystick.output import write_text
 from pyjoystick.parameters import NOMINAL, NOMINAL_POWER_LAW
 from pyjoystick.peak_errors import sweep_peak_errors
-from pyjoystick.plots import save_figure
 from pyjoystick.records import read_repeats
 from pyjoystick.release_peaks import average_peaks
+from pyjoystick.results import save_results
 from pyjoystick.simulated_releases import SimulatedReleases
 
 RECORDS = sorted((Path(__file__).parent / "data").glob("synthetic_power_law_?.csv"))
@@ -40,11 +39,8 @@ def main(results: Path = RESULTS) -> int:
             runs = simulate.vary(joystick, measured.release_angle, name, values)
             sweeps[label] = sweep_peak_errors(runs, runs.__getitem__, measured)
     title = f"Average of {len(records)} synthetic records against simulations"
-    for suffix in ("png", "pdf"):
-        save_figure(plot_peak_errors(sweeps, title=title), results / f"errors.{suffix}")
-    summary = f"## {title}, eqs. (12a, b)\n\n{peak_error_report(sweeps, SHOWN)}\n"
-    write_text(results / "summary.md", summary)
-    print(summary)
+    summary = f"## {title}, eqs. (12a, b)\n\n{peak_error_report(sweeps, SHOWN)}"
+    save_results(results, summary, {"errors": plot_peak_errors(sweeps, title=title)})
     return 0
 
 

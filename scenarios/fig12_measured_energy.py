@@ -1,9 +1,9 @@
-"""Fig. 12: why the energy from a measured motion seems to rise, and the errors of each stage.
+"""Fig. 12: the energy falls in steps, and why the energy from a measured motion seems to rise.
 
 A free oscillation is simulated, so that everything about it is known, sampled at 60 Hz as by the paper's
 cameras, and put through the paper's chain: spline to 600 Hz, Butterworth at 13 Hz forward and reverse,
-5-point and 3-point derivatives. Prints how much of the peaks of the velocity is lost and the error budget,
-and saves the figure in results/fig12_measured_energy/.
+5-point and 3-point derivatives. Prints the plateaus of the energy, how much of the peaks of the velocity is
+lost and the error budget, and saves the figures in results/fig12_measured_energy/.
 """
 
 import math
@@ -11,16 +11,19 @@ import sys
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
 
+from pyjoystick.dissipation import plateaus
+from pyjoystick.dissipation.figures import plot_energy
 from pyjoystick.measurement_errors import error_budget, error_budget_report
 from pyjoystick.measurement_plots import plot_chain_effect
 from pyjoystick.measurements.chain import Chain
 from pyjoystick.measurements.chain_effect import chain_effect
 from pyjoystick.measurements.low_pass import LowPass
-from pyjoystick.output import write_text
 from pyjoystick.parameters import NOMINAL_POWER_LAW
-from pyjoystick.plots import save_figure
+from pyjoystick.reference import simulate
 from pyjoystick.report import markdown_table
+from pyjoystick.results import save_results
 
 JOYSTICK = NOMINAL_POWER_LAW
 RELEASE = math.radians(-20.0)
@@ -33,6 +36,7 @@ CHAINS = {  # label: the chain, the camera's rate (Hz)
     "100 Hz, camera 240 Hz": (Chain(low_pass=LowPass(cutoff=100.0)), 240.0),
 }
 PEAKS = (0, 1, 2, 4, 6, 8)
+SHOWN_PLATEAUS = 12
 RESULTS = Path(__file__).parents[1] / "results" / "fig12_measured_energy"
 
 
@@ -53,13 +57,40 @@ def main(results: Path = RESULTS) -> int:
     lost = markdown_table(["lost (%)", *(f"peak {i + 1}" for i in PEAKS), "energy rises by"], rows)
     budget = error_budget(JOYSTICK, Chain(), release_angle=RELEASE, random=np.random.default_rng(1))
     title = "A simulated release through the paper's measuring chain, 60 Hz camera"
-    for suffix in ("png", "pdf"):
-        figure = plot_chain_effect(JOYSTICK, effects["13 Hz, camera 60 Hz"], title=title)
-        save_figure(figure, results / f"energy.{suffix}")
-    summary = f"## {title}\n\n{lost}\n\n{error_budget_report(budget)}\n"
-    write_text(results / "summary.md", summary)
-    print(summary)
+    run = simulate(JOYSTICK, time=np.arange(6001) * 0.25e-3, theta_start=RELEASE)
+    rests = plateaus(run)
+    summary = "\n\n".join(
+        (
+            "## The plateaus of the energy",
+            plateau_report(rests.head(SHOWN_PLATEAUS)),
+            f"## {title}",
+            lost,
+            error_budget_report(budget),
+        )
+    )
+    figures = {
+        "plateaus": plot_energy(run, rests.head(SHOWN_PLATEAUS)),
+        "energy": plot_chain_effect(JOYSTICK, effects["13 Hz, camera 60 Hz"]),
+    }
+    save_results(results, summary, figures)
     return 0
+
+
+def plateau_report(rests: pd.DataFrame) -> str:
+    """The plateaus in Markdown: where, how long, and how little is lost on them."""
+    rows = [
+        [
+            f"{row.time:.4f}",
+            f"{math.degrees(row.theta):+.2f}",
+            f"{1e3 * row.energy:.2f}",
+            f"{1e3 * (row.end - row.start):.1f}",
+            f"{1e3 * row.lost:.3f}",
+            f"{1e3 * row.swing_lost:.2f}",
+        ]
+        for row in rests.itertuples()
+    ]
+    header = ["turns at (s)", "angle (deg)", "energy (mJ)", "plateau (ms)", "lost on it (mJ)"]
+    return markdown_table([*header, "lost in the swing before (mJ)"], rows)
 
 
 if __name__ == "__main__":

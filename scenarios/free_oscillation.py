@@ -10,10 +10,11 @@ from pathlib import Path
 
 from pyjoystick.comparison import compare, within_limits
 from pyjoystick.experiments import free_oscillation, reference_free_oscillation
-from pyjoystick.output import write_text
+from pyjoystick.figure_style import LAWS
 from pyjoystick.parameters import PAPER
-from pyjoystick.plots import plot_motion, save_figure
+from pyjoystick.plots import plot_motion
 from pyjoystick.report import Case, free_oscillation_report
+from pyjoystick.results import save_results
 from pyjoystick.tables import write_csv
 
 RELEASE_ANGLE = math.radians(-20.0)
@@ -37,13 +38,10 @@ def main(results: Path = RESULTS) -> int:
         cases[label] = Case(run, differences, events=len(reference.attrs["events"]))
         write_csv(run, results / f"{label.replace(' ', '_')}.csv")
 
-    figure = plot_motion({label: case.run for label, case in cases.items()})
-    for suffix in ("png", "pdf"):
-        save_figure(figure, results / f"motion.{suffix}")
-
+    styles = dict(zip(JOYSTICKS, (LAWS["constant"], LAWS["power-law"]), strict=True))
+    figure = plot_motion({label: case.run for label, case in cases.items()}, styles=styles)
     summary = free_oscillation_report(f"Free oscillation from {math.degrees(RELEASE_ANGLE):g} degrees", cases)
-    write_text(results / "summary.md", summary)
-    print(summary)
+    save_results(results, summary, {"motion": figure})
     return 0 if all(within_limits(case.differences) for case in cases.values()) else 1
 
 

@@ -7,16 +7,13 @@ from pathlib import Path
 from typing import Final
 
 import numpy as np
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from pyjoystick._types import FloatArray
+from pyjoystick.figure_style import BAND, FITTED, MEASURED, dress
 from pyjoystick.fitting.result import Fit, RecordFit
 from pyjoystick.plots import save_figure
 
-_DATA: Final = "#000000"
-_FIT: Final = "#D55E00"
-_BAND: Final = "#0072B2"
 #: Angles are drawn in degrees.
 _ANGLES: Final = {"theta": "deg", "omega": "deg/s"}
 _COLUMNS: Final = 3
@@ -49,19 +46,19 @@ def plot_records(fit: Fit) -> Figure:
         factor, unit = _scale(label)
         times = one.times[inside]
         fitted = one.predicted[len(times) :] if peaks else times
-        panel.plot(times, one.data[inside] * factor, ".", color=_DATA, markersize=4, label="measured")
+        panel.plot(times, one.data[inside] * factor, ".", color=MEASURED, markersize=4, label="measured")
         panel.plot(
             fitted,
             one.predicted[inside] * factor,
             "x" if peaks else "-",
-            color=_FIT,
+            color=FITTED,
             linewidth=1.0,
             markersize=6,
             label="fit",
         )
         panel.set_ylabel(f"{label} {unit}".strip())
         panel.set_title(one.name, loc="left", fontsize="small")
-        _dress(panel)
+        dress(panel)
     axes[-1].set_xlabel("Time (s)")
     figure.legend(*axes[0].get_legend_handles_labels(), loc="outside upper right", ncols=2, frameon=False)
     return figure
@@ -83,13 +80,13 @@ def plot_residuals(fit: Fit) -> Figure:
     histogram.hist(joined, bins=31, orientation="horizontal", density=True, color="0.8")
     level = np.linspace(-4.0, 4.0, 201)
     normal = np.exp(-0.5 * level**2) / math.sqrt(2.0 * math.pi)
-    histogram.plot(normal, level, color=_FIT, linewidth=1.2, label="normal")
+    histogram.plot(normal, level, color=FITTED, linewidth=1.2, label="normal")
     over_time.set_xlabel("Time (s)")
     over_time.set_ylabel("Measured less fitted (standard deviations)")
     histogram.set_xlabel("Density")
     histogram.legend(frameon=False, fontsize="small")
     for axes in (over_time, histogram):
-        _dress(axes)
+        dress(axes)
     figure.legend(
         *over_time.get_legend_handles_labels(),
         loc="outside upper center",
@@ -110,16 +107,18 @@ def plot_profiles(fit: Fit) -> Figure:
     quantile = fit.standard_errors.quantile
     for axes, (j, profile) in zip(grid, fit.profiles.items(), strict=False):
         variable = fit.variables[j]
-        axes.plot(profile.values, np.abs(profile.distances), ".-", color=_DATA, linewidth=1.0, markersize=4)
+        axes.plot(
+            profile.values, np.abs(profile.distances), ".-", color=MEASURED, linewidth=1.0, markersize=4
+        )
         error = float(fit.standard_errors.errors[j])
         if math.isfinite(error) and error > 0.0:
             linear = np.abs(profile.values - fit.x[j]) / error
-            axes.plot(profile.values, linear, "--", color=_FIT, linewidth=1.0)
-        axes.axhline(quantile, color=_BAND, linewidth=0.9)
+            axes.plot(profile.values, linear, "--", color=FITTED, linewidth=1.0)
+        axes.axhline(quantile, color=BAND, linewidth=0.9)
         axes.set_ylim(0.0, 1.6 * quantile)
         axes.set_xlabel(f"{variable.label} ({variable.unit})" if variable.unit else variable.label)
         axes.locator_params(axis="x", nbins=4)
-        _dress(axes)
+        dress(axes)
     for axes in grid[count:]:
         axes.set_visible(False)
     figure.supylabel("Distance from the best fit", fontsize="small")
@@ -164,10 +163,3 @@ def _series(one: RecordFit) -> list[str]:
 
 def _scale(label: str) -> tuple[float, str]:
     return (math.degrees(1.0), f"({_ANGLES[label]})") if label in _ANGLES else (1.0, "")
-
-
-def _dress(axes: Axes) -> None:
-    axes.grid(visible=True, color="0.9", linewidth=0.6)
-    axes.set_axisbelow(True)
-    for side in ("top", "right"):
-        axes.spines[side].set_visible(False)

@@ -6,6 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from pyjoystick.figure_style import BLUE, FITTED, GRAY, LONG_DASHES, MEASURED, dress, legend_above
 from pyjoystick.load_curve.cubic import cubic_fit, segment_force
 from pyjoystick.load_curve.fit import LoadCurveFit
 
@@ -30,29 +31,26 @@ def plot_load_curve(fit: LoadCurveFit, *, title: str = "", size: tuple[float, fl
         axes = figure.add_subplot(grid[1, column])
         _draw(axes, fit, cubic=False)
         _enlarge(axes, fit, i)
-    whole.legend(frameon=False, loc="lower right", markerscale=4.0)
+    legend_above(figure, whole, marker_scale=4.0)
     if title:
         figure.suptitle(title, fontsize="medium")
     return figure
 
 
 def _draw(axes: Axes, fit: LoadCurveFit, *, cubic: bool) -> None:
-    colors = ("#0072B2", "#009E73")
+    colors = (MEASURED, GRAY)
     for branch, name, color in zip(fit.curve.branches, ("loading", "unloading"), colors, strict=False):
         axes.plot(branch.travel * _MM, branch.force - fit.zero, ".", color=color, markersize=2.0, label=name)
     travel = fit.curve.loading.travel
     x = np.sort(np.concatenate((np.linspace(np.min(travel), np.max(travel), _POINTS), fit.table.x)))
-    axes.plot(x * _MM, segment_force(fit, x), color="#000000", linewidth=1.2, label="segments")
+    axes.plot(x * _MM, segment_force(fit, x), color=FITTED, linewidth=1.4, label="segments")
     if cubic:
         inside = x[x >= fit.table.x[0]]
         force = cubic_fit(fit.curve, fit.table.x[0], fit.zero)(inside)
-        axes.plot(inside * _MM, force, color="#D55E00", linestyle=(0, (6, 2)), linewidth=1.4, label="cubic")
+        axes.plot(inside * _MM, force, color=BLUE, linestyle=LONG_DASHES, linewidth=1.4, label="cubic")
     axes.set_xlabel("Travel (mm)")
     axes.set_ylabel("Force (N)")
-    axes.grid(visible=True, color="0.9", linewidth=0.6)
-    axes.set_axisbelow(True)
-    for side in ("top", "right"):
-        axes.spines[side].set_visible(False)
+    dress(axes)
 
 
 def _enlarge(axes: Axes, fit: LoadCurveFit, i: int) -> None:

@@ -11,11 +11,11 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from pyjoystick.errors import ParameterError, UnknownVariableError
+from pyjoystick.figure_style import AMBER, BLUE, VERMILION, dress
 
-#: Colors that the color-blind can tell apart (Okabe and Ito).
-_FIRST: Final = "#0072B2"
-_TOTAL: Final = "#E69F00"
-_FAILED: Final = "#D55E00"
+_FIRST: Final = BLUE
+_TOTAL: Final = AMBER
+_FAILED: Final = VERMILION
 #: Results and parameters that a figure has room for.
 MOST_RESULTS: Final = 6
 MOST_PARAMETERS: Final = 8
@@ -116,8 +116,8 @@ def _bars(axes: Axes, indices: pd.DataFrame) -> None:
             error_kw={"linewidth": 1.0, "capsize": 2.0, "ecolor": "0.2"},
         )
     axes.axvline(0.0, color="0.4", linewidth=0.8)
-    axes.grid(visible=True, axis="x", color="0.9", linewidth=0.6)
-    _dress(axes)
+    dress(axes)
+    axes.grid(visible=False, axis="y")
 
 
 def _dots(axes: Axes, table: pd.DataFrame, parameter: str, result: str) -> None:
@@ -135,14 +135,7 @@ def _dots(axes: Axes, table: pd.DataFrame, parameter: str, result: str) -> None:
             markersize=4.0,
             transform=axes.get_xaxis_transform(),
         )
-    axes.grid(visible=True, color="0.9", linewidth=0.6)
-    _dress(axes)
-
-
-def _dress(axes: Axes) -> None:
-    axes.set_axisbelow(True)
-    for side in ("top", "right"):
-        axes.spines[side].set_visible(False)
+    dress(axes)
 
 
 def _labeled(name: str, units: dict[str, str]) -> str:

@@ -18,3 +18,9 @@ def load(name: str) -> ModuleType:
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
+
+
+def cells(printed: str, first: str, table: int = 0) -> list[str]:
+    """The cells after the first of a row of a printed table; `table` counts the rows that begin so."""
+    rows = [line for line in printed.splitlines() if line.startswith(f"| {first} ")]
+    return [cell.strip() for cell in rows[table].split("|")[2:-1]]

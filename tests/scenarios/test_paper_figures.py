@@ -6,13 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.scenarios.scripts import SCENARIOS, load
-
-
-def _row(printed: str, first: str, table: int = 0) -> list[str]:
-    """The cells after the first of a row of a table; `table` counts the rows that begin so."""
-    rows = [line for line in printed.splitlines() if line.startswith(f"| {first} ")]
-    return [cell.strip() for cell in rows[table].split("|")[2:-1]]
+from tests.scenarios.scripts import SCENARIOS, cells, load
 
 
 def test_fig_9(fmus_by_name: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -24,10 +18,10 @@ def test_fig_9(fmus_by_name: Path, tmp_path: Path, capsys: pytest.CaptureFixture
     assert sorted(path.name for path in tmp_path.iterdir()) == ["summary.md", *figures]
     # The records with constant damping were made with C = 0.045.
     for reading in ("C, displacement", "C, velocity", "C, both"):
-        corrected = float(_row(printed, reading, table=1)[3])
+        corrected = float(cells(printed, reading, table=1)[3])
         assert corrected == pytest.approx(0.045, abs=0.002)
-    assert float(_row(printed, "C, displacement", table=1)[0]) > 1.2 * 0.045
-    assert float(_row(printed, "C, velocity", table=1)[0]) < 0.8 * 0.045
+    assert float(cells(printed, "C, displacement", table=1)[0]) > 1.2 * 0.045
+    assert float(cells(printed, "C, velocity", table=1)[0]) < 0.8 * 0.045
 
 
 def test_fig_11(fmus_by_name: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -36,13 +30,13 @@ def test_fig_11(fmus_by_name: Path, tmp_path: Path, capsys: pytest.CaptureFixtur
     assert scenario.main(tmp_path) == 0
     printed = capsys.readouterr().out
     assert sorted(path.name for path in tmp_path.iterdir()) == ["errors.pdf", "errors.png", "summary.md"]
-    alpha = [tuple(map(float, cell.split(" at "))) for cell in _row(printed, "alpha, smallest")]
-    constant = [tuple(map(float, cell.split(" at "))) for cell in _row(printed, "C (N m s/rad), smallest")]
+    alpha = [tuple(map(float, cell.split(" at "))) for cell in cells(printed, "alpha, smallest")]
+    constant = [tuple(map(float, cell.split(" at "))) for cell in cells(printed, "C (N m s/rad), smallest")]
     assert [at for _, at in alpha[:2]] == pytest.approx([0.9, 0.9], abs=0.03)
     assert all(error < 2.0 for error, _ in alpha[:2])
     assert [at for _, at in constant[:2]] == pytest.approx([0.0645, 0.0645], abs=0.0015)
     assert all(error < 5.0 for error, _ in constant)
-    assert float(_row(printed, "C (N m s/rad) = 0.045")[0]) > 30.0
+    assert float(cells(printed, "C (N m s/rad) = 0.045")[0]) > 30.0
 
 
 def test_results_go_into_the_checkout() -> None:

@@ -1,0 +1,31 @@
+"""Tables 1 and 2 as the model uses them, with the springs that Table 1 amounts to and the damping laws.
+
+Prints them and saves them in results/tables_1_and_2/.
+"""
+
+import sys
+from pathlib import Path
+
+from pyjoystick.parameter_tables import body_table, damping_table, segment_table, spring_table
+from pyjoystick.parameters import NOMINAL, NOMINAL_POWER_LAW, PIVOT_TO_TOP
+from pyjoystick.report import markdown_table
+from pyjoystick.results import save_results
+
+TABLES = {
+    "Table 1: displacements and stiffnesses": segment_table(NOMINAL),
+    "The restrained springs of Table 1, eqs. (6)-(8)": spring_table(NOMINAL),
+    "Table 2: inertia and geometry": body_table(NOMINAL, PIVOT_TO_TOP),
+    "Damping, section 3.3": damping_table(NOMINAL.damping, NOMINAL_POWER_LAW.damping),
+}
+RESULTS = Path(__file__).parents[1] / "results" / "tables_1_and_2"
+
+
+def main(results: Path = RESULTS) -> int:
+    """Run the scenario."""
+    parts = [f"## {title}\n\n{markdown_table(*table)}" for title, table in TABLES.items()]
+    save_results(results, "\n\n".join(parts), {})
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
