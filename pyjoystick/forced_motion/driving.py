@@ -1,0 +1,148 @@
+"""The way back: the torque of a motion put into the joystick's FMU, which has to return that motion."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import pairwise
+from os import PathLike
+from typing import Final
+
+import numpy as np
+import pandas as pd
+
+from pyjoystick._types import FloatArray
+from pyjoystick.checks import positive
+from pyjoystick.experiments import fmu_of_damping
+from pyjoystick.fmu import Fmu, run_model_exchange
+from pyjoystick.fmu.description import Interface
+from pyjoystick.forced_motion.motions import ForwardAndReturn, Kinematics
+from pyjoystick.forced_motion.samples import smooth_spans
+from pyjoystick.parameters import JoystickParameters
+from pyjoystick.reference import inverse_torque
+
+#: How far the torque may be from the lines between rows (N m); it brings the motion back to 2e-7 rad.
+TORQUE_TOLERANCE: Final = 1e-7
+
+#: Points of each smooth span, from which the curvature of the torque is taken.
+_POINTS: Final = 800
+#: A smaller part of the largest torque is no jump.
+_ROUNDING: Final = 1e-12
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RoundTrip:
+    """A motion, and what the joystick does under the torque that was computed for it.
+
+    Attributes:
+        rows: rows of the table by which the torque was given
+        wanted: the motion at the recorded instants
+        found: the table of the run: ``theta``, ``omega`` (SI units) over time (s)
+    """
+
+    rows: int
+    wanted: Kinematics
+    found: pd.DataFrame
+
+    @property
+    def theta_error(self) -> float:
+        """Largest difference of the angle (rad)."""
+        return float(np.max(np.abs(self.found["theta"] - self.wanted.theta)))
+
+    @property
+    def omega_error(self) -> float:
+        """Largest difference of the angular velocity (rad/s)."""
+        return float(np.max(np.abs(self.found["omega"] - self.wanted.omega)))
+
+
+def round_trip(
+    motion: ForwardAndReturn,
+    joystick: JoystickParameters,
+    *,
+    interface: Interface = "CoSimulation",
+    fmu: str | PathLike[str] | None = None,
+    torque: pd.DataFrame | None = None,
+    output_interval: float = 1e-3,
+) -> RoundTrip:
+    """Drive the joystick's FMU by the torque that a motion needs.
+
+    In Co-Simulation the FMU is told the slopes of the torque's straight lines (input derivatives); in Model
+    Exchange CVode's right-hand side has the torque of every instant that it asks for.
+
+    Args:
+        motion: the motion
+        joystick: the parameters of both ways
+        interface: how the FMU is run
+        fmu: name or path of the FMU; the one with the damping law of `joystick` if not given
+        torque: the input table; that of `torque_rows` if not given
+        output_interval: time between two recorded instants (s), rounded so that it divides the motion
+
+    Raises:
+        ParameterError: the interval is not above 0
+        FmuNotFoundError, FmuFileError, UnsupportedFmuError, FmuRunError, SimulationError: as for any run
+    """
+    steps = max(1, round(motion.duration / positive("output_interval", output_interval, "s")))
+    time = motion.duration * np.arange(steps + 1) / steps
+    inputs = torque_rows(motion, joystick) if torque is None else torque
+    path = fmu_of_damping(joystick.damping) if fmu is None else fmu
+    parameters, outputs = joystick.to_names(), ("theta", "omega")
+    if interface == "ModelExchange":
+        found = run_model_exchange(path, time, parameters=parameters, inputs=inputs, outputs=outputs)
+    else:
+        with Fmu(path) as opened:
+            found = opened.run(time, parameters=parameters, inputs=inputs, outputs=outputs)
+    return RoundTrip(len(inputs), motion.at(time), found)
+
+
+def torque_rows(
+    motion: ForwardAndReturn, joystick: JoystickParameters, *, tolerance: float = TORQUE_TOLERANCE
+) -> pd.DataFrame:
+    """The torque of a motion as an input table: straight lines between rows that stay close to it.
+
+    Rows are as dense as the curvature of the torque asks for, on every corner of motion and springs there is
+    one, and on every jump of the torque there are two.
+
+    Args:
+        motion: the motion
+        joystick: whose torque
+        tolerance: how far the lines may be from the torque (N m)
+
+    Returns:
+        a table with the column ``T`` (N m) over time (s), as `Fmu.run` takes it
+    """
+    allowed = positive("tolerance", tolerance, "N.m")
+    times, torques = [], []
+    for start, end in pairwise(smooth_spans(motion, joystick)):
+        instants = _rows(motion, joystick, start, end, allowed)
+        inner = _torque(joystick, motion.at(instants))
+        # The end belongs to this span too, whatever comes after it.
+        inner[-1:] = _torque(joystick, motion.at(instants[-1:], "before"))
+        times.append(instants)
+        torques.append(inner)
+    time, values = np.concatenate(times), np.concatenate(torques)
+    same = np.abs(np.diff(values)) < _ROUNDING * np.max(np.abs(values))
+    repeated = np.append(False, (np.diff(time) == 0.0) & same)
+    return pd.DataFrame({"T": values[~repeated]}, index=pd.Index(time[~repeated], name="time"))
+
+
+def _rows(
+    motion: ForwardAndReturn, joystick: JoystickParameters, start: float, end: float, tolerance: float
+) -> FloatArray:
+    """Instants from `start` to `end` such that chords of the torque are off by `tolerance` at most.
+
+    A chord over a step h is off by h^2/8 times the second derivative.
+    """
+    unit = np.sin(np.linspace(0.0, 0.5 * np.pi, _POINTS)) ** 2
+    time = start + (end - start) * unit
+    inside = time[1:-1]
+    torque = _torque(joystick, motion.at(inside))
+    curvature = np.abs(np.gradient(np.gradient(torque, inside), inside))
+    density = np.sqrt(curvature / (8.0 * tolerance))
+    steps = np.concatenate(([0.0], np.cumsum(0.5 * (density[1:] + density[:-1]) * np.diff(inside))))
+    count = max(2, int(np.ceil(steps[-1])) + 1)
+    rows = np.interp(np.linspace(0.0, steps[-1], count), steps, inside)
+    rows[0], rows[-1] = start, end
+    return rows
+
+
+def _torque(joystick: JoystickParameters, motion: Kinematics) -> FloatArray:
+    return inverse_torque(joystick, motion.theta, motion.omega, motion.alpha).T

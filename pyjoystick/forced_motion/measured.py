@@ -1,0 +1,115 @@
+"""Motions as they were measured, from CSV files."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
+from typing import Final
+
+import numpy as np
+
+from pyjoystick._types import FloatArray
+from pyjoystick.forced_motion.samples import Samples
+from pyjoystick.measurements.chain import Chain
+from pyjoystick.measurements.resampling import GAP
+from pyjoystick.records import Record, RecordError, read_record
+from pyjoystick.records.columns import find_column, finite_numbers, unit_factor
+from pyjoystick.records.csv_file import read_csv_file
+from pyjoystick.records.record import MISSING_ADVICE
+
+#: Factors to rad/s2.
+ACCELERATION_UNITS: Final[Mapping[str, float]] = {
+    "rad/s2": 1.0,
+    "deg/s2": math.radians(1.0),
+    "rad/s²": 1.0,
+    "°/s²": math.radians(1.0),
+}
+_WHOLE: Final = "the torque in it is not known: use a stretch without gaps"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class MeasuredMotion:
+    """A measured motion and how it came about.
+
+    Attributes:
+        samples: the motion
+        differentiated: whether velocity and acceleration come from the signal chain; else from the file
+        notes: what was found doubtful
+    """
+
+    samples: Samples
+    differentiated: bool
+    notes: tuple[str, ...]
+
+
+def read_motion(
+    path: str | PathLike[str],
+    *,
+    chain: Chain | None = None,
+    columns: Mapping[str, str] | None = None,
+    units: Mapping[str, str] | None = None,
+) -> MeasuredMotion:
+    """Read a motion: as it stands where the file has ``omega`` and ``alpha``, else through the signal chain.
+
+    The columns are those of `pyjoystick.records.read_record` and ``alpha (rad/s2)`` or ``alpha (deg/s2)``;
+    the motions that ``pyjoystick import markers --motion`` writes are such files.
+
+    Args:
+        path: the file
+        chain: how the angle is filtered and differentiated, by the paper's settings if not given
+        columns: headings by quantity (``time``, ``theta``, ``omega``, ``alpha``) where they are others
+        units: units of columns that have none in their headings
+
+    Raises:
+        RecordError: the file cannot be used; the message names file, column, row and what to do
+        SeriesError: it is too short for the chain
+    """
+    headings, given = dict(columns or {}), dict(units or {})
+    wanted, unit = headings.pop("alpha", "alpha"), given.pop("alpha", "")
+    record = read_record(path, columns=headings, units=given, free_oscillation=False)
+    alpha = _acceleration(Path(path), wanted, unit, required="alpha" in (columns or {}))
+    if record.omega is not None and alpha is not None:
+        _require_no_gap(record)
+        return MeasuredMotion(
+            Samples.trapezoidal(record.time, record.theta, record.omega, alpha), False, record.notes
+        )
+    return MeasuredMotion(through_chain(record, chain or Chain()), True, record.notes)
+
+
+def through_chain(record: Record, chain: Chain) -> Samples:
+    """The motion that the signal chain makes of a measured angle.
+
+    Raises:
+        RecordError: a gap of the record is longer than the chain bridges
+        SeriesError: the record is too short for the chain
+    """
+    motion = chain.run(record.time, record.theta)
+    for start, end in motion.gaps:
+        reason = f"a gap of {end - start:.4g} s, which the chain does not bridge"
+        rows = record.rows[np.searchsorted(record.time, [start, end])]
+        raise RecordError(record.source, reason, _WHOLE, column="time", rows=rows)
+    return Samples.trapezoidal(motion.time, motion.theta, motion.omega, motion.alpha)
+
+
+def _acceleration(path: Path, wanted: str, unit: str, *, required: bool) -> FloatArray | None:
+    file = read_csv_file(path)
+    heading = find_column(file, "alpha", wanted, required=required)
+    if heading is None:
+        return None
+    factor = unit_factor(file, heading, ACCELERATION_UNITS, unit)
+    return finite_numbers(file, heading, MISSING_ADVICE) * factor
+
+
+def _require_no_gap(record: Record) -> None:
+    steps = np.diff(record.time)
+    for i in np.flatnonzero(steps > GAP * record.interval)[:1]:
+        raise RecordError(
+            record.source,
+            f"a gap of {steps[i]:.4g} s where samples are {record.interval:.4g} s apart",
+            _WHOLE,
+            column="time",
+            rows=record.rows[[i, i + 1]],
+        )

@@ -1,0 +1,132 @@
+"""What a torque asks of the hand: peaks, means, impulse, work, and the share that each part has in it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from pyjoystick._types import FloatArray
+from pyjoystick.checks import positive
+from pyjoystick.forced_motion.samples import Samples
+from pyjoystick.parameters import PIVOT_TO_TOP, JoystickParameters
+from pyjoystick.reference import InverseTorque, energy
+
+#: The parts of eq. (13) by name, and the columns that hold them.
+PARTS: Final = {"stiffness": "T_stiffness", "damping": "T_damping", "inertia": "T_inertia"}
+
+
+@dataclass(frozen=True, slots=True)
+class PartMeasures:
+    """A torque or a part of it over a motion; what lies between two samples does not count as a peak.
+
+    Attributes:
+        highest: largest value, towards positive angles (N m)
+        lowest: smallest value (N m)
+        rms: root mean square over time (N m)
+        impulse: integral of the magnitude over time (N m s)
+        work: integral of torque times angular velocity (J)
+        share: part of the mean square of the whole torque, mean(part*T)/mean(T^2): the shares of the three
+            parts add up to 1, and one that works against the others' sum is negative
+    """
+
+    highest: float
+    lowest: float
+    rms: float
+    impulse: float
+    work: float
+    share: float
+
+    @property
+    def peak(self) -> float:
+        """Largest magnitude (N m)."""
+        return max(self.highest, -self.lowest)
+
+
+@dataclass(frozen=True, slots=True)
+class TorqueMeasures:
+    """The torque of a motion in numbers.
+
+    Attributes:
+        duration: length of the motion (s)
+        total: of T
+        parts: of its parts: ``stiffness``, ``damping``, ``inertia``
+        positive_work: done by the hand on the joystick (J): the integral of T*omega where that is above 0
+        negative_work: done by the joystick on the hand (J), below 0
+        energy_change: energy of the joystick at the end, less that at the beginning (J)
+        arm: from the pivot to the hand (m)
+    """
+
+    duration: float
+    total: PartMeasures
+    parts: Mapping[str, PartMeasures]
+    positive_work: float
+    negative_work: float
+    energy_change: float
+    arm: float
+
+    @property
+    def work(self) -> float:
+        """Net work of the hand (J): energy change and loss."""
+        return self.total.work
+
+    @property
+    def loss(self) -> float:
+        """Energy that the damping has taken (J), the integral of C*omega^2."""
+        return self.parts["damping"].work
+
+    @property
+    def peak_force(self) -> float:
+        """Largest force of the hand, at right angles to the handle (N)."""
+        return self.total.peak / self.arm
+
+    def peak_ratio(self, part: str, to: str = "total") -> float:
+        """Peak of a part over the peak of the torque, or of another part."""
+        other = self.total if to == "total" else self.parts[to]
+        return self.parts[part].peak / other.peak
+
+
+def measure(
+    joystick: JoystickParameters,
+    samples: Samples,
+    torque: InverseTorque,
+    *,
+    pivot_to_handle: float = PIVOT_TO_TOP,
+) -> TorqueMeasures:
+    """The numbers of a motion and its torque; integrals are those of the samples' weights.
+
+    Args:
+        joystick: what the torque was computed for
+        samples: the motion
+        torque: what it needs
+        pivot_to_handle: where the hand is (m), the top of Table 2 if not given
+
+    Raises:
+        ParameterError: the distance is not above 0, or some |theta| >= pi/2
+    """
+    power = torque.T * samples.omega
+    first, last = energy(joystick, samples.theta[[0, -1]], samples.omega[[0, -1]])
+    return TorqueMeasures(
+        duration=samples.duration,
+        total=_part(samples, torque.T, torque.T),
+        parts={name: _part(samples, getattr(torque, column), torque.T) for name, column in PARTS.items()},
+        positive_work=float(np.sum(np.maximum(power, 0.0) * samples.weights)),
+        negative_work=float(np.sum(np.minimum(power, 0.0) * samples.weights)),
+        energy_change=float(last - first),
+        arm=positive("pivot_to_handle", pivot_to_handle, "m"),
+    )
+
+
+def _part(samples: Samples, part: FloatArray, whole: FloatArray) -> PartMeasures:
+    weights = samples.weights
+    square = float(np.sum(whole * whole * weights))
+    return PartMeasures(
+        highest=float(part.max()),
+        lowest=float(part.min()),
+        rms=float(np.sqrt(np.sum(part * part * weights) / np.sum(weights))),
+        impulse=float(np.sum(np.abs(part) * weights)),
+        work=float(np.sum(part * samples.omega * weights)),
+        share=float(np.sum(part * whole * weights)) / square if square > 0.0 else 0.0,
+    )

@@ -1,0 +1,151 @@
+"""Motions forward and back that a few numbers describe: exact angle, angular velocity and acceleration."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from pyjoystick._types import FloatArray
+from pyjoystick.checks import angle, finite, not_negative, positive
+from pyjoystick.errors import ParameterError
+from pyjoystick.forced_motion.profiles import SHAPES, Shape, profile
+
+#: Where a motion has two values, at a jump of the acceleration: the one before it or the one after it.
+Limit = Literal["before", "after"]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Kinematics:
+    """A motion at some instants; arrays of one shape.
+
+    Attributes:
+        theta: angle (rad), positive forward
+        omega: angular velocity (rad/s)
+        alpha: angular acceleration (rad/s2)
+    """
+
+    theta: FloatArray
+    omega: FloatArray
+    alpha: FloatArray
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ForwardAndReturn:
+    """From the middle to an angle, held there, and back, with rest before and after; starts at time 0.
+
+    Attributes:
+        amplitude: the angle (rad), negative for a motion backward; not 0
+        rise: time of the stroke (s)
+        fall: time of the return (s); as `rise` where not given
+        dwell: time at the angle (s)
+        rest: time at rest in the middle, before and after (s)
+        shape: of the strokes: ``minimum-jerk`` (acceleration without jumps), ``raised-cosine`` (it jumps at
+            the ends of a stroke) or ``trapezoid`` (of the velocity; it jumps at all corners)
+        flat: part of a stroke at constant velocity, of the trapezoid alone
+
+    Raises:
+        ParameterError: a value is outside its range
+    """
+
+    amplitude: float
+    rise: float
+    fall: float | None = None
+    dwell: float = 0.0
+    rest: float = 0.0
+    shape: Shape = "minimum-jerk"
+    flat: float = 1.0 / 3.0
+
+    def __post_init__(self) -> None:
+        if angle("amplitude", self.amplitude) == 0.0:
+            raise ParameterError("amplitude", self.amplitude, "an angle other than 0 rad")
+        positive("rise", self.rise, "s")
+        positive("fall", self.return_time, "s")
+        not_negative("dwell", self.dwell, "s")
+        not_negative("rest", self.rest, "s")
+        if self.shape not in SHAPES:
+            raise ParameterError("shape", self.shape, f"one of {', '.join(SHAPES)}")
+        if not 0.0 <= finite("flat", self.flat) < 1.0:
+            raise ParameterError("flat", self.flat, "0 or more and below 1")
+
+    @property
+    def return_time(self) -> float:
+        """Time of the return (s)."""
+        return self.rise if self.fall is None else self.fall
+
+    @property
+    def duration(self) -> float:
+        """Length of the motion with the rests (s)."""
+        return 2.0 * self.rest + self.rise + self.dwell + self.return_time
+
+    @property
+    def breakpoints(self) -> tuple[float, ...]:
+        """The instants between which the motion is smooth (s), from 0 to `duration`."""
+        pieces = self._pieces()
+        return (pieces[0].start, *(piece.end for piece in pieces))
+
+    def at(self, time: ArrayLike, limit: Limit = "after") -> Kinematics:
+        """The motion at instants (s) of any shape; at rest before 0 and after `duration`.
+
+        Args:
+            time: instants (s)
+            limit: which value is given where the acceleration jumps
+        """
+        instants = np.asarray(time, dtype=np.float64)
+        pieces = self._pieces()
+        ends = np.array([piece.end for piece in pieces[:-1]])
+        number = np.searchsorted(ends, instants, side="right" if limit == "after" else "left")
+        found = np.zeros((3, *instants.shape))
+        for i, piece in enumerate(pieces):
+            inside = (number == i) & (instants >= 0.0) & (instants <= self.duration)
+            found[:, inside] = piece.motion(instants[inside])
+        return Kinematics(*found)
+
+    def _pieces(self) -> list[_Piece]:
+        shape = profile(self.shape, flat=self.flat)
+        spans: list[tuple[float, float, _Motion]] = [(0.0, self.rest, _held(0.0))]
+        start = self.rest
+        for travel, (u, v) in zip(shape.pieces, pairwise(shape.corners), strict=True):
+            spans.append((start + self.rise * u, start + self.rise * v, self._stroke(travel, start)))
+        start += self.rise
+        spans.append((start, start + self.dwell, _held(self.amplitude)))
+        end = start + self.dwell + self.return_time
+        for travel, (u, v) in reversed(list(zip(shape.pieces, pairwise(shape.corners), strict=True))):
+            spans.append((end - self.return_time * v, end - self.return_time * u, self._return(travel, end)))
+        spans.append((end, end + self.rest, _held(0.0)))
+        return [_Piece(*span) for span in spans if span[1] > span[0]]
+
+    def _stroke(self, travel: Callable[[FloatArray], FloatArray], start: float) -> _Motion:
+        scales = _scales(self.amplitude, self.rise)
+        return lambda time: scales * travel((time - start) / self.rise)
+
+    def _return(self, travel: Callable[[FloatArray], FloatArray], end: float) -> _Motion:
+        # In reverse, so that the small angles near the end keep all their digits.
+        scales = _scales(self.amplitude, -self.return_time)
+        return lambda time: scales * travel((end - time) / self.return_time)
+
+
+#: Angle, angular velocity and angular acceleration, shape (3, n), at instants (s) of shape (n,).
+_Motion = Callable[[FloatArray], FloatArray]
+
+
+@dataclass(frozen=True, slots=True)
+class _Piece:
+    """A smooth part of a motion, from `start` to `end` (s)."""
+
+    start: float
+    end: float
+    motion: _Motion
+
+
+def _scales(amplitude: float, time: float) -> FloatArray:
+    return amplitude / np.array([[1.0], [time], [time * time]])
+
+
+def _held(theta: float) -> _Motion:
+    values = np.array([[theta], [0.0], [0.0]])
+    return lambda time: np.broadcast_to(values, (3, len(time)))

@@ -1,0 +1,155 @@
+"""Motions as samples: what a torque is computed for, with the weights by which it is integrated over time."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Final
+
+import numpy as np
+from scipy.optimize import brentq
+
+from pyjoystick._types import FloatArray
+from pyjoystick.errors import SeriesError
+from pyjoystick.experiments import time_grid
+from pyjoystick.forced_motion.motions import ForwardAndReturn, Limit
+from pyjoystick.parameters import JoystickParameters
+from pyjoystick.reference.cam import angle_of_travel
+
+#: Parts of each smooth piece, closer together at its ends, and nodes of Gauss and Legendre in each.
+_PANELS: Final = 12
+_NODES: Final = 12
+#: Instants closer than this part of the interval are one.
+_ROUNDING: Final = 1e-6
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Samples:
+    """A motion at n instants; arrays of shape (n,).
+
+    Attributes:
+        time: instants (s), not falling; an instant at which something jumps is there twice
+        theta: angle (rad), |theta| < pi/2
+        omega: angular velocity (rad/s)
+        alpha: angular acceleration (rad/s2)
+        weights: the integral over time of any function of these is the sum of its values times the weights
+            (s); those of instants that only show one side of a jump are 0
+
+    Raises:
+        SeriesError: lengths differ, a number is not finite, or the time falls
+    """
+
+    time: FloatArray
+    theta: FloatArray
+    omega: FloatArray
+    alpha: FloatArray
+    weights: FloatArray
+
+    def __post_init__(self) -> None:
+        for name in ("theta", "omega", "alpha", "weights"):
+            series = getattr(self, name)
+            if series.shape != self.time.shape:
+                raise SeriesError(name, f"has the shape {series.shape}, time has {self.time.shape}")
+            for i in np.flatnonzero(~np.isfinite(series))[:1]:
+                raise SeriesError(name, f"sample {i} is {series[i]}")
+        for i in np.flatnonzero(np.diff(self.time) < 0.0)[:1]:
+            raise SeriesError("time", f"falls at sample {i + 1}, {self.time[i + 1]} s")
+
+    def __len__(self) -> int:
+        return len(self.time)
+
+    @property
+    def duration(self) -> float:
+        """From the first to the last instant (s)."""
+        return float(self.time[-1] - self.time[0])
+
+    @classmethod
+    def trapezoidal(
+        cls, time: FloatArray, theta: FloatArray, omega: FloatArray, alpha: FloatArray
+    ) -> Samples:
+        """A motion as it was sampled, to be integrated by the trapezoidal rule.
+
+        Args:
+            time: instants (s), shape (n,), not falling; a repeated one is a jump
+            theta: angle there (rad), shape (n,)
+            omega: angular velocity (rad/s)
+            alpha: angular acceleration (rad/s2)
+
+        Raises:
+            SeriesError: see `Samples`, or all is at one instant
+        """
+        steps = np.diff(time)
+        if not np.any(steps > 0.0):
+            raise SeriesError("time", "must have two or more instants")
+        return cls(time, theta, omega, alpha, 0.5 * (np.append(steps, 0.0) + np.insert(steps, 0, 0.0)))
+
+    @classmethod
+    def evenly(cls, motion: ForwardAndReturn, interval: float) -> Samples:
+        """A motion in closed form every `interval` (s), for tables and figures; twice where something jumps.
+
+        Raises:
+            ParameterError: the interval is not above 0, longer than the motion, or there would be more than
+                ten million rows
+        """
+        corners = np.array(motion.breakpoints)
+        grid = time_grid(motion.duration, interval)
+        apart = np.min(np.abs(grid[:, None] - corners), axis=1) > _ROUNDING * interval
+        time = np.union1d(grid[apart], corners)
+        before, after = motion.at(time, "before"), motion.at(time, "after")
+        first = np.stack((time, before.theta, before.omega, before.alpha))
+        second = np.stack((time, after.theta, after.omega, after.alpha))
+        jumps = np.flatnonzero(before.alpha != after.alpha)
+        return cls.trapezoidal(*np.insert(first, jumps + 1, second[:, jumps], axis=1))
+
+    @classmethod
+    def of(cls, motion: ForwardAndReturn, joystick: JoystickParameters) -> Samples:
+        """A motion in closed form at the nodes of a quadrature that is exact to rounding, nearly.
+
+        The motion is cut wherever it or the joystick's springs have a corner; each piece has the nodes of
+        Gauss and Legendre in panels that are closer together at its ends, and both ends with weight 0.
+        """
+        nodes, weights = np.polynomial.legendre.leggauss(_NODES)
+        edges = np.sin(np.linspace(0.0, 0.5 * np.pi, _PANELS + 1)) ** 2
+        halves = 0.5 * np.diff(edges)
+        unit = (0.5 * (edges[1:] + edges[:-1])[:, None] + halves[:, None] * nodes).ravel()
+        parts = (halves[:, None] * weights).ravel()
+        columns = []
+        for start, end in pairwise(smooth_spans(motion, joystick)):
+            columns += [
+                _column(motion, np.array([start]), np.zeros(1)),
+                _column(motion, start + (end - start) * unit, (end - start) * parts),
+                _column(motion, np.array([end]), np.zeros(1), "before"),
+            ]
+        return cls(*np.concatenate(columns, axis=1))
+
+
+def _column(
+    motion: ForwardAndReturn, time: FloatArray, weights: FloatArray, limit: Limit = "after"
+) -> FloatArray:
+    at = motion.at(time, limit)
+    return np.stack((time, at.theta, at.omega, at.alpha, weights))
+
+
+def smooth_spans(motion: ForwardAndReturn, joystick: JoystickParameters) -> list[float]:
+    """The instants (s) between which both the motion and the contact force are smooth, from 0 to the end."""
+    breakpoints = motion.breakpoints
+    side = joystick.forward if motion.amplitude > 0.0 else joystick.backward
+    kinks = [angle_of_travel(joystick, x) for x in side.kinks]
+    instants = {*breakpoints}
+    for start, end in pairwise(breakpoints):
+        instants |= {
+            _passage(motion, start, end, level) for level in kinks if _passes(motion, start, end, level)
+        }
+    return sorted(instants)
+
+
+def _passes(motion: ForwardAndReturn, start: float, end: float, level: float) -> bool:
+    first, last = np.abs(motion.at([start, end]).theta)
+    return bool((first - level) * (last - level) < 0.0)
+
+
+def _passage(motion: ForwardAndReturn, start: float, end: float, level: float) -> float:
+    """When the angle passes a level (rad) within a span in which it only rises or only falls."""
+    return float(
+        brentq(lambda time: float(np.abs(motion.at(time).theta)) - level, start, end, xtol=1e-15, rtol=1e-15)
+    )

@@ -1,0 +1,97 @@
+"""The torque that a motion needs, eq. (13), two ways: by the inverse FMUs, and in plain Python."""
+
+from __future__ import annotations
+
+from contextlib import nullcontext
+from os import PathLike
+from typing import Final
+
+import numpy as np
+import pandas as pd
+
+from pyjoystick.checks import positive
+from pyjoystick.fmu import Fmu, UnsupportedFmuError
+from pyjoystick.forced_motion.samples import Samples
+from pyjoystick.parameters import PIVOT_TO_TOP, ConstantDamping, Damping, JoystickParameters
+from pyjoystick.reference import InverseTorque, inverse_torque
+from pyjoystick.tables import DisplayUnit, Quantity, make_table
+
+#: The torque and its parts.
+TORQUES: Final = ("T", "T_inertia", "T_damping", "T_stiffness")
+MOTION: Final = ("theta", "omega", "alpha")
+
+_DEG: Final = float(np.degrees(1.0))
+_QUANTITIES: Final = (
+    Quantity("theta", "rad", DisplayUnit("deg", _DEG), "Angle, positive forward"),
+    Quantity("omega", "rad/s", DisplayUnit("deg/s", _DEG), "Angular velocity"),
+    Quantity("alpha", "rad/s2", DisplayUnit("deg/s2", _DEG), "Angular acceleration"),
+    Quantity("T", "N.m", None, "Torque about the pivot that the motion needs"),
+    Quantity("T_inertia", "N.m", None, "Part of it that accelerates the handle"),
+    Quantity("T_damping", "N.m", None, "Part of it that overcomes the damping"),
+    Quantity("T_stiffness", "N.m", None, "Part of it that holds springs and weight"),
+    Quantity("F", "N", None, "Force at the top of the handle, at right angles to it"),
+)
+
+
+def torque_by_reference(joystick: JoystickParameters, samples: Samples) -> InverseTorque:
+    """Eq. (13) in plain Python; arrays of shape (n,).
+
+    Raises:
+        ParameterError: some |theta| >= pi/2
+    """
+    return inverse_torque(joystick, samples.theta, samples.omega, samples.alpha)
+
+
+def torque_by_fmu(
+    joystick: JoystickParameters, samples: Samples, *, fmu: str | PathLike[str] | Fmu | None = None
+) -> InverseTorque:
+    """The same by ``JoystickInverse`` or ``JoystickInversePowerLaw`` in Co-Simulation.
+
+    The FMU has no states: what it says depends on the motion at that instant alone. So the samples are led to
+    it one a second, which lets instants with a jump, that are there twice, stay apart.
+
+    Args:
+        joystick: its parameters
+        samples: the motion
+        fmu: name or path of an FMU with the interface of ``JoystickInverse``, or an open `Fmu`; if not given,
+            the one with the damping law of `joystick`
+
+    Raises:
+        FmuNotFoundError, FmuFileError, UnsupportedFmuError: the FMU cannot be opened, or is no inverse one
+        UnknownParameterError: it has another damping law
+        FmuRunError: it refuses the parameters or an angle
+    """
+    count = np.arange(len(samples), dtype=np.float64)
+    motion = pd.DataFrame({name: getattr(samples, name) for name in MOTION}, index=count)
+    chosen = inverse_fmu(joystick.damping) if fmu is None else fmu
+    with nullcontext(chosen) if isinstance(chosen, Fmu) else Fmu(chosen) as opened:
+        missing = {*MOTION, *TORQUES} - set(opened.description.variables)
+        if missing:
+            reason = f"does not have the interface of JoystickInverse: it lacks {', '.join(sorted(missing))}"
+            raise UnsupportedFmuError(opened.description.path, reason)
+        table = opened.run(count, parameters=joystick.to_names(), inputs=motion, outputs=TORQUES)
+    return InverseTorque(*(table[name].to_numpy() for name in TORQUES))
+
+
+def inverse_fmu(damping: Damping) -> str:
+    """Name of the inverse FMU of a damping law: ``JoystickInverse`` or ``JoystickInversePowerLaw``."""
+    return "JoystickInverse" if isinstance(damping, ConstantDamping) else "JoystickInversePowerLaw"
+
+
+def torque_table(
+    samples: Samples, torque: InverseTorque, *, pivot_to_handle: float = PIVOT_TO_TOP
+) -> pd.DataFrame:
+    """Motion, torque with its parts, and force at the handle over time; units are in its attrs.
+
+    Args:
+        samples: the motion
+        torque: what it needs
+        pivot_to_handle: where the hand is (m), the top of Table 2 if not given
+
+    Raises:
+        ParameterError: the distance is not above 0
+    """
+    arm = positive("pivot_to_handle", pivot_to_handle, "m")
+    columns = {name: getattr(samples, name) for name in MOTION}
+    columns |= {name: getattr(torque, name) for name in TORQUES}
+    return make_table(samples.time, columns | {"F": torque.T / arm}, _QUANTITIES)

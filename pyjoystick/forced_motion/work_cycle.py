@@ -1,0 +1,192 @@
+"""What a shift of many moves asks of an operator: percentiles of torque and force, work, impulse (section 1).
+
+The moves stand for those of a shift and are invented, not measured: nobody has published such a distribution
+for this joystick. They are drawn by a fixed seed, or given.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+import pandas as pd
+
+from pyjoystick._types import FloatArray
+from pyjoystick.checks import angle, not_negative, positive
+from pyjoystick.errors import ParameterError
+from pyjoystick.fmu import Fmu
+from pyjoystick.forced_motion.motions import ForwardAndReturn
+from pyjoystick.forced_motion.samples import Samples
+from pyjoystick.forced_motion.torque import MOTION, inverse_fmu
+from pyjoystick.parameters import PIVOT_TO_TOP, JoystickParameters
+
+#: Section 1: moves in a typical operator's shift.
+MOVES_PER_SHIFT: Final = 20_000
+#: Percentages at which the distribution of a load over time is kept. Jonsson (1982) calls the levels at 10,
+#: 50 and 90 % the static, median and peak load.
+PERCENTAGES: Final = np.arange(101.0)
+#: The preloads of all four springs, and their stiffnesses.
+PRELOADS: Final = tuple(
+    f"{side}.{spring}Spring.F_0" for side in ("forward", "backward") for spring in ("return", "balance")
+)
+STIFFNESSES: Final = tuple(name.replace("F_0", "k_s") for name in PRELOADS)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MoveDistribution:
+    """How the moves of a shift differ; all are forward or backward and return, with minimum jerk.
+
+    Attributes:
+        smallest, largest: magnitudes of the angle (rad), evenly distributed
+        stroke: median time of a stroke of the largest angle (s); smaller ones take less, by the square root
+            of the angle, so that all have about the same acceleration
+        spread: of that time: standard deviation of its logarithm
+        dwell: longest time at the angle (s), from 0 on evenly distributed
+        backward: part of the moves that go backward
+
+    Raises:
+        ParameterError: a value is outside its range
+    """
+
+    smallest: float = math.radians(4.0)
+    largest: float = math.radians(18.0)
+    stroke: float = 0.25
+    spread: float = 0.25
+    dwell: float = 0.5
+    backward: float = 0.5
+
+    def __post_init__(self) -> None:
+        positive("smallest", angle("smallest", self.smallest), "rad")
+        if angle("largest", self.largest) < self.smallest:
+            raise ParameterError("largest", self.largest, f"at least the smallest, {self.smallest:g} rad")
+        positive("stroke", self.stroke, "s")
+        not_negative("spread", self.spread)
+        not_negative("dwell", self.dwell, "s")
+        if not 0.0 <= self.backward <= 1.0:
+            raise ParameterError("backward", self.backward, "from 0 to 1")
+
+    def draw(self, count: int, *, seed: int = 0) -> list[ForwardAndReturn]:
+        """So many moves; the same seed gives the same moves."""
+        random = np.random.default_rng(seed)
+        angles = random.uniform(self.smallest, self.largest, count)
+        times = self.stroke * np.sqrt(angles / self.largest) * random.lognormal(0.0, self.spread, (2, count))
+        dwells = random.uniform(0.0, self.dwell, count)
+        signs = np.where(random.uniform(size=count) < self.backward, -1.0, 1.0)
+        return [
+            ForwardAndReturn(amplitude=float(a), rise=float(rise), fall=float(fall), dwell=float(dwell))
+            for a, rise, fall, dwell in zip(angles * signs, *times, dwells, strict=True)
+        ]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Demand:
+    """What moves ask of the hand; percentiles and means are over the time of the moves alone.
+
+    Attributes:
+        levels: magnitude of the torque (N m) that is not exceeded for 0, 1, ... 100 % of the time, shape
+            (101,)
+        positive_work, negative_work: of the hand, mean of a move (J)
+        impulse: integral of the magnitude of the torque, mean of a move (N m s)
+        time: mean time of a move (s)
+        arm: from the pivot to the hand (m)
+    """
+
+    levels: FloatArray
+    positive_work: float
+    negative_work: float
+    impulse: float
+    time: float
+    arm: float
+
+    def torque(self, percentage: float) -> float:
+        """Magnitude of the torque (N m) that is not exceeded for so many percent of the time."""
+        return float(np.interp(percentage, PERCENTAGES, self.levels))
+
+    def force(self, percentage: float) -> float:
+        """The same of the force at the hand, at right angles to the handle (N)."""
+        return self.torque(percentage) / self.arm
+
+    def work_per_shift(self, moves: int = MOVES_PER_SHIFT) -> float:
+        """Work of the hand on the joystick over a shift (J), without what the joystick gives back."""
+        return moves * self.positive_work
+
+    def impulse_per_shift(self, moves: int = MOVES_PER_SHIFT) -> float:
+        """Integral of the magnitude of the force over a shift (N s)."""
+        return moves * self.impulse / self.arm
+
+
+def faster(moves: Sequence[ForwardAndReturn], factor: float) -> list[ForwardAndReturn]:
+    """The same strokes in 1/`factor` of the time; the times at the angles stay."""
+    return [
+        dataclasses.replace(move, rise=move.rise / factor, fall=move.return_time / factor) for move in moves
+    ]
+
+
+def scaled(joystick: JoystickParameters, names: Sequence[str], factor: float) -> JoystickParameters:
+    """A joystick with some parameters multiplied by a factor."""
+    values = joystick.to_names()
+    return joystick.replace({name: factor * values[name] for name in names})
+
+
+def demands(
+    joysticks: Sequence[JoystickParameters],
+    moves: Sequence[ForwardAndReturn],
+    *,
+    pivot_to_handle: float = PIVOT_TO_TOP,
+    fmu: Fmu | None = None,
+) -> list[Demand]:
+    """The demand of the same moves on several joysticks of one damping law, by the inverse FMU.
+
+    Args:
+        joysticks: one or more
+        moves: one or more
+        pivot_to_handle: where the hand is (m), the top of Table 2 if not given
+        fmu: the inverse FMU of that law, open; the project's own if not given
+
+    Raises:
+        ParameterError: there is nothing to do, or a distance is not above 0
+        FmuRunError: the FMU refuses a joystick
+    """
+    arm = positive("pivot_to_handle", pivot_to_handle, "m")
+    if not joysticks or not moves:
+        raise ParameterError("joysticks, moves", "an empty sequence", "one or more")
+    if fmu is None:
+        with Fmu(inverse_fmu(joysticks[0].damping)) as opened:
+            return demands(joysticks, moves, pivot_to_handle=arm, fmu=opened)
+    samples = [Samples.of(move, joysticks[0]) for move in moves]
+    theta, omega, alpha, weights = (
+        np.concatenate([getattr(one, name) for one in samples]) for name in (*MOTION, "weights")
+    )
+    # The FMU has no states, so that the moves can follow one another, a sample a second.
+    count = np.arange(len(theta), dtype=np.float64)
+    inputs = pd.DataFrame({"theta": theta, "omega": omega, "alpha": alpha}, index=count)
+    names = tuple(joysticks[0].to_names())
+    plan = fmu.plan(count, varied=names, inputs=inputs, outputs=["T"])
+    runs = ([joystick.to_names()[name] for name in names] for joystick in joysticks)
+    return [_demand(plan.run(values)[:, 0], omega, weights, len(moves), arm) for values in runs]
+
+
+def _demand(torque: FloatArray, omega: FloatArray, weights: FloatArray, moves: int, arm: float) -> Demand:
+    magnitude, power = np.abs(torque), torque * omega
+    return Demand(
+        levels=_levels(magnitude, weights),
+        positive_work=float(np.sum(np.maximum(power, 0.0) * weights)) / moves,
+        negative_work=float(np.sum(np.minimum(power, 0.0) * weights)) / moves,
+        impulse=float(np.sum(magnitude * weights)) / moves,
+        time=float(np.sum(weights)) / moves,
+        arm=arm,
+    )
+
+
+def _levels(values: FloatArray, weights: FloatArray) -> FloatArray:
+    """The values that are not exceeded in 0, 1, ... 100 % of the weight."""
+    order = np.argsort(values)
+    reached = np.cumsum(weights[order]) - 0.5 * weights[order]
+    levels = np.interp(PERCENTAGES / 100.0 * np.sum(weights), reached, values[order])
+    # Peaks may lie at corners, which have no weight of their own.
+    levels[[0, -1]] = values[order[[0, -1]]]
+    return levels

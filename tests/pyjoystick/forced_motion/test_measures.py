@@ -1,0 +1,131 @@
+"""Peaks, work and shares; above all that the work of the hand is energy change and loss."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from scipy.integrate import quad
+
+from pyjoystick.errors import ParameterError
+from pyjoystick.forced_motion import (
+    PARTS,
+    ForwardAndReturn,
+    Samples,
+    Shape,
+    TorqueMeasures,
+    measure,
+    smooth_spans,
+    torque_by_fmu,
+    torque_by_reference,
+)
+from pyjoystick.parameters import NOMINAL, PIVOT_TO_TOP, ConstantDamping, JoystickParameters
+from pyjoystick.reference import energy, inverse_torque
+from tests.pyjoystick.forced_motion.cases import JOYSTICKS, MOTIONS
+
+BALANCE = 1e-8  # J
+
+
+def _measured(motion: ForwardAndReturn, joystick: JoystickParameters) -> TorqueMeasures:
+    samples = Samples.of(motion, joystick)
+    return measure(joystick, samples, torque_by_reference(joystick, samples))
+
+
+@pytest.mark.usefixtures("fmus_by_name")
+@pytest.mark.parametrize("joystick", JOYSTICKS.values(), ids=JOYSTICKS)
+@pytest.mark.parametrize("motion", MOTIONS.values(), ids=MOTIONS)
+def test_work_is_energy_change_and_loss_up_to_any_instant(
+    motion: ForwardAndReturn, joystick: JoystickParameters
+) -> None:
+    """From the FMU's torque, at every end of a smooth span; the energy is the reference's own."""
+    samples = Samples.of(motion, joystick)
+    torque = torque_by_fmu(joystick, samples)
+    work = np.cumsum(torque.T * samples.omega * samples.weights)
+    loss = np.cumsum(torque.T_damping * samples.omega * samples.weights)
+    stored = energy(joystick, samples.theta, samples.omega)
+    ends = np.isin(samples.time, smooth_spans(motion, joystick))
+    balance = work - loss - (stored - stored[0])
+    assert np.count_nonzero(ends) >= 20
+    assert np.abs(balance[ends]).max() < BALANCE
+    assert stored.max() > 0.3  # J: the balance is not one of nothings
+    assert loss[-1] > 0.03
+
+
+@pytest.mark.parametrize(
+    ("shape", "square"),
+    [("minimum-jerk", 10.0 / 7.0), ("raised-cosine", math.pi**2 / 8.0), ("trapezoid", 5.0 / 4.0)],
+)
+def test_the_loss_in_closed_form(shape: Shape, square: float) -> None:
+    """C times the integral of omega^2, which is a pure number of the shape times amplitude^2/time."""
+    motion = ForwardAndReturn(amplitude=0.3, rise=0.15, fall=0.25, shape=shape)
+    found = _measured(motion, NOMINAL)
+    assert isinstance(NOMINAL.damping, ConstantDamping)
+    expected = NOMINAL.damping.C * square * 0.3**2 * (1.0 / 0.15 + 1.0 / 0.25)
+    assert found.loss == pytest.approx(expected, rel=1e-13)
+    assert found.work == pytest.approx(expected, rel=1e-12)
+    assert found.energy_change == 0.0
+
+
+@pytest.mark.parametrize("joystick", JOYSTICKS.values(), ids=JOYSTICKS)
+def test_integrals_against_adaptive_quadrature(joystick: JoystickParameters) -> None:
+    """SciPy's quad, span by span; the kinks of max(P, 0) cost the fixed nodes some digits."""
+    motion = ForwardAndReturn(amplitude=0.3, rise=0.12)
+
+    def at(time: float, column: str) -> float:
+        now = motion.at(time)
+        return float(getattr(inverse_torque(joystick, now.theta, now.omega, now.alpha), column))
+
+    def integral(of: str) -> float:
+        spans = smooth_spans(motion, joystick)
+        functions = {
+            "positive work": lambda t: max(0.0, at(t, "T") * float(motion.at(t).omega)),
+            "impulse": lambda t: abs(at(t, "T")),
+            "square": lambda t: at(t, "T") ** 2,
+        }
+        parts = [
+            quad(functions[of], a, b, limit=200, epsabs=1e-10, epsrel=1e-8)[0] for a, b in pairwise(spans)
+        ]
+        return math.fsum(parts)
+
+    found = _measured(motion, joystick)
+    assert found.positive_work == pytest.approx(integral("positive work"), rel=1e-5)
+    assert found.total.impulse == pytest.approx(integral("impulse"), rel=1e-4)
+    assert found.total.rms**2 * found.duration == pytest.approx(integral("square"), rel=1e-7)
+    assert found.positive_work + found.negative_work == pytest.approx(found.work, abs=1e-14)
+
+
+@pytest.mark.parametrize("motion", MOTIONS.values(), ids=MOTIONS)
+def test_shares_add_up_and_peaks_are_peaks(motion: ForwardAndReturn) -> None:
+    found = _measured(motion, NOMINAL)
+    assert math.fsum(found.parts[name].share for name in PARTS) == pytest.approx(1.0, rel=1e-14)
+    assert math.fsum(found.parts[name].work for name in PARTS) == pytest.approx(found.work, abs=1e-14)
+    # The samples are a hundredth of a smooth span apart: a peak between two of them is missed by less.
+    torque = torque_by_reference(NOMINAL, Samples.evenly(motion, 1e-5))
+    assert found.total.highest == pytest.approx(torque.T.max(), rel=1e-4)
+    assert found.total.lowest == pytest.approx(torque.T.min(), rel=1e-4)
+    assert found.peak_force == found.total.peak / PIVOT_TO_TOP
+    assert found.peak_ratio("damping") == found.parts["damping"].peak / found.total.peak
+    assert found.peak_ratio("inertia", "stiffness") < 1.0
+
+
+def test_the_paper_statements_hold_for_quick_strokes() -> None:
+    """Section 5: inertia comparable to stiffness, damping about 10 %, eq. (11)'s damping about double.
+
+    For 20 degrees in 0.12 s: 0.7, 8 % with constant damping and 13 % with eq. (11), 1.6 times and not double.
+    """
+    motion = ForwardAndReturn(amplitude=math.radians(20.0), rise=0.12)
+    constant, power = (_measured(motion, joystick) for joystick in JOYSTICKS.values())
+    assert 0.6 < constant.peak_ratio("inertia", "stiffness") < 0.75
+    assert 0.07 < constant.peak_ratio("damping") < 0.09
+    assert 0.11 < power.peak_ratio("damping") < 0.14
+    assert 1.5 < power.parts["damping"].peak / constant.parts["damping"].peak < 1.65
+
+
+def test_rest_has_no_shares() -> None:
+    still = Samples.trapezoidal(np.arange(3.0), np.zeros(3), np.zeros(3), np.zeros(3))
+    found = measure(NOMINAL, still, torque_by_reference(NOMINAL, still))
+    assert (found.total.peak, found.total.share, found.work) == (0.0, 0.0, 0.0)
+    with pytest.raises(ParameterError, match="pivot_to_handle"):
+        measure(NOMINAL, still, torque_by_reference(NOMINAL, still), pivot_to_handle=-1.0)
