@@ -63,11 +63,14 @@ def run_coupled(
         _require_rates(network, scheme)
         recorded = _recorded(network, outputs)
         rows = np.empty((len(points), len(recorded)))
+        way = SCHEMES[scheme]
         past: Past | None = None
+        signals = way.exchange(network)
         for i, time in enumerate(points):
             if i:
-                past = SCHEMES[scheme].advance(network, points[i - 1], time, past)
-                network.exchange()
+                way.advance(network, points[i - 1], time, signals, past)
+                past = Past(time - points[i - 1], signals)
+                signals = way.exchange(network)
             rows[i] = [network.participants[name].get([variable])[0] for name, variable in recorded]
         steps = sum(participant.steps for participant in network.participants.values())
         quantities = [_quantity(network, name, variable) for name, variable in recorded]

@@ -55,8 +55,18 @@ class Network:
         outputs = list(dict.fromkeys(other for owner, other in sources if owner == name))
         return name, outputs.index(variable)
 
+    def copy(self) -> FloatArray:
+        """Copy the outputs, as they are at the present communication point, to the inputs.
+
+        Returns:
+            the signals, shape (n,)
+        """
+        signals = self._outputs()
+        self.set(signals)
+        return signals
+
     def exchange(self) -> FloatArray:
-        """Copy outputs to inputs at the present communication point until nothing changes.
+        """Copy outputs to inputs until nothing changes.
 
         An output may depend on inputs at once, as a torque does on an angle; one pass for each component is
         enough unless such dependencies form a loop.

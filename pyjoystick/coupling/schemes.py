@@ -30,8 +30,8 @@ class Past:
     signals: FloatArray
 
 
-#: Goes on to a communication point (s) and returns what the next step may want to know.
-Advance = Callable[[Network, float, float, Past | None], Past]
+#: Lets the FMUs go from a communication point to another (s), with the signals at the first.
+Advance = Callable[[Network, float, float, FloatArray, Past | None], None]
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,43 +39,50 @@ class Scheme:
     """A way of coupling.
 
     Attributes:
-        advance: function of the network, the step's beginning and end (s) and the past
+        advance: makes one step
+        exchange: copies outputs to inputs before a step and returns the signals
         needs_rates: the FMUs must follow input derivatives
         description: a line on it
     """
 
     advance: Advance
+    exchange: Callable[[Network], FloatArray]
     needs_rates: bool
     description: str
 
 
-def _hold(network: Network, begin: float, end: float, past: Past | None) -> Past:
-    signals = network.exchange()
+def _hold(network: Network, begin: float, end: float, signals: FloatArray, past: Past | None) -> None:
     network.step(end)
-    return Past(end - begin, signals)
 
 
-def _extrapolate(network: Network, begin: float, end: float, past: Past | None) -> Past:
-    signals = network.exchange()
+def _extrapolate(network: Network, begin: float, end: float, signals: FloatArray, past: Past | None) -> None:
     network.set_rates(_rates(signals, past))
     network.step(end)
-    return Past(end - begin, signals)
 
 
-def _iterate(network: Network, begin: float, end: float, past: Past | None) -> Past:
-    signals = network.exchange()
+def _iterate(network: Network, begin: float, end: float, signals: FloatArray, past: Past | None) -> None:
     length = end - begin
     at_end = signals + length * _rates(signals, past)
     saved = network.save()
     try:
+        # Broyden's method for: what the FMUs answer at the end = what was assumed there. The first correction
+        # takes the answer as it is.
+        jacobian = -np.eye(len(signals))
+        correction: FloatArray = np.zeros_like(signals)
+        residual: FloatArray = np.zeros_like(signals)
         for _ in range(_MOST_ITERATIONS):
             network.set(signals)
             network.set_rates((at_end - signals) / length)
             network.step(end)
-            before, at_end = at_end, network.exchange()
-            if np.allclose(before, at_end, rtol=_RELATIVE, atol=_ABSOLUTE):
-                return Past(length, signals)
+            before, residual = residual, network.exchange() - at_end
+            if np.all(np.abs(residual) <= _RELATIVE * np.abs(at_end) + _ABSOLUTE):
+                return
             network.restore(saved)
+            if correction.any():
+                miss = residual - before - jacobian @ correction
+                jacobian += np.outer(miss, correction) / (correction @ correction)
+            correction = np.linalg.solve(jacobian, -residual)
+            at_end = at_end + correction
     finally:
         network.forget(saved)
     reason = f"no convergence in {_MOST_ITERATIONS} iterations; take shorter steps"
@@ -90,15 +97,25 @@ def _rates(signals: FloatArray, past: Past | None) -> FloatArray:
 #: The schemes by name.
 SCHEMES: Final = MappingProxyType(
     {
-        "hold": Scheme(_hold, False, "inputs keep the value of the step's beginning: error of order H"),
+        "delay": Scheme(
+            _hold,
+            Network.copy,
+            False,
+            "outputs are copied once: what answers an input at once is late by a step; order H",
+        ),
+        "hold": Scheme(_hold, Network.exchange, False, "inputs keep their value during a step; order H"),
         "extrapolate": Scheme(
-            _extrapolate, True, "inputs go on in line with the step before, by input derivatives: order H^2"
+            _extrapolate,
+            Network.exchange,
+            True,
+            "inputs go on in line with the step before, by input derivatives; order H^2",
         ),
         "iterate": Scheme(
             _iterate,
+            Network.exchange,
             True,
-            "the step is repeated from the saved FMU states until inputs that lead straight to its end agree "
-            "with what the FMUs answer there: order H^2, and stable at longer steps",
+            "steps are repeated from saved states until the inputs lead straight to what the FMUs answer at "
+            "their end; order H^2, and stable at longer steps",
         ),
     }
 )

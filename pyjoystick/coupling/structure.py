@@ -129,12 +129,14 @@ def system_of(path: Path, root: Element, folder: Path) -> CoupledSystem:
     if top is None:
         raise InputFileError(path, f"there is no system in its {root.tag.rpartition('}')[2]}")
     _refuse(path, top, "ssd:ParameterBindings", "ssd:SignalDictionaries")
-    elements = top.find("ssd:Elements", _NAMESPACES)
+    elements = top.findall("ssd:Elements/*", _NAMESPACES)
     experiment = root.find("ssd:DefaultExperiment", _NAMESPACES)
     return CoupledSystem(
         name=top.get("name", root.get("name", path.stem)),
         description=top.get("description", ""),
-        components=tuple(_component(path, element, folder) for element in ([] if elements is None else elements)),
+        components=tuple(
+            _component(path, element, folder) for element in ([] if elements is None else elements)
+        ),
         connections=tuple(_connections(path, top)),
         stop_time=float(experiment.get("stopTime", "1.0")) if experiment is not None else 1.0,
     )
