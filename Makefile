@@ -6,6 +6,8 @@
 # make lint   ruff, mypy, the C compilers with every warning an error, the Modelica checks
 # make bench  speed as ratios within one run
 # make figure  the figure of the README
+# make figures  every figure and table of the paper, in results/
+# make claims  docs/claims.md: what the paper says, and what comes out here
 # make lock   pin the newest versions that pyproject.toml allows
 # make clean  remove what was made (the environment stays; "make distclean" removes it too)
 
@@ -26,13 +28,13 @@ FMU_SOURCES := $(shell find modelica fmu_build -name '*.mo' -o -name 'package.or
 	-o -name '*.py' -o -name '*.toml' -o -name '*.jinja')
 
 .DELETE_ON_ERROR:
-.PHONY: FORCE run test fmu lint bench figure lock clean distclean
+.PHONY: FORCE run test fmu lint bench figure figures claims lock clean distclean
 
 run: fmu
 	$(BIN)/python scenarios/free_oscillation.py
 
 test: fmu
-	$(BIN)/python -m pytest --numprocesses auto
+	$(BIN)/python -m pytest --numprocesses auto --dist loadgroup
 
 fmu: build/fmi2/.built
 
@@ -64,6 +66,16 @@ $(READY): requirements.lock pyproject.toml
 
 figure: fmu
 	$(BIN)/python docs/free_oscillation.py
+
+# Each scenario is a process of its own, two at a time.
+figures: fmu
+	$(MAKE) --no-print-directory --jobs 2 --output-sync $(addprefix scenario-,$(SCENARIOS))
+
+scenario-%:
+	$(BIN)/python scenarios/$*.py
+
+claims: fmu
+	$(BIN)/python docs/claims.py
 
 lock:
 	$(BIN)/python -m pip install --quiet uv
