@@ -21,7 +21,8 @@ class Bootstrap:
 
     Attributes:
         resampling: what was drawn
-        fits: the variables of each fit that converged, shape (fits, variables)
+        fits: the variables of each fit that converged, shape (fits, variables); NaN for those of a record
+            that was not drawn
         failed: number of fits that did not
     """
 
@@ -30,13 +31,24 @@ class Bootstrap:
     failed: int
 
     def errors(self) -> FloatArray:
-        """Standard deviation of each variable over the fits, shape (variables,)."""
-        return np.asarray(np.std(self.fits, axis=0, ddof=1))
+        """Standard deviation of each variable over the fits, shape (variables,); NaN where fewer than two."""
+        return np.array(
+            [np.std(found, ddof=1) if len(found) > 1 else np.nan for found in self._by_variable()]
+        )
 
     def intervals(self, level: float) -> FloatArray:
-        """Percentiles, shape (variables, 2)."""
+        """Percentiles, shape (variables, 2); NaN where there are fewer than two fits."""
         tail = 0.5 * (1.0 - level)
-        return np.asarray(np.quantile(self.fits, [tail, 1.0 - tail], axis=0).T)
+        nothing = np.full(2, np.nan)
+        return np.array(
+            [
+                np.quantile(found, [tail, 1.0 - tail]) if len(found) > 1 else nothing
+                for found in self._by_variable()
+            ]
+        )
+
+    def _by_variable(self) -> list[FloatArray]:
+        return [column[np.isfinite(column)] for column in self.fits.T]
 
 
 def bootstrap(
@@ -57,17 +69,22 @@ def bootstrap(
     weights, data = problem.weights, problem.data
     predicted = problem.predictions(x)
     fits, failed = [], 0
+    owners = [one.record for one in problem.variables.free]
     try:
         for number in range(count):
+            # The release of a record that was not drawn has nothing to go by.
+            idle: list[int] = []
             if resampling == "records":
-                drawn = random.integers(len(data), size=len(data))
-                problem.count_records(np.bincount(drawn, minlength=len(data)).tolist(), weights)
+                counts = np.bincount(random.integers(len(data), size=len(data)), minlength=len(data))
+                problem.count_records(counts.tolist(), weights)
+                idle = [j for j, owner in enumerate(owners) if owner is not None and not counts[owner]]
             else:
                 problem.data = [
                     _drawn_anew(random, one, values) for one, values in zip(data, predicted, strict=True)
                 ]
-            minimum = search(problem, x, evaluations=_EVALUATIONS)
+            minimum = search(problem, x, evaluations=_EVALUATIONS, held={j: float(x[j]) for j in idle})
             if minimum.converged:
+                minimum.x[idle] = np.nan
                 fits.append(minimum.x)
             else:
                 failed += 1

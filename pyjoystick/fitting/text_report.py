@@ -63,7 +63,8 @@ def _parameters(fit: Fit) -> str:
             one = fit.profiles.get(j)
             row.append("" if one is None else _interval(one.interval) if one.converged else "not followed")
         if fit.bootstrap is not None:
-            row.append("" if drawn is None else _interval(drawn[j]))
+            known = drawn is not None and bool(np.all(np.isfinite(drawn[j])))
+            row.append(_interval(drawn[j]) if drawn is not None and known else "")
         rows.append(row)
     return markdown_table(header, rows)
 

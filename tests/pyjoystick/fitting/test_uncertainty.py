@@ -122,6 +122,22 @@ def test_the_bootstrap_of_records_repeats_whole_records(fmus_by_name: Path) -> N
     assert places == {0, 1, 2}
 
 
+def test_the_release_of_a_record_that_was_not_drawn_is_left_out(fmus_by_name: Path) -> None:
+    free = (Free("J", start=1.0), Free("m", start=1.0, per_record=True))
+    problem = _problem(2, free)
+    found = search(problem, problem.variables.start, evaluations=50)
+    drawn = bootstrap(problem, found.x, 20, "records", seed=4)
+    assert drawn.failed == 0
+    missing = np.isnan(drawn.fits)
+    assert not missing[:, 0].any()
+    assert 0 < missing[:, 1].sum() < 20
+    assert not np.any(missing[:, 1] & missing[:, 2])
+    assert np.all(np.isfinite(drawn.intervals(0.95)))
+    once = bootstrap(problem, found.x, 1, "records", seed=4)
+    assert np.all(np.isnan(once.intervals(0.95)))
+    assert np.all(np.isnan(once.errors()))
+
+
 def _alone(record: int) -> Problem:
     matrix, data = _line(40, record)
     return linear_problem([matrix], [data], FREE, SIGMA)
