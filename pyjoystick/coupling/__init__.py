@@ -5,6 +5,7 @@ from pyjoystick.coupling.errors import CouplingError
 from pyjoystick.coupling.joystick import operator_and_joystick
 from pyjoystick.coupling.master import run_coupled
 from pyjoystick.coupling.schemes import SCHEMES
+from pyjoystick.coupling.step_errors import coupling_errors, orders
 from pyjoystick.coupling.system import Component, Connection, CoupledSystem
 
 __all__ = [
@@ -13,7 +14,9 @@ __all__ = [
     "Connection",
     "CoupledSystem",
     "CouplingError",
+    "coupling_errors",
     "operator_and_joystick",
+    "orders",
     "read_ssp",
     "run_coupled",
     "write_ssp",
