@@ -3,11 +3,14 @@
 # make fmu    the six FMUs in build/fmi2/ (COMPILER=openmodelica makes them with an installed OpenModelica,
 #             COMPILER_OPTIONS="omc=/opt/openmodelica" with one that is not on the path), for this machine's
 #             platform (PLATFORMS=all: Linux, Windows and macOS; PLATFORMS="x86_64-linux x86_64-windows": those)
+# make ssp    operator and joystick as one system: build/joystick.ssp
 # make lint   ruff, mypy, the C compilers with every warning an error, the Modelica checks
 # make bench  speed as ratios within one run
-# make figure  the figure of the README
+# make figure  the figure of the README and the drawings of the documentation
 # make figures  every figure and table of the paper, in results/
 # make claims  docs/claims.md: what the paper says, and what comes out here
+# make docs   the documentation as a site, in build/docs/; any warning is an error
+# make docs-links  the links of the documentation that lead elsewhere, tried over the network
 # make lock   pin the newest versions that pyproject.toml allows
 # make clean  remove what was made (the environment stays; "make distclean" removes it too)
 
@@ -25,10 +28,14 @@ READY := $(VENV)/.ready
 MODELS := $(addprefix PreloadedSprings.,Joystick.Joystick Joystick.JoystickPowerLaw Joystick.JoystickInverse \
 	Joystick.JoystickInversePowerLaw Operator.Operator Examples.OperatedJoystick)
 FMU_SOURCES := $(shell find modelica fmu_build -name '*.mo' -o -name 'package.order' -o -name '*.[ch]' \
-	-o -name '*.py' -o -name '*.toml' -o -name '*.jinja')
+	-o -name '*.py' -o -name '*.toml' -o -name '*.jinja' -o -name '*.csv')
+
+# Anew, because what the pages show is made from the sources; warnings are errors.
+SPHINX = $(BIN)/python -m sphinx --fail-on-warning --keep-going --nitpicky --fresh-env --quiet \
+	--doctree-dir build/doctrees
 
 .DELETE_ON_ERROR:
-.PHONY: FORCE run test fmu lint bench figure figures claims lock clean distclean
+.PHONY: FORCE run test fmu ssp lint bench figure figures claims docs docs-links lock clean distclean
 
 run: fmu
 	$(BIN)/python scenarios/free_oscillation.py
@@ -46,6 +53,9 @@ build/fmi2/.built: $(FMU_SOURCES) $(READY) build/fmi2/.settings
 build/fmi2/.settings: FORCE
 	@mkdir -p $(@D)
 	@echo "$(FMU_SETTINGS)" | cmp -s - $@ || echo "$(FMU_SETTINGS)" > $@
+
+ssp: fmu
+	$(BIN)/python -m pyjoystick.coupling build/joystick.ssp
 
 lint: $(READY)
 	$(BIN)/ruff check .
@@ -66,6 +76,7 @@ $(READY): requirements.lock pyproject.toml
 
 figure: fmu
 	$(BIN)/python docs/free_oscillation.py
+	cd docs && ../$(BIN)/python -m figures
 
 # Each scenario is a process of its own, two at a time.
 figures: fmu
@@ -76,6 +87,12 @@ scenario-%:
 
 claims: fmu
 	$(BIN)/python docs/claims.py
+
+docs: fmu
+	$(SPHINX) --builder html docs build/docs
+
+docs-links: fmu
+	$(SPHINX) --builder linkcheck docs build/docs-links
 
 lock:
 	$(BIN)/python -m pip install --quiet uv

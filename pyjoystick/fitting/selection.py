@@ -54,7 +54,7 @@ def compare_models(
 
     Raises:
         ParameterError: there is no model, or the models compare different things
-        FitError and others: as `fit`
+        FitError: and what else `fit` raises
     """
     measured = measurements(records)
     if not models or len({(one.comparison, one.outputs) for one in models.values()}) != 1:

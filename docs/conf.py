@@ -1,0 +1,71 @@
+"""Settings of the documentation site: ``make docs`` builds it, and any warning is an error."""
+
+from __future__ import annotations
+
+import sys
+from importlib import metadata
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+project = "pyjoystick"
+author = "the pyjoystick authors"
+version = release = metadata.version("pyjoystick")
+
+extensions = [
+    "myst_nb",
+    "sphinx.ext.autodoc",
+    "extensions.docstrings",
+    "extensions.mathml",
+    "extensions.modelica_classes",
+]
+root_doc = "index"
+exclude_patterns = ["_build"]
+# Indented blocks are command lines; nothing guesses a language.
+highlight_language = "text"
+# A name in single backticks, in docstrings, is code.
+default_role = "code"
+nitpicky = True
+
+# The pages are read on GitHub too: headings have its anchors, formulas its dollars.
+myst_enable_extensions = ["dollarmath"]
+myst_heading_anchors = 4
+
+# Notebooks run whenever the site is built; one that fails stops the build.
+nb_execution_mode = "force"
+nb_execution_raise_on_error = True
+nb_execution_timeout = 120
+nb_merge_streams = True
+
+autodoc_member_order = "bysource"
+autodoc_typehints = "signature"
+autodoc_typehints_format = "short"
+autodoc_preserve_defaults = True
+python_maximum_signature_line_length = 90
+toc_object_entries_show_parents = "hide"
+python_use_unqualified_type_names = True
+# Aliases keep their names instead of being written out.
+autodoc_type_aliases = {
+    "ArrayLike": "ArrayLike",
+    "FloatArray": "FloatArray",
+    "Torque": "Torque",
+}
+nitpick_ignore = [
+    ("py:class", "ArrayLike"),  # of numpy.typing
+    # Handed from one function to the next, not made by users.
+    ("py:class", "pyjoystick.fmu.pool.InstancePool"),
+    ("py:class", "pyjoystick.sweeps.sweep.Part"),
+    ("py:class", "pyjoystick.sweeps.sweep.Task"),
+]
+# Other projects' lists of names are on the network, which a build does without.
+nitpick_ignore_regex = [
+    (r"py:.*", r"(collections|lmfit|matplotlib|numpy|os|pandas|pathlib)\..*"),
+]
+
+html_theme = "furo"
+html_title = "pyjoystick"
+html_static_path = ["_static"]
+html_css_files = ["pyjoystick.css"]
+html_show_copyright = False
+# Formulas are MathML, figures are SVG, scripts are the theme's own: the pages need no network.
+html_math_renderer = "mathml"
