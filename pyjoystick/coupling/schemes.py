@@ -67,7 +67,7 @@ def _iterate(network: Network, begin: float, end: float, signals: FloatArray, pa
     try:
         # Broyden's method for: what the FMUs answer at the end = what was assumed there. The first correction
         # takes the answer as it is.
-        jacobian = -np.eye(len(signals))
+        jacobian: FloatArray = -np.eye(len(signals))
         correction: FloatArray = np.zeros_like(signals)
         residual: FloatArray = np.zeros_like(signals)
         for _ in range(_MOST_ITERATIONS):
