@@ -81,7 +81,7 @@ def _iterate(network: Network, begin: float, end: float, signals: FloatArray, pa
             if correction.any():
                 miss = residual - before - jacobian @ correction
                 jacobian += np.outer(miss, correction) / (correction @ correction)
-            correction = np.linalg.solve(jacobian, -residual)
+            correction = np.asarray(np.linalg.solve(jacobian, -residual), dtype=np.float64)
             at_end = at_end + correction
     finally:
         network.forget(saved)
