@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
@@ -53,6 +54,14 @@ class Unknown:
 
 
 @dataclass(frozen=True, slots=True)
+class InputStep:
+    """The values that inputs take at a time and keep until the next step."""
+
+    time: float
+    values: Mapping[str, float]
+
+
+@dataclass(frozen=True, slots=True)
 class DefaultExperiment:
     """SI seconds; the `experiment` annotation of the Modelica class, with the runtime's defaults."""
 
@@ -60,6 +69,8 @@ class DefaultExperiment:
     stop_time: float = 1.0
     tolerance: float = 1e-8
     step_size: float = 1e-3
+    input_steps: tuple[InputStep, ...] = ()
+    """What drives it; before the first step, and without any, inputs have their start values."""
 
 
 @dataclass(frozen=True, slots=True)

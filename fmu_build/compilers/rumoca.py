@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Mapping
+from dataclasses import replace
 from importlib import metadata
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -23,6 +24,7 @@ from fmu_build.compilers.library import (
 from fmu_build.compilers.rumoca_errors import native_stderr, syntax_errors, translated_errors
 from fmu_build.description import GeneratedModel
 from fmu_build.errors import ToolchainError
+from fmu_build.input_steps import input_steps_file, read_input_steps
 from fmu_build.packaging import check_request, package_fmu
 from fmu_build.request import BuildRequest, BuildResult
 
@@ -74,7 +76,16 @@ def generate_model(request: BuildRequest) -> tuple[GeneratedModel, str]:
     request.on_stage("generating C")
     with native_stderr() as generating, translated_errors(request.model, known.file, files):
         generated = generate(ModelSource(session, model))
-    return generated, loading() + generating()
+    return _with_input_steps(generated, library), loading() + generating()
+
+
+def _with_input_steps(model: GeneratedModel, library: Path) -> GeneratedModel:
+    """The model with what drives its default experiment."""
+    description = model.description
+    inputs = [v.name for v in description.variables if v.causality == "input" and v.type == "Real"]
+    steps = read_input_steps(input_steps_file(library, description.model_name), inputs)
+    experiment = replace(description.default_experiment, input_steps=steps)
+    return replace(model, description=replace(description, default_experiment=experiment))
 
 
 def _session(library: Path, classes: dict[str, ModelicaClass]) -> rumoca.Session:

@@ -6,18 +6,22 @@ from dataclasses import dataclass
 from importlib import metadata
 from pathlib import Path
 
-from fmu_build.description import GeneratedModel
+from fmu_build.description import GeneratedModel, ModelDescription
 from fmu_build.errors import BuildError
 from fmu_build.packaging.archive import archive_bytes, check_output_folder, replacing
 from fmu_build.packaging.binaries import COMPILER_FLAGS, LINKER_FLAGS, binary_entries, compile_library
+from fmu_build.packaging.build_description import BUILD_DESCRIPTION, build_description_xml
 from fmu_build.packaging.check import check_fmu
 from fmu_build.packaging.consistency import check_description
-from fmu_build.packaging.documentation import index_html, license_text
+from fmu_build.packaging.default_run import DefaultRun, run_default_experiment
+from fmu_build.packaging.documentation import FIGURE, index_html, license_text
 from fmu_build.packaging.fmi2_xml import generation_time, model_description_xml
 from fmu_build.packaging.icon import model_png
 from fmu_build.packaging.platforms import host_platform, select_platforms
+from fmu_build.packaging.reference_results import reference_files
+from fmu_build.packaging.run_figure import default_run_svg
 from fmu_build.packaging.sources import TOKEN_FILE, c_files, collect_sources, content_guid, token_header
-from fmu_build.request import BuildRequest
+from fmu_build.request import BuildRequest, FmiVersion
 
 __all__ = ["PackagedFmu", "check_request", "package_fmu"]
 
@@ -49,29 +53,36 @@ def package_fmu(model: GeneratedModel, request: BuildRequest) -> PackagedFmu:
     """
     check_request(request)
     check_description(model.description)
-    platforms = select_platforms(request.platforms)
-    description, sources = _description_and_sources(model, request)
+    identifier, version = model.description.identifier, request.fmi_version
+    platforms, host = select_platforms(request.platforms), host_platform()
+    token, xml, sources = _description_and_sources(model, request)
     entries = {f"sources/{name}": content for name, content in sources.items()}
-    entries["modelDescription.xml"] = description
+    entries["modelDescription.xml"] = xml
     log = ""
     libraries = {}
-    for platform in platforms:
+    # This machine's too, for the default run.
+    for platform in dict.fromkeys((*platforms, *([host] if host else []))):
         request.on_stage(f"compiling the C code for {platform.name}")
-        libraries[platform], output = compile_library(sources, model.description.identifier, platform)
+        libraries[platform], output = compile_library(sources, identifier, platform)
         log += output
-    entries |= binary_entries(libraries, model.description.identifier, request.fmi_version)
+    entries |= binary_entries({p: libraries[p] for p in platforms}, identifier, version)
+    request.on_stage("running the default experiment")
+    run: DefaultRun | str = "it has not been run, because this machine is none of the known platforms"
+    if host is not None:
+        run = run_default_experiment(libraries[host], host, model.description, token, version)
+    log += f"default experiment: {run}\n" if isinstance(run, str) else ""
+    entries |= _documents(model.description, run, version)
     request.on_stage("packing and checking the FMU")
-    entries["documentation/index.html"] = index_html(model.description, _generation_tool())
-    entries["documentation/licenses/license.txt"] = license_text(request.fmi_version).encode()
-    entries["model.png"] = model_png(model.description)
-    target = request.output / f"{model.description.identifier}.fmu"
+    target = request.output / f"{identifier}.fmu"
     with replacing(target, archive_bytes(entries)) as new:
-        log += check_fmu(new, fmi_types=request.fmi_types, load=host_platform() in platforms)
+        log += check_fmu(new, fmi_types=request.fmi_types, load=host in platforms)
     return PackagedFmu(target, log)
 
 
-def _description_and_sources(model: GeneratedModel, request: BuildRequest) -> tuple[bytes, dict[str, bytes]]:
-    """modelDescription.xml and sources/, tied together by a GUID made from both.
+def _description_and_sources(
+    model: GeneratedModel, request: BuildRequest
+) -> tuple[str, bytes, dict[str, bytes]]:
+    """The GUID, modelDescription.xml and sources/; the GUID is made from both others and ties them together.
 
     The date is no part of the GUID: it is not content.
     """
@@ -89,7 +100,26 @@ def _description_and_sources(model: GeneratedModel, request: BuildRequest) -> tu
 
     guid = content_guid(description("", None), sources, COMPILER_FLAGS + LINKER_FLAGS)
     sources[TOKEN_FILE] = token_header(guid)
-    return description(guid, generation_time()), dict(sorted(sources.items()))
+    if request.fmi_version == "3.0":
+        identifier = model.description.identifier
+        sources[BUILD_DESCRIPTION] = build_description_xml(identifier, c_files(sources))
+    return guid, description(guid, generation_time()), dict(sorted(sources.items()))
+
+
+def _documents(
+    description: ModelDescription, run: DefaultRun | str, fmi_version: FmiVersion
+) -> dict[str, bytes]:
+    """Archive name -> content of what is there to be read and looked at."""
+    icon = "model.png" if fmi_version == "2.0" else "terminalsAndIcons/icon.png"
+    documents = {
+        "documentation/index.html": index_html(description, run, _generation_tool()),
+        "documentation/licenses/license.txt": license_text(fmi_version).encode(),
+        icon: model_png(description),
+    }
+    if not isinstance(run, str):
+        documents[f"documentation/{FIGURE}"] = default_run_svg(run, description)
+        documents |= reference_files(run, description.identifier)
+    return documents
 
 
 def _generation_tool() -> str:

@@ -8,6 +8,8 @@ from lxml import html
 from lxml.html import builder
 
 from fmu_build.description import ModelDescription, Variable
+from fmu_build.packaging.default_run import TOLERANCE, DefaultRun
+from fmu_build.packaging.reference_results import FOLDER
 from fmu_build.packaging.sources import FMI_HEADERS, fmi_license
 from fmu_build.packaging.text import xml_text
 from fmu_build.request import FmiVersion
@@ -20,14 +22,21 @@ th, td { border: 1px solid #bbb; padding: 0.25em 0.6em; text-align: left; vertic
 _SECTIONS = (("Parameters", "parameter"), ("Inputs", "input"), ("Outputs", "output"))
 
 
-def index_html(description: ModelDescription, generation_tool: str) -> bytes:
-    """documentation/index.html: what the model is, and its parameters, inputs and outputs with units."""
+FIGURE = "default_run.svg"
+
+
+def index_html(description: ModelDescription, run: DefaultRun | str, generation_tool: str) -> bytes:
+    """documentation/index.html: what the model is, its parameters, inputs, outputs and units, and its run.
+
+    `run` is that of the default experiment, or why there is none.
+    """
     body = builder.BODY(builder.H1(description.identifier), builder.P(xml_text(description.description)))
     body.extend(_class_documentation(description.documentation))
     for title, causality in _SECTIONS:
         variables = [v for v in description.variables if v.causality == causality]
         if variables:
             body.extend([builder.H2(title), _table(variables)])
+    body.extend(_default_experiment(description, run))
     body.append(builder.P(f"Modelica class {description.model_name}, made into an FMU by {generation_tool}."))
     head = builder.HEAD(
         builder.META(charset="utf-8"), builder.TITLE(description.identifier), builder.STYLE(_STYLE)
@@ -64,6 +73,20 @@ def _class_documentation(text: str) -> list[html.HtmlElement]:
         if link.get("href", "").lower().startswith("modelica:"):
             link.drop_tag()
     return [division]
+
+
+def _default_experiment(description: ModelDescription, run: DefaultRun | str) -> list[html.HtmlElement]:
+    experiment = description.default_experiment
+    title = builder.H2("Default experiment")
+    span = f"From {experiment.start_time:g} s to {experiment.stop_time:g} s"
+    if isinstance(run, str):
+        return [title, builder.P(xml_text(f"{span}. There is no figure: {run}."))]
+    inputs = " with the inputs that the figure shows" if run.inputs else ""
+    text = builder.P(f"{span}{inputs}, as Co-Simulation at a tolerance of {TOLERANCE:g}. The values are in ")
+    text.append(builder.CODE(FOLDER))
+    text[-1].tail = ", to compare other runs with."
+    caption = "Inputs and outputs over time, a panel for each unit" if run.inputs else "Outputs over time"
+    return [title, text, builder.IMG(src=FIGURE, alt=caption)]
 
 
 def _table(variables: list[Variable]) -> html.HtmlElement:

@@ -18,7 +18,7 @@ def _page(content: bytes) -> Any:
 
 
 def test_page_lists_parameters_inputs_and_outputs(description: ModelDescription) -> None:
-    page = _page(index_html(description, "tool 1.0"))
+    page = _page(index_html(description, "it stopped", "tool 1.0"))
     rows = [[cell.text_content() for cell in row] for row in page.iter("tr")]
     assert ["k", "4", "N/m", "Stiffness <&>"] in rows
     assert ["mode", "Fast", "", ""] in rows
@@ -34,20 +34,20 @@ def test_page_holds_the_class_documentation_without_dead_links(description: Mode
         '<html><h4>Use</h4><p>See <a href="modelica://A.B">B</a>, <a href="https://example.org">E</a>.'
         '<img src="modelica://A/b.png"/></p><script>run()</script></html>'
     )
-    page = _page(index_html(replace(description, documentation=text), "tool"))
+    page = _page(index_html(replace(description, documentation=text), "it stopped", "tool"))
     assert "See B, E." in page.text_content()
     assert [a.get("href") for a in page.iter("a")] == ["https://example.org"]
     assert list(page.iter("img", "script")) == []
 
 
 def test_page_of_a_class_without_documentation(description: ModelDescription) -> None:
-    page = _page(index_html(replace(description, documentation=" "), "tool"))
+    page = _page(index_html(replace(description, documentation=" "), "it stopped", "tool"))
     assert list(page.iter("div")) == []
 
 
 def test_page_survives_characters_that_html_cannot_hold(description: ModelDescription) -> None:
     odd = replace(description, description="a\x07b", documentation="<p>c\x00d</p>")
-    text = _page(index_html(odd, "tool")).text_content()
+    text = _page(index_html(odd, "e\x07f", "tool")).text_content()
     assert "a b" in text
     assert "c d" in text
 

@@ -125,7 +125,11 @@ def test_another_description_has_another_guid(
 def test_stages_are_told(generated: GeneratedModel, request_in: BuildRequest) -> None:
     stages: list[str] = []
     package_fmu(generated, replace(request_in, on_stage=stages.append))
-    assert stages == ["compiling the C code for x86_64-linux", "packing and checking the FMU"]
+    assert stages == [
+        "compiling the C code for x86_64-linux",
+        "running the default experiment",
+        "packing and checking the FMU",
+    ]
 
 
 def _source_with(generated: GeneratedModel, old: str, new: str) -> GeneratedModel:

@@ -1,0 +1,67 @@
+"""The default run as a figure: a panel for each unit, the inputs' above the outputs'."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+import matplotlib as mpl
+from matplotlib.figure import Figure
+
+from fmu_build.description import ModelDescription
+from fmu_build.packaging.default_run import DefaultRun
+
+# Those of Okabe and Ito, which the color-blind can tell apart; the dashes tell them apart in gray.
+_COLORS = ("#000000", "#D55E00", "#0072B2", "#009E73", "#CC79A7")
+_DASHES = ("-", (0, (6, 2)), (0, (2, 1.5)), (0, (6, 1.5, 1.5, 1.5)), (0, (1, 1)))
+_SETTINGS: dict[Any, Any] = {
+    "svg.fonttype": "none",  # text as text
+    "svg.hashsalt": "default run",  # the same names within the file every time
+    "font.family": "sans-serif",
+    "axes.grid": True,
+    "grid.color": "0.9",
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+}
+
+
+def default_run_svg(run: DefaultRun, description: ModelDescription) -> bytes:
+    """The figure as SVG; the same run gives the same bytes."""
+    units = {variable.name: variable.unit for variable in description.variables}
+    panels = [(unit, names, run.inputs, "steps-post") for unit, names in _by_unit(run.inputs, units)]
+    panels += [(unit, names, run.outputs, "default") for unit, names in _by_unit(run.outputs, units)]
+    with mpl.rc_context(_SETTINGS):
+        figure = Figure(figsize=(8, 0.6 + 1.5 * len(panels)), layout="constrained")
+        all_axes = figure.subplots(len(panels), sharex=True, squeeze=False)[:, 0]
+        for axes, (unit, names, values, style) in zip(all_axes, panels, strict=True):
+            for index, name in enumerate(names):
+                axes.plot(
+                    run.time,
+                    values[name],
+                    color=_COLORS[index % len(_COLORS)],
+                    linestyle=_DASHES[index % len(_DASHES)],
+                    drawstyle=style,
+                    linewidth=1.2,
+                    label=_plain(name),
+                )
+            axes.set_ylabel(_plain(unit or "1"))
+            axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), frameon=False)
+        all_axes[-1].set_xlabel("time in s")
+        all_axes[-1].set_xlim(run.time[0], run.time[-1])
+        figure.align_ylabels()
+        buffer = io.BytesIO()
+        figure.savefig(buffer, format="svg", metadata={"Date": None, "Creator": None})
+    return buffer.getvalue()
+
+
+def _by_unit(names: Iterable[str], units: Mapping[str, str]) -> list[tuple[str, list[str]]]:
+    groups: dict[str, list[str]] = {}
+    for name in names:
+        groups.setdefault(units[name], []).append(name)
+    return list(groups.items())
+
+
+def _plain(text: str) -> str:
+    """Without the signs that would begin a formula, or keep a line out of the legend."""
+    return " " + text.replace("$", r"\$") if text.startswith("_") else text.replace("$", r"\$")
