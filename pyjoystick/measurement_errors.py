@@ -36,12 +36,27 @@ class StageError:
         theta: of the angle (rad)
         omega: of the angular velocity (rad/s)
         alpha: of the angular acceleration (rad/s2)
+        period: error of the mean of the first three periods, in parts of it
     """
 
     stage: str
     theta: float
     omega: float
     alpha: float
+    period: float
+
+
+def mean_period(time: FloatArray, theta: FloatArray) -> float:
+    """The mean of the first three periods of a released joystick (s), from the passages of zero.
+
+    Args:
+        time: instants (s), shape (n,)
+        theta: angle there (rad), shape (n,), which passes zero seven times or more
+    """
+    before = np.flatnonzero(np.diff(np.signbit(theta)))[:7]
+    step = theta[before + 1] - theta[before]
+    passages = time[before] - theta[before] / step * (time[before + 1] - time[before])
+    return float(passages[6] - passages[0]) / 3.0
 
 
 def error_budget(
@@ -52,6 +67,7 @@ def error_budget(
     random: np.random.Generator,
     camera_rate: float = 60.0,
     noise: float = 3e-4,
+    radius: float | None = None,
 ) -> list[StageError]:
     """Errors of the stages alone, and of all together.
 
@@ -62,6 +78,7 @@ def error_budget(
         random: where the markers' noise comes from
         camera_rate: frames a second (Hz), of which the chain's rate is a multiple
         noise: standard deviation of the coordinates' noise (m)
+        radius: from the pivot to the top marker (m), where it was measured, as of `measure_angle`
 
     Raises:
         ParameterError, SimulationError: as `simulate` does
@@ -76,7 +93,7 @@ def error_budget(
     true[0] = start
     true[:, after] = run.theta, run.omega, run.alpha
     judged = after & (time <= _HELD + 1.5)
-    return list(_stages(time, true, judged, every, chain, noise, random))
+    return list(_stages(time, true, judged, every, chain, noise, radius, random))
 
 
 def _stages(
@@ -86,23 +103,29 @@ def _stages(
     every: int,
     chain: Chain,
     noise: float,
+    radius: float | None,
     random: np.random.Generator,
 ) -> Iterator[StageError]:
     def compared(stage: str, series: Sequence[FloatArray]) -> StageError:
         errors = (
             np.sqrt(np.mean((one - exact)[judged] ** 2)) for one, exact in zip(series, true, strict=True)
         )
-        return StageError(stage, *map(float, errors))
+        period = mean_period(time, series[0]) / mean_period(time, theta) - 1.0
+        return StageError(stage, *map(float, errors), abs(period))
 
     def differentiated(theta: FloatArray) -> Sequence[FloatArray]:
         rules = ((1, chain.velocity_points), (2, chain.acceleration_points))
         return theta, *(derivative(theta, 1.0 / chain.rate, order=k, points=n) for k, n in rules)
 
+    def seen(instants: FloatArray, angles: FloatArray, scatter: float) -> tuple[FloatArray, FloatArray]:
+        """The angle from the markers: as it is, and with the zero of the model in place of the rest."""
+        markers = synthetic_markers(instants, angles, random=random, noise=scatter)
+        found = measure_angle(markers, top=TOP, base=BASE, forward="x", radius=radius).theta
+        # Zero is the rest position, which may lie anywhere in the clearance.
+        return found, found + float(np.mean((angles - found)[-10:]))
+
     frames, theta = time[::every], true[0]
-    seen = synthetic_markers(frames, theta[::every], random=random, noise=noise)
-    measured = measure_angle(seen, top=TOP, base=BASE, forward="x").theta
-    # Zero is the rest position, which is not that of the model: it may lie anywhere in the clearance.
-    moved = measured + float(np.mean((theta[::every] - measured)[-10:]))
+    measured, moved = seen(frames, theta[::every], noise)
 
     def splined(values: FloatArray) -> FloatArray:
         return resample(frames, values, chain.rate, longest_gap=chain.longest_gap).values
@@ -110,6 +133,7 @@ def _stages(
     yield compared("differentiation", differentiated(theta))
     yield compared("filter", differentiated(chain.low_pass.filter(theta, chain.rate)))
     yield compared("camera's rate and spline", differentiated(splined(theta[::every])))
+    yield compared("projection on the plane", differentiated(seen(time, theta, 0.0)[1]))
     yield compared("noise of the markers, pivot, spline", differentiated(splined(moved)))
     motion = chain.run(frames, moved)
     yield compared("all", (motion.theta, motion.omega, motion.alpha))
@@ -120,7 +144,14 @@ def _stages(
 def error_budget_report(budget: Sequence[StageError]) -> str:
     """The budget as a table in Markdown."""
     rows = [
-        [one.stage, f"{math.degrees(one.theta):.4f}", f"{one.omega:.4f}", f"{one.alpha:.2f}"]
+        [
+            one.stage,
+            f"{math.degrees(one.theta):.4f}",
+            f"{one.omega:.4f}",
+            f"{one.alpha:.2f}",
+            f"{100.0 * one.period:.3f}",
+        ]
         for one in budget
     ]
-    return markdown_table(["error, rms", "angle (deg)", "velocity (rad/s)", "acceleration (rad/s2)"], rows)
+    header = ["error, rms", "angle (deg)", "velocity (rad/s)", "acceleration (rad/s2)", "period (%)"]
+    return markdown_table(header, rows)

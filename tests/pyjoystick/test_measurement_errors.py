@@ -41,7 +41,7 @@ def test_without_noise_the_markers_add_nothing_to_the_spline() -> None:
         random=np.random.default_rng(6),
         noise=0.0,
     )
-    spline, markers = stages[2], stages[3]
+    spline, markers = (next(one for one in stages if word in one.stage) for word in ("camera", "noise"))
     # The sideways motion of the synthetic top, 2 %, tilts the plane a little.
     assert markers.theta == pytest.approx(spline.theta, abs=math.radians(0.03))
     assert markers.omega == pytest.approx(spline.omega, rel=0.05)
