@@ -25,7 +25,10 @@ _MOST_SECONDS = 60
 
 @dataclass(frozen=True, slots=True)
 class DefaultRun:
-    """Values at every communication point; the inputs' are those that hold until the next one."""
+    """Values at every communication point.
+
+    The inputs' are those that hold until the next point, the outputs' those of the step that ends there.
+    """
 
     time: tuple[float, ...]
     inputs: dict[str, tuple[float, ...]]

@@ -44,11 +44,12 @@ def run(asked: dict[str, Any]) -> list[list[float]]:
     for index, (point, inputs) in enumerate(zip(points, asked["inputs"], strict=True)):
         if index:
             slave.doStep(points[index - 1], point - points[index - 1])
+            rows.append([float(get([reference])[0]) for get, reference in getters])
         if inputs:
             set_reals(asked["input_references"], inputs)
         if not index:
             slave.exitInitializationMode()
-        rows.append([float(get([reference])[0]) for get, reference in getters])
+            rows.append([float(get([reference])[0]) for get, reference in getters])
     slave.terminate()
     slave.freeInstance()
     return rows
