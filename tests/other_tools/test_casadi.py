@@ -1,0 +1,53 @@
+"""CasADi's DaeBuilder: the FMU as a function to differentiate and integrate, against the reference.
+
+CasADi sets states and asks for derivatives without handling events, so that the branch stays that of the
+start. The motions here stay within one: from 6 degrees down to 1 degree, between two kinks of the springs.
+"""
+
+from __future__ import annotations
+
+import math
+import zipfile
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pyjoystick import NOMINAL, NOMINAL_POWER_LAW
+from pyjoystick.parameters import JoystickParameters
+from pyjoystick.reference import simulate
+from tests.other_tools.programs import require, run
+
+RELEASE = math.radians(6.0)
+STEP = 5e-4
+COUNT = 80
+
+PROGRAM = """
+import casadi
+dae = casadi.DaeBuilder("joystick", folder, {})
+dae.set("theta_start", release)
+f = dae.create("f", ["x", "u"], ["ode"])
+x, u = casadi.MX.sym("x", 2), casadi.MX.sym("u")
+problem = {"x": x, "u": u, "ode": f(x, u)}
+times = [step * i for i in range(1, count + 1)]
+integrator = casadi.integrator("motion", "cvodes", problem, 0.0, times, {"reltol": 1e-11, "abstol": 1e-13})
+motion = integrator(x0=[release, 0.0], u=0.0)["xf"]
+print(json.dumps(motion.full().tolist()))
+"""
+
+
+@pytest.mark.parametrize(
+    ("name", "parameters"), [("Joystick", NOMINAL), ("JoystickPowerLaw", NOMINAL_POWER_LAW)]
+)
+def test_motion_within_a_branch(
+    name: str, parameters: JoystickParameters, joystick_fmus: Path, tmp_path: Path
+) -> None:
+    require("casadi")
+    with zipfile.ZipFile(joystick_fmus / f"{name}.fmu") as archive:
+        archive.extractall(tmp_path)
+    theta, omega = run(PROGRAM, folder=str(tmp_path), release=RELEASE, step=STEP, count=COUNT)
+    expected = simulate(parameters, time=STEP * np.arange(COUNT + 1), theta_start=RELEASE)
+    assert not expected.events
+    assert 0.0 < expected.theta[-1] < math.radians(1.0)
+    assert np.abs(theta - expected.theta[1:]).max() < 1e-8
+    assert np.abs(omega - expected.omega[1:]).max() < 1e-6
