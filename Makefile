@@ -2,7 +2,8 @@
 # make test   everything that is tested
 # make fmu    the six FMUs in build/fmi2/ (COMPILER=openmodelica makes them with an installed OpenModelica,
 #             COMPILER_OPTIONS="omc=/opt/openmodelica" with one that is not on the path), for this machine's
-#             platform (PLATFORMS=all: Linux, Windows and macOS; PLATFORMS="x86_64-linux x86_64-windows": those)
+#             platform (PLATFORMS=all: Linux, Windows and macOS; PLATFORMS="x86_64-linux x86_64-windows": those);
+#             FMI=3: of FMI 3.0, in build/fmi3/; FMI="2 3": both
 # make ssp    operator and joystick as one system: build/joystick.ssp
 # make lint   ruff, mypy, the C compilers with every warning an error, the Modelica checks
 # make bench  speed as ratios within one run
@@ -20,6 +21,7 @@ PYTHON ?= $(shell for p in python3.13 python3.12 python3.11 python3 python; do \
 COMPILER ?= rumoca
 COMPILER_OPTIONS ?=
 PLATFORMS ?=
+FMI ?= 2
 FMU_SETTINGS = --compiler $(COMPILER) $(addprefix --option ,$(COMPILER_OPTIONS)) $(addprefix --platform ,$(PLATFORMS))
 
 VENV := .venv
@@ -40,17 +42,18 @@ SPHINX = $(BIN)/python -m sphinx --fail-on-warning --keep-going --nitpicky --fre
 run: fmu
 	$(BIN)/python scenarios/free_oscillation.py
 
-test: fmu
+test: build/fmi2/.built build/fmi3/.built
 	$(BIN)/python -m pytest --numprocesses auto --dist loadgroup
 
-fmu: build/fmi2/.built
+fmu: $(FMI:%=build/fmi%/.built)
 
-build/fmi2/.built: $(FMU_SOURCES) $(READY) build/fmi2/.settings
-	$(BIN)/python -m fmu_build $(MODELS) --output build/fmi2 $(FMU_SETTINGS)
+build/fmi%/.built: $(FMU_SOURCES) $(READY) build/fmi%/.settings
+	$(BIN)/python -m fmu_build $(MODELS) --fmi $* --output build/fmi$* $(FMU_SETTINGS)
 	touch $@
 
 # Changes with the settings that are asked for, and then only, so that FMUs with others are made anew.
-build/fmi2/.settings: FORCE
+.PRECIOUS: build/fmi%/.settings
+build/fmi%/.settings: FORCE
 	@mkdir -p $(@D)
 	@echo "$(FMU_SETTINGS)" | cmp -s - $@ || echo "$(FMU_SETTINGS)" > $@
 

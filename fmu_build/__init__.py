@@ -59,7 +59,7 @@ def build_fmu(
         compiler: name of the Modelica compiler; see `compiler_names`.
         library: Modelica file or package folder with the model; the PreloadedSprings library by default.
             A library of your own may use PreloadedSprings without naming it here.
-        fmi_version: the version of the FMI standard; 3.0 with some versions of OpenModelica alone.
+        fmi_version: the version of the FMI standard; 3.0 with rumoca and with some versions of OpenModelica.
         fmi_types: Model Exchange, Co-Simulation, or both in one FMU.
         platforms: platform tuples such as ``aarch64-linux``, FMI 2's names such as ``win64``, or ``all``;
             none means this machine's.

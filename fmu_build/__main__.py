@@ -19,12 +19,19 @@ Example:
 
     python -m fmu_build PreloadedSprings.Joystick.Joystick --output build/fmi2
 """
+_FMI_VERSIONS: dict[str, FmiVersion] = {"2": "2.0", "3": "3.0", "2.0": "2.0", "3.0": "3.0"}
 _messages = Console(stderr=True, highlight=False, soft_wrap=True)
 
 
 def _known_compiler(name: str) -> str:
     if name not in compiler_names():
         raise typer.BadParameter(f"{name!r} is not one of {', '.join(compiler_names())}")
+    return name
+
+
+def _known_version(name: str) -> str:
+    if name not in _FMI_VERSIONS:
+        raise typer.BadParameter(f"{name!r} is not one of {', '.join(_FMI_VERSIONS)}")
     return name
 
 
@@ -77,8 +84,15 @@ def main(
         ),
     ] = None,
     fmi_version: Annotated[
-        FmiVersion, typer.Option(help="Version of the FMI standard, as far as the compiler has it.")
-    ] = "2.0",
+        str,
+        typer.Option(
+            "--fmi",
+            "--fmi-version",
+            callback=_known_version,
+            metavar="2|3",
+            help="Version of the FMI standard, 2.0 or 3.0, as far as the compiler has it.",
+        ),
+    ] = "2",
     fmi_type: Annotated[
         Literal["me", "cs", "both"],
         typer.Option(help="Model Exchange, Co-Simulation or both in one FMU."),
@@ -106,7 +120,7 @@ def main(
                 output,
                 compiler=compiler,
                 library=library,
-                fmi_version=fmi_version,
+                fmi_version=_FMI_VERSIONS[fmi_version],
                 fmi_types=("me", "cs") if fmi_type == "both" else (fmi_type,),
                 platforms=platform or (),
                 options=settings,

@@ -45,6 +45,18 @@ class Variable:
 
 
 @dataclass(frozen=True, slots=True)
+class Terminal:
+    """Variables that are connected together, such as angle and torque of a shaft.
+
+    `members` are variable, name in the terminal, and kind: ``signal`` where connected values are equal,
+    ``inflow`` or ``outflow`` where they sum up to zero (FMI 3.0.2, section 2.4.9.2).
+    """
+
+    name: str
+    members: tuple[tuple[str, str, str], ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Unknown:
     """An entry of FMI's ModelStructure: value references of the unknown and of what it depends on."""
 
@@ -84,10 +96,12 @@ class ModelDescription:
     outputs: tuple[Unknown, ...]
     derivatives: tuple[Unknown, ...]
     initial_unknowns: tuple[Unknown, ...]
-    number_of_event_indicators: int
+    event_indicators: tuple[str, ...]
+    """What each event indicator is, in the names of the model."""
     default_experiment: DefaultExperiment = field(default_factory=DefaultExperiment)
     documentation: str = ""
     """The HTML of the class's Documentation annotation."""
+    terminals: tuple[Terminal, ...] = ()
 
     @property
     def identifier(self) -> str:

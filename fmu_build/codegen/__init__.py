@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from fmu_build.codegen.annotations import default_experiment, documentation
+from fmu_build.codegen.annotations import default_experiment, documentation, terminals
 from fmu_build.codegen.baked import baked_parameters
 from fmu_build.codegen.c_model import write_model
 from fmu_build.codegen.compact import compact
 from fmu_build.codegen.equations import n_named_slots, read_equations
 from fmu_build.codegen.functions import FunctionLibrary
 from fmu_build.codegen.lowered import lower
+from fmu_build.codegen.modelica_text import modelica_texts
 from fmu_build.codegen.refusals import refuse_unfaithful
 from fmu_build.codegen.source import ModelSource
 from fmu_build.codegen.start_values import StartValues
@@ -32,6 +33,7 @@ def generate(source: ModelSource) -> GeneratedModel:
     baked = baked_parameters(source, lowered, starts)
     variables = VariableReader(lowered, equations, starts, baked).read()
     structure = Structure(equations, variables)
+    texts = modelica_texts(lowered, equations)
     description = ModelDescription(
         model_name=lowered.name,
         description=lowered.flat.get("model_description") or "",
@@ -39,9 +41,10 @@ def generate(source: ModelSource) -> GeneratedModel:
         outputs=structure.outputs(),
         derivatives=structure.derivatives(),
         initial_unknowns=structure.initial_unknowns(),
-        number_of_event_indicators=len(equations.relations.roots),
+        event_indicators=tuple(map(texts.text, equations.relations.roots)),
         default_experiment=default_experiment(lowered),
         documentation=documentation(lowered),
+        terminals=terminals(lowered),
     )
     return GeneratedModel(
         description, write_model(lowered, equations, variables, starts, functions.sources())

@@ -5,15 +5,18 @@ from __future__ import annotations
 import re
 
 from fmu_build.codegen.lowered import LoweredModel
-from fmu_build.description import DefaultExperiment
+from fmu_build.description import DefaultExperiment, Terminal
 from fmu_build.source_text import STRING, blanked
 
+_MEMBERS = r"(?:signal|inflow|outflow)\s*\([^()]*\)"
+_TERMINAL = rf"(\w+)\s*\((\s*{_MEMBERS}(?:\s*,\s*{_MEMBERS})*\s*)\)"
 _ESCAPES = {"n": "\n", "t": "\t", "r": "\r"}
 
 
 def default_experiment(model: LoweredModel) -> DefaultExperiment:
     """The ``experiment`` annotation; what it leaves out keeps the runtime's default."""
-    match = re.search(r"\bexperiment\s*\(([^()]*)\)", _class_text(model, keep_strings=False))
+    text = _class_text(model, model.name, keep_strings=False)
+    match = re.search(r"\bexperiment\s*\(([^()]*)\)", text)
     settings = dict(re.findall(r"(\w+)\s*=\s*([-+.\deE]+)", match.group(1))) if match else {}
     defaults = DefaultExperiment()
     return DefaultExperiment(
@@ -26,7 +29,7 @@ def default_experiment(model: LoweredModel) -> DefaultExperiment:
 
 def documentation(model: LoweredModel) -> str:
     """The HTML of the ``Documentation`` annotation, an empty string where there is none."""
-    text = _class_text(model, keep_strings=True)
+    text = _class_text(model, model.name, keep_strings=True)
     match = re.search(rf"\bDocumentation\s*\(\s*info\s*=\s*({STRING})", text, re.DOTALL)
     if match is None:
         return ""
@@ -35,9 +38,43 @@ def documentation(model: LoweredModel) -> str:
     )
 
 
-def _class_text(model: LoweredModel, keep_strings: bool) -> str:
-    """The source of the model's class, from its keyword to its end."""
-    parent, _, name = model.name.rpartition(".")
+def terminals(model: LoweredModel) -> tuple[Terminal, ...]:
+    """The ``__pyjoystick(terminals(...))`` annotation of the class or of the first base class that has one.
+
+    ``__pyjoystick(terminals(shaft(inflow(tau = "T"), signal(phi = "theta"))))`` is a terminal `shaft` whose
+    members are, by kind and by name in the terminal, the variables ``T`` and ``theta``.
+    """
+    waiting = [model.name]
+    for name in waiting:
+        text = _class_text(model, name, keep_strings=True)
+        match = re.search(rf"__pyjoystick\s*\(\s*terminals\s*\(((?:\s*{_TERMINAL}\s*,?)+)\s*\)\s*\)", text)
+        if match:
+            return tuple(_terminal(*parts) for parts in re.findall(_TERMINAL, match.group(1)))
+        waiting += [base for base in _bases(name, text) if base not in waiting]
+    return ()
+
+
+def _terminal(name: str, members: str) -> Terminal:
+    return Terminal(
+        name,
+        tuple(
+            (variable, member, kind)
+            for kind, group in re.findall(r"(signal|inflow|outflow)\s*\(([^()]*)\)", members)
+            for member, variable in re.findall(r'(\w+)\s*=\s*"([^"]*)"', group)
+        ),
+    )
+
+
+def _bases(name: str, text: str) -> list[str]:
+    """Where the base classes of a class may be: in any of the packages around it."""
+    packages = [""] + [f"{name[: match.start()]}." for match in re.finditer(r"\.", name)]
+    extended = re.findall(r"\bextends\s+([\w.]+)", blanked(text))
+    return [package + base for base in extended for package in reversed(packages)]
+
+
+def _class_text(model: LoweredModel, class_name: str, keep_strings: bool) -> str:
+    """The source of a class, from its keyword to its end; empty where there is none of that name."""
+    parent, _, name = class_name.rpartition(".")
     begin = re.compile(rf"\b(?:model|block|class)\s+{re.escape(name)}\b")
     end = re.compile(rf"\bend\s+{re.escape(name)}\s*;")
     enclosing = re.compile(

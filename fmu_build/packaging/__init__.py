@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 from importlib import metadata
 from pathlib import Path
 
 from fmu_build.description import GeneratedModel, ModelDescription
 from fmu_build.errors import BuildError
+from fmu_build.packaging import fmi2_xml, fmi3_xml
 from fmu_build.packaging.archive import archive_bytes, check_output_folder, replacing
 from fmu_build.packaging.binaries import COMPILER_FLAGS, LINKER_FLAGS, binary_entries, compile_library
 from fmu_build.packaging.build_description import BUILD_DESCRIPTION, build_description_xml
@@ -15,12 +17,20 @@ from fmu_build.packaging.check import check_fmu
 from fmu_build.packaging.consistency import check_description
 from fmu_build.packaging.default_run import DefaultRun, run_default_experiment
 from fmu_build.packaging.documentation import FIGURE, index_html, license_text
-from fmu_build.packaging.fmi2_xml import generation_time, model_description_xml
+from fmu_build.packaging.elements import generation_time
 from fmu_build.packaging.icon import model_png
 from fmu_build.packaging.platforms import host_platform, select_platforms
 from fmu_build.packaging.reference_results import reference_files
 from fmu_build.packaging.run_figure import default_run_svg
-from fmu_build.packaging.sources import TOKEN_FILE, c_files, collect_sources, content_guid, token_header
+from fmu_build.packaging.sources import (
+    FMI_HEADERS,
+    TOKEN_FILE,
+    c_files,
+    collect_sources,
+    content_guid,
+    token_header,
+)
+from fmu_build.packaging.terminals import TERMINALS, terminals_and_icons_xml
 from fmu_build.request import BuildRequest, FmiVersion
 
 __all__ = ["PackagedFmu", "check_request", "package_fmu"]
@@ -36,8 +46,9 @@ class PackagedFmu:
 
 def check_request(request: BuildRequest) -> None:
     """Refuses what cannot be packaged before any work is done; raises `BuildError`."""
-    if request.fmi_version != "2.0":
-        raise BuildError(f"FMI version {request.fmi_version!r} is not supported; supported is '2.0'")
+    if request.fmi_version not in FMI_HEADERS:
+        known = " and ".join(map(repr, FMI_HEADERS))
+        raise BuildError(f"FMI version {request.fmi_version!r} is not supported; supported are {known}")
     if not request.fmi_types or not set(request.fmi_types) <= {"me", "cs"}:
         raise BuildError(f"FMI types {list(request.fmi_types)!r}: allowed are 'me', 'cs' or both")
     select_platforms(request.platforms)
@@ -56,8 +67,12 @@ def package_fmu(model: GeneratedModel, request: BuildRequest) -> PackagedFmu:
     identifier, version = model.description.identifier, request.fmi_version
     platforms, host = select_platforms(request.platforms), host_platform()
     token, xml, sources = _description_and_sources(model, request)
-    entries = {f"sources/{name}": content for name, content in sources.items()}
+    # Importers of FMI 3 bring the headers of the standard (3.0.2, section 2.5.1.4).
+    left_out = FMI_HEADERS[version] if version == "3.0" else ()
+    entries = {f"sources/{name}": content for name, content in sources.items() if name not in left_out}
     entries["modelDescription.xml"] = xml
+    if version == "3.0":
+        entries[TERMINALS] = terminals_and_icons_xml(model.description)
     log = ""
     libraries = {}
     # This machine's too, for the default run.
@@ -89,11 +104,13 @@ def _description_and_sources(
     sources = collect_sources(model.c_source, request.fmi_version)
 
     def description(guid: str, time: str | None) -> bytes:
-        return model_description_xml(
+        write = fmi3_xml.model_description_xml
+        if request.fmi_version == "2.0":
+            write = partial(fmi2_xml.model_description_xml, source_files=c_files(sources))
+        return write(
             model.description,
             guid=guid,
             fmi_types=request.fmi_types,
-            source_files=c_files(sources),
             generation_tool=_generation_tool(),
             generation_time=time,
         )

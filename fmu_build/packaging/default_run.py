@@ -59,7 +59,10 @@ def run_default_experiment(
         "outputs": [(variable.type, references[variable.name]) for variable in outputs],
     }
     with tempfile.TemporaryDirectory(prefix="fmu_build-", ignore_cleanup_errors=True) as folder:
-        file = Path(folder, description.identifier + platform.extension)
+        # Where FMPy looks for that of FMI 3, whatever it is told.
+        binaries = Path(folder, "binaries", platform.folder(fmi_version))
+        binaries.mkdir(parents=True)
+        file = binaries / (description.identifier + platform.extension)
         file.write_bytes(library)
         rows = _rows(asked | {"folder": folder, "library": str(file)}, Path(folder, "run.json"))
     if isinstance(rows, str):

@@ -68,6 +68,7 @@ equation
     annotation (Line(points = {{44, -102}, {210, -102}}, color = {0, 0, 127}));
 
   annotation (
+    __pyjoystick(terminals(shaft(inflow(tau = "T"), signal(phi = "theta", w = "omega", a = "alpha")))),
     Icon(coordinateSystem(extent = {{-100, -100}, {100, 100}}), graphics = {
       Text(extent = {{-96, 18}, {-56, -18}}, lineColor = {0, 0, 127}, textString = "T"),
       Text(extent = {{70, 98}, {98, 82}}, lineColor = {0, 0, 127}, textString = "theta"),

@@ -42,6 +42,7 @@ equation
 
   annotation (
     defaultComponentName = "operator_",
+    __pyjoystick(terminals(hand(outflow(tau = "T"), signal(phi = "theta", w = "omega")))),
     Icon(coordinateSystem(extent = {{-100, -100}, {100, 100}}), graphics = {
       Rectangle(extent = {{-100, 100}, {100, -100}}, lineColor = {64, 64, 64}, fillColor = {255, 255, 255},
         fillPattern = FillPattern.Solid),

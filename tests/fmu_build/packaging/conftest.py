@@ -50,7 +50,7 @@ def _oscillator() -> ModelDescription:
             Unknown(4, (1, 5, 6, 7), ("dependent",) * 4),
             Unknown(8, (1, 2, 5, 6), ("dependent",) * 4),
         ),
-        number_of_event_indicators=0,
+        event_indicators=(),
         documentation='<html><p>Swings. See <a href="modelica://Test.Other">the other</a>.</p></html>',
     )
 

@@ -41,7 +41,7 @@ def _with(description: ModelDescription, name: str, /, **changes: Any) -> ModelD
 
 
 def _alone(variable: Variable) -> ModelDescription:
-    return ModelDescription("Test.One", "", (variable,), (), (), (), 0)
+    return ModelDescription("Test.One", "", (variable,), (), (), (), ())
 
 
 def test_the_oscillator_is_consistent(description: ModelDescription) -> None:

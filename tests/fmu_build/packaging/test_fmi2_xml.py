@@ -14,7 +14,8 @@ from lxml import etree
 
 from fmu_build.description import EnumerationType, ModelDescription, Variable
 from fmu_build.errors import BuildError, ModelicaError
-from fmu_build.packaging.fmi2_xml import generation_time, model_description_xml
+from fmu_build.packaging.elements import generation_time
+from fmu_build.packaging.fmi2_xml import model_description_xml
 
 
 def _xml(description: ModelDescription, **changes: Any) -> bytes:
@@ -148,7 +149,7 @@ def test_characters_that_xml_cannot_hold_become_spaces(description: ModelDescrip
 
 def test_a_model_without_units_types_and_outputs(tmp_path: Path) -> None:
     variable = Variable("p", "Real", "parameter", "fixed", "exact", 1.0)
-    description = ModelDescription("Test.Plain", "", (variable,), (), (), (), 0)
+    description = ModelDescription("Test.Plain", "", (variable,), (), (), (), ())
     assert _problems(description, tmp_path) == []
     root = _root(description)
     assert root.find("UnitDefinitions") is None

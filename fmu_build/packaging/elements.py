@@ -1,0 +1,132 @@
+"""XML elements with attributes in the XML schema's spelling, and what both versions of FMI write alike."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from datetime import UTC, datetime
+from typing import Any
+
+from lxml import etree
+
+from fmu_build.description import DefaultExperiment, EnumerationType, Variable
+from fmu_build.errors import BuildError
+from fmu_build.packaging.fmi2_units import distinct_display_unit
+from fmu_build.packaging.text import xml_text
+
+LICENSE = "See documentation/licenses/license.txt"
+_LOG_CATEGORIES = {
+    "logEvents": "All events, during initialization and simulation",
+    "logSingularLinearSystems": "Singular linear systems of equations",
+    "logNonlinearSystems": "Solution of nonlinear systems of equations",
+    "logDynamicStateSelection": "Dynamic selection of states",
+    "logStatusWarning": "Messages of functions that return {prefix}Warning",
+    "logStatusDiscard": "Messages of functions that return {prefix}Discard",
+    "logStatusError": "Messages of functions that return {prefix}Error",
+    "logStatusFatal": "Messages of functions that return {prefix}Fatal",
+    "logStatusPending": "Messages of functions that return {prefix}Pending",
+    "logAll": "All messages",
+}
+
+
+def add(parent: etree._Element, tag: str, **attributes: Any) -> etree._Element:
+    """A new element inside `parent`, with the attributes that are not None."""
+    element = etree.SubElement(parent, tag)
+    put(element, **attributes)
+    return element
+
+
+def put(element: etree._Element, **attributes: Any) -> None:
+    """Sets what is not None; booleans, numbers and text in the XML schema's spelling."""
+    for name, value in attributes.items():
+        if isinstance(value, bool):
+            element.set(name, "true" if value else "false")
+        elif isinstance(value, float):
+            element.set(name, repr(value))
+        elif value is not None:
+            element.set(name, xml_text(str(value)))
+
+
+def document(root: etree._Element) -> bytes:
+    """The file with that root."""
+    content: bytes = etree.tostring(root, xml_declaration=True, encoding="UTF-8", pretty_print=True)
+    return content
+
+
+def generation_time() -> str | None:
+    """`SOURCE_DATE_EPOCH` as FMI writes dates, None where it is not set; raises `BuildError` if malformed."""
+    epoch = os.environ.get("SOURCE_DATE_EPOCH")
+    if not epoch:
+        return None
+    try:
+        moment = datetime.fromtimestamp(int(epoch), UTC)
+    except (ValueError, OverflowError, OSError) as error:
+        raise BuildError(
+            f"the environment variable SOURCE_DATE_EPOCH is {epoch!r}, not a number of seconds since 1970"
+        ) from error
+    return moment.strftime("%Y-%m-%dT%H:%M:%SZ")
+
+
+def add_log_categories(root: etree._Element, prefix: str) -> None:
+    """The standard categories; `prefix` is that of the version's status values, such as ``fmi2``."""
+    categories = add(root, "LogCategories")
+    for name, text in _LOG_CATEGORIES.items():
+        if name != "logStatusPending" or prefix == "fmi2":
+            add(categories, "Category", name=name, description=text.format(prefix=prefix))
+
+
+def add_default_experiment(root: etree._Element, experiment: DefaultExperiment) -> None:
+    """The experiment that the model proposes."""
+    add(
+        root,
+        "DefaultExperiment",
+        startTime=experiment.start_time,
+        stopTime=experiment.stop_time,
+        tolerance=experiment.tolerance,
+        stepSize=experiment.step_size,
+    )
+
+
+def value_attributes(variable: Variable) -> dict[str, Any]:
+    """What the element of the variable's type says of its values, in either version of FMI."""
+    attributes: dict[str, Any] = {"start": _start(variable), "reinit": variable.reinit or None}
+    if variable.enumeration is not None:
+        attributes["declaredType"] = variable.enumeration.name
+    if variable.type != "Boolean":
+        attributes["quantity"] = variable.quantity or None
+        attributes["min"] = _number(variable.minimum, variable)
+        attributes["max"] = _number(variable.maximum, variable)
+    if variable.type == "Real":
+        attributes["unit"] = variable.unit or None
+        attributes["displayUnit"] = distinct_display_unit(variable) or None
+        attributes["nominal"] = variable.nominal
+    return attributes
+
+
+def _start(variable: Variable) -> float | bool | None:
+    if variable.start is not None and variable.type == "Boolean":
+        return bool(variable.start)
+    return _number(variable.start, variable)
+
+
+def _number(value: float | None, variable: Variable) -> float | None:
+    if value is None:
+        return None
+    return float(value) if variable.type == "Real" else int(value)
+
+
+def enumeration_types(variables: Iterable[Variable]) -> list[EnumerationType]:
+    """The enumerations that variables are of, each once and in the order of their names."""
+    types: dict[str, EnumerationType] = {}
+    for variable in variables:
+        if variable.enumeration is not None:
+            known = types.setdefault(variable.enumeration.name, variable.enumeration)
+            if known != variable.enumeration:
+                raise BuildError(f"internal error: two enumerations are named {known.name!r}")
+    return [types[name] for name in sorted(types)]
+
+
+def add_items(parent: etree._Element, enumeration: EnumerationType) -> None:
+    """The literals of an enumeration, numbered from 1."""
+    for value, (literal, description) in enumerate(enumeration.literals, start=1):
+        add(parent, "Item", name=literal, value=value, description=description or None)
