@@ -20,8 +20,8 @@ from pyjoystick.forced_motion.samples import smooth_spans
 from pyjoystick.parameters import JoystickParameters
 from pyjoystick.reference import inverse_torque
 
-#: How far the torque may be from the lines between rows (N m); it brings the motion back to 2e-7 rad.
-TORQUE_TOLERANCE: Final = 1e-7
+#: How far the torque may be from the lines between rows (N m); it brings the motion back to 1e-7 rad.
+TORQUE_TOLERANCE: Final = 2e-8
 
 #: Points of each smooth span, from which the curvature of the torque is taken.
 _POINTS: Final = 800

@@ -22,14 +22,11 @@ _PANELS: Final = (
 )
 
 
-def plot_torque(
-    tables: Mapping[LawName, pd.DataFrame], *, title: str = "", size: tuple[float, float] = (7.4, 5.4)
-) -> Figure:
+def plot_torque(tables: Mapping[LawName, pd.DataFrame], *, size: tuple[float, float] = (7.4, 5.4)) -> Figure:
     """Stiffness, damping, inertia and total torque over time, as Fig. 15; all panels have one scale but (b).
 
     Args:
         tables: of `torque_table`, by damping law; what does not depend on the law is drawn once
-        title: a line above the figure
         size: width and height (inch)
 
     Raises:
@@ -59,8 +56,6 @@ def plot_torque(
         panel.set_xlabel("Time (s)")
     first = next(iter(tables.values()))
     panels[0].set_xlim(float(first.index[0]), float(first.index[-1]))
-    if title:
-        figure.suptitle(title, fontsize="medium")
     legend_above(figure, panels)
     return figure
 

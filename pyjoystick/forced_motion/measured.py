@@ -27,7 +27,6 @@ ACCELERATION_UNITS: Final[Mapping[str, float]] = {
     "rad/s²": 1.0,
     "°/s²": math.radians(1.0),
 }
-_WHOLE: Final = "the torque in it is not known: use a stretch without gaps"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -88,9 +87,7 @@ def through_chain(record: Record, chain: Chain) -> Samples:
     """
     motion = chain.run(record.time, record.theta)
     for start, end in motion.gaps:
-        reason = f"a gap of {end - start:.4g} s, which the chain does not bridge"
-        rows = record.rows[np.searchsorted(record.time, [start, end])]
-        raise RecordError(record.source, reason, _WHOLE, column="time", rows=rows)
+        raise _gap(record, int(np.searchsorted(record.time, 0.5 * (start + end))) - 1)
     return Samples.trapezoidal(motion.time, motion.theta, motion.omega, motion.alpha)
 
 
@@ -104,12 +101,17 @@ def _acceleration(path: Path, wanted: str, unit: str, *, required: bool) -> Floa
 
 
 def _require_no_gap(record: Record) -> None:
-    steps = np.diff(record.time)
-    for i in np.flatnonzero(steps > GAP * record.interval)[:1]:
-        raise RecordError(
-            record.source,
-            f"a gap of {steps[i]:.4g} s where samples are {record.interval:.4g} s apart",
-            _WHOLE,
-            column="time",
-            rows=record.rows[[i, i + 1]],
-        )
+    for i in np.flatnonzero(np.diff(record.time) > GAP * record.interval)[:1]:
+        raise _gap(record, int(i))
+
+
+def _gap(record: Record, i: int) -> RecordError:
+    """The error of a gap after sample i."""
+    step = record.time[i + 1] - record.time[i]
+    return RecordError(
+        record.source,
+        f"a gap of {step:.4g} s where samples are {record.interval:.4g} s apart",
+        "the torque in it is not known: use a stretch without gaps",
+        column="time",
+        rows=record.rows[[i, i + 1]],
+    )

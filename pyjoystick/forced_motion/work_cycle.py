@@ -148,7 +148,8 @@ def demands(
         fmu: the inverse FMU of that law, open; the project's own if not given
 
     Raises:
-        ParameterError: there is nothing to do, or a distance is not above 0
+        ParameterError: there is nothing to do, a distance is not above 0, or the FMU does not allow a value
+        UnknownParameterError: the FMU has another damping law
         FmuRunError: the FMU refuses a joystick
     """
     arm = positive("pivot_to_handle", pivot_to_handle, "m")

@@ -1,0 +1,102 @@
+"""The numbers of a torque as tables in Markdown."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from pyjoystick.forced_motion.measures import PartMeasures, TorqueMeasures
+from pyjoystick.forced_motion.work_cycle import MOVES_PER_SHIFT, Demand
+from pyjoystick.parameters import LawName
+from pyjoystick.report import markdown_table
+
+
+def measures_report(found: Mapping[LawName, TorqueMeasures]) -> str:
+    """Torque and parts, with every damping law where that matters, and the work of the hand."""
+    first = next(iter(found.values()))
+    parts = {"stiffness": first.parts["stiffness"], "inertia": first.parts["inertia"]}
+    parts |= {f"damping, {law}": measures.parts["damping"] for law, measures in found.items()}
+    parts |= {f"total, {law} damping": measures.total for law, measures in found.items()}
+    header = [
+        "torque",
+        "highest (N m)",
+        "lowest (N m)",
+        "rms (N m)",
+        "impulse (N m s)",
+        "work (mJ)",
+        "of mean square",
+    ]
+    rows = [_part_row(name, part) for name, part in parts.items()]
+    return markdown_table(header, rows) + "\n\n" + _hand_table(found)
+
+
+def demand_report(demands: Mapping[str, Demand], *, moves: int = MOVES_PER_SHIFT) -> str:
+    """Percentiles of the force, work and impulse, a row a variant.
+
+    Args:
+        demands: by label
+        moves: moves of a shift
+    """
+    percentages = (10.0, 50.0, 90.0, 99.0)
+    rows = [
+        [
+            label,
+            *(f"{demand.force(percentage):.2f}" for percentage in percentages),
+            f"{demand.force(100.0):.2f}",
+            f"{demand.torque(100.0):.2f}",
+            f"{demand.positive_work:.3f}",
+            f"{demand.negative_work:.3f}",
+            f"{demand.work_per_shift(moves) / 1e3:.2f}",
+            f"{demand.impulse_per_shift(moves) / 1e3:.0f}",
+        ]
+        for label, demand in demands.items()
+    ]
+    header = [
+        "",
+        *(f"F {percentage:.0f} % (N)" for percentage in percentages),
+        "F max (N)",
+        "T max (N m)",
+        "W+ (J/move)",
+        "W- (J/move)",
+        "W+ (kJ/shift)",
+        "impulse (kN s/shift)",
+    ]
+    return markdown_table(header, rows)
+
+
+def _part_row(name: str, part: PartMeasures) -> list[str]:
+    return [
+        name,
+        f"{part.highest:.3f}",
+        f"{part.lowest:.3f}",
+        f"{part.rms:.3f}",
+        f"{part.impulse:.4f}",
+        f"{1e3 * part.work:.2f}",
+        f"{100.0 * part.share:.1f} %",
+    ]
+
+
+def _hand_table(found: Mapping[LawName, TorqueMeasures]) -> str:
+    rows = [
+        [
+            f"{law} damping",
+            f"{measures.peak_force:.2f}",
+            f"{1e3 * measures.positive_work:.1f}",
+            f"{1e3 * measures.negative_work:.1f}",
+            f"{1e3 * measures.energy_change:.2f}",
+            f"{1e3 * measures.loss:.2f}",
+            f"{100.0 * measures.peak_ratio('damping'):.1f} %",
+            f"{measures.peak_ratio('inertia', 'stiffness'):.2f}",
+        ]
+        for law, measures in found.items()
+    ]
+    header = [
+        "hand",
+        "largest force (N)",
+        "work done (mJ)",
+        "got back (mJ)",
+        "energy change (mJ)",
+        "loss (mJ)",
+        "damping/total",
+        "inertia/stiffness",
+    ]
+    return markdown_table(header, rows)

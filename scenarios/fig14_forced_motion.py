@@ -1,0 +1,62 @@
+"""Fig. 14: a joystick moved forward and back, as it is and as the paper's cameras would have seen it.
+
+The motion of the paper is not printed as numbers. This one is in closed form, so that everything about it is
+known; the measurement is synthetic: markers with noise at 60 Hz through the chain of section 2. Prints the
+peaks of both and saves the figure in results/fig14_forced_motion/.
+"""
+
+import math
+import sys
+from pathlib import Path
+
+import numpy as np
+
+from pyjoystick.forced_motion import Samples, torque_by_reference, torque_table
+from pyjoystick.forced_motion.section_5 import MOTION
+from pyjoystick.forced_motion.synthetic import seen_by_cameras
+from pyjoystick.output import write_text
+from pyjoystick.parameters import NOMINAL
+from pyjoystick.plots import plot_motion, save_figure
+from pyjoystick.report import markdown_table
+from pyjoystick.tables import write_csv
+
+INTERVAL = 1e-3  # s
+SEED = 14
+RESULTS = Path(__file__).parents[1] / "results" / "fig14_forced_motion"
+
+
+def main(results: Path = RESULTS) -> int:
+    """Run the scenario."""
+    motions = {
+        "in closed form": Samples.evenly(MOTION, INTERVAL),
+        "synthetic measurement": seen_by_cameras(MOTION, random=np.random.default_rng(SEED)),
+    }
+    rows = [
+        [
+            name,
+            f"{math.degrees(samples.theta.max()):.2f}",
+            f"{samples.omega.max():.2f}",
+            f"{samples.omega.min():.2f}",
+            f"{samples.alpha.max():.1f}",
+            f"{samples.alpha.min():.1f}",
+        ]
+        for name, samples in motions.items()
+    ]
+    header = ["", "angle (deg)", "velocity (rad/s)", "lowest", "acceleration (rad/s2)", "lowest"]
+    tables = {
+        name: torque_table(samples, torque_by_reference(NOMINAL, samples))
+        for name, samples in motions.items()
+    }
+    for name, table in tables.items():
+        write_csv(table, results / f"{name.replace(' ', '_')}.csv")
+    title = f"Forward and back, {math.degrees(MOTION.amplitude):g} degrees in {MOTION.rise:g} s"
+    for suffix in ("png", "pdf"):
+        save_figure(plot_motion(tables), results / f"motion.{suffix}")
+    summary = f"## {title}: peaks\n\n{markdown_table(header, rows)}\n"
+    write_text(results / "summary.md", summary)
+    print(summary)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
