@@ -1,0 +1,10 @@
+"""Writes docs/claims.md: ``make claims``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from pyjoystick.claims import claims_page, findings
+from pyjoystick.output import write_text
+
+write_text(Path(__file__).with_suffix(".md"), claims_page(findings()))
