@@ -22,8 +22,7 @@ import numpy as np
 
 from pyjoystick.fitting import (
     CONSTANT_DAMPING,
-    POWER_LAW_DAMPING,
-    RELEASE,
+    DISPLACEMENT_DAMPING,
     Fit,
     FitSettings,
     Free,
@@ -40,16 +39,6 @@ RECORDS: Final = 4
 NOISE: Final = math.radians(0.1)
 #: Data sets between two lines of progress.
 _NEWS: Final = 10
-#: At alpha = 1 eq. (11) has its displacement terms alone, which four records of this noise determine.
-_DISPLACEMENT_LAW: Final = dataclasses.replace(
-    POWER_LAW_DAMPING,
-    fixed={"damping.alpha": 1.0},
-    free=tuple(
-        one
-        for one in POWER_LAW_DAMPING.free
-        if one.name.startswith(("damping.A", "damping.n")) or one in RELEASE
-    ),
-)
 _PRELOADS: Final = ("forward.returnSpring.F_0", "backward.returnSpring.F_0")
 _SPRINGS: Final = dataclasses.replace(
     CONSTANT_DAMPING,
@@ -60,7 +49,7 @@ CASES: Final[dict[str, tuple[FitSettings, JoystickParameters, tuple[str, ...]]]]
     "springs": (_SPRINGS, NOMINAL, _PRELOADS),
     # The profile of one parameter, the most curved: four would take most of the time.
     "displacement": (
-        _DISPLACEMENT_LAW,
+        DISPLACEMENT_DAMPING,
         NOMINAL_POWER_LAW.replace({"damping.alpha": 1.0}),
         ("damping.n_neg",),
     ),

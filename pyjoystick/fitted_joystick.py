@@ -12,7 +12,15 @@ import numpy as np
 from pyjoystick._types import FloatArray
 from pyjoystick.errors import ParameterError
 from pyjoystick.fitting import Fit, FitError, FitSettings
-from pyjoystick.parameters import NOMINAL, NOMINAL_POWER_LAW, SIDES, JoystickParameters, law_name
+from pyjoystick.parameters import (
+    NOMINAL,
+    NOMINAL_POWER_LAW,
+    SIDES,
+    JoystickParameters,
+    law_name,
+    rounded,
+    rounded_error,
+)
 from pyjoystick.parameters.file import PLAIN_TABLES
 
 #: Every parameter that a joystick may have.
@@ -26,8 +34,9 @@ class FittedJoystick:
     """What a fit says of a joystick.
 
     Attributes:
-        joystick: its parameters: fitted, tied, fixed in the fit, and for the rest those before it
-        uncertainties: standard errors of what was fitted by place in a parameter file, as
+        joystick: its parameters: fitted and tied, to a hundredth of the standard error, fixed in the fit, and
+            for the rest those before it
+        uncertainties: standard errors of what was fitted, to two digits, by place in a parameter file, as
             `ParameterFile.uncertainties` has them; those of a curve whole or not at all
         tables: names of the file's tables in which something was fitted
         fixed: names of further tables, with numbers that the settings of the fit have changed
@@ -92,7 +101,11 @@ def fitted_joystick(
     changed = [place for place, value in _numbers(joystick).items() if value != numbers[place]]
     return FittedJoystick(
         joystick=joystick,
-        uncertainties={k: v for k, v in errors.items() if (_list_of(k) or k) not in broken},
+        uncertainties={
+            place: rounded_error(error)
+            for place, error in errors.items()
+            if (_list_of(place) or place) not in broken
+        },
         tables=tables,
         fixed=tuple(table for table in _tables(changed) if table not in tables),
     )
@@ -110,7 +123,8 @@ def _list_of(place: str) -> str:
 
 def _values(fit: Fit) -> dict[str, float]:
     """What was fitted of the joystick, and what is tied to it."""
-    found = {**fit.shared(), **{one.name: one.value for one in fit.derived}}
+    found = {name: rounded(value, fit.error(name)) for name, value in fit.shared().items()}
+    found |= {one.name: rounded(one.value, one.error) for one in fit.derived}
     return {name: value for name, value in found.items() if name in _NAMES}
 
 

@@ -1,9 +1,10 @@
 """Fit a joystick to measured releases, from files to a judged answer.
 
-Reads four records, fits the constant damping coefficient and eq. (11) to them, and says which of the two the
-records ask for, by information criteria and by the prediction of records left out. The records here are
-synthetic, made with eq. (11); put your own files in their place. Everything is written into
-results/fit_your_own_joystick/.
+Reads four records, fits the constant damping coefficient, the displacement terms of eq. (11) and all of
+eq. (11) to them, and says which of the three the records ask for, by information criteria and by the
+prediction of records left out. The best of those that pass every check becomes a parameter file, which all
+commands read. The records here are synthetic, made with eq. (11); put your own files in their place.
+Everything is written into results/fit_your_own_joystick/.
 """
 
 import math
@@ -13,17 +14,23 @@ from pathlib import Path
 
 import numpy as np
 
-from pyjoystick.fitting import CONSTANT_DAMPING, POWER_LAW_DAMPING, Fit
+from pyjoystick.fitted_joystick import fitted_joystick
+from pyjoystick.fitting import CONSTANT_DAMPING, DISPLACEMENT_DAMPING, POWER_LAW_DAMPING, Fit
 from pyjoystick.fitting.figures import save_figures
 from pyjoystick.fitting.json_report import as_json
-from pyjoystick.fitting.selection import compare_models, comparison_table
+from pyjoystick.fitting.selection import Candidate, compare_models, comparison_table
 from pyjoystick.fitting.text_report import report
 from pyjoystick.output import write_text
+from pyjoystick.parameters import PAPER, read_parameter_file, write_parameters
 from pyjoystick.records import read_repeats
 
 ROOT = Path(__file__).parents[1]
 RECORDS = sorted((ROOT / "scenarios" / "data").glob("synthetic_power_law_*.csv"))
-MODELS = {"constant": CONSTANT_DAMPING, "power law": POWER_LAW_DAMPING}
+MODELS = {
+    "constant": CONSTANT_DAMPING,
+    "displacement terms": DISPLACEMENT_DAMPING,
+    "power law": POWER_LAW_DAMPING,
+}
 RESULTS = ROOT / "results" / "fit_your_own_joystick"
 
 
@@ -46,10 +53,26 @@ def main(results: Path = RESULTS, paths: Sequence[Path] = RECORDS) -> int:
         verdict = "trusted" if candidate.fit.trusted else "not to be trusted, see fit.md"
         lines.append(f"{candidate.name}: {verdict}; {candidate.fit.runs} runs, {candidate.fit.seconds:.1f} s")
         lines.append(f"  left over: {left_over(candidate.fit):.3f} deg root mean square")
+    lines += ["", write_best(candidates, results / "joystick.toml")]
     summary = "\n".join(lines) + "\n"
     write_text(results / "summary.md", summary)
     print(summary)
     return 0
+
+
+def write_best(candidates: Sequence[Candidate], path: Path) -> str:
+    """Write the joystick of the best model whose fit is to be trusted, and say so."""
+    trusted = [one for one in candidates if one.fit.trusted and one.fit.criteria is not None]
+    if not trusted:
+        return f"no fit is to be trusted, and no {path.name} is written"
+    best = min(trusted, key=lambda one: one.fit.criteria.aicc)
+    # What was not fitted stays as the file has it; where there is none, as in the paper.
+    before = read_parameter_file(path) if path.exists() else PAPER
+    law = "constant" if best.name == "constant" else "power-law"
+    found = fitted_joystick(best.fit, before.with_law(law), before.uncertainties)
+    sources = dict.fromkeys(found.tables, f"fit to {len(best.fit.records)} records")
+    write_parameters(path, found.joystick, uncertainties=found.uncertainties, sources=sources)
+    return f"{best.name}: written into {path.name}"
 
 
 def left_over(fit: Fit) -> float:

@@ -10,10 +10,10 @@ import typer
 
 from pyjoystick.cli.console import output, print_note
 from pyjoystick.cli.options import Set, parse_angle, parse_assignments
-from pyjoystick.cli.parameter_updates import file_to_update, rounded, write_update
+from pyjoystick.cli.parameter_updates import file_to_update, write_update
 from pyjoystick.errors import ParameterError
 from pyjoystick.output import check_outputs
-from pyjoystick.parameters import PAPER, ParameterFile
+from pyjoystick.parameters import PAPER, ParameterFile, rounded
 
 if TYPE_CHECKING:
     from pyjoystick.inertia import Estimate, Measured, SwingPeriod

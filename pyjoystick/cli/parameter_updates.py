@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -12,11 +11,9 @@ from pyjoystick.parameters import (
     JoystickParameters,
     ParameterFile,
     read_parameter_file,
+    rounded_error,
     write_parameters,
 )
-
-#: Digits that are written beyond the first one of the standard error.
-_DIGITS = 2
 
 
 def file_to_update(path: Path) -> ParameterFile:
@@ -37,16 +34,9 @@ def write_update(
         SettingsError, OutputFileError: it cannot be written; what was there before is still there
     """
     new = not path.exists()
-    shown = {place: float(f"{value:.{_DIGITS}g}") for place, value in uncertainties.items()}
+    shown = {place: rounded_error(value) for place, value in uncertainties.items()}
     write_parameters(path, joystick, uncertainties=shown, sources=sources)
     tables = ", ".join(f"[{table}]" for table in sources)
     print_note(f"wrote {tables} of {path}")
     if new:
         print_note(f"{path} is new: everything but {tables} is the paper's")
-
-
-def rounded(value: float, error: float) -> float:
-    """A value to a hundredth of its standard error or better."""
-    if not error > 0.0:
-        return value
-    return round(value, _DIGITS - math.floor(math.log10(error)))

@@ -1,6 +1,6 @@
 """Fitting an FMU's parameters to records, and saying how sure the answer is."""
 
-from pyjoystick.fitting.defaults import CONSTANT_DAMPING, POWER_LAW_DAMPING, RELEASE
+from pyjoystick.fitting.defaults import CONSTANT_DAMPING, DISPLACEMENT_DAMPING, POWER_LAW_DAMPING, RELEASE
 from pyjoystick.fitting.errors import FitError, FitInterruptedError
 from pyjoystick.fitting.fit import fit
 from pyjoystick.fitting.measurement import Measurement
@@ -9,6 +9,7 @@ from pyjoystick.fitting.settings import RELEASE_TIME, FitSettings, Free, Noise, 
 
 __all__ = [
     "CONSTANT_DAMPING",
+    "DISPLACEMENT_DAMPING",
     "POWER_LAW_DAMPING",
     "RELEASE",
     "RELEASE_TIME",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from typing import Final
 
 from pyjoystick.fitting.settings import RELEASE_TIME, FitSettings, Free, Search, Uncertainty
@@ -32,4 +33,11 @@ POWER_LAW_DAMPING: Final = FitSettings(
     search=Search(exchanges=(("damping.A_pos", "damping.A_neg"), ("damping.n_pos", "damping.n_neg"))),
     # Six parameters along a curved valley: their profiles take minutes, and are there where asked for.
     uncertainty=Uncertainty(profiles=()),
+)
+
+#: The displacement terms of eq. (11) alone, at alpha = 1: four records of 0.1 degree of noise determine them.
+DISPLACEMENT_DAMPING: Final = dataclasses.replace(
+    POWER_LAW_DAMPING,
+    fixed={"damping.alpha": 1.0},
+    free=tuple(one for one in POWER_LAW_DAMPING.free if one.name not in ("damping.B", "damping.m")),
 )

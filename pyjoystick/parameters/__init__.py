@@ -21,6 +21,7 @@ from pyjoystick.parameters.paper import (
     PIVOT_TO_TOP,
     STOP_ANGLE,
 )
+from pyjoystick.parameters.rounding import rounded, rounded_error
 from pyjoystick.parameters.springs import ActuatorAssembly, RestrainedSpring, SegmentTable
 
 __all__ = [
@@ -45,6 +46,8 @@ __all__ = [
     "law_name",
     "read_parameter_file",
     "read_parameters",
+    "rounded",
+    "rounded_error",
     "updated_text",
     "write_parameters",
 ]
