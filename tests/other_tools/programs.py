@@ -1,4 +1,4 @@
-"""Other tools are run in processes of their own: what a tool loads stays loaded, and a crash is one test's."""
+"""Other tools run in processes of their own: what they load stays loaded, and a crash is one test's."""
 
 from __future__ import annotations
 

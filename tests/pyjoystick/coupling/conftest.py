@@ -42,7 +42,7 @@ print(json.dumps(values))
 
 @pytest.fixture(scope="session")
 def ecos() -> Callable[..., list[float]]:
-    """A function that runs an SSP archive in ecos: path, step (s), number of steps, variable -> its values."""
+    """Runs an SSP archive in ecos: path, step (s), number of steps, variable -> its values."""
     require("ecospy")
 
     def values(path: Path, step: float, count: int, variable: str) -> list[float]:
