@@ -16,9 +16,10 @@ from fmu_build.packaging.build_description import BUILD_DESCRIPTION, build_descr
 from fmu_build.packaging.check import check_fmu
 from fmu_build.packaging.consistency import check_description
 from fmu_build.packaging.default_run import DefaultRun, run_default_experiment
-from fmu_build.packaging.documentation import FIGURE, index_html, license_text
+from fmu_build.packaging.documentation import FIGURE, index_html
 from fmu_build.packaging.elements import generation_time
-from fmu_build.packaging.icon import model_png
+from fmu_build.packaging.icon import ICONS, model_png
+from fmu_build.packaging.licenses_text import license_text
 from fmu_build.packaging.platforms import host_platform, select_platforms
 from fmu_build.packaging.reference_results import reference_files
 from fmu_build.packaging.run_figure import default_run_svg
@@ -31,7 +32,7 @@ from fmu_build.packaging.sources import (
     token_header,
 )
 from fmu_build.packaging.terminals import TERMINALS, terminals_and_icons_xml
-from fmu_build.request import BuildRequest, FmiVersion
+from fmu_build.request import BuildRequest
 
 __all__ = ["PackagedFmu", "check_request", "package_fmu"]
 
@@ -86,7 +87,9 @@ def package_fmu(model: GeneratedModel, request: BuildRequest) -> PackagedFmu:
     if host is not None:
         run = run_default_experiment(libraries[host], host, model.description, token, version)
     log += f"default experiment: {run}\n" if isinstance(run, str) else ""
-    entries |= _documents(model.description, run, version)
+    entries |= _documents(model.description, run)
+    entries["documentation/licenses/license.txt"] = license_text(version, platforms).encode()
+    entries[ICONS[version]] = model_png(model.description)
     request.on_stage("packing and checking the FMU")
     target = request.output / f"{identifier}.fmu"
     with replacing(target, archive_bytes(entries)) as new:
@@ -123,16 +126,9 @@ def _description_and_sources(
     return guid, description(guid, generation_time()), dict(sorted(sources.items()))
 
 
-def _documents(
-    description: ModelDescription, run: DefaultRun | str, fmi_version: FmiVersion
-) -> dict[str, bytes]:
-    """Archive name -> content of what is there to be read and looked at."""
-    icon = "model.png" if fmi_version == "2.0" else "terminalsAndIcons/icon.png"
-    documents = {
-        "documentation/index.html": index_html(description, run, _generation_tool()),
-        "documentation/licenses/license.txt": license_text(fmi_version).encode(),
-        icon: model_png(description),
-    }
+def _documents(description: ModelDescription, run: DefaultRun | str) -> dict[str, bytes]:
+    """Archive name -> content of what is said of the model and of its default experiment."""
+    documents = {"documentation/index.html": index_html(description, run, _generation_tool())}
     if not isinstance(run, str):
         documents[f"documentation/{FIGURE}"] = default_run_svg(run, description)
         documents |= reference_files(run, description.identifier)

@@ -1,8 +1,6 @@
-"""documentation/ of an FMU: a page for its reader, and the licences."""
+"""documentation/index.html of an FMU: a page for its reader."""
 
 from __future__ import annotations
-
-from importlib import resources
 
 from lxml import html
 from lxml.html import builder
@@ -10,9 +8,7 @@ from lxml.html import builder
 from fmu_build.description import ModelDescription, Variable
 from fmu_build.packaging.default_run import TOLERANCE, DefaultRun
 from fmu_build.packaging.reference_results import FOLDER
-from fmu_build.packaging.sources import FMI_HEADERS, fmi_license
 from fmu_build.packaging.text import xml_text
-from fmu_build.request import FmiVersion
 
 _STYLE = """
 body { font-family: sans-serif; max-width: 60em; margin: 2em auto; padding: 0 1em; }
@@ -45,22 +41,6 @@ def index_html(description: ModelDescription, run: DefaultRun | str, generation_
         builder.HTML(head, body, lang="en"), doctype="<!DOCTYPE html>", encoding="utf-8", pretty_print=True
     )
     return page
-
-
-def license_text(fmi_version: FmiVersion) -> str:
-    """documentation/licenses/license.txt: the runtime's licence and that of the FMI headers."""
-    apache = (resources.files("fmu_build.packaging") / "licenses" / "Apache-2.0.txt").read_text("utf-8")
-    return (
-        "This FMU consists of a model and of a runtime that carries it.\n\n"
-        "The model (modelDescription.xml and sources/model.c) is under the terms that the author of its\n"
-        "Modelica source gave it. The runtime (all other files in sources/, apart from the FMI headers, and\n"
-        "its part of the binaries) is under the Apache License 2.0. The FMI headers that\n"
-        f"it includes ({', '.join(FMI_HEADERS[fmi_version])})\n"
-        "are under a BSD license.\n"
-        "Both texts follow.\n\n"
-        f"{'=' * 78}\nRuntime\n{'=' * 78}\n{apache}\n"
-        f"{'=' * 78}\nFMI headers\n{'=' * 78}\n\n{fmi_license(fmi_version)}\n"
-    )
 
 
 def _class_documentation(text: str) -> list[html.HtmlElement]:

@@ -1,14 +1,18 @@
-"""model.png: the model as a block with its inputs on the left and its outputs on the right."""
+"""The icon: the model as a block with its inputs on the left and its outputs on the right."""
 
 from __future__ import annotations
 
 import io
+from collections.abc import Mapping
 
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
 from fmu_build.description import ModelDescription
+from fmu_build.request import FmiVersion
 
+# Where it is in the archive.
+ICONS: Mapping[FmiVersion, str] = {"2.0": "model.png", "3.0": "terminalsAndIcons/icon.png"}
 _MOST_PORTS = 12  # on one side; more would not be legible
 _COLOR = "#1f3b63"
 

@@ -18,7 +18,7 @@ from fmu_build.packaging import package_fmu
 from fmu_build.request import BuildRequest, FmiVersion
 
 
-@pytest.mark.parametrize("fmi_version", ["2.0"])
+@pytest.mark.parametrize("fmi_version", ["2.0", "3.0"])
 def test_fmpy_rebuilds_the_library(
     generated: GeneratedModel, fmi_version: FmiVersion, tmp_path: Path
 ) -> None:

@@ -8,9 +8,7 @@ import pytest
 
 from fmu_build.errors import BuildError
 from fmu_build.packaging import sources
-from fmu_build.packaging.documentation import license_text
 from fmu_build.packaging.sources import c_files, collect_sources, content_guid, token_header
-from fmu_build.request import FmiVersion
 
 _FLAGS = ("-O2", "-s")
 _FILES = {"a.c": b"int a;", "b.h": b""}
@@ -58,14 +56,3 @@ def test_a_missing_header_says_where_it_comes_from(monkeypatch: pytest.MonkeyPat
     monkeypatch.setattr(sources, "FMI_HEADERS", {"2.0": ("fmi2Missing.h",)})
     with pytest.raises(BuildError, match=r"fmi2Missing\.h is missing.*pip install fmpy"):
         collect_sources("", "2.0")
-
-
-@pytest.mark.parametrize("fmi_version", ["2.0", "3.0"])
-def test_both_licences_are_given_in_full(fmi_version: FmiVersion) -> None:
-    text = license_text(fmi_version)
-    assert f"fmi{fmi_version[0]}Functions.h" in text
-    assert "Apache License" in text
-    assert "END OF TERMS AND CONDITIONS" in text
-    assert "Modelica Association Project" in text
-    assert "Redistributions in binary form must reproduce" in text
-    assert "ADVISED OF THE POSSIBILITY OF SUCH DAMAGE" in text

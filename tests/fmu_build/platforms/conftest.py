@@ -11,7 +11,7 @@ from fmu_build import FmiVersion, build_fmu
 MODEL = "PreloadedSprings.Joystick.Joystick"
 
 
-@pytest.fixture(scope="session", params=["2.0"])
+@pytest.fixture(scope="session", params=["2.0", "3.0"])
 def fmi_version(request: pytest.FixtureRequest) -> FmiVersion:
     """Every version of FMI that can be built."""
     version: FmiVersion = request.param

@@ -1,0 +1,46 @@
+"""documentation/licenses/license.txt: under what terms the parts of an FMU are."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from importlib import resources
+from importlib.resources.abc import Traversable
+
+from fmu_build.errors import BuildError
+from fmu_build.packaging.platforms import Platform
+from fmu_build.packaging.sources import FMI_HEADERS, fmi_license
+from fmu_build.request import FmiVersion
+
+_RULE = "=" * 78
+
+
+def license_text(fmi_version: FmiVersion, platforms: Iterable[Platform]) -> str:
+    """The file's content for an FMU with binaries for these platforms.
+
+    Raises `BuildError` where a licence is missing from the package that has it.
+    """
+    apache = resources.files("fmu_build.packaging") / "licenses" / "Apache-2.0.txt"
+    compiler = resources.files("ziglang")
+    sections = {
+        "Runtime": _read(apache),
+        "FMI headers": fmi_license(fmi_version),
+        "Library of the C compiler": _read(compiler / "LICENSE"),
+    }
+    if any(platform.extension == ".dll" for platform in platforms):
+        mingw = compiler / "lib" / "libc" / "mingw" / "COPYING"
+        sections["Library of the C compiler for Windows, mingw-w64"] = _read(mingw)
+    return (
+        "This FMU consists of a model and of a runtime that carries it.\n\n"
+        "The model (modelDescription.xml and sources/model.c) is under the terms that the author of its\n"
+        "Modelica source gave it. The runtime (all other files in sources/, apart from the FMI headers, and\n"
+        "its part of the binaries) is under the Apache License 2.0. The FMI headers in sources/\n"
+        f"({', '.join(FMI_HEADERS[fmi_version])}) are under a BSD license.\n"
+        "The binaries may hold small parts of the libraries that the C compiler brings. All texts follow.\n"
+    ) + "".join(f"\n{_RULE}\n{title}\n{_RULE}\n\n{text.strip()}\n" for title, text in sections.items())
+
+
+def _read(file: Traversable) -> str:
+    try:
+        return file.read_text("utf-8")
+    except OSError as error:
+        raise BuildError(f"the licence {file} is missing: {error.strerror}") from error
