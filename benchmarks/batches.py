@@ -16,6 +16,7 @@ import numpy as np
 import pandas as pd
 
 from benchmarks.errors import BenchmarkError
+from benchmarks.memory import memory_of_process, reset_peak
 from benchmarks.task import INTERVALS, TOLERANCE, sample_times
 from pyjoystick._types import FloatArray
 from pyjoystick.fmu import Extremes, Fmu, Peaks, Plan, Reduction
@@ -125,27 +126,12 @@ def _main(path: str, runs: str) -> None:
     with Fmu(path) as fmu:
         plan, table = prepared(fmu), random_joysticks(int(runs))
         _timed(plan, table[:10], THREADS)
-        before = _memory("VmRSS")
-        _reset_peak()
+        before = memory_of_process("VmRSS")
+        reset_peak()
         _, seconds = _timed(plan, table, THREADS)
-        peak = _memory("VmHWM")
+        peak = memory_of_process("VmHWM")
     memory = None if before is None or peak is None else peak - before
     print(json.dumps({"seconds": seconds, "memory": memory}))
-
-
-def _memory(what: str) -> float | None:
-    """Present (VmRSS) or greatest (VmHWM) memory of this process (MiB); None where there is no /proc."""
-    status = Path("/proc/self/status")
-    if not status.is_file():
-        return None
-    lines = [line.split() for line in status.read_text().splitlines() if line.startswith(f"{what}:")]
-    return int(lines[0][1]) / 1024.0 if lines else None
-
-
-def _reset_peak() -> None:
-    clear = Path("/proc/self/clear_refs")
-    if clear.is_file():
-        clear.write_text("5")
 
 
 if __name__ == "__main__":

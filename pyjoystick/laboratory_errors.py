@@ -68,7 +68,7 @@ def curve_axes(joystick: JoystickParameters, side: Side, curve: LoadCurveFit) ->
     moved = []
     for size, axis in zip(np.maximum(sizes, 0.0), axes.T, strict=True):
         x, k = np.split(values + math.sqrt(size) * axis * deviations, 2)
-        actuator = ActuatorAssembly.from_table(x, k)
+        actuator = ActuatorAssembly.from_table(x.tolist(), k.tolist())
         forward, backward = joystick.forward, joystick.backward
         forward, backward = (actuator, backward) if side == "forward" else (forward, actuator)
         moved.append(dataclasses.replace(joystick, forward=forward, backward=backward))
@@ -87,8 +87,8 @@ def run_contribution(
     exact, period = runs[0], mean_period(_TIME, runs[0].theta)
     squares = [
         (
-            np.mean((run.theta - exact.theta) ** 2),
-            np.mean((run.omega - exact.omega) ** 2),
+            float(np.mean((run.theta - exact.theta) ** 2)),
+            float(np.mean((run.omega - exact.omega) ** 2)),
             (mean_period(_TIME, run.theta) / period - 1.0) ** 2,
         )
         for run in runs[1:]

@@ -107,11 +107,12 @@ def _stages(
     random: np.random.Generator,
 ) -> Iterator[StageError]:
     def compared(stage: str, series: Sequence[FloatArray]) -> StageError:
-        errors = (
-            np.sqrt(np.mean((one - exact)[judged] ** 2)) for one, exact in zip(series, true, strict=True)
+        angle_error, velocity_error, acceleration_error = (
+            float(np.sqrt(np.mean((one - exact)[judged] ** 2)))
+            for one, exact in zip(series, true, strict=True)
         )
         period = mean_period(time, series[0]) / mean_period(time, theta) - 1.0
-        return StageError(stage, *map(float, errors), abs(period))
+        return StageError(stage, angle_error, velocity_error, acceleration_error, abs(period))
 
     def differentiated(theta: FloatArray) -> Sequence[FloatArray]:
         rules = ((1, chain.velocity_points), (2, chain.acceleration_points))
