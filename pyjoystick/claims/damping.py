@@ -66,8 +66,8 @@ def negative_slopes(bench: Workbench) -> Finding:
         "finds " + ", ".join(f"{value:+.2f}" for value in found.values()) + " in a motion made with them"
     )
     remark = (
-        "the printed n_pos contradicts the sentence; its sign may be lost, or the highest peaks "
-        "may have tilted the line"
+        "the printed n_pos contradicts the sentence; its sign may have been lost (see the last line of "
+        "Torque), or the highest peaks may have tilted the line"
     )
     printed = (_PRINTED.n_pos, _PRINTED.n_neg, _PRINTED.m)
     return Finding(verdict(max(printed) < 0.0, min(printed) < 0.0), here, remark)
