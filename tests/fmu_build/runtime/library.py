@@ -11,6 +11,7 @@ from pathlib import Path
 
 from fmu_build.packaging.binaries import COMPILER_FLAGS
 from fmu_build.packaging.sources import FMI_HEADERS, RUNTIME, runtime_files
+from fmu_build.request import FmiVersion
 
 MODELS = Path(__file__).parent / "models"
 TOKEN = "{00000000-0000-0000-0000-000000000001}"
@@ -54,17 +55,18 @@ def _compile(arguments: Sequence[str | Path], folder: Path) -> None:
 class Workshop:
     """Compiles the runtime once and links it with any number of models."""
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, fmi_version: FmiVersion = "2.0") -> None:
         self._folder = folder
         headers = resources.files("fmpy") / "c-code"
-        for name in FMI_HEADERS["2.0"]:
-            (folder / name).write_bytes((headers / name).read_bytes())
+        standard = folder / "standard"
+        standard.mkdir()
+        for name in FMI_HEADERS[fmi_version]:
+            (standard / name).write_bytes((headers / name).read_bytes())
         (folder / "token.h").write_text(f'#define MODEL_TOKEN "{TOKEN}"\n', "utf-8")
-        own = ("-I", RUNTIME, "-I", MODELS, "-I", folder)
+        own = ("-I", RUNTIME, "-I", MODELS, "-I", folder, "-isystem", standard)
         self._flags = (*COMPILER_FLAGS, "-Wpedantic", "-Werror", "-fPIC", *own)
-        _compile(
-            (*self._flags, "-c", *(file for file in runtime_files("2.0") if file.suffix == ".c")), folder
-        )
+        sources = [file for file in runtime_files(fmi_version) if file.suffix == ".c"]
+        _compile((*self._flags, "-c", *sources), folder)
         self._libraries: dict[str, c.CDLL] = {}
 
     def library(self, name: str) -> c.CDLL:

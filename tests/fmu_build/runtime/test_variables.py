@@ -27,7 +27,7 @@ TIME, X, DER_X, Y, U, GEAR, ON, TAU, GAIN, HALF, HIGH, LAST_GEAR = range(12)
         (DER_X, 1.0, ('"der(x)"', "local variable")),
         (TIME, 1.0, ('"time"', "independent")),
         (GEAR, 1.0, ('"gear"', "Integer", "not Real")),
-        (99, 1.0, ("99", "11")),
+        (99, 1.0, ("99", "12")),
     ],
 )
 def test_bad_values_are_refused_by_name_and_the_old_one_is_kept(

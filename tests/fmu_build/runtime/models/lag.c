@@ -6,9 +6,9 @@
 #include <math.h>
 
 enum { X, Y, N_Y };
-enum { U, GEAR, ON, TAU, GAIN, HALF, HIGH, LAST_GEAR, N_P };
+enum { U, GEAR, ON, TAU, GAIN, HALF, HIGH, LAST_GEAR, MODE, N_P };
 
-static const double y_start[N_Y] = {0}, p_start[N_P] = {[GEAR] = 1.0, [TAU] = 0.5, [GAIN] = 3.0, [HALF] = 0.25},
+static const double y_start[N_Y] = {0}, p_start[N_P] = {[GEAR] = 1.0, [TAU] = 0.5, [GAIN] = 3.0, [HALF] = 0.25, [MODE] = 2.0},
                     state_nominal[] = {1.0};
 static const Variable variables[] = {
     TIME,
@@ -26,6 +26,8 @@ static const Variable variables[] = {
      0.0, 1.0},
     {"lastGear", TYPE_INTEGER, STORE_PARAMETER, LAST_GEAR, CAUSALITY_OUTPUT, VARIABILITY_DISCRETE, INITIAL_CALCULATED,
      1.0, ANY},
+    {"mode", TYPE_ENUMERATION, STORE_PARAMETER, MODE, CAUSALITY_PARAMETER, VARIABILITY_FIXED, INITIAL_EXACT, 2.0, 1.0,
+     2.0},
 };
 static const Relation relations[] = {{0, HIGH, false}};
 static const DiscreteTarget discrete[] = {{DISCRETE_ASSIGN, STORE_PARAMETER, LAST_GEAR}};
