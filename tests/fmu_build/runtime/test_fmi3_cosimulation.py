@@ -60,7 +60,7 @@ def test_steps_end_at_events(build3: Build) -> None:
             if instance.get(BOUNCES)[0] > len(bounces):
                 bounces.append(time)
     # Each flight after the first lasts e = 0.5 times as long as the one before it.
-    flights = [1.0, 2.0, 2.5, 2.75]
+    flights = [1.0, 2.0, 2.5, 2.75, 2.875]
     assert bounces == pytest.approx([FIRST_BOUNCE * flight for flight in flights], abs=1e-8)
     plain = Instance3(build3("ball"))
     plain.initialize()
