@@ -8,7 +8,7 @@ from typing import Annotated, Final
 import typer
 from typer.core import TyperGroup
 
-from pyjoystick.cli import compare, fit, free_oscillation, imports, info, parameters, peaks, sweep
+from pyjoystick.cli import compare, fit, free_oscillation, imports, info, parameters, peaks, sweep, torque
 from pyjoystick.cli.console import print_error, print_traceback
 from pyjoystick.errors import PyJoystickError
 from pyjoystick.versions import version_of
@@ -16,7 +16,17 @@ from pyjoystick.versions import version_of
 __all__ = ["app", "main"]
 
 #: The commands as one comes to need them: the joystick, what was measured, what is simulated, what is judged.
-_ORDER: Final = ("info", "parameters", "import", "peaks", "fit", "free-oscillation", "sweep", "compare")
+_ORDER: Final = (
+    "info",
+    "parameters",
+    "import",
+    "peaks",
+    "fit",
+    "free-oscillation",
+    "torque",
+    "sweep",
+    "compare",
+)
 
 
 class _InOrder(TyperGroup):
@@ -43,6 +53,7 @@ app.add_typer(imports.app, name="import")
 app.command("parameters", epilog=parameters.EXAMPLES)(parameters.run)
 app.command("peaks", epilog=peaks.EXAMPLES)(peaks.run)
 app.command("sweep", epilog=sweep.EXAMPLES)(sweep.run)
+app.command("torque", epilog=torque.EXAMPLES)(torque.run)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

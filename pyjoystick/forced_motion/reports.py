@@ -16,15 +16,7 @@ def measures_report(found: Mapping[LawName, TorqueMeasures]) -> str:
     parts = {"stiffness": first.parts["stiffness"], "inertia": first.parts["inertia"]}
     parts |= {f"damping, {law}": measures.parts["damping"] for law, measures in found.items()}
     parts |= {f"total, {law} damping": measures.total for law, measures in found.items()}
-    header = [
-        "torque",
-        "highest (N m)",
-        "lowest (N m)",
-        "rms (N m)",
-        "impulse (N m s)",
-        "work (mJ)",
-        "of mean square",
-    ]
+    header = ["torque (N m)", "highest", "lowest", "rms", "impulse (N m s)", "work (mJ)", "share"]
     rows = [_part_row(name, part) for name, part in parts.items()]
     return markdown_table(header, rows) + "\n\n" + _hand_table(found)
 
@@ -91,10 +83,10 @@ def _hand_table(found: Mapping[LawName, TorqueMeasures]) -> str:
     ]
     header = [
         "hand",
-        "largest force (N)",
+        "force (N)",
         "work done (mJ)",
         "got back (mJ)",
-        "energy change (mJ)",
+        "stored (mJ)",
         "loss (mJ)",
         "damping/total",
         "inertia/stiffness",
