@@ -13,7 +13,7 @@ _HEADER = re.compile(
 )
 _INFO = re.compile(rf"Documentation\(info\s*=\s*{_STRING}")
 _PARAMETER = re.compile(
-    rf"^\s*parameter\s+([\w.]+)\s+(\w+)(?:\([^;]*?\))?(?:\s*=\s*([^\"]+?))?\s*{_STRING}", re.M
+    rf"^\s*parameter\s+([\w.]+)\s+(\w+(?:\[[^]]*\])?)(?:\([^;]*?\))?(?:\s*=\s*([^\"]+?))?\s*{_STRING}", re.M
 )
 
 

@@ -1,0 +1,90 @@
+"""What the site adds to Sphinx: formulas, docstrings, the Modelica library."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.modelica.library import ROOT as LIBRARY
+from tests.modelica.library import library_classes
+
+pytest.importorskip("sphinx", reason="the extra docs is not installed")
+
+from docutils.utils.math import MathError
+from extensions import docstrings, mathml
+from extensions.modelica_library import read_packages
+
+
+def test_a_function_is_set_apart_from_its_argument_and_bars_from_nothing() -> None:
+    formula = mathml._mathml(r"a\,\lvert\tan\theta\rvert + \ln(x)", as_block=True)
+    assert '<mi>tan</mi>\n  <mspace width="0.17em"></mspace>' in formula
+    assert formula.count("&ApplyFunction;") == 1
+    assert formula.index('form="prefix"') < formula.index("tan") < formula.index('form="postfix"')
+
+
+def test_what_mathml_has_not_is_an_error() -> None:
+    with pytest.raises(MathError):
+        mathml._mathml(r"\nothing{x}", as_block=True)
+
+
+DOCSTRING = """Peaks of |theta| in `x*y`, by n_.
+
+Attributes:
+    A, n: both
+        of them
+    time: a ratio: less than 1
+
+Returns:
+    by name: the value
+
+Raises:
+    KeyError, ValueError: it is not there
+"""
+
+
+def test_docstrings_are_plain_text_with_sections() -> None:
+    lines = DOCSTRING.splitlines()
+    docstrings._process(None, "class", "x", None, None, lines)
+    assert lines[0] == r"Peaks of \|theta\| in `x*y`, by n\_."
+    text = "\n".join(lines)
+    assert "- **A, n**: both\n" in text
+    assert "- **time**: a ratio: less than 1" in text
+    assert ":returns: by name: the value" in text
+    assert ":raises KeyError, ValueError: it is not there" in text
+
+
+def test_errors_of_another_function() -> None:
+    lines = ["Run it.", "", "Raises:", "    as `fit`"]
+    docstrings._process(None, "function", "x", None, None, lines)
+    assert ":raises: as `fit`" in lines
+
+
+def test_signatures_are_python() -> None:
+    signature, returns = docstrings._readable(
+        None,
+        "class",
+        "x",
+        None,
+        None,
+        "(x: Callable[[TypeAliasForwardRef('FloatArray')], int], y: list = <factory>)",
+        None,
+    )
+    assert signature == "(x: Callable[[FloatArray], int], y: list = ...)"
+    assert returns is None
+
+
+def test_every_class_of_the_library_is_there() -> None:
+    read = [one for package in read_packages(LIBRARY) for one in package]
+    assert sorted(one.name for one in read) == sorted(one.qualified for one in library_classes())
+    assert all(one.documentation.startswith("<") for one in read)
+
+
+def test_every_parameter_is_there() -> None:
+    read = {one.name: one for package in read_packages(LIBRARY) for one in package}
+    for one in library_classes():
+        declared = [text for text in one.declarations if text.startswith("parameter ")]
+        assert len(read[one.qualified].parameters) == len(declared), one.qualified
+    (spring,) = [
+        p for p in read["PreloadedSprings.Springs.RestrainedPreloadedSpring"].parameters if p.name == "F_0"
+    ]
+    assert spring.kind == "Force"
+    assert spring.description
