@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
+from typing import Final
 
 import numpy as np
 
@@ -12,8 +13,10 @@ from pyjoystick.measurements.c3d_parameters import BLOCK, C3dHead, read_c3d_head
 from pyjoystick.measurements.markers import Markers, length_factor
 from pyjoystick.records import RecordError
 
+#: The largest frame number in one word.
+_LAST_FRAME: Final = 0xFFFF
 #: The lower byte of a point's fourth word is its residual, the upper one tells the cameras.
-_RESIDUAL = 0xFF
+_RESIDUAL: Final = 0xFF
 
 
 def read_c3d(path: Path, *, unit: str | None = None) -> Markers:
@@ -28,8 +31,8 @@ def read_c3d(path: Path, *, unit: str | None = None) -> Markers:
         not seen. `rows` are the frame numbers, the time is zero at the first frame.
 
     Raises:
-        RecordError: the file cannot be read, is no C3D file or is damaged, has fewer frames than it says, no
-            points, no rate or no known unit
+        RecordError: the file cannot be read, is no C3D file or is damaged, has fewer frames than it says or
+            more than it can say, no points, no rate or no known unit
     """
     source = str(path)
     try:
@@ -103,6 +106,16 @@ def _frames(head: C3dHead, data: bytes, points: int, frames: int, first: int) ->
             rows=range(first + present, first + frames),
             value=f"{len(data)} bytes, {start + frames * words * size} needed",
         )
-    body = data[start : start + frames * words * size]
+    end = start + frames * words * size
+    clipped = _LAST_FRAME in (frames, first + frames - 1) and head.value("ROTATION:USED", 0.0) == 0.0
+    if clipped and len(data) - end >= BLOCK:
+        raise RecordError(
+            head.source,
+            f"goes on after the {frames} frames that it says: their number ends at {_LAST_FRAME}",
+            "export a shorter record, or one with its last frame in TRIAL:ACTUAL_END_FIELD",
+            column="POINT:FRAMES",
+            rows=[first + frames],
+        )
+    body = data[start:end]
     numbers = head.numbers.reals(body) if real else head.numbers.integers(body).astype(np.float64)
     return numbers.reshape(frames, words)[:, : 4 * points].reshape(frames, points, 4)

@@ -114,6 +114,16 @@ def test_a_file_that_is_cut_off_says_which_frames_are_missing(tmp_path: Path, sc
         read_c3d(file)
 
 
+def test_frames_beyond_the_largest_number_of_them_are_not_lost_in_silence(tmp_path: Path) -> None:
+    file = tmp_path / "a.c3d"
+    write_c3d(file, ["TOP"], np.zeros((65_535, 1, 3)), rate=60.0)
+    assert len(read_c3d(file).time) == 65_535
+    with file.open("ab") as more:  # 4465 frames of one point
+        more.write(bytes(4465 * 16))
+    with pytest.raises(RecordError, match=r"row 65536: goes on after the 65535 frames .*shorter"):
+        read_c3d(file)
+
+
 def test_what_is_no_c3d_file_is_refused(tmp_path: Path) -> None:
     file = tmp_path / "a.c3d"
     file.write_text("time,theta\n", encoding="utf-8")
