@@ -88,14 +88,14 @@ def _search(problem: Problem, settings: FitSettings, tell: OnProgress) -> list[M
         sigmas = estimated_sigmas(problem, best.x, per_record=settings.noise.per_record, combined=peaks)
         old = problem.weights
         problem.weights = weights_of(problem, sigmas)
-        levels = np.array([value for one in sigmas for value in one.values()])
-        factor = float(problem.weights[0][0] / old[0][0])
-        settled = before is not None and np.allclose(levels, before, rtol=_NOISE_CHANGE, atol=0.0)
-        if not several or settled:
-            # The same weights but for a factor: the minimum stays where it is.
-            return [_rescaled(one, factor) for one in minima] if not several else [best, *minima[1:]]
-        before = levels
+        if not several:
+            # The same weights but for a factor: the minima stay where they are.
+            return [_rescaled(one, float(problem.weights[0][0] / old[0][0])) for one in minima]
         best = search(problem, best.x, evaluations=settings.search.evaluations)
+        levels = np.array([value for one in sigmas for value in one.values()])
+        if before is not None and np.allclose(levels, before, rtol=_NOISE_CHANGE, atol=0.0):
+            break
+        before = levels
     return [best, *minima[1:]]
 
 

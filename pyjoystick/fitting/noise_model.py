@@ -28,12 +28,12 @@ def first_weights(predictors: Sequence[Predictor], noise: Noise) -> list[FloatAr
     found = []
     for predictor in predictors:
         labels = np.array(predictor.labels)
-        sigma = np.empty(len(labels))
-        for label in dict.fromkeys(predictor.labels):
-            inside = labels == label
+        sigma = np.full(len(labels), _FIRST_GUESS)
+        # The errors of peaks are relative already, and heights and times count alike.
+        for label in dict.fromkeys(predictor.labels if not isinstance(predictor, PeakPredictor) else ()):
             # One size for all records, so that none counts more before anything is known.
             largest = max(_largest(other, label) for other in predictors)
-            sigma[inside] = noise.sigma.get(label, _FIRST_GUESS * largest)
+            sigma[labels == label] = noise.sigma.get(label, _FIRST_GUESS * largest)
         found.append(1.0 / (sigma * relative_sizes(predictor)))
     return found
 
@@ -84,4 +84,4 @@ def _largest(predictor: Predictor, label: str) -> float:
     inside = np.array(predictor.labels) == label
     if not inside.any():
         return 0.0
-    return float(np.max(np.abs(predictor.data[inside]) / relative_sizes(predictor)[inside]))
+    return float(np.max(np.abs(predictor.data[inside])))

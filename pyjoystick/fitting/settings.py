@@ -182,8 +182,8 @@ class FitSettings:
             raise ParameterError("outputs", "nothing", "one output or more")
         if self.comparison not in get_args(Comparison):
             raise ParameterError("comparison", self.comparison, "'trajectory' or 'peaks'")
-        if self.comparison == "peaks" and len(self.outputs) != 1:
-            raise ParameterError("outputs", self.outputs, "one output where peaks are compared")
+        if self.comparison == "peaks":
+            self._check_peaks()
         for name in self.noise.sigma:
             if name not in self.outputs:
                 raise ParameterError("noise.sigma", name, f"one of the outputs, {', '.join(self.outputs)}")
@@ -192,6 +192,13 @@ class FitSettings:
             raise ParameterError(RELEASE_TIME, "given", "left out where inputs drive the FMU")
         whole_number("peaks", self.peaks, 2)
         positive("tolerance", self.tolerance)
+
+    def _check_peaks(self) -> None:
+        if len(self.outputs) != 1:
+            raise ParameterError("outputs", self.outputs, "one output where peaks are compared")
+        if self.noise.sigma:
+            allowed = "left out where peaks are compared, whose relative errors are estimated"
+            raise ParameterError("noise.sigma", dict(self.noise.sigma), allowed)
 
     def _check_names(self) -> None:
         """The parameters that are exchanged and profiled are free ones."""

@@ -25,6 +25,7 @@ DOCUMENTATION = Path(__file__).parents[3] / "docs" / "fitting.md"
         ({"comparison": "spectra"}, "'trajectory' or 'peaks'"),
         ({"comparison": "peaks", "outputs": ("theta", "omega")}, "one output where peaks are compared"),
         ({"noise": Noise({"omega": 0.1})}, "noise.sigma = omega"),
+        ({"noise": Noise({"theta": 0.1}), "comparison": "peaks"}, "left out where peaks are compared"),
         ({"inputs": ("T",)}, "left out where inputs drive the FMU"),
         ({"peaks": 1}, "peaks = 1"),
         ({"peaks": 2.5}, "peaks = 2.5"),
