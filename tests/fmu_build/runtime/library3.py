@@ -184,9 +184,9 @@ class Instance3:
         """fmi3Set by value reference."""
         n = len(values)
         array = (c.c_uint32 * n)(*values)
-        return self.call(
-            f"fmi3Set{kind}", array, c.c_size_t(n), (_TYPES[kind] * n)(*values.values()), c.c_size_t(n)
-        )
+        number = float if kind == "Float64" else int
+        stored = (_TYPES[kind] * n)(*map(number, values.values()))
+        return self.call(f"fmi3Set{kind}", array, c.c_size_t(n), stored, c.c_size_t(n))
 
     def save(self) -> c.c_void_p:
         """fmi3GetFMUState."""
