@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
@@ -79,5 +78,5 @@ def _damping_rows(law: ConstantDamping | PowerLawDamping) -> Iterator[list[str]]
     ):
         yield [name, f"{size:.6g}", coefficient]
         yield [exponent, f"{power:.6g}", "1"]
-    yield ["eps_theta, rounds the angle off near 0", f"{math.degrees(law.eps_theta):.4g}", "deg"]
+    yield ["eps_theta, rounds the angle off near 0", f"{law.eps_theta:.4g}", "rad"]
     yield ["eps_omega, rounds the velocity off near 0", f"{law.eps_omega:.4g}", "rad/s"]

@@ -8,7 +8,19 @@ from typing import Annotated, Final
 import typer
 from typer.core import TyperGroup
 
-from pyjoystick.cli import compare, fit, free_oscillation, imports, info, parameters, peaks, sweep, torque
+from pyjoystick.cli import (
+    budget,
+    compare,
+    fit,
+    free_oscillation,
+    imports,
+    info,
+    parameters,
+    peaks,
+    report,
+    sweep,
+    torque,
+)
 from pyjoystick.cli.console import print_error, print_traceback
 from pyjoystick.errors import PyJoystickError
 from pyjoystick.versions import version_of
@@ -22,10 +34,12 @@ _ORDER: Final = (
     "import",
     "peaks",
     "fit",
+    "budget",
     "free-oscillation",
     "torque",
     "sweep",
     "compare",
+    "report",
 )
 
 
@@ -46,12 +60,14 @@ app = typer.Typer(
     epilog="`pyjoystick COMMAND --help` shows the options of a command, with examples.",
 )
 app.command("free-oscillation", epilog=free_oscillation.EXAMPLES)(free_oscillation.run)
+app.command("budget", epilog=budget.EXAMPLES)(budget.run)
 app.command("compare", epilog=compare.EXAMPLES)(compare.run)
 app.command("info", epilog=info.EXAMPLES)(info.run)
 app.command("fit", epilog=fit.EXAMPLES)(fit.run)
 app.add_typer(imports.app, name="import")
 app.command("parameters", epilog=parameters.EXAMPLES)(parameters.run)
 app.command("peaks", epilog=peaks.EXAMPLES)(peaks.run)
+app.command("report", epilog=report.EXAMPLES)(report.run)
 app.command("sweep", epilog=sweep.EXAMPLES)(sweep.run)
 app.command("torque", epilog=torque.EXAMPLES)(torque.run)
 

@@ -13,6 +13,8 @@ from pyjoystick.reference import Trajectory
 #: The energy rests where it falls less than this part of as fast as it does at most in the swings beside it.
 REST: Final = 0.05
 
+_COLUMNS: Final = ["time", "theta", "energy", "start", "end", "lost", "swing_lost"]
+
 
 def plateaus(run: Trajectory) -> pd.DataFrame:
     """The plateau around each turning point of a free oscillation that starts at rest.
@@ -23,9 +25,11 @@ def plateaus(run: Trajectory) -> pd.DataFrame:
     Returns:
         one row a turning point with a swing before and after it: ``time`` (s), ``theta`` (rad), ``energy``
         (J) there, ``start`` and ``end`` of the plateau (s), ``lost`` on it (J), and ``swing_lost`` (J), what
-        the swing before the turning point takes from the energy
+        the swing before the turning point takes from the energy; empty where no energy is taken
     """
     power = np.abs(run.M_d * run.omega)
+    if not power.any():
+        return pd.DataFrame(columns=_COLUMNS, dtype=np.float64)
     turns = np.array([run.time[0], *(point.time for point in run.turning_points)])
     at = np.searchsorted(run.time, turns)
     rows = []
@@ -44,4 +48,4 @@ def plateaus(run: Trajectory) -> pd.DataFrame:
                 "swing_lost": run.E[before] - run.E[here],
             }
         )
-    return pd.DataFrame(rows)
+    return pd.DataFrame(rows, columns=_COLUMNS, dtype=np.float64)

@@ -76,7 +76,7 @@ def plot_load_deflection(
             assembly_force(fit.assembly, corners),
             color=color,
             linewidth=1.5,
-            label=f"{side}, Table 1",
+            label=f"{side}, straight segments",
         )
         axes.plot(
             fit.travel * _MM,

@@ -100,6 +100,12 @@ def test_the_figures_have_units_on_their_axes(power_law: Trajectory) -> None:
     assert all("(s)" in figure.axes[1].get_xlabel() for figure in figures)
 
 
+def test_without_damping_there_is_no_plateau() -> None:
+    run = simulate(NOMINAL.replace({"damping.C": 0.0}), time=TIME, theta_start=RELEASE)
+    assert plateaus(run).empty
+    assert "start" in plateaus(run)
+
+
 def test_a_run_that_does_not_turn_has_no_plateau() -> None:
     short = simulate(NOMINAL, time=[0.0, 0.01, 0.02], theta_start=RELEASE)
     assert isinstance(plateaus(short), pd.DataFrame)
