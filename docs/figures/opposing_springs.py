@@ -8,7 +8,7 @@ from figures.svg import LIGHT, Drawing, Point
 
 def draw() -> Drawing:
     """The mass in its middle position, with a clearance on each side."""
-    drawing = Drawing(620.0, 210.0, "A mass between opposing restrained preloaded springs")
+    drawing = Drawing(620.0, 225.0, "A mass between opposing restrained preloaded springs")
     middle = Point(310.0, 125.0)
     gap, half_mass, length = 26.0, 38.0, 160.0
     ground = middle.y - 62.0
