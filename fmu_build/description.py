@@ -102,6 +102,7 @@ class ModelDescription:
     documentation: str = ""
     """The HTML of the class's Documentation annotation."""
     terminals: tuple[Terminal, ...] = ()
+    has_directional_derivatives: bool = False
 
     @property
     def identifier(self) -> str:
@@ -115,3 +116,5 @@ class GeneratedModel:
 
     description: ModelDescription
     c_source: str
+    notes: str = ""
+    """What the one who asked for the FMU may want to know of it, in lines."""

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from fmu_build.codegen.annotations import default_experiment, documentation, terminals
 from fmu_build.codegen.baked import baked_parameters
 from fmu_build.codegen.c_model import write_model
 from fmu_build.codegen.compact import compact
-from fmu_build.codegen.equations import n_named_slots, read_equations
+from fmu_build.codegen.equations import Equations, n_named_slots, read_equations
 from fmu_build.codegen.functions import FunctionLibrary
 from fmu_build.codegen.lowered import lower
 from fmu_build.codegen.modelica_text import modelica_texts
@@ -14,7 +16,8 @@ from fmu_build.codegen.refusals import refuse_unfaithful
 from fmu_build.codegen.source import ModelSource
 from fmu_build.codegen.start_values import StartValues
 from fmu_build.codegen.structure import Structure
-from fmu_build.codegen.variables import VariableReader
+from fmu_build.codegen.tangents import NoTangentsError, Tangents
+from fmu_build.codegen.variables import StoredVariable, VariableReader
 from fmu_build.description import GeneratedModel, ModelDescription
 
 __all__ = ["ModelSource", "generate"]
@@ -34,6 +37,7 @@ def generate(source: ModelSource) -> GeneratedModel:
     variables = VariableReader(lowered, equations, starts, baked).read()
     structure = Structure(equations, variables)
     texts = modelica_texts(lowered, equations)
+    tangents, notes = _tangents(equations, variables)
     description = ModelDescription(
         model_name=lowered.name,
         description=lowered.flat.get("model_description") or "",
@@ -45,7 +49,15 @@ def generate(source: ModelSource) -> GeneratedModel:
         default_experiment=default_experiment(lowered),
         documentation=documentation(lowered),
         terminals=terminals(lowered),
+        has_directional_derivatives=tangents is not None,
     )
-    return GeneratedModel(
-        description, write_model(lowered, equations, variables, starts, functions.sources())
-    )
+    c_source = write_model(lowered, equations, variables, starts, functions.sources(), tangents)
+    return GeneratedModel(description, c_source, notes)
+
+
+def _tangents(equations: Equations, variables: Sequence[StoredVariable]) -> tuple[Tangents | None, str]:
+    """The directional derivatives, or None and why there are none."""
+    try:
+        return Tangents.of(equations, variables), ""
+    except NoTangentsError as error:
+        return None, f"The FMU provides no directional derivatives: {error}.\n"

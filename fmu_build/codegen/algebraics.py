@@ -126,3 +126,22 @@ def needed(steps: Sequence[Step], roots: Iterable[Expression]) -> tuple[Step, ..
             kept.append(step)
             wanted |= {leaf.index for leaf in ex.leaves(*step.expressions) if leaf.operator == "y"}
     return tuple(reversed(kept))
+
+
+def in_order(rows: Sequence[tuple[int, Expression]]) -> list[tuple[int, Expression]]:
+    """Computed parameters, each after those that it reads."""
+    values = dict(rows)
+    ordered: list[tuple[int, Expression]] = []
+    visited: set[int] = set()
+
+    def visit(index: int) -> None:
+        if index in visited or index not in values:
+            return
+        visited.add(index)
+        for leaf in sorted(leaf.index for leaf in ex.leaves(values[index]) if leaf.operator == "p"):
+            visit(leaf)
+        ordered.append((index, values[index]))
+
+    for index, _ in rows:
+        visit(index)
+    return ordered

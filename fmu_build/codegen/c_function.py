@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from fmu_build.codegen import expression as ex
@@ -21,8 +22,9 @@ class FunctionBody:
         signatures: Mapping[str, FunctionSignature],
         expressions: Iterable[Expression],
         sines: Mapping[Expression, Expression],
-        parts: Mapping[Expression, int],
+        known: Mapping[Expression, Expression],
     ) -> None:
+        """`known` says in which slot a value is found that need not be computed again."""
         self.lines: list[str] = []
         self._slot_names = slot_names
         self._signatures = signatures
@@ -30,7 +32,7 @@ class FunctionBody:
         self._sines = sines
         self._shared = shared_nodes(expressions) | {sines[e] for e in ex.walk(*expressions) if e in sines}
         self._names = _Names(slot_names)
-        self._names.update((part, self._names[ex.p(slot)]) for part, slot in parts.items())
+        self._names.update((value, self._names[leaf]) for value, leaf in known.items())
         self._writer = Writer(self._names)
         self._temporaries = 0
         self._calls: dict[tuple[str, tuple[Expression, ...]], str] = {}
@@ -84,7 +86,7 @@ class FunctionBody:
             passed, rest = rest[: size or 1], rest[size or 1 :]
             if size is None:
                 arguments.append(self._writer.text(passed[0]))
-            elif all(e.operator == "p" and e.index == passed[0].index + i for i, e in enumerate(passed)):
+            elif _is_stretch(passed):
                 arguments.append(f"&{self._writer.text(passed[0])}")
             else:
                 elements = ", ".join(self._writer.text(element) for element in passed)
@@ -118,10 +120,33 @@ class FunctionBody:
             self.lines.append(f"y[{slot}] = {local};")
 
 
+def _is_stretch(elements: Sequence[Expression]) -> bool:
+    """Whether these are elements of p, or tangents of them, one behind the other."""
+    first = elements[0]
+    return first.operator in ("p", "dp") and all(
+        e.operator == first.operator and e.index == first.index + i for i, e in enumerate(elements)
+    )
+
+
 class _Names(dict[Expression, str]):
     """Names of nodes; a slot that has no local name is read from its array."""
 
     def __init__(self, slot_names: Mapping[Slot, str]) -> None:
-        super().__init__({ex.TIME: "time"})
-        for (store, index), name in slot_names.items():
-            self[ex.y(index) if store == "y" else ex.p(index)] = f"{store}[{name}]"
+        super().__init__({ex.TIME: "time", ex.DTIME: "dtime"})
+        for slot, name in slot_names.items():
+            self[ex.leaf(slot)] = f"{slot[0]}[{name}]"
+            self[ex.tangent_leaf(slot)] = f"d{slot[0]}[{name}]"
+
+
+def c_function(signature: str, lines: Sequence[str]) -> str:
+    """A C function; parameters that its lines do not name are marked as unused."""
+    names = [
+        part.replace("*", " ").split()[-1] for part in signature[signature.index("(") + 1 : -1].split(",")
+    ]
+    text = "\n".join(lines)
+    unused = [f"(void){name};" for name in names if not _mentions(text, name)]
+    return "\n".join([signature, "{", *(f"    {line}" for line in (*unused, *lines)), "}", ""])
+
+
+def _mentions(text: str, name: str) -> bool:
+    return re.search(rf"\b{name}\b", text) is not None

@@ -7,10 +7,11 @@ from collections.abc import Iterable, Mapping, Sequence
 from functools import reduce
 
 from fmu_build.codegen import expression as ex
-from fmu_build.codegen.algebraics import NewtonBlock, Step, needed
-from fmu_build.codegen.c_function import FunctionBody
+from fmu_build.codegen.algebraics import Assignment, NewtonBlock, Step, in_order, needed
+from fmu_build.codegen.c_function import FunctionBody, c_function
 from fmu_build.codegen.c_message import message_call
 from fmu_build.codegen.c_tables import tables
+from fmu_build.codegen.c_tangents import tangent_functions
 from fmu_build.codegen.equations import Equations, watched_conditions, written_slots
 from fmu_build.codegen.expression import Expression, Slot
 from fmu_build.codegen.functions import FunctionSources
@@ -21,6 +22,7 @@ from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.names import slot_names
 from fmu_build.codegen.right_hand_side import RightHandSide, arrange, with_parts
 from fmu_build.codegen.start_values import StartValues
+from fmu_build.codegen.tangents import Tangents
 from fmu_build.codegen.variables import StoredVariable
 
 _HELPERS = {
@@ -35,14 +37,17 @@ def write_model(
     variables: Sequence[StoredVariable],
     starts: StartValues,
     functions: FunctionSources,
+    tangents: Tangents | None,
 ) -> str:
-    """C11 source that defines everything that model.h declares."""
+    """C11 source that defines everything that model.h declares; without `tangents`, no derivatives."""
     inputs = {s.index for s in variables if s.store == "p" and s.variable.causality == "input"}
     side = arrange(equations, inputs | written_slots(equations))
     equations = with_parts(equations, side.parts)
     names = slot_names(model, equations, side.parts)
     code = _Code(equations, side, names, functions)
-    body = [*code.blocks(), *code.functions()]
+    derivatives = code.tangents(tangents)
+    tangents_of_functions = functions.tangents_for("\n".join(derivatives))
+    body = [*code.blocks(), *code.functions(), *tangents_of_functions, *derivatives]
     helpers = [
         source
         for name, source in _HELPERS.items()
@@ -62,7 +67,7 @@ def write_model(
         *(f"{source}\n" for source in helpers),
         *([functions.source] if functions.source else []),
         *body,
-        tables(model, equations, variables, starts, names),
+        tables(model, equations, variables, starts, names, tangents),
     ]
     return "\n".join(parts)
 
@@ -93,17 +98,13 @@ class _Code:
             [*_parts(equations.algebraics), *equations.derivatives, *equations.relations.roots]
         )
         self._block_names = {block: f"block_{number}" for number, block in enumerate(blocks)}
+        self._parts = {part: ex.p(slot) for part, slot in side.parts.items()}
 
     def _body(
-        self, expressions: Iterable[Expression], parts: Mapping[Expression, int] | None = None
+        self, expressions: Iterable[Expression], known: Mapping[Expression, Expression] | None = None
     ) -> FunctionBody:
-        return FunctionBody(
-            self._names,
-            self._signatures,
-            expressions,
-            self._sines,
-            self._side.parts if parts is None else parts,
-        )
+        known = self._parts if known is None else known
+        return FunctionBody(self._names, self._signatures, expressions, self._sines, known)
 
     def blocks(self) -> list[str]:
         """Residual, Jacobian and table of each system that Newton's method solves."""
@@ -114,7 +115,7 @@ class _Code:
             )
             entries = [entry for row in block.jacobian for entry in row]
             for what, values in (("residual", block.residuals), ("jacobian", entries)):
-                parts.append(_function(signature.format(what, what), self._stores(what, values)))
+                parts.append(c_function(signature.format(what, what), self._stores(what, values)))
             unknowns = ", ".join(self._names["y", index] for index in block.unknowns)
             parts.append(
                 f"static const size_t {name}_unknowns[] = {{{unknowns}}};\n"
@@ -131,34 +132,44 @@ class _Code:
             self._derivatives(),
             self._algebraics(),
             self._evaluation("model_roots", "double *root", e.relations.roots, "root"),
-            _function(
+            c_function(
                 "void model_time_relations(double time, const double *p, double *root)",
                 self._stores("root", e.relations.time_roots),
             ),
-            _function("void model_dependent_parameters(double *p)", self._dependent_parameters()),
-            _function("void model_start_values(double *y, double *p)", self._start_values()),
-            _function(
+            c_function("void model_dependent_parameters(double *p)", self._dependent_parameters()),
+            c_function("void model_start_values(double *y, double *p)", self._start_values()),
+            c_function(
                 f"void model_initial_residual({read_y}, double *residual)",
                 self._stores("residual", e.initial_residuals),
             ),
             self._watched_actions(),
-            _function(
+            c_function(
                 f"void model_discrete({read_y}, double *value)",
                 self._stores("value", [row.value for row in e.discrete]),
             ),
-            _function(
+            c_function(
                 "void model_time_events(const double *p, double *when)",
                 self._stores("when", e.relations.event_times),
             ),
-            _function(
+            c_function(
                 f"void model_actions({read_y}, bool *active)",
                 self._stores("active", [action.condition for action in e.actions], as_truth=True),
             ),
-            _function(
+            c_function(
                 f"void model_action_message(size_t action, {read_y}, char *text, size_t size)",
                 self._messages(),
             ),
         ]
+
+    def tangents(self, tangents: Tangents | None) -> list[str]:
+        """The functions of the directional derivatives; the algebraic variables are up to date in y."""
+        steps = [step for step in self._equations.algebraics if isinstance(step, Assignment)]
+        computed = {step.value: ex.y(step.unknown) for step in reversed(steps) if step.value.arguments}
+
+        def body(expressions: Iterable[Expression]) -> FunctionBody:
+            return self._body(expressions, known=computed | self._parts)
+
+        return tangent_functions(tangents, self._names, self._block_names, body)
 
     def _stores(self, array: str, values: Sequence[Expression], as_truth: bool = False) -> list[str]:
         body = self._body(values)
@@ -180,7 +191,7 @@ class _Code:
         body.steps(steps, self._block_names, stored=lambda unknown: unknown in in_blocks)
         self._store(body, array, values, as_truth)
         body.lines.append("return true;")
-        return _function(f"bool {name}(double time, double *y, const double *p, {output})", body.lines)
+        return c_function(f"bool {name}(double time, double *y, const double *p, {output})", body.lines)
 
     def _derivatives(self) -> str:
         """The derivatives, and on request the roots, which need much the same algebraic variables."""
@@ -197,7 +208,7 @@ class _Code:
             body.lines = [*before, "if (root != NULL) {", *(f"    {line}" for line in body.lines), "}"]
         body.lines.append("return true;")
         parameters = "double time, double *y, const double *p, double *der, double *root"
-        return _function(f"bool model_derivatives({parameters})", body.lines)
+        return c_function(f"bool model_derivatives({parameters})", body.lines)
 
     def _watched_actions(self) -> str:
         conditions = watched_conditions(self._equations)
@@ -209,11 +220,11 @@ class _Code:
         body = self._body(_parts(steps))
         body.steps(steps, self._block_names, stored=lambda unknown: True)
         body.lines.append("return true;")
-        return _function("bool model_algebraics(double time, double *y, const double *p)", body.lines)
+        return c_function("bool model_algebraics(double time, double *y, const double *p)", body.lines)
 
     def _dependent_parameters(self) -> list[str]:
         """In the order of their dependence; later ones read the earlier ones from p."""
-        rows = _in_order(self._equations.dependent_parameters)
+        rows = in_order(self._equations.dependent_parameters)
         return self._sequence((("p", index), value) for index, value in rows)
 
     def _start_values(self) -> list[str]:
@@ -222,7 +233,7 @@ class _Code:
     def _sequence(self, rows: Iterable[tuple[Slot, Expression]]) -> list[str]:
         lines: list[str] = []
         for slot, value in rows:
-            body = self._body([value], parts={})
+            body = self._body([value], known={})
             text = body.value(value)
             assignment = f"{slot[0]}[{self._names[slot]}] = {text};"
             lines += (
@@ -253,36 +264,3 @@ def _parts(steps: Iterable[Step]) -> list[Expression]:
 def _read_by_blocks(steps: Iterable[Step]) -> set[int]:
     blocks = [step for step in steps if isinstance(step, NewtonBlock)]
     return {leaf.index for block in blocks for leaf in ex.leaves(*block.expressions) if leaf.operator == "y"}
-
-
-def _in_order(rows: Sequence[tuple[int, Expression]]) -> list[tuple[int, Expression]]:
-    """Computed parameters, each after those that it reads."""
-    values = dict(rows)
-    ordered: list[tuple[int, Expression]] = []
-    visited: set[int] = set()
-
-    def visit(index: int) -> None:
-        if index in visited or index not in values:
-            return
-        visited.add(index)
-        for leaf in sorted(leaf.index for leaf in ex.leaves(values[index]) if leaf.operator == "p"):
-            visit(leaf)
-        ordered.append((index, values[index]))
-
-    for index, _ in rows:
-        visit(index)
-    return ordered
-
-
-def _function(signature: str, lines: Sequence[str]) -> str:
-    """A C function; parameters that its lines do not name are marked as unused."""
-    names = [
-        part.replace("*", " ").split()[-1] for part in signature[signature.index("(") + 1 : -1].split(",")
-    ]
-    text = "\n".join(lines)
-    unused = [f"(void){name};" for name in names if not _mentions(text, name)]
-    return "\n".join([signature, "{", *(f"    {line}" for line in (*unused, *lines)), "}", ""])
-
-
-def _mentions(text: str, name: str) -> bool:
-    return re.search(rf"\b{name}\b", text) is not None

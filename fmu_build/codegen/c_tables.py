@@ -12,6 +12,7 @@ from fmu_build.codegen.expression import Expression, Slot
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.modelica_text import modelica_texts
 from fmu_build.codegen.start_values import StartValues
+from fmu_build.codegen.tangents import Tangents
 from fmu_build.codegen.variables import StoredVariable
 from fmu_build.description import Variable
 
@@ -43,6 +44,7 @@ def tables(
     variables: Sequence[StoredVariable],
     starts: StartValues,
     names: Mapping[Slot, str],
+    tangents: Tangents | None,
 ) -> str:
     """The definition of `model` with its tables."""
     writer = _Tables(names)
@@ -107,6 +109,8 @@ def tables(
         f".actions_read_algebraic = {_bool(_read_algebraic(e, [action.condition for action in e.actions]))}",
         f".discrete_reads_algebraic = {_bool(_read_algebraic(e, [row.value for row in e.discrete]))}",
         f".initial_event_slot = {initial_event}",
+        f".has_tangents = {_bool(tangents is not None)}",
+        f".has_initial_tangents = {_bool(tangents is not None and tangents.cover_initialization)}",
         *(f".{name} = {name}" for name in writer.defined),
     ]
     return "\n".join(

@@ -8,15 +8,21 @@ from collections.abc import Callable, Mapping
 from fmu_build.codegen import expression as ex
 from fmu_build.codegen.expression import ONE, ZERO, Expression, binary, negate, number, unary
 
+CallTangent = Callable[[Expression, tuple[Expression, ...]], Expression]
+"""From the call of a function and the tangents of its arguments to the tangent of the result."""
+
 
 class NotDifferentiableError(Exception):
     """The expression contains something without a known derivative, such as a call of a function."""
 
 
-def differentiate(root: Expression, seeds: Mapping[Expression, Expression]) -> Expression:
+def differentiate(
+    root: Expression, seeds: Mapping[Expression, Expression], call_tangent: CallTangent | None = None
+) -> Expression:
     """The directional derivative of `root` for leaves that change as `seeds` says, all others held.
 
-    Raises `NotDifferentiableError` where a function call depends on a seeded leaf.
+    Raises `NotDifferentiableError` where a function call depends on a seeded leaf and there is no
+    `call_tangent`.
     """
     tangents: dict[Expression, Expression] = {}
     for node in ex.walk(root):
@@ -24,6 +30,8 @@ def differentiate(root: Expression, seeds: Mapping[Expression, Expression]) -> E
             tangents[node] = seeds[node]
         elif all(tangents[argument] == ZERO for argument in node.arguments):
             tangents[node] = ZERO
+        elif node.operator == "call" and call_tangent is not None:
+            tangents[node] = call_tangent(node, tuple(tangents[argument] for argument in node.arguments))
         else:
             tangents[node] = _tangent(node, tuple(tangents[argument] for argument in node.arguments))
     return tangents[root]
@@ -38,6 +46,8 @@ def _tangent(node: Expression, tangents: tuple[Expression, ...]) -> Expression:
     operator = node.operator
     if operator == "Select":
         return ex.select(node.arguments[0], tangents[1], tangents[2])
+    if operator == "Neg":
+        return negate(tangents[0])
     if operator in ex.TRUTH or operator in ("Sign", "Floor", "Ceil", "Trunc"):
         return ZERO
     if operator in _UNARY:
@@ -57,7 +67,6 @@ def _over(a: Expression, b: Expression) -> Expression:
 
 # The derivative of a function of one argument, from the node: f'(a).
 _UNARY: dict[str, Callable[[Expression], Expression]] = {
-    "Neg": lambda n: number(-1.0),
     "Abs": lambda n: unary("Sign", n.arguments[0]),
     "Sqrt": lambda n: _over(number(0.5), n),
     "Exp": lambda n: n,
@@ -90,7 +99,11 @@ def _power(node: Expression, da: Expression, db: Expression) -> Expression:
     by_base = binary("Mul", binary("Mul", b, binary("Pow", a, binary("Sub", b, ONE))), da)
     if db == ZERO:
         return by_base
-    return binary("Add", by_base, binary("Mul", binary("Mul", node, unary("Log", a)), db))
+    by_exponent = binary("Mul", binary("Mul", node, unary("Log", a)), db)
+    if not db.is_number and not a.is_number:
+        # An exponent that does not change is no reason to take the logarithm of a negative base or of zero.
+        by_exponent = ex.select(Expression("Ne", (db, ZERO)), by_exponent, ZERO)
+    return binary("Add", by_base, by_exponent)
 
 
 def _arc_tangent(node: Expression, dy: Expression, dx: Expression) -> Expression:

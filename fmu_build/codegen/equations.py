@@ -27,6 +27,14 @@ class DiscreteRow:
     slot: Slot
     value: Expression
 
+    @property
+    def holds(self) -> bool:
+        """Whether this is a discrete variable that keeps its value until a when-clause sets it."""
+        value = self.value
+        while value.operator == "Select":
+            value = value.arguments[2]
+        return self.slot[0] == "p" and value == ex.p(self.slot[1])
+
 
 @dataclass(frozen=True, slots=True)
 class Action:

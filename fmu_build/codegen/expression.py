@@ -28,7 +28,8 @@ Slot = tuple[Literal["y", "p"], int]
 class Expression:
     """One node: an operator with its arguments, or a leaf.
 
-    Leaves: ``number`` (payload: float), ``time``, ``y`` and ``p`` (payload: index). Operators: the names in
+    Leaves: ``number`` (payload: float), ``time``, ``y`` and ``p`` (payload: index), and the tangents of
+    these, ``dtime``, ``dy`` and ``dp``. Operators: the names in
     `UNARY`, `BINARY` and `COMPARE`, ``Select`` (condition, value if true, value if false), and ``call``
     (payload: function name and number of the result; arguments: the scalars that are passed).
     """
@@ -89,6 +90,19 @@ def y(index: int) -> Expression:
 def p(index: int) -> Expression:
     """A parameter, input, discrete variable or memory."""
     return Expression("p", payload=index)
+
+
+def leaf(slot: Slot) -> Expression:
+    """What is in a slot."""
+    return y(slot[1]) if slot[0] == "y" else p(slot[1])
+
+
+DTIME = Expression("dtime")
+
+
+def tangent_leaf(slot: Slot) -> Expression:
+    """How far the value of a slot moves when states, inputs, parameters and time (by `DTIME`) move."""
+    return Expression(f"d{slot[0]}", payload=slot[1])
 
 
 ZERO, ONE = number(0.0), number(1.0)

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from fmu_build.codegen import expression as ex
 from fmu_build.codegen.algebraics import Assignment
 from fmu_build.codegen.differentiate import NotDifferentiableError, partial
 from fmu_build.codegen.equations import Equations
-from fmu_build.codegen.expression import ZERO, Expression
+from fmu_build.codegen.expression import TIME, ZERO, Expression
 from fmu_build.codegen.variables import StoredVariable
 from fmu_build.description import DependencyKind, Unknown
+
+_TIME_SLOT = ("time", 0)
 
 
 class Structure:
@@ -20,6 +22,7 @@ class Structure:
         self._equations = equations
         self._variables = variables
         self._steps = {u: step for step in equations.algebraics for u in step.unknowns}
+        self._computed = dict(equations.dependent_parameters)
         self._discrete = {row.slot[1]: row.value for row in equations.discrete if row.slot[0] == "p"}
         self._values: dict[int, Expression] = {}
         self._tunable = {
@@ -49,7 +52,7 @@ class Structure:
             (s.store, s.index): n
             for n, s in enumerate(self._variables)
             if (s.variable.initial == "exact" and s.variable.variability != "constant")
-            or s.variable.causality == "input"
+            or s.variable.causality in ("input", "independent")
         }
         states = set(range(self._equations.n_states))
         for n, s in enumerate(self._variables):
@@ -72,21 +75,34 @@ class Structure:
         return ex.y(stored.index) if stored.store == "y" else ex.p(stored.index)
 
     def _unknown(self, reference: int, value: Expression) -> Unknown:
-        """Dependencies on states and continuous inputs, with kinds where the equations are explicit."""
-        states = {
-            ex.y(s.index): n
-            for n, s in enumerate(self._variables)
-            if s.store == "y" and s.index < self._equations.n_states
-        }
-        inputs = {ex.p(s.index): n for n, s in enumerate(self._variables) if s.variable.causality == "input"}
-        knowns = states | inputs
+        """Dependencies on states, inputs, parameters and time, with kinds where equations are explicit."""
         explicit, reached = self._expand(value)
-        dependencies = []
-        for leaf, n in knowns.items():
-            if leaf in reached:
+        behind = self._parameters_behind(reached)
+        dependencies: list[tuple[int, DependencyKind]] = []
+        for n, s in enumerate(self._variables):
+            leaf = _leaf(s)
+            if s.variable.causality == "parameter" and leaf in behind:
+                dependencies.append((n, "dependent"))
+            elif self._is_known(s) and leaf in reached:
                 dependencies.append((n, self._kind(explicit, leaf)))
         dependencies.sort()
         return Unknown(reference, tuple(n for n, _ in dependencies), tuple(k for _, k in dependencies))
+
+    def _is_known(self, stored: StoredVariable) -> bool:
+        is_state = stored.store == "y" and stored.index < self._equations.n_states
+        return is_state or stored.variable.causality in ("input", "independent")
+
+    def _parameters_behind(self, reached: Iterable[Expression]) -> set[Expression]:
+        """The parameters among the leaves, and those that others among them are computed from."""
+        found: set[Expression] = set()
+        waiting = list(reached)
+        while waiting:
+            leaf = waiting.pop()
+            if leaf not in found and leaf.operator == "p":
+                found.add(leaf)
+                if leaf.index in self._computed:
+                    waiting.extend(ex.leaves(self._computed[leaf.index]))
+        return found
 
     def _expand(self, value: Expression) -> tuple[Expression | None, frozenset[Expression]]:
         """The value in terms of states and p (None behind a Newton block), and the leaves it reaches."""
@@ -127,12 +143,13 @@ class Structure:
     def _reach_initially(self, stored: StoredVariable) -> set[tuple[str, int]]:
         """Every slot that a value reaches at initialisation, through start values and equations."""
         starts: Mapping[ex.Slot, Expression] = dict(self._equations.start_values)
-        computed = dict(self._equations.dependent_parameters)
         seen: set[tuple[str, int]] = set()
         waiting = list(ex.leaves(self._value(stored)))
         while waiting:
             leaf = waiting.pop()
-            if leaf.operator == "time" or (leaf.operator, leaf.index) in seen:
+            if leaf == TIME:
+                seen.add(_TIME_SLOT)
+            if leaf == TIME or (leaf.operator, leaf.index) in seen:
                 continue
             slot: ex.Slot = ("y" if leaf.operator == "y" else "p", leaf.index)
             seen.add(slot)
@@ -142,11 +159,20 @@ class Structure:
             elif slot in starts:
                 sources.append(starts[slot])
             elif slot[0] == "p":
-                sources.extend(table[slot[1]] for table in (computed, self._discrete) if slot[1] in table)
+                sources.extend(
+                    table[slot[1]] for table in (self._computed, self._discrete) if slot[1] in table
+                )
             elif slot[1] in self._steps:
                 sources.extend(self._steps[slot[1]].expressions)
             waiting.extend(ex.leaves(*sources))
         return seen
+
+
+def _leaf(stored: StoredVariable) -> Expression | None:
+    """What the equations read where they read the variable; None for those that they only compute."""
+    if stored.store == "time":
+        return TIME
+    return None if stored.store == "derivative" else ex.leaf((stored.store, stored.index))
 
 
 def _outside(residuals: Sequence[Expression], unknowns: Sequence[int]) -> list[Expression]:

@@ -211,15 +211,7 @@ class VariableReader:
 
 def _given_by_when(equations: Equations) -> frozenset[ex.Slot]:
     """Discrete variables that keep their start value until a when-clause sets them."""
-    return frozenset(
-        row.slot for row in equations.discrete if row.kind == "assign" and _keeps_itself(row.value, row.slot)
-    )
-
-
-def _keeps_itself(value: ex.Expression, slot: ex.Slot) -> bool:
-    while value.operator == "Select":
-        value = value.arguments[2]
-    return value == ex.p(slot[1]) and slot[0] == "p"
+    return frozenset(row.slot for row in equations.discrete if row.kind == "assign" and row.holds)
 
 
 def _per_second(unit: str) -> str:

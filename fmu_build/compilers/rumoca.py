@@ -76,7 +76,7 @@ def generate_model(request: BuildRequest) -> tuple[GeneratedModel, str]:
     request.on_stage("generating C")
     with native_stderr() as generating, translated_errors(request.model, known.file, files):
         generated = generate(ModelSource(session, model))
-    return _with_input_steps(generated, library), loading() + generating()
+    return _with_input_steps(generated, library), loading() + generating() + generated.notes
 
 
 def _with_input_steps(model: GeneratedModel, library: Path) -> GeneratedModel:

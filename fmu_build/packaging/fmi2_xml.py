@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 from lxml import etree
 
@@ -28,7 +28,6 @@ _CAPABILITIES = {
     "canNotUseMemoryManagementFunctions": "true",
     "canGetAndSetFMUstate": "true",
     "canSerializeFMUstate": "true",
-    "providesDirectionalDerivative": "false",
 }
 _MODEL_EXCHANGE = {**_CAPABILITIES, "completedIntegratorStepNotNeeded": "false"}
 _CO_SIMULATION = {
@@ -72,7 +71,13 @@ def model_description_xml(
     for fmi_type in ("me", "cs"):
         if fmi_type in fmi_types:
             tag, capabilities = interfaces[fmi_type]
-            interface = add(root, tag, modelIdentifier=description.identifier, **capabilities)
+            interface = add(
+                root,
+                tag,
+                modelIdentifier=description.identifier,
+                providesDirectionalDerivative=description.has_directional_derivatives,
+                **capabilities,
+            )
             files = add(interface, "SourceFiles")
             for name in source_files:
                 add(files, "File", name=name)
@@ -112,9 +117,10 @@ def _add_type_definitions(root: etree._Element, variables: Sequence[Variable]) -
 
 def _model_structure(description: ModelDescription) -> etree._Element:
     structure = etree.Element("ModelStructure")
+    parameters = {n for n, v in enumerate(description.variables) if v.causality == "parameter"}
     for tag, unknowns in (
-        ("Outputs", description.outputs),
-        ("Derivatives", description.derivatives),
+        ("Outputs", [_without(unknown, parameters) for unknown in description.outputs]),
+        ("Derivatives", [_without(unknown, parameters) for unknown in description.derivatives]),
         ("InitialUnknowns", description.initial_unknowns),
     ):
         if unknowns:
@@ -122,6 +128,13 @@ def _model_structure(description: ModelDescription) -> etree._Element:
             for unknown in unknowns:
                 _add_unknown(parent, unknown)
     return structure
+
+
+def _without(unknown: Unknown, left_out: Collection[int]) -> Unknown:
+    """Without some dependencies: FMI 2 counts parameters among the knowns of the initialization only."""
+    pairs = zip(unknown.dependencies, unknown.dependency_kinds, strict=True)
+    kept = [(reference, kind) for reference, kind in pairs if reference not in left_out]
+    return Unknown(unknown.value_reference, tuple(r for r, _ in kept), tuple(k for _, k in kept))
 
 
 def _add_unknown(parent: etree._Element, unknown: Unknown) -> None:

@@ -28,8 +28,6 @@ _CAPABILITIES = {
     "canBeInstantiatedOnlyOncePerProcess": "false",
     "canGetAndSetFMUState": "true",
     "canSerializeFMUState": "true",
-    "providesDirectionalDerivatives": "false",
-    "providesAdjointDerivatives": "false",
     "providesPerElementDependencies": "false",
     "providesEvaluateDiscreteStates": "false",
 }
@@ -71,10 +69,15 @@ def model_description_xml(
         generationDateAndTime=generation_time,
         variableNamingConvention="structured",
     )
+    own = {
+        "modelIdentifier": description.identifier,
+        "providesDirectionalDerivatives": description.has_directional_derivatives,
+        "providesAdjointDerivatives": description.has_directional_derivatives,
+    }
     if "me" in fmi_types:
-        add(root, "ModelExchange", modelIdentifier=description.identifier, **_MODEL_EXCHANGE)
+        add(root, "ModelExchange", **own, **_MODEL_EXCHANGE)
     if "cs" in fmi_types:
-        add(root, "CoSimulation", modelIdentifier=description.identifier, **_CO_SIMULATION)
+        add(root, "CoSimulation", **own, **_CO_SIMULATION)
     root.extend(unit_definitions(description.variables))
     _add_type_definitions(root, description.variables)
     add_log_categories(root, "fmi3")

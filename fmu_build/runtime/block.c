@@ -141,3 +141,21 @@ bool block_solve(const Block *block, double time, double *y, const double *p)
     free(heap);
     return solved;
 }
+
+bool block_tangents(const Block *block, double time, const double *y, const double *p, double *moves)
+{
+    const size_t n = block->size;
+    double *jacobian = malloc(n * n * sizeof(double) + n * sizeof(size_t));
+    if (jacobian == NULL)
+        return false;
+    size_t *pivot = (size_t *)(jacobian + n * n);
+    block->jacobian(time, y, p, jacobian);
+    const bool solved = lu_factor(n, jacobian, pivot);
+    if (solved) {
+        for (size_t i = 0; i < n; ++i)
+            moves[i] = -moves[i];
+        lu_solve(n, jacobian, pivot, moves);
+    }
+    free(jacobian);
+    return solved;
+}

@@ -8,4 +8,8 @@
  * Returns false, and leaves y as it was, where no solution was found. */
 bool block_solve(const Block *block, double time, double *y, const double *p);
 
+/* How far the unknowns move when the residuals, with the unknowns held, move by `moves`, which is replaced by the answer.
+ * False where the Jacobian is singular. */
+bool block_tangents(const Block *block, double time, const double *y, const double *p, double *moves);
+
 #endif

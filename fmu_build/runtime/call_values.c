@@ -87,3 +87,38 @@ Status call_access_nothing(const Instance *instance, const char *type, size_t n)
         return STATUS_ERROR;
     return n == 0 ? STATUS_OK : call_refuse(instance, "the model has no variable of type %s.", type);
 }
+
+static bool has_arrays(const Instance *instance, const Partials *partials, const double *seed, size_t n_seed,
+                       size_t expected_seed, const double *sensitivity, size_t n_sensitivity,
+                       size_t expected_sensitivity)
+{
+    if (!call_has(instance, partials->n_unknowns, partials->unknowns) ||
+        !call_has(instance, partials->n_knowns, partials->knowns) || !call_has(instance, n_seed, seed) ||
+        !call_has(instance, n_sensitivity, sensitivity))
+        return false;
+    if (n_seed == expected_seed && n_sensitivity == expected_sensitivity)
+        return true;
+    call_refuse(instance, "a seed of %zu and a sensitivity of %zu values; %zu and %zu are needed, as all variables are "
+                "scalars.", n_seed, n_sensitivity, expected_seed, expected_sensitivity);
+    return false;
+}
+
+Status call_get_directional_derivative(Instance *instance, const Partials *partials, const double *seed, size_t n_seed,
+                                       double *sensitivity, size_t n_sensitivity)
+{
+    return has_arrays(instance, partials, seed, n_seed, partials->n_knowns, sensitivity, n_sensitivity,
+                      partials->n_unknowns) &&
+                   derivatives_directional(instance, partials, seed, sensitivity)
+               ? STATUS_OK
+               : STATUS_ERROR;
+}
+
+Status call_get_adjoint_derivative(Instance *instance, const Partials *partials, const double *seed, size_t n_seed,
+                                   double *sensitivity, size_t n_sensitivity)
+{
+    return has_arrays(instance, partials, seed, n_seed, partials->n_unknowns, sensitivity, n_sensitivity,
+                      partials->n_knowns) &&
+                   derivatives_adjoint(instance, partials, seed, sensitivity)
+               ? STATUS_OK
+               : STATUS_ERROR;
+}

@@ -6,7 +6,7 @@
 #ifndef CALLS_H
 #define CALLS_H
 
-#include "instance.h"
+#include "derivatives.h"
 
 #include <stdint.h>
 
@@ -53,6 +53,12 @@ Status call_get(Instance *instance, const AccessType *type, const unsigned *refe
 Status call_set(Instance *instance, const AccessType *type, const unsigned *references, size_t n, const void *values);
 /* Of types of which no model has a variable. */
 Status call_access_nothing(const Instance *instance, const char *type, size_t n);
+
+/* Partial derivatives. */
+Status call_get_directional_derivative(Instance *instance, const Partials *partials, const double *seed, size_t n_seed,
+                                       double *sensitivity, size_t n_sensitivity);
+Status call_get_adjoint_derivative(Instance *instance, const Partials *partials, const double *seed, size_t n_seed,
+                                   double *sensitivity, size_t n_sensitivity);
 
 /* Saved states, which importers hold as pointers to void. */
 Status call_get_state(const Instance *instance, void **state);

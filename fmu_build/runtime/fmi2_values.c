@@ -53,14 +53,7 @@ fmi2Status fmi2GetDirectionalDerivative(fmi2Component c, const fmi2ValueReferenc
                                         const fmi2ValueReference vKnown_ref[], size_t nKnown,
                                         const fmi2Real dvKnown[], fmi2Real dvUnknown[])
 {
-    (void)vUnknown_ref;
-    (void)nUnknown;
-    (void)vKnown_ref;
-    (void)nKnown;
-    (void)dvKnown;
-    (void)dvUnknown;
-    const Instance *instance = fmi2_enter(c, CALL_GET_DIRECTIONAL_DERIVATIVE);
-    if (instance == NULL)
-        return fmi2Error;
-    return fmi2_status(call_refuse(instance, "directional derivatives are not supported."));
+    const Partials partials = {vUnknown_ref, nUnknown, vKnown_ref, nKnown};
+    return fmi2_status(call_get_directional_derivative(fmi2_enter(c, CALL_GET_DIRECTIONAL_DERIVATIVE), &partials,
+                                                       dvKnown, nKnown, dvUnknown, nUnknown));
 }

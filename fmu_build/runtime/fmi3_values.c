@@ -74,26 +74,16 @@ SETTER(Int32, &int32_type)
 SETTER(Int64, &int64_type)
 SETTER(Boolean, &boolean_type)
 
-static fmi3Status refuse_derivatives(fmi3Instance instance, Call call)
-{
-    const Instance *entered = fmi3_enter(instance, call);
-    return fmi3_leave(instance, entered == NULL ? STATUS_ERROR : call_refuse(entered, "derivatives are not supported."));
-}
+/* Both functions of partial derivatives have the same arguments. */
+#define DERIVATIVE(NAME, GET)                                                                                         \
+    fmi3Status fmi3Get##NAME(fmi3Instance instance, const fmi3ValueReference unknowns[], size_t nUnknowns,            \
+                             const fmi3ValueReference knowns[], size_t nKnowns, const fmi3Float64 seed[],             \
+                             size_t nSeed, fmi3Float64 sensitivity[], size_t nSensitivity)                            \
+    {                                                                                                                 \
+        const Partials partials = {unknowns, nUnknowns, knowns, nKnowns};                                             \
+        Instance *entered = fmi3_enter(instance, CALL_Get##NAME);                                                     \
+        return fmi3_leave(instance, GET(entered, &partials, seed, nSeed, sensitivity, nSensitivity));                 \
+    }
 
-fmi3Status fmi3GetDirectionalDerivative(fmi3Instance instance, const fmi3ValueReference unknowns[], size_t nUnknowns,
-                                        const fmi3ValueReference knowns[], size_t nKnowns, const fmi3Float64 seed[],
-                                        size_t nSeed, fmi3Float64 sensitivity[], size_t nSensitivity)
-{
-    (void)unknowns, (void)nUnknowns, (void)knowns, (void)nKnowns;
-    (void)seed, (void)nSeed, (void)sensitivity, (void)nSensitivity;
-    return refuse_derivatives(instance, CALL_GetDirectionalDerivative);
-}
-
-fmi3Status fmi3GetAdjointDerivative(fmi3Instance instance, const fmi3ValueReference unknowns[], size_t nUnknowns,
-                                    const fmi3ValueReference knowns[], size_t nKnowns, const fmi3Float64 seed[],
-                                    size_t nSeed, fmi3Float64 sensitivity[], size_t nSensitivity)
-{
-    (void)unknowns, (void)nUnknowns, (void)knowns, (void)nKnowns;
-    (void)seed, (void)nSeed, (void)sensitivity, (void)nSensitivity;
-    return refuse_derivatives(instance, CALL_GetAdjointDerivative);
-}
+DERIVATIVE(DirectionalDerivative, call_get_directional_derivative)
+DERIVATIVE(AdjointDerivative, call_get_adjoint_derivative)

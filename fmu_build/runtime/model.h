@@ -138,6 +138,9 @@ typedef struct {
 
     size_t n_initial_unknowns;
     const InitialUnknown *initial_unknowns;
+
+    bool has_tangents;         /* the functions of tangents below are there */
+    bool has_initial_tangents; /* and cover the initialization: no when-clause may move a value there */
 } Model;
 
 extern const Model model;
@@ -162,6 +165,20 @@ void model_dependent_parameters(double *p);
 void model_start_values(double *y, double *p);
 /* residual[0..n_initial_unknowns) of the initial equations; the algebraic variables of y are up to date. */
 void model_initial_residual(double time, const double *y, const double *p, double *residual);
+
+/* Tangents: how far each value moves, dy[i] beside y[i] and dp[i] beside p[i], when states, inputs, parameters and time
+ * move a little. Relations and when-clauses are held. All of y and p is up to date and stays as it is. */
+
+/* dp: of parameters that are computed from other parameters. */
+void model_parameter_tangents(const double *p, double *dp);
+/* dy: of all algebraic variables; dder: of the derivatives; dp: of discrete variables that follow others at all times.
+ * False where a block does not determine them. */
+bool model_tangents(double time, const double *y, const double *p, double dtime, double *dy, double *dp, double *dder);
+/* dy: of states whose start value is computed from parameters. */
+void model_start_tangents(const double *y, const double *p, double *dy, const double *dp);
+/* residual: of the initial equations. */
+void model_initial_residual_tangents(double time, const double *y, const double *p, double dtime, const double *dy,
+                                     const double *dp, double *residual);
 
 /* *due = whether an action is due that can become so between events; computes no more than that needs. */
 bool model_watched_actions(double time, double *y, const double *p, bool *due);

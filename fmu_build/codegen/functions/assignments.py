@@ -74,7 +74,7 @@ class AssignmentWriter:
             self._assign_array(assignment)
         else:
             name = self._expressions.variables[assignment.target]
-            self._code.line(f"{name} = {self._expressions.text(assignment.rhs)};")
+            self._code.assign(name, self._expressions.scalar(assignment.rhs))
 
     def _assign_last(self, assignment: Assignment, others: Sequence[Assignment]) -> None:
         """Each variable needs another one's old value: keep one new value until the others are set."""
@@ -84,9 +84,9 @@ class AssignmentWriter:
             self._copy_back(copy, assignment)
         else:
             copy = self._code.name("new")
-            self._code.line(f"const double {copy} = {self._expressions.text(assignment.rhs)};")
+            self._code.define(copy, self._expressions.scalar(assignment.rhs))
             self.write(others)
-            self._code.line(f"{self._expressions.variables[assignment.target]} = {copy};")
+            self._code.assign(self._expressions.variables[assignment.target], self._code.variable(copy))
 
     # if
 
@@ -132,8 +132,7 @@ class AssignmentWriter:
     def _copy_of(self, assignment: Assignment) -> str:
         """A new array with the value of the right-hand side."""
         name = self._code.name("new")
-        size = self._dae.size(assignment.rhs)
-        self._code.line(f"double {name}[{size}];")
+        self._code.declare(name, self._dae.size(assignment.rhs))
         updates, base = self._updates(assignment.rhs)
         self._fill(name, base)
         for update in updates:
@@ -148,12 +147,12 @@ class AssignmentWriter:
         """Set all elements of a C array that the right-hand side does not read."""
         dimensions = self._dae.dimensions(rhs)
         if self._expressions.is_only_result(rhs):
-            self._code.line(f"{self._expressions.call(rhs, name)};")
+            self._expressions.call_into(rhs, name)
             return
 
         def store(at: tuple[Index, ...]) -> None:
-            text = self._code.text(self._expressions.element(rhs, at))
-            self._code.line(self._expressions.subscripts.store(name, dimensions, at, text))
+            value = self._expressions.element(rhs, at)
+            self._expressions.subscripts.store(name, dimensions, at, value)
 
         if self._expressions.is_list(rhs):
             for at in positions(dimensions):
@@ -190,8 +189,8 @@ class AssignmentWriter:
 
         def store(at: tuple[Index, ...]) -> None:
             where = self._expressions.subscripts.base_positions(update["subscripts"], dimensions, at)
-            value = self._code.text(self._expressions.element(update["value"], at))
-            self._code.line(self._expressions.subscripts.store(name, dimensions, where, value))
+            value = self._expressions.element(update["value"], at)
+            self._expressions.subscripts.store(name, dimensions, where, value)
 
         self._expressions.loops.for_each(self._dae.dimensions(update["value"]), store)
 

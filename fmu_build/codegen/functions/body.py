@@ -13,7 +13,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from fmu_build.codegen.functions.assignments import Assignment, AssignmentWriter
-from fmu_build.codegen.functions.code import FunctionCode
+from fmu_build.codegen.functions.code import FunctionCode, twin
 from fmu_build.codegen.functions.dae import FunctionDae
 from fmu_build.codegen.functions.definitions import Statement, flattened, live_definitions
 from fmu_build.codegen.functions.expressions import Callees, FunctionExpressions
@@ -23,20 +23,33 @@ from fmu_build.codegen.lowered import LoweredModel
 
 
 def write_function(
-    model: LoweredModel, function: Mapping[str, Any], signature: FunctionSignature, callees: Callees
+    model: LoweredModel,
+    function: Mapping[str, Any],
+    signature: FunctionSignature,
+    callees: Callees,
+    is_tangent: bool = False,
 ) -> str:
-    """C source of a function; raises `UnsupportedModelError` for what cannot be carried faithfully."""
-    return _FunctionWriter(FunctionDae(model, function), function, signature, callees).write()
+    """C source of a function, or of the one that computes the tangents of its results.
+
+    Raises `UnsupportedModelError` for what cannot be carried faithfully.
+    """
+    code = FunctionCode(with_tangents=is_tangent)
+    return _FunctionWriter(FunctionDae(model, function), function, signature, callees, code).write()
 
 
 class _FunctionWriter:
     def __init__(
-        self, dae: FunctionDae, function: Mapping[str, Any], signature: FunctionSignature, callees: Callees
+        self,
+        dae: FunctionDae,
+        function: Mapping[str, Any],
+        signature: FunctionSignature,
+        callees: Callees,
+        code: FunctionCode,
     ) -> None:
         self._dae = dae
         self._function = function
         self._signature = signature
-        self._code = FunctionCode()
+        self._code = code
         self._expressions = FunctionExpressions(dae, self._code, callees)
         self._assignments = AssignmentWriter(dae, self._expressions, self._code)
         self._definitions = function["definitions"]
@@ -48,6 +61,8 @@ class _FunctionWriter:
 
     def write(self) -> str:
         parameters = dict(self._parameter(parameter) for parameter in self._function["parameters"])
+        if self._code.with_tangents:
+            parameters |= {twin(name): self._twin_parameter(text, name) for name, text in parameters.items()}
         for value in self._function["values"]:
             if value["ordinal"] in self._records:
                 continue
@@ -55,9 +70,10 @@ class _FunctionWriter:
             self._expressions.variables[value["ordinal"]] = self._code.name(value["name"])
         self._statements(self._function["statements"], is_outermost=True)
         self._results()
-        body = "\n".join(self._code.lines)
+        code = self._code.lines
+        body = "\n".join(code)
         unused = [f"(void){name};" for name in parameters if not re.search(rf"\b{name}\b", body)]
-        lines = [f"    {line}" for line in (*unused, *self._code.lines)]
+        lines = [f"    {line}" for line in (*unused, *code)]
         return "\n".join([self._head(list(parameters.values())), "{", *lines, "}", ""])
 
     def _head(self, parameters: Sequence[str]) -> str:
@@ -73,6 +89,9 @@ class _FunctionWriter:
         self._expressions.parameters[parameter["ordinal"]] = name
         return name, f"const double {name}[{math.prod(dimensions)}]" if dimensions else f"double {name}"
 
+    def _twin_parameter(self, declaration: str, name: str) -> str:
+        return re.sub(rf"\b{name}\b", twin(name), declaration)
+
     def _statements(self, statements: Sequence[Statement], is_outermost: bool = False) -> None:
         for statement in statements:
             self._code.new_statement()
@@ -85,7 +104,7 @@ class _FunctionWriter:
                     self._for(statement)
                 case "assertion" if is_outermost:
                     place = self._signature.n_results - self._n_assertions() + self._n_stored
-                    self._code.line(f"result[{place}] = {self._expressions.text(statement['condition'])};")
+                    self._code.result(str(place), self._expressions.scalar(statement["condition"]))
                     self._n_stored += 1
                 case kind:
                     where = statement.get("provenance", self._function["declaration"])
@@ -154,20 +173,18 @@ class _FunctionWriter:
     def _declare_with_value(self, assignment: Assignment) -> None:
         self._declared.add(assignment.target)
         name = self._expressions.variables[assignment.target]
-        if self._dimensions[assignment.target]:
-            elements = self._expressions.elements(assignment.rhs)
-            declaration = f"{name}[{len(elements)}] = {{{', '.join(elements)}}}"
-        else:
-            declaration = f"{name} = {self._expressions.text(assignment.rhs)}"
         definitions = [d for d in self._live if self._definitions[d]["target"] == assignment.target]
-        self._code.line(f"{'const ' if len(definitions) == 1 else ''}double {declaration};")
+        if self._dimensions[assignment.target]:
+            self._code.define_array(name, self._expressions.elements(assignment.rhs), len(definitions) == 1)
+        else:
+            self._code.define(name, self._expressions.scalar(assignment.rhs), len(definitions) == 1)
 
     def _declare(self, target: int) -> None:
         if target in self._declared:
             return
         self._declared.add(target)
-        size = f"[{math.prod(self._dimensions[target])}]" if self._dimensions[target] else ""
-        self._code.line(f"double {self._expressions.variables[target]}{size};")
+        dimensions = self._dimensions[target]
+        self._code.declare(self._expressions.variables[target], math.prod(dimensions) if dimensions else None)
 
     def _n_assertions(self) -> int:
         return sum(s["kind"] == "assertion" for s in flattened(self._function["statements"]))
@@ -193,7 +210,7 @@ class _FunctionWriter:
             if self._expressions.current.get(target) != definition:
                 raise self._dae.refuse(f"an earlier value of {name} as result", self._function["declaration"])
             if self._signature.returns_value:
-                self._code.line(f"return {name};")
+                self._code.line(f"return {twin(name) if self._code.with_tangents else name};")
             else:
                 offset = self._store_array(name, self._dimensions[target], offset)
 
@@ -201,13 +218,16 @@ class _FunctionWriter:
         """Store the elements of an expression from `offset` on; gives the place behind them."""
         dimensions = self._dae.dimensions(number)
         for place, at in enumerate(positions(dimensions)):
-            text = self._code.text(self._expressions.element(number, at))
-            self._code.line(f"result[{offset + place}] = {text};")
+            self._code.result(str(offset + place), self._expressions.element(number, at))
         return offset + math.prod(dimensions)
 
     def _store_array(self, name: str, dimensions: tuple[int, ...], offset: int) -> int:
+        def store(at: tuple[Index, ...]) -> None:
+            element = self._code.variable(f"{name}[{at[0].text()}]")
+            self._code.result((at[0] + offset).text(), element)
+
         if dimensions:
-            self._expressions.loops.copy("result", name, math.prod(dimensions), offset)
+            self._expressions.loops.for_each((math.prod(dimensions),), store)
         else:
-            self._code.line(f"result[{offset}] = {name};")
+            self._code.result(str(offset), self._code.variable(name))
         return offset + math.prod(dimensions)

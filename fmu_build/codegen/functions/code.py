@@ -1,12 +1,19 @@
-"""The lines of a C function while they are collected."""
+"""The lines of a C function while they are collected.
+
+With tangents, every variable ``x`` has a twin ``d_x`` that is set just before it: to the derivative of its
+value in the direction in which the twins of the inputs point.
+"""
 
 from __future__ import annotations
 
 import re
 from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 
 from fmu_build.codegen import expression as ex
 from fmu_build.codegen.c_expression import Writer
+from fmu_build.codegen.differentiate import differentiate
 from fmu_build.codegen.expression import Expression
 from fmu_build.codegen.functions.index import Index
 
@@ -22,11 +29,25 @@ _RESERVED = """
 """Names that a Modelica variable may have but that mean something else in the C code."""
 
 
+def twin(text: str) -> str:
+    """The tangent of a variable or of an element of an array."""
+    return f"d_{text}"
+
+
+@dataclass(frozen=True, slots=True)
+class _Line:
+    text: str
+    sets: str | None
+    """The variable that the line declares or sets and does nothing beside."""
+
+
 class FunctionCode:
     """Lines with their indentation, names that are in use, and values that have a C text already."""
 
-    def __init__(self) -> None:
-        self.lines: list[str] = []
+    def __init__(self, with_tangents: bool = False) -> None:
+        self.with_tangents = with_tangents
+        self._lines: list[_Line] = []
+        self._tangents = _Tangents()
         self._depth = 0
         self._taken: set[str] = set(_RESERVED.split())
         self._texts: dict[Expression, str] = {}
@@ -39,24 +60,42 @@ class FunctionCode:
         base = re.sub(r"\W+", "_", wanted.removeprefix("__rumoca_")).strip("_") or "value"
         base = base if not base[0].isdigit() else f"n{base}"
         candidate, number = base, 2
-        while candidate in self._taken:
+        while not self._taken.isdisjoint(self._with_twin(candidate)):
             candidate, number = f"{base}_{number}", number + 1
-        self._taken.add(candidate)
+        self._taken.update(self._with_twin(candidate))
         return candidate
 
     def release(self, name: str) -> None:
         """Let another variable in another scope have the name."""
-        self._taken.discard(name)
+        self._taken.difference_update(self._with_twin(name))
 
-    def leaf(self, text: str, is_costly: bool = False) -> Expression:
-        """A value that stands in C as `text`, which binds like a name; a costly one is computed once."""
+    def _with_twin(self, name: str) -> tuple[str, ...]:
+        return (name, twin(name)) if self.with_tangents else (name,)
+
+    def leaf(
+        self, text: str, tangent: Callable[[], str] | None = None, is_costly: bool = False
+    ) -> Expression:
+        """A value that stands in C as `text`, which binds like a name; a costly one is computed once.
+
+        `tangent` gives the C text of its tangent; without, it has none, as a loop variable.
+        """
         if text not in self._leaves:
             leaf = Expression("text", payload=len(self._leaves))
             self._leaves[text] = leaf
             self._texts[leaf] = text
             if is_costly:
                 self._costly.add(leaf)
+        if tangent is not None:
+            self._tangents.makers[self._leaves[text]] = lambda: self.leaf(tangent(), is_costly=is_costly)
         return self._leaves[text]
+
+    def variable(self, text: str) -> Expression:
+        """The value of a variable, or of an element of an array at a place that is known."""
+        return self.leaf(text, lambda: twin(text))
+
+    def tangent(self, value: Expression) -> Expression:
+        """The tangent of a value."""
+        return differentiate(value, self._tangents)
 
     def index_value(self, index: Index) -> Expression:
         """The value of an index as a double."""
@@ -75,7 +114,7 @@ class FunctionCode:
             sizes[part] = 1 + sum(sizes[argument] for argument in part.arguments)
             if uses[part] > 1 and (sizes[part] >= _WORTH_A_VARIABLE or part in self._costly):
                 name = self.name("t")
-                self.line(f"const double {name} = {Writer(names).text(part)};")
+                self.line(f"const double {name} = {Writer(names).text(part)};", sets=name)
                 names[part] = name
                 sizes[part] = 1
         return Writer(names).text(node)
@@ -85,21 +124,83 @@ class FunctionCode:
         text = self.text(node)
         return text if node.operator in ex.TRUTH else f"{text} != 0.0"
 
-    def results(self, call: str, placeholder: str, size: int) -> str:
-        """The array with the results of a call; its name replaces the placeholder in the text of the call."""
-        if call not in self._called:
-            name = self._called[call] = self.name("r")
-            self.line(f"double {name}[{size}];")
-            self.line(f"{call.replace(placeholder, name)};")
-        return self._called[call]
+    def declare(self, name: str, size: int | None = None) -> None:
+        """A variable, or an array with so many elements, without a value yet."""
+        for each in self._with_twin(name):
+            self.line(f"double {each};" if size is None else f"double {each}[{size}];", sets=each)
+
+    def define(self, name: str, value: Expression, is_constant: bool = True) -> None:
+        """A variable with its value."""
+        self._set(name, value, "const double " if is_constant else "double ")
+
+    def define_array(self, name: str, values: Sequence[Expression], is_constant: bool = True) -> None:
+        """An array with the values of its elements."""
+        kind = "const double" if is_constant else "double"
+        texts = {name: [self.text(value) for value in values]}
+        if self.with_tangents:
+            texts[twin(name)] = [self.text(self.tangent(value)) for value in values]
+        for each, elements in texts.items():
+            self.line(f"{kind} {each}[{len(elements)}] = {{{', '.join(elements)}}};", sets=each)
+
+    def assign(self, target: str, value: Expression) -> None:
+        """Set a variable, or an element of an array at a place that is known."""
+        self._set(target, value, "")
+
+    def _set(self, target: str, value: Expression, declaration: str) -> None:
+        if self.with_tangents:
+            tangent = self.text(self.tangent(value))
+            if tangent != twin(target):
+                self.line(f"{declaration}{twin(target)} = {tangent};", sets=twin(target).partition("[")[0])
+        self.line(f"{declaration}{target} = {self.text(value)};", sets=target.partition("[")[0])
+
+    def put(self, array: str, size: int, place: Expression, value: Expression) -> None:
+        """Set an element of an array at a place, counted from one, that is known only when the code runs."""
+        where = self.text(place)
+        if self.with_tangents:
+            tangent = self.text(self.tangent(value))
+            self.line(f"put({twin(array)}, {size}, {where}, {tangent});", sets=twin(array))
+        self.line(f"put({array}, {size}, {where}, {self.text(value)});", sets=array)
+
+    def result(self, place: str, value: Expression) -> None:
+        """Store one of several results of the function."""
+        self.line(f"result[{place}] = {self.text(self.tangent(value) if self.with_tangents else value)};")
+
+    def results(self, call: Callable[[str], str], tangent_call: Callable[[str], str], size: int) -> str:
+        """The array with the results of a call; the calls take the name of the array."""
+        key = call("")
+        if key not in self._called:
+            name = self._called[key] = self.name("r")
+            self.declare(name, size)
+            self.store_results(name, call, tangent_call)
+        return self._called[key]
+
+    def store_results(
+        self, name: str, call: Callable[[str], str], tangent_call: Callable[[str], str]
+    ) -> None:
+        """Let a call set the elements of an array."""
+        if self.with_tangents:
+            self.line(f"{tangent_call(twin(name))};", sets=twin(name))
+        self.line(f"{call(name)};", sets=name)
 
     def new_statement(self) -> None:
         """Results of calls are not used again: variables may have changed."""
         self._called.clear()
 
-    def line(self, text: str) -> None:
-        """A line at the present indentation."""
-        self.lines.append("    " * self._depth + text)
+    def line(self, text: str, sets: str | None = None) -> None:
+        """A line at the present indentation; `sets` is the variable that it sets, if it does nothing else."""
+        self._lines.append(_Line("    " * self._depth + text, sets))
+
+    @property
+    def lines(self) -> list[str]:
+        """The function's lines; with tangents, without those that set what nothing reads."""
+        lines = self._lines
+        while self.with_tangents:
+            idle = {line.sets for line in lines} - {None} - _read(lines)
+            kept = _without_empty_blocks([line for line in lines if line.sets not in idle])
+            if len(kept) == len(lines):
+                break
+            lines = kept
+        return [line.text for line in lines]
 
     def open(self, head: str) -> None:
         """Begin a block after `head`."""
@@ -114,3 +215,43 @@ class FunctionCode:
         if tail:
             self._depth += 1
         self.new_statement()
+
+
+def _read(lines: Sequence[_Line]) -> set[str | None]:
+    """The names that lines mention, but for what each of them sets."""
+    names: set[str | None] = set()
+    for line in lines:
+        names.update(name for name in re.findall(r"[A-Za-z_]\w*", line.text) if name != line.sets)
+    return names
+
+
+def _without_empty_blocks(lines: Sequence[_Line]) -> list[_Line]:
+    kept: list[_Line] = []
+    for line in lines:
+        is_empty = bool(kept) and kept[-1].text.endswith("{") and line.text.strip() == "}"
+        if not is_empty:
+            kept.append(line)
+        elif kept[-1].text.strip().startswith("}"):
+            kept[-1] = line  # nothing to do otherwise
+        else:
+            kept.pop()
+    return kept
+
+
+class _Tangents(Mapping[Expression, Expression]):
+    """The tangents of leaves, made when they are first needed: they may take lines of their own."""
+
+    def __init__(self) -> None:
+        self.makers: dict[Expression, Callable[[], Expression]] = {}
+
+    def __getitem__(self, leaf: Expression) -> Expression:
+        return self.makers[leaf]()
+
+    def __contains__(self, leaf: object) -> bool:
+        return leaf in self.makers
+
+    def __iter__(self) -> Iterator[Expression]:
+        return iter(self.makers)
+
+    def __len__(self) -> int:
+        return len(self.makers)

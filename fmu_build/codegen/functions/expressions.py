@@ -14,7 +14,7 @@ from typing import Any, Protocol
 from fmu_build.codegen import expression as ex
 from fmu_build.codegen.expression import Expression
 from fmu_build.codegen.functions.builtins import Builtins, equal
-from fmu_build.codegen.functions.code import FunctionCode
+from fmu_build.codegen.functions.code import FunctionCode, twin
 from fmu_build.codegen.functions.dae import FunctionDae, Operation
 from fmu_build.codegen.functions.index import Index, Position, positions
 from fmu_build.codegen.functions.loops import ArrayLoops
@@ -165,13 +165,12 @@ class FunctionExpressions:
     def _materialized(self, number: int, at: At) -> Expression:
         """The element of a copy of the whole expression in an array of its own."""
         name = self._code.name("list")
-        elements = self.elements(number)
-        self._code.line(f"const double {name}[{len(elements)}] = {{{', '.join(elements)}}};")
+        self._code.define_array(name, self.elements(number))
         return self.subscripts.read(name, self._dae.dimensions(number), at)
 
-    def elements(self, number: int) -> list[str]:
-        """The C texts of all elements of an array, row by row."""
-        return [self._code.text(self.element(number, at)) for at in positions(self._dae.dimensions(number))]
+    def elements(self, number: int) -> list[Expression]:
+        """All elements of an array, row by row."""
+        return [self.element(number, at) for at in positions(self._dae.dimensions(number))]
 
     def _updated(self, number: int, operation: Operation, at: At) -> Expression:
         """An element of an array of which one element has a new value."""
@@ -186,14 +185,15 @@ class FunctionExpressions:
 
     def _call(self, number: int, operation: Operation, at: At) -> Expression:
         signature = self._callees.signature(operation["function"])
+        call = self._call_text(number)
         if signature.returns_value:
-            return self._code.leaf(self.call(number), is_costly=True)
-        name = self._code.results(self.call(number, "@"), "@", signature.n_results)
+            return self._code.leaf(call(""), lambda: self._tangent_call_text(number)(""), is_costly=True)
+        name = self._code.results(call, lambda r: self._tangent_call_text(number)(r), signature.n_results)
         kinds = self._dae.functions[operation["function"]]["result_types"][: operation["output"]]
         offset = sum(math.prod(self._dae.dimensions_of_type(kind)) for kind in kinds)
         dimensions = self._dae.dimensions(number)
         if not dimensions:
-            return self._code.leaf(f"{name}[{offset}]")
+            return self._code.variable(f"{name}[{offset}]")
         return self.subscripts.read(name, dimensions, at, offset)
 
     def is_only_result(self, number: int) -> bool:
@@ -203,8 +203,12 @@ class FunctionExpressions:
             return False
         return self._callees.signature(operation["function"]).n_results == self._dae.size(number)
 
-    def call(self, number: int, results: str = "") -> str:
-        """The C text of a call that stores its results in the array `results`, if it does not return one."""
+    def call_into(self, number: int, name: str) -> None:
+        """Let a call set the array that is its only result."""
+        self._code.store_results(name, self._call_text(number), lambda r: self._tangent_call_text(number)(r))
+
+    def _call_text(self, number: int) -> Callable[[str], str]:
+        """The C text of a call, from the name of the array for its results, if it does not return one."""
         operation: dict[str, Any] = self._dae.operation(number)
         callee = self._dae.functions[operation["function"]]
         kinds = [parameter["value_type"] for parameter in callee["parameters"]]
@@ -212,12 +216,25 @@ class FunctionExpressions:
         passed.append((number, callee["result_types"][operation["output"]]))
         if any(self._dae.dimensions(given) != self._dae.dimensions_of_type(kind) for given, kind in passed):
             raise self._dae.refuse(f"a call of {callee['name']} for each element of an array", number)
-        arguments = [
-            self._array_argument(argument) if self._dae.dimensions(argument) else self.text(argument)
-            for argument in operation["arguments"]
-        ]
-        return self._callees.signature(operation["function"]).call(arguments, results)
+        signature = self._callees.signature(operation["function"])
+        arguments = [self._argument(argument) for argument in operation["arguments"]]
+        return lambda results: signature.call(arguments, results)
 
-    def _array_argument(self, number: int) -> str:
+    def _tangent_call_text(self, number: int) -> Callable[[str], str]:
+        """The same for the call that computes the tangents of the results."""
+        operation = self._dae.operation(number)
+        signature = self._callees.signature(operation["function"]).tangent
+        values = [self._argument(argument) for argument in operation["arguments"]]
+        tangents = [self._argument(argument, is_tangent=True) for argument in operation["arguments"]]
+        return lambda results: signature.call([*values, *tangents], results)
+
+    def _argument(self, number: int, is_tangent: bool = False) -> str:
+        if not self._dae.dimensions(number):
+            value = self.scalar(number)
+            return self._code.text(self._code.tangent(value) if is_tangent else value)
         name = self._variable_name(number)
-        return name if name is not None else f"(const double[]){{{', '.join(self.elements(number))}}}"
+        if name is not None:
+            return twin(name) if is_tangent else name
+        values = self.elements(number)
+        texts = [self._code.text(self._code.tangent(v) if is_tangent else v) for v in values]
+        return f"(const double[]){{{', '.join(texts)}}}"

@@ -22,6 +22,17 @@ class FunctionSources:
 
     source: str = ""
     signatures: Mapping[str, FunctionSignature] = field(default_factory=dict)
+    """Of the functions, and of those that compute the tangents of their results."""
+    tangents: Mapping[str, str] = field(default_factory=dict)
+    """The source of each function that computes tangents, by its name, callees first."""
+
+    def tangents_for(self, code: str) -> list[str]:
+        """The sources of the tangents that C code calls, and of those that they call."""
+        kept: list[str] = []
+        for name, source in reversed([*self.tangents.items()]):
+            if any(re.search(rf"\b{name}\(", text) for text in (code, *kept)):
+                kept.insert(0, source)
+        return kept
 
 
 class FunctionLibrary:
@@ -34,6 +45,7 @@ class FunctionLibrary:
         self._call_sites = CallSites(model)
         self._signatures: dict[int, FunctionSignature] = {}
         self._sources: dict[int, str] = {}
+        self._tangents: dict[str, str] = {}
 
     def name_of(self, site: Mapping[str, Any], span: dict[str, int] | None) -> str:
         """The C function for a call site of the Solve IR in an equation at `span`.
@@ -56,7 +68,11 @@ class FunctionLibrary:
                 span = declared["declaration"]["span"]
                 raise self._model.refuse(f"the external function {declared['name']} is not supported", span)
             self._signatures[function] = self._signature(function)
-            self._sources[function] = write_function(self._model, declared, self._signatures[function], self)
+            signature = self._signatures[function]
+            self._sources[function] = write_function(self._model, declared, signature, self)
+            self._tangents[signature.tangent.name] = write_function(
+                self._model, declared, signature.tangent, self, is_tangent=True
+            )
         elif function not in self._sources:
             span = self._functions[function]["declaration"]["span"]
             raise self._model.refuse(f"the recursive function {self._functions[function]['name']}", span)
@@ -87,5 +103,7 @@ class FunctionLibrary:
         """C source of the functions that `name_of` named, and of those that they call, callees first."""
         source = "\n".join(self._sources.values())
         helpers = [text for name, text in HELPERS.items() if re.search(rf"\b{name}\(", source)]
-        signatures = {self._signatures[number].name: self._signatures[number] for number in self._sources}
-        return FunctionSources("\n".join([*helpers, source]) if source else "", signatures)
+        called = [self._signatures[number] for number in self._sources]
+        signatures = {each.name: each for own in called for each in (own, own.tangent)}
+        text = "\n".join([*helpers, source]) if source else ""
+        return FunctionSources(text, signatures, self._tangents)

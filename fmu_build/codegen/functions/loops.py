@@ -45,12 +45,13 @@ class ArrayLoops:
             self._code.close()
             self._code.release(variable.name)
 
-    def copy(self, target: str, source: str, size: int, offset: int = 0) -> None:
-        """Copy a whole array to `offset` of another one."""
-        self.for_each(
-            (size,),
-            lambda at: self._code.line(f"{target}[{(at[0] + offset).text()}] = {source}[{at[0].text()}];"),
-        )
+    def copy(self, target: str, source: str, size: int) -> None:
+        """Copy a whole array to another one."""
+
+        def assign(at: At) -> None:
+            self._code.assign(f"{target}[{at[0].text()}]", self._code.variable(f"{source}[{at[0].text()}]"))
+
+        self.for_each((size,), assign)
 
     def reduced(
         self, reduction: str, dimensions: tuple[int, ...], term: Callable[[At], Expression]
@@ -61,11 +62,11 @@ class ArrayLoops:
             terms = [term(position) for position in positions(dimensions)] or [ex.number(start)]
             return functools.reduce(lambda a, b: ex.binary(operator, a, b), terms)
         name = self._code.name(reduction)
-        total = self._code.leaf(name)
-        self._code.line(f"double {name} = {self._code.text(ex.number(start))};")
+        total = self._code.variable(name)
+        self._code.define(name, ex.number(start), is_constant=False)
 
         def add(position: At) -> None:
-            self._code.line(f"{name} = {self._code.text(ex.binary(operator, total, term(position)))};")
+            self._code.assign(name, ex.binary(operator, total, term(position)))
 
         self.for_each(dimensions, add)
         return total

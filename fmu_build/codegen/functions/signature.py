@@ -20,6 +20,11 @@ class FunctionSignature:
     n_results: int
     returns_value: bool
 
+    @property
+    def tangent(self) -> FunctionSignature:
+        """The function from the inputs and, after them, their tangents to the tangents of the results."""
+        return FunctionSignature(f"d{self.name}", self.inputs * 2, self.n_results, self.returns_value)
+
     def call(self, arguments: Sequence[str], results: str = "") -> str:
         """The C text of a call; `results` is the array for the results of a function that returns none."""
         return f"{self.name}({', '.join(filter(None, (*arguments, results)))})"

@@ -8,7 +8,7 @@ from typing import Any
 
 from fmu_build.codegen import expression as ex
 from fmu_build.codegen.expression import Expression
-from fmu_build.codegen.functions.code import FunctionCode
+from fmu_build.codegen.functions.code import FunctionCode, twin
 from fmu_build.codegen.functions.dae import FunctionDae
 from fmu_build.codegen.functions.index import Index, Position, flat
 
@@ -56,18 +56,20 @@ class Subscripts:
         """An element of a C array that starts at `offset`, or a C variable where there are no dimensions."""
         place = self._place(dimensions, at)
         if isinstance(place, Index):
-            return self._code.leaf(f"{name}[{(place + offset).text()}]" if dimensions else name)
+            return self._code.variable(f"{name}[{(place + offset).text()}]" if dimensions else name)
         array = f"{name} + {offset}" if offset else name
-        return self._code.leaf(
-            f"at({array}, {math.prod(dimensions)}, {self._code.text(place)})", is_costly=True
-        )
+        where = f"{math.prod(dimensions)}, {self._code.text(place)}"
+        return self._code.leaf(f"at({array}, {where})", lambda: f"at({twin(array)}, {where})", is_costly=True)
 
-    def store(self, name: str, dimensions: tuple[int, ...], at: tuple[Position, ...], value: str) -> str:
-        """The C statement that sets an element."""
+    def store(
+        self, name: str, dimensions: tuple[int, ...], at: tuple[Position, ...], value: Expression
+    ) -> None:
+        """Set an element."""
         place = self._place(dimensions, at)
         if isinstance(place, Index):
-            return f"{name}[{place.text()}] = {value};"
-        return f"put({name}, {math.prod(dimensions)}, {self._code.text(place)}, {value});"
+            self._code.assign(f"{name}[{place.text()}]", value)
+        else:
+            self._code.put(name, math.prod(dimensions), place, value)
 
     def _place(self, dimensions: tuple[int, ...], at: tuple[Position, ...]) -> Position:
         """The place in the sequence of all elements."""

@@ -118,15 +118,3 @@ def test_strings(build: Build, kind: int) -> None:
     assert instance.call("fmi2SetString", reference, c.c_size_t(1), value) == ERROR
     assert "no variable of type String" in instance.text
     instance.free()
-
-
-def test_directional_derivatives_are_said_not_to_be_supported(build: Build) -> None:
-    instance = Instance(build("lag"))
-    instance.initialize()
-    x, u, one = (c.c_uint * 1)(DER_X), (c.c_uint * 1)(U), c.c_size_t(1)
-    status = instance.call(
-        "fmi2GetDirectionalDerivative", x, one, u, one, (c.c_double * 1)(1.0), (c.c_double * 1)()
-    )
-    assert status == ERROR
-    assert "not supported" in instance.text
-    instance.free()

@@ -65,23 +65,41 @@ class CompiledFunctions:
         wrappers = []
         for function in lowered.dae["functions"]:
             signature = library.signature(function["id"])
-            wrappers.append(_wrapper(signature))
+            wrappers += [_wrapper(signature), _wrapper(signature.tangent)]
             self._signatures[function["name"].rpartition(".")[2], signature.inputs] = signature
-        source = "\n".join(["#include <math.h>", _SIGN, library.sources().source, *wrappers])
+        sources = library.sources()
+        parts = ["#include <math.h>", _SIGN, sources.source, *sources.tangents.values(), *wrappers]
+        source = "\n".join(parts)
         self._library = compile_c(source, folder / "functions.so")
 
     def call(self, name: str, *arguments: float | Sequence[float]) -> list[float]:
         """All results of a function, the elements of arrays one by one."""
-        sizes = tuple(None if isinstance(argument, float | int) else len(argument) for argument in arguments)
-        flat = itertools.chain(*([a] if isinstance(a, float | int) else a for a in arguments))
-        signature = self._signatures[name, sizes]
+        return self._run(self._signatures[name, _sizes(arguments)], flat(arguments))
+
+    def tangents(
+        self, name: str, arguments: Sequence[float | Sequence[float]], directions: Sequence[float]
+    ) -> list[float]:
+        """How the results move when the arguments, element by element, move in a direction."""
+        signature = self._signatures[name, _sizes(arguments)].tangent
+        return self._run(signature, [*flat(arguments), *directions])
+
+    def _run(self, signature: FunctionSignature, values: Sequence[float]) -> list[float]:
         function = getattr(self._library, f"call_{signature.name}")
         function.argtypes = (_Doubles, _Doubles)
         function.restype = None
-        values = [float(value) for value in flat]
         results = (ctypes.c_double * signature.n_results)()
         function((ctypes.c_double * len(values))(*values), results)
         return list(results)
+
+
+def _sizes(arguments: Sequence[float | Sequence[float]]) -> tuple[int | None, ...]:
+    return tuple(None if isinstance(argument, float | int) else len(argument) for argument in arguments)
+
+
+def flat(arguments: Sequence[float | Sequence[float]]) -> list[float]:
+    """All numbers, one behind the other."""
+    parts = ([argument] if isinstance(argument, float | int) else argument for argument in arguments)
+    return [float(value) for value in itertools.chain(*parts)]
 
 
 def _wrapper(signature: FunctionSignature) -> str:

@@ -88,3 +88,4 @@ void model_discrete(double time, const double *y, const double *p, double *value
 NO_TIME_RELATIONS
 NO_INITIAL_EQUATIONS
 NO_ACTIONS
+NO_TANGENTS

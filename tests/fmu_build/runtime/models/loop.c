@@ -13,7 +13,7 @@ enum { FLOOR, N_P };
 static const double y_start[N_Y] = {[X] = 2.0, [Z] = 1.0, [S] = 1.0}, p_start[N_P] = {[FLOOR] = -1e9},
                     state_nominal[] = {1.0};
 static const Variable variables[] = {STATE("x", X, 2.0), OUTPUT("z", Z), OUTPUT("w", W),
-                                     PARAMETER("floor", FLOOR, -1e9, ANY)};
+                                     PARAMETER("floor", FLOOR, -1e9, ANY), OUTPUT("s", S), DERIVATIVE("der(x)", X)};
 
 const Model model = {
     .name = "Test.Loop",
@@ -27,6 +27,8 @@ const Model model = {
     .n_variables = sizeof variables / sizeof *variables,
     .variables = variables,
     .initial_event_slot = NO_SLOT,
+    .has_tangents = true,
+    .has_initial_tangents = true,
 };
 
 static void cubic_residual(double time, const double *y, const double *p, double *residual)
@@ -80,3 +82,32 @@ NO_DEPENDENT_PARAMETERS
 NO_INITIAL_EQUATIONS
 NO_DISCRETE_EQUATIONS
 NO_ACTIONS
+
+bool model_tangents(double time, const double *y, const double *p, double dtime, double *dy, double *dp, double *dder)
+{
+    (void)dtime;
+    double cubic_moves[] = {-0.5 * dy[X], -dy[X]}, root_moves[] = {-(dy[X] - dp[FLOOR])};
+    if (!block_tangents(&cubic, time, y, p, cubic_moves) || !block_tangents(&square_root, time, y, p, root_moves))
+        return false;
+    dy[Z] = cubic_moves[0];
+    dy[W] = cubic_moves[1];
+    dy[S] = root_moves[0];
+    dder[X] = -dy[Z];
+    return true;
+}
+
+void model_parameter_tangents(const double *p, double *dp)
+{
+    (void)p, (void)dp;
+}
+
+void model_start_tangents(const double *y, const double *p, double *dy, const double *dp)
+{
+    (void)y, (void)p, (void)dy, (void)dp;
+}
+
+void model_initial_residual_tangents(double time, const double *y, const double *p, double dtime, const double *dy,
+                                     const double *dp, double *residual)
+{
+    (void)time, (void)y, (void)p, (void)dtime, (void)dy, (void)dp, (void)residual;
+}

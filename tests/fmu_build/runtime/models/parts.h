@@ -69,3 +69,23 @@
         (void)time, (void)y, (void)p, (void)root;                                                                     \
         return true;                                                                                                  \
     }
+#define NO_TANGENTS                                                                                                   \
+    void model_parameter_tangents(const double *p, double *dp)                                                        \
+    {                                                                                                                 \
+        (void)p, (void)dp;                                                                                            \
+    }                                                                                                                 \
+    bool model_tangents(double time, const double *y, const double *p, double dtime, double *dy, double *dp,          \
+                        double *dder)                                                                                 \
+    {                                                                                                                 \
+        (void)time, (void)y, (void)p, (void)dtime, (void)dy, (void)dp, (void)dder;                                    \
+        return false;                                                                                                 \
+    }                                                                                                                 \
+    void model_start_tangents(const double *y, const double *p, double *dy, const double *dp)                         \
+    {                                                                                                                 \
+        (void)y, (void)p, (void)dy, (void)dp;                                                                         \
+    }                                                                                                                 \
+    void model_initial_residual_tangents(double time, const double *y, const double *p, double dtime,                 \
+                                         const double *dy, const double *dp, double *residual)                        \
+    {                                                                                                                 \
+        (void)time, (void)y, (void)p, (void)dtime, (void)dy, (void)dp, (void)residual;                                \
+    }
