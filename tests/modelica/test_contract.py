@@ -84,7 +84,9 @@ def test_the_other_weight_cannot_be_set(name: str) -> None:
     assert "damping.beta" not in _settable(name)
 
 
-@pytest.mark.parametrize(("name", "states"), [(CONSTANT, 2), (POWER_LAW, 2), (INVERSE, 0), (INVERSE_POWER_LAW, 0)])
+@pytest.mark.parametrize(
+    ("name", "states"), [(CONSTANT, 2), (POWER_LAW, 2), (INVERSE, 0), (INVERSE_POWER_LAW, 0)]
+)
 def test_states(name: str, states: int) -> None:
     assert [state.name for state in compiled(name).states] == ["theta", "omega"][:states]
 

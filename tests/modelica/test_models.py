@@ -18,7 +18,9 @@ from tests.modelica.library import (
     library_classes,
 )
 
-JOYSTICKS = [f"PreloadedSprings.Joystick.Joystick{kind}" for kind in ("", "PowerLaw", "Inverse", "InversePowerLaw")]
+JOYSTICKS = [
+    f"PreloadedSprings.Joystick.Joystick{kind}" for kind in ("", "PowerLaw", "Inverse", "InversePowerLaw")
+]
 
 
 def test_all_models_are_found() -> None:
