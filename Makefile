@@ -82,6 +82,8 @@ figure: fmu
 	cd docs && ../$(BIN)/python -m figures
 
 # Each scenario is a process of its own, two at a time.
+SCENARIOS := $(basename $(notdir $(wildcard scenarios/fig*.py))) ergonomics free_oscillation period tables_1_and_2
+
 figures: fmu
 	$(MAKE) --no-print-directory --jobs 2 --output-sync $(addprefix scenario-,$(SCENARIOS))
 
