@@ -1,4 +1,4 @@
-"""The FMUs of the joystick as a real OpenModelica makes them: their faces, and their motion against the reference."""
+"""The joysticks as a real OpenModelica makes them: their faces, and their motion against the reference."""
 
 from __future__ import annotations
 
