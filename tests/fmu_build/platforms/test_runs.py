@@ -18,6 +18,8 @@ from fmu_build import FmiVersion
 from fmu_build.packaging.binaries import compile_library
 from fmu_build.packaging.platforms import PLATFORMS, Platform, host_platform
 from pyjoystick.fmu import MODELS
+from pyjoystick.parameters import NOMINAL
+from pyjoystick.reference import simulate
 
 from .emulators import Runner, runner_for
 from .libraries import library_in
@@ -27,7 +29,8 @@ pytestmark = [
     pytest.mark.skipif(host_platform() is None, reason="FMUs cannot be built for this machine"),
 ]
 
-_IMPORTER = Path(__file__).with_name("importer.c")
+_IMPORTER = Path(__file__).with_name("importer")
+_STRICT = ("-std=c11", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-O1")
 _HOST = host_platform() or PLATFORMS["x86_64-linux"]
 _FOREIGN = [PLATFORMS[name] for name in ("aarch64-linux", "x86_64-windows") if PLATFORMS[name] != _HOST]
 _TIME = np.linspace(0.0, 1.5, 301)
@@ -54,17 +57,21 @@ def runner(foreign: Platform, tmp_path_factory: pytest.TempPathFactory) -> Runne
     return found
 
 
+Importer = Callable[[Platform, FmiVersion, str], Path]
+
+
 @pytest.fixture(scope="session")
-def importer(tmp_path_factory: pytest.TempPathFactory) -> Callable[[Platform, FmiVersion], Path]:
-    """The program for a platform and a version of FMI, compiled once."""
+def importer(tmp_path_factory: pytest.TempPathFactory) -> Importer:
+    """The program for a platform, a version of FMI and an FMI type, compiled once."""
 
     @cache
-    def compiled(platform: Platform, fmi_version: FmiVersion) -> Path:
+    def compiled(platform: Platform, fmi_version: FmiVersion, fmi_type: str) -> Path:
         folder = tmp_path_factory.mktemp("importer")
         headers = str(resources.files("fmpy") / "c-code")
-        command = [sys.executable, "-m", "ziglang", "cc", "-target", platform.target, "-O1"]
+        command = [sys.executable, "-m", "ziglang", "cc", "-target", platform.target, *_STRICT]
         command += [f"-DFMI_VERSION={fmi_version[0]}", "-isystem", headers, "-o", "importer.exe"]
-        subprocess.run([*command, str(_IMPORTER)], check=True, cwd=folder)
+        sources = [str(_IMPORTER / file) for file in ("importer.c", f"{fmi_type}.c")]
+        subprocess.run([*command, *sources], check=True, cwd=folder)
         return folder / "importer.exe"
 
     return compiled
@@ -91,6 +98,7 @@ def _run(runner: Runner, program: Path, library: bytes, fmu: Path) -> dict[str, 
     reference = {v.name: str(v.valueReference) for v in description.modelVariables}
     (program.parent / "library.dll").write_bytes(library)
     settings = [description.guid or description.instantiationToken, repr(_TOLERANCE), repr(float(_TIME[-1]))]
+    settings += [str(description.numberOfContinuousStates), str(description.numberOfEventIndicators)]
     points = np.column_stack([_TIME, *inputs.values()])
     printed = runner.run(
         program,
@@ -109,33 +117,35 @@ def _check(here: dict[str, np.ndarray], there: dict[str, np.ndarray]) -> None:
         assert np.abs(there[name] - values).max() <= limit, name
 
 
+@pytest.mark.parametrize("fmi_type", ["co_simulation", "model_exchange"])
 def test_the_fmu_for_all_platforms(
-    fmu: Path,
-    fmi_version: FmiVersion,
-    foreign: Platform,
-    runner: Runner,
-    importer: Callable[[Platform, FmiVersion], Path],
+    fmi_type: str, fmu: Path, fmi_version: FmiVersion, foreign: Platform, runner: Runner, importer: Importer
 ) -> None:
     here, there = (
-        _run(runs, importer(platform, fmi_version), library_in(fmu, platform, fmi_version), fmu)
+        _run(runs, importer(platform, fmi_version, fmi_type), library_in(fmu, platform, fmi_version), fmu)
         for runs, platform in ((Runner(), _HOST), (runner, foreign))
     )
     _check(here, there)
+    torque = _inputs("Joystick")["T"]
+    expected = simulate(
+        NOMINAL,
+        time=_TIME,
+        theta_start=0.0,
+        torque=lambda time: float(torque[np.searchsorted(_TIME, time, side="right") - 1]),
+        torque_breakpoints=_TIME[1:][np.diff(torque) != 0.0],
+    )
+    np.testing.assert_allclose(there["theta"], expected.theta, rtol=0, atol=1e-9)
 
 
 @pytest.mark.parametrize(
     "name", [name for name in MODELS if name.startswith("Joystick") and name != "Joystick"]
 )
 def test_the_other_joysticks_from_their_sources(
-    name: str,
-    joystick_fmus: Path,
-    foreign: Platform,
-    runner: Runner,
-    importer: Callable[[Platform, FmiVersion], Path],
+    name: str, joystick_fmus: Path, foreign: Platform, runner: Runner, importer: Importer
 ) -> None:
     fmu = joystick_fmus / f"{name}.fmu"
     with zipfile.ZipFile(fmu) as archive:
         sources = {n[8:]: archive.read(n) for n in archive.namelist() if n.startswith("sources/")}
-    here = _run(Runner(), importer(_HOST, "2.0"), library_in(fmu, _HOST, "2.0"), fmu)
+    here = _run(Runner(), importer(_HOST, "2.0", "co_simulation"), library_in(fmu, _HOST, "2.0"), fmu)
     library, _log = compile_library(sources, name, foreign)
-    _check(here, _run(runner, importer(foreign, "2.0"), library, fmu))
+    _check(here, _run(runner, importer(foreign, "2.0", "co_simulation"), library, fmu))
