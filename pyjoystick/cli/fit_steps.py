@@ -23,7 +23,7 @@ from pyjoystick.fitting import (
     Measurement,
 )
 from pyjoystick.fitting import fit as carry_out
-from pyjoystick.fitting.figures import save_figures
+from pyjoystick.fitting.figures import PROFILES, save_figures
 from pyjoystick.fitting.fit import OnProgress
 from pyjoystick.fitting.joystick_values import with_values
 from pyjoystick.fitting.json_report import as_json
@@ -66,7 +66,7 @@ def fit_and_show(
     units: Mapping[str, str],
 ) -> int:
     """Fit the records of some files; returns the exit code."""
-    check_outputs(wanted.joystick)
+    check_outputs(wanted.joystick, None if wanted.folder is None else wanted.folder / "fit.md")
     given = parameter_file(parameters) if wanted.joystick is None else file_to_update(wanted.joystick)
     settings = _settings(settings_file, damping or DampingLaw(given.law))
     with Fmu(found_or_built(settings.fmu)) as fmu:
@@ -123,6 +123,8 @@ def _show(found: Fit, folder: Path | None, names: str) -> None:
         write_text(folder / "fit.json", as_json(found))
         figures = save_figures(found, folder)
         print_note(f"wrote fit.md, fit.json, {', '.join(path.name for path in figures)} into {folder}")
+        if not found.profiles and (folder / PROFILES).exists():
+            print_note(f"{folder / PROFILES} is of an earlier fit: this one has no profiles")
     if not found.trusted:
         print_error(f"the fit is not to be trusted: {_failed(found)} (see above)")
 

@@ -10,29 +10,29 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from pyjoystick._types import FloatArray
-from pyjoystick.figure_style import BAND, FITTED, MEASURED, dress
+from pyjoystick.figure_style import BAND, FITTED, MEASURED, dress, legend_above
 from pyjoystick.fitting.result import Fit, RecordFit
 from pyjoystick.plots import save_figure
 
 #: Angles are drawn in degrees.
 _ANGLES: Final = {"theta": "deg", "omega": "deg/s"}
 _COLUMNS: Final = 3
+#: The figure that only a fit with profiles has.
+PROFILES: Final = "profiles.png"
 
 
 def save_figures(fit: Fit, folder: Path) -> list[Path]:
     """Draw every figure that the fit has something for, as PNG; returns the files."""
     figures = {
-        "records": plot_records(fit),
-        "residuals": plot_residuals(fit),
-        "correlation": plot_correlation(fit),
+        "records.png": plot_records(fit),
+        "residuals.png": plot_residuals(fit),
+        "correlation.png": plot_correlation(fit),
     }
     if fit.profiles:
-        figures["profiles"] = plot_profiles(fit)
-    paths = []
+        figures[PROFILES] = plot_profiles(fit)
     for name, figure in figures.items():
-        paths.append(folder / f"{name}.png")
-        save_figure(figure, paths[-1])
-    return paths
+        save_figure(figure, folder / name)
+    return [folder / name for name in figures]
 
 
 def plot_records(fit: Fit) -> Figure:
@@ -107,20 +107,21 @@ def plot_profiles(fit: Fit) -> Figure:
     quantile = fit.standard_errors.quantile
     for axes, (j, profile) in zip(grid, fit.profiles.items(), strict=False):
         variable = fit.variables[j]
-        axes.plot(
-            profile.values, np.abs(profile.distances), ".-", color=MEASURED, linewidth=1.0, markersize=4
-        )
+        line = {"linewidth": 1.0, "markersize": 4.0}
+        axes.plot(profile.values, np.abs(profile.distances), ".-", color=MEASURED, label="profile", **line)
         error = float(fit.standard_errors.errors[j])
         if math.isfinite(error) and error > 0.0:
             linear = np.abs(profile.values - fit.x[j]) / error
-            axes.plot(profile.values, linear, "--", color=FITTED, linewidth=1.0)
-        axes.axhline(quantile, color=BAND, linewidth=0.9)
+            axes.plot(profile.values, linear, "--", color=FITTED, linewidth=1.0, label="linear")
+        level = f"{100.0 * fit.settings.uncertainty.level:g} %"
+        axes.axhline(quantile, color=BAND, linewidth=0.9, label=level)
         axes.set_ylim(0.0, 1.6 * quantile)
         axes.set_xlabel(f"{variable.label} ({variable.unit})" if variable.unit else variable.label)
         axes.locator_params(axis="x", nbins=4)
         dress(axes)
     for axes in grid[count:]:
         axes.set_visible(False)
+    legend_above(figure, grid[0])
     figure.supylabel("Distance from the best fit", fontsize="small")
     return figure
 

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from pyjoystick.fitting import FitInterruptedError
 from pyjoystick.parameters import PAPER, ConstantDamping, read_parameter_file
 from tests.pyjoystick.cli.conftest import Command
 
@@ -153,3 +154,42 @@ def test_wrong_usage_of_update(command: Command, joystick: Path, tmp_path: Path)
     outcome = command("fit", RECORDS[0], "-p", str(joystick), "--settings", str(settings), "--update")
     assert outcome.code == 1
     assert outcome.message == "the joystick: nothing of it is fitted, so that there is nothing to be written"
+
+
+def test_a_folder_that_cannot_be_is_found_out_before_the_fit(command: Command, tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("kept", encoding="utf-8")
+    outcome = command("fit", RECORDS[0], "--output", "file")
+    assert (outcome.code, outcome.out) == (1, "")
+    assert outcome.message.startswith("cannot write file/fit.md: ")
+
+
+def test_a_figure_of_an_earlier_fit_is_named(command: Command, tmp_path: Path) -> None:
+    (tmp_path / "fit.toml").write_text(SETTINGS.replace("bootstrap = 4", ""), encoding="utf-8")
+    (tmp_path / "profiles.png").write_text("kept", encoding="utf-8")
+    outcome = command("fit", RECORDS[0], "--settings", "fit.toml", "--output", str(tmp_path))
+    assert outcome.code == 0, outcome.err
+    assert "profiles.png is of an earlier fit" in outcome.err
+    assert (tmp_path / "profiles.png").read_text(encoding="utf-8") == "kept"
+
+
+@pytest.mark.parametrize("stage", ["searching", "profiles"])
+def test_ctrl_c(
+    command: Command, joystick: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, stage: str
+) -> None:
+    """Without a result it ends; after the search what was found is printed, but no joystick is written."""
+
+    def stopped(*_: object, **__: object) -> None:
+        raise KeyboardInterrupt if stage == "searching" else FitInterruptedError
+
+    place = {"searching": "pyjoystick.fmu.Plan.run", "profiles": "pyjoystick.fitting.profile.search"}
+    monkeypatch.setattr(place[stage], stopped)
+    before = joystick.read_bytes()
+    outcome = command("fit", RECORDS[0], "-p", str(joystick), "--update", "--output", "out")
+    assert outcome.code == 130, outcome.err
+    assert joystick.read_bytes() == before
+    if stage == "searching":
+        assert (outcome.out, outcome.message) == ("", "the fit was stopped before there was a result")
+    else:
+        assert "Stopped before everything was done." in outcome.out
+        assert "is left as it was" in outcome.err
+        assert (tmp_path / "out" / "fit.json").exists()

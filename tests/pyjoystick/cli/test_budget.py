@@ -1,0 +1,63 @@
+"""``pyjoystick budget``."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pyjoystick.parameters import NOMINAL, read_parameter_file, write_parameters
+from pyjoystick.synthetic_records import synthetic_record
+from tests.pyjoystick.cli.conftest import Command
+from tests.scenarios.scripts import cells
+
+
+@pytest.fixture
+def record(tmp_path: Path) -> str:
+    """A record, and joystick.toml with an uncertainty of m."""
+    made = synthetic_record(NOMINAL, release_angle=math.radians(-20.0), random=np.random.default_rng(4))
+    rows = [f"{t:.9g},{math.degrees(a):.9g}" for t, a in zip(made.time, made.theta, strict=True)]
+    (tmp_path / "record.csv").write_text("\n".join(["time (s),theta (deg)", *rows, ""]), encoding="utf-8")
+    write_parameters(tmp_path / "joystick.toml", NOMINAL, uncertainties={"body.m": 0.01})
+    return "record.csv"
+
+
+def test_what_is_uncertain_has_a_row_and_the_file_the_whole(command: Command, record: str) -> None:
+    before = read_parameter_file(Path("joystick.toml")).joystick
+    outcome = command("budget", record, "-p", "joystick.toml", "--uncertainty", "scale=0.002", "--update")
+    assert outcome.code == 0, outcome.err
+    assert "taken as exact: h, a, load curve forward, load curve backward" in outcome.err
+    parts = [
+        [float(cell or 0.0) for cell in cells(outcome.out, stage)[3:]]
+        for stage in (
+            "scale of the angle, 0.2 %",
+            "zero, noise at rest",
+            "m +- 0.01",
+            "fit, noise of the records",
+        )
+    ]
+    whole = [float(cell) for cell in cells(outcome.out, "all")[3:]]
+    np.testing.assert_allclose(np.sqrt(np.sum(np.square(parts), axis=0)), whole, atol=2e-3)
+    assert all(0.0 < part < total for row in parts for part, total in zip(row, whole, strict=True))
+    found = read_parameter_file(Path("joystick.toml"))
+    assert found.uncertainties["body.J"] == pytest.approx(whole[0] / 100.0 * NOMINAL.J, rel=0.06)
+    assert found.uncertainties["body.m"] == 0.01
+    assert abs(found.joystick.J - NOMINAL.J) < 3.0 * found.uncertainties["body.J"]
+    assert found.sources["damping.constant"] == "fit to record.csv, uncertainty from the budget"
+    assert found.joystick.forward == before.forward
+
+
+@pytest.mark.parametrize(
+    ("options", "code", "words"),
+    [
+        (("--uncertainty", "k=1"), 1, "k = 1.0: must be one of m, h, J, g, a, b, scale"),
+        (("--curve", "left=a.csv"), 2, "must be forward or backward"),
+        (("--curve", "forward=none.csv"), 1, "none.csv: cannot be read"),
+    ],
+)
+def test_wrong_usage(command: Command, record: str, options: tuple[str, ...], code: int, words: str) -> None:
+    outcome = command("budget", record, "-p", "joystick.toml", *options)
+    assert outcome.code == code
+    assert words in outcome.err
