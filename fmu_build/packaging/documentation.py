@@ -13,6 +13,7 @@ from fmu_build.packaging.text import xml_text
 _STYLE = """
 body { font-family: sans-serif; max-width: 60em; margin: 2em auto; padding: 0 1em; }
 table { border-collapse: collapse; margin-bottom: 2em; }
+img { max-width: 100%; }
 th, td { border: 1px solid #bbb; padding: 0.25em 0.6em; text-align: left; vertical-align: top; }
 """
 _SECTIONS = (("Parameters", "parameter"), ("Inputs", "input"), ("Outputs", "output"))

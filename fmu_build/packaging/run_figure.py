@@ -15,6 +15,8 @@ from fmu_build.packaging.default_run import DefaultRun
 # Those of Okabe and Ito, which the color-blind can tell apart; the dashes tell them apart in gray.
 _COLORS = ("#000000", "#D55E00", "#0072B2", "#009E73", "#CC79A7")
 _DASHES = ("-", (0, (6, 2)), (0, (2, 1.5)), (0, (6, 1.5, 1.5, 1.5)), (0, (1, 1)))
+# In inches: the margins, the panels' width and height, and an average letter of the names on the right.
+_LEFT, _BELOW, _CURVES, _PANEL, _LETTER = 0.8, 0.5, 5.6, 1.4, 0.09
 _SETTINGS: dict[Any, Any] = {
     "svg.fonttype": "none",  # text as text
     "svg.hashsalt": "default run",  # the same names within the file every time
@@ -32,7 +34,12 @@ def default_run_svg(run: DefaultRun, description: ModelDescription) -> bytes:
     panels = [(unit, names, run.inputs, "steps-post") for unit, names in _by_unit(run.inputs, units)]
     panels += [(unit, names, run.outputs, "default") for unit, names in _by_unit(run.outputs, units)]
     with mpl.rc_context(_SETTINGS):
-        figure = Figure(figsize=(8, 0.6 + 1.5 * len(panels)), layout="constrained")
+        height = _BELOW + _PANEL * len(panels)
+        width = _LEFT + _CURVES + _LETTER * (8 + max(map(len, [*run.inputs, *run.outputs])))
+        figure = Figure(figsize=(width, height))
+        # Placed by hand: matplotlib takes half a second to find places.
+        right, top = (_LEFT + _CURVES) / width, 1.0 - 0.1 / height
+        figure.subplots_adjust(_LEFT / width, _BELOW / height, right, top, hspace=0.15)
         all_axes = figure.subplots(len(panels), sharex=True, squeeze=False)[:, 0]
         for axes, (unit, names, values, style) in zip(all_axes, panels, strict=True):
             for index, name in enumerate(names):
@@ -46,10 +53,10 @@ def default_run_svg(run: DefaultRun, description: ModelDescription) -> bytes:
                     label=_plain(name),
                 )
             axes.set_ylabel(_plain(unit or "1"))
+            axes.yaxis.set_label_coords(-0.1, 0.5)
             axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), frameon=False)
         all_axes[-1].set_xlabel("time in s")
         all_axes[-1].set_xlim(run.time[0], run.time[-1])
-        figure.align_ylabels()
         buffer = io.BytesIO()
         figure.savefig(buffer, format="svg", metadata={"Date": None, "Creator": None})
     return buffer.getvalue()

@@ -9,7 +9,8 @@ from typing import Any
 from lxml import html
 
 from fmu_build.description import ModelDescription, Variable
-from fmu_build.packaging.documentation import index_html
+from fmu_build.packaging.default_run import DefaultRun
+from fmu_build.packaging.documentation import FIGURE, index_html
 from fmu_build.packaging.icon import model_png
 
 
@@ -68,3 +69,13 @@ def test_icon_of_a_model_with_many_ports(description: ModelDescription) -> None:
 
     assert model_png(ports(100)) == model_png(ports(13))
     assert model_png(ports(12)) != model_png(ports(13))
+
+
+def test_page_shows_the_default_run_or_says_why_not(description: ModelDescription) -> None:
+    run = DefaultRun((0.0, 1.0), {"F": (0.0, 0.0)}, {"x": (0.1, 0.2)})
+    page = _page(index_html(description, run, "tool"))
+    assert [image.get("src") for image in page.iter("img")] == [FIGURE]
+    assert "From 0 s to 1 s with the inputs that the figure shows" in page.text_content()
+    page = _page(index_html(description, "it broke", "tool"))
+    assert list(page.iter("img")) == []
+    assert "There is no figure: it broke." in page.text_content()
