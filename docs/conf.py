@@ -15,6 +15,7 @@ version = release = metadata.version("pyjoystick")
 extensions = [
     "myst_nb",
     "sphinx.ext.autodoc",
+    "extensions.command_line",
     "extensions.docstrings",
     "extensions.mathml",
     "extensions.modelica_classes",
@@ -26,6 +27,8 @@ highlight_language = "text"
 # A name in single backticks, in docstrings, is code.
 default_role = "code"
 nitpicky = True
+# Two dashes begin an option, they are no long dash.
+smartquotes = False
 
 # The pages are read on GitHub too: headings have its anchors, formulas its dollars.
 myst_enable_extensions = ["dollarmath"]

@@ -17,8 +17,8 @@ Examples:
 
     pyjoystick import accelerometer trial1_acc.csv --angle trial1.csv --distance 0.25
 
-    pyjoystick import accelerometer long.npy --samples-per-second 1800 --unit V --sensitivity 0.01
-    --angle trial1.csv --distance 0.25 --delay 0.35 --output alpha1.csv
+    pyjoystick import accelerometer long.npy --samples-per-second 1800 --unit V --sensitivity 0.01 \\
+        --angle trial1.csv --distance 0.25 --delay 0.35 --output alpha1.csv
 
 The file may be long: it is read a piece at a time, and only the part where the angle is known is kept.
 """

@@ -18,11 +18,11 @@ Examples:
 
     pyjoystick import markers trial1.c3d --top TOP --base BASE1 BASE2 --output trial1.csv
 
-    pyjoystick import markers nexus.csv --top TOP --base BASE1 BASE2 --forward -y --released backward
-    --output trial1.csv --motion motion1.csv
+    pyjoystick import markers nexus.csv --top TOP --base BASE1 BASE2 --forward -y --released backward \\
+        --output trial1.csv --motion motion1.csv
 
-    pyjoystick import markers trial1.c3d --top TOP --base BASE1 BASE2 --radius 0.266 --rests backward
-    --parameters joystick.toml --output trial1.csv
+    pyjoystick import markers trial1.c3d --top TOP --base BASE1 BASE2 --radius 0.266 --rests backward \\
+        --parameters joystick.toml --output trial1.csv
 
 The record has the angle as measured, which `pyjoystick peaks` and `pyjoystick fit` want: the filter of the
 chain lowers the peaks of the velocity and makes the noise of neighboring samples alike. The motion is what

@@ -18,8 +18,8 @@ Examples:
 
     pyjoystick torque --angle 18deg --stroke-time 0.12 --plot torque.png
 
-    pyjoystick torque -a -15deg --stroke-time 0.2 --dwell 0.5 --shape trapezoid --damping constant
-    --csv torque.csv
+    pyjoystick torque -a -15deg --stroke-time 0.2 --dwell 0.5 --shape trapezoid --damping constant \\
+        --csv torque.csv
 
     pyjoystick torque motion.csv --parameters joystick.toml --json torque.json
 

@@ -88,6 +88,8 @@ def _parse(command: Any, arguments: Sequence[str], line: str, parent: Any = None
             rest = [*context._protected_args, *context.args]
             _, inner, rest = command.resolve_command(context, rest)
             _parse(inner, rest, line, context)
+    except CommandError:
+        raise
     except SystemExit as stop:
         raise CommandError(f"{line}\nis refused") from stop
     except Exception as error:

@@ -2,8 +2,14 @@
 
 from __future__ import annotations
 
-import pytest
+from typing import Any
 
+import pytest
+import typer
+
+from pyjoystick import cli
+from tests.docs.commands import command_lines, read
+from tests.docs.pages import blocks
 from tests.modelica.library import ROOT as LIBRARY
 from tests.modelica.library import library_classes
 
@@ -11,6 +17,7 @@ pytest.importorskip("sphinx", reason="the extra docs is not installed")
 
 from docutils.utils.math import MathError
 from extensions import docstrings, mathml
+from extensions.command_line import command_text, commands
 from extensions.modelica_library import read_packages
 
 
@@ -88,3 +95,24 @@ def test_every_parameter_is_there() -> None:
     ]
     assert spring.kind == "Force"
     assert spring.description
+
+
+PROGRAM = typer.main.get_command(cli.app)
+COMMANDS = list(commands("pyjoystick", PROGRAM))
+
+
+def test_a_command_as_text() -> None:
+    text = command_text("pyjoystick fit", PROGRAM.commands["fit"])
+    assert text.startswith("## pyjoystick fit\n\nFit parameters")
+    assert "| `RECORD.csv...` | One file a release" in text
+    assert "| `--parameters`, `-p FILE` |" in text
+    assert "`--damping constant, power-law`" in text
+    assert "[-20deg]" in command_text("a", PROGRAM.commands["free-oscillation"])
+
+
+@pytest.mark.parametrize(("name", "command"), COMMANDS, ids=[name for name, _ in COMMANDS])
+def test_examples_of_the_command_line_are_accepted(name: str, command: Any) -> None:
+    lines = [line for block in blocks(command_text(name, command)) for line in command_lines(block.text)]
+    assert any(line.startswith(name) for line in lines)
+    for line in lines:
+        read(line)

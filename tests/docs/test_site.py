@@ -6,9 +6,11 @@ import re
 import subprocess
 import sys
 from pathlib import Path
+from pkgutil import iter_modules
 
 import pytest
 
+import pyjoystick
 from pyjoystick.fmu import MODELS
 from tests.docs.pages import DOCS, NOTEBOOKS, ROOT
 
@@ -72,3 +74,14 @@ def test_links_between_classes_of_the_library(site: Path) -> None:
     wanted = set(re.findall(r'href="#(preloadedsprings[\w-]*)"', page))
     assert wanted
     assert wanted - set(re.findall(r'id="([\w-]+)"', page)) == set()
+
+
+#: What serves the rest of the package, not its users; the command line has a page of its own.
+INNER = {"__main__", "_types", "checks", "cli", "defaults", "toml_table", "versions"}
+
+
+def test_every_part_of_the_package_is_in_the_reference() -> None:
+    modules = {module.name for module in iter_modules(pyjoystick.__path__)}
+    pages = "".join(page.read_text(encoding="utf-8") for page in DOCS.glob("api/*.md"))
+    documented = set(re.findall(r"auto(?:module|class):: pyjoystick\.(\w+)", pages))
+    assert modules - documented == INNER
