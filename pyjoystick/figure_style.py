@@ -76,9 +76,17 @@ def dress(axes: Axes, *, zero: bool = False) -> None:
 
 
 def legend_above(
-    figure: Figure, axes: Axes | Sequence[Axes], *, columns: int | None = None, marker_scale: float = 1.0
+    figure: Figure,
+    axes: Axes | Sequence[Axes],
+    *,
+    title: str = "",
+    columns: int | None = None,
+    marker_scale: float = 1.0,
 ) -> None:
-    """The legend of the lines of `axes` above the panels, where it covers no curve; each label once."""
+    """The legend of the lines of `axes` above the panels, where it covers no curve; each label once.
+
+    A title of the figure goes here, for Matplotlib would draw it over the legend.
+    """
     panels = [axes] if isinstance(axes, Axes) else axes
     entries: dict[str, Artist] = {}
     for panel in panels:
@@ -90,5 +98,6 @@ def legend_above(
         loc="outside upper center",
         ncols=columns or len(entries),
         frameon=False,
+        title=title or None,
         markerscale=marker_scale,
     )

@@ -60,9 +60,7 @@ def plot_chain_effect(parameters: JoystickParameters, effect: ChainEffect, *, ti
     dress(above, zero=True)
     dress(below)
     figure.align_ylabels([above, below])
-    legend_above(figure, [above, below])
-    if title:
-        figure.suptitle(title, fontsize="medium")
+    legend_above(figure, [above, below], title=title)
     return figure
 
 

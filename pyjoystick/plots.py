@@ -67,10 +67,10 @@ def plot_motion(
         max(float(table.index[-1]) for table in runs.values()),
     )
     figure.align_ylabels(axes)
-    if title:
-        figure.suptitle(title, fontsize="medium")
     if len(runs) > 1:
-        legend_above(figure, axes[0])
+        legend_above(figure, axes[0], title=title)
+    elif title:
+        figure.suptitle(title, fontsize="medium")
     return figure
 
 

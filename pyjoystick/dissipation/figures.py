@@ -41,9 +41,7 @@ def plot_energy(
     below.set_xlabel("Time after the release (s)")
     below.set_xlim(0.0, float(run.time[-1]))
     figure.align_ylabels([above, below])
-    legend_above(figure, above)
-    if title:
-        figure.suptitle(title, fontsize="medium")
+    legend_above(figure, above, title=title)
     return figure
 
 
@@ -84,7 +82,5 @@ def plot_damping_function(
     for axes in (above, below):
         axes.grid(visible=False, axis="x")
     figure.align_ylabels([above, below])
-    legend_above(figure, above)
-    if title:
-        figure.suptitle(title, fontsize="medium")
+    legend_above(figure, above, title=title)
     return figure

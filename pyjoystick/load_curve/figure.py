@@ -31,9 +31,7 @@ def plot_load_curve(fit: LoadCurveFit, *, title: str = "", size: tuple[float, fl
         axes = figure.add_subplot(grid[1, column])
         _draw(axes, fit, cubic=False)
         _enlarge(axes, fit, i)
-    legend_above(figure, whole, marker_scale=4.0)
-    if title:
-        figure.suptitle(title, fontsize="medium")
+    legend_above(figure, whole, marker_scale=4.0, title=title)
     return figure
 
 

@@ -91,7 +91,5 @@ def plot_load_deflection(
     axes.set_xlim(left=0.0)
     axes.set_ylim(bottom=0.0)
     dress(axes)
-    legend_above(figure, axes, columns=2)
-    if title:
-        figure.suptitle(title, fontsize="medium")
+    legend_above(figure, axes, columns=2, title=title)
     return figure

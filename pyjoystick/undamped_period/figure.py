@@ -70,9 +70,7 @@ def plot_periods(
     for axes in (above, below):
         dress(axes)
     below.set_xlim(float(amplitude.min()), float(amplitude.max()))
-    legend_above(figure, [above, below], columns=3)
-    if title:
-        figure.suptitle(title, fontsize="medium")
+    legend_above(figure, [above, below], columns=3, title=title)
     return figure
 
 
