@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -19,6 +19,7 @@ from pyjoystick.fitting.joystick_values import with_values
 from pyjoystick.fmu import Fmu
 from pyjoystick.load_curve import LoadCurveFit
 from pyjoystick.measurement_errors import mean_period
+from pyjoystick.measurements.angle import REST_TIME
 from pyjoystick.parameters import ActuatorAssembly, JoystickParameters, Side
 from pyjoystick.records import Record
 from pyjoystick.reference import simulate
@@ -26,7 +27,26 @@ from pyjoystick.report import markdown_table
 
 #: What `refit` finds.
 FITTED: Final = ("J", "damping.C")
+#: Parameters of the bench that single numbers tell, in the order of the table.
+BODY: Final = ("m", "h", "J", "g", "a", "b")
 _TIME: Final = np.arange(901) / 600.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Bench:
+    """What was measured without cameras, with standard uncertainties.
+
+    Attributes:
+        joystick: the joystick, with constant damping; its J and C are where a fit begins
+        curves: fits of the load-deflection curves, as far as there are any
+        uncertainties: of the names in `BODY`, in SI units
+        scale: of the angle's scale, in parts of it: that of the radius of the top marker
+    """
+
+    joystick: JoystickParameters
+    curves: Mapping[Side, LoadCurveFit]
+    uncertainties: Mapping[str, float]
+    scale: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,14 +127,6 @@ def refit(records: Sequence[Record], joystick: JoystickParameters, fmu: Fmu) -> 
     return fit(records, with_values(settings, joystick.to_names()), fmu=fmu)
 
 
-def with_fitted(contribution: Contribution, before: Fit, moved: Sequence[Fit]) -> Contribution:
-    """The contribution with what J and C differ by, as the root of the sum of squares."""
-    parts = [
-        math.sqrt(sum((one.value(name) / before.value(name) - 1.0) ** 2 for one in moved)) for name in FITTED
-    ]
-    return dataclasses.replace(contribution, J=parts[0], C=parts[1])
-
-
 def noise_contribution(
     stage: str, joystick: JoystickParameters, found: Fit, *, release_angle: float
 ) -> Contribution:
@@ -134,6 +146,82 @@ def noise_contribution(
     return dataclasses.replace(run, J=errors[0], C=errors[1])
 
 
+def fit_contributions(
+    records: Sequence[Record], bench: Bench, fmu: Fmu, *, release_angle: float
+) -> tuple[Fit, list[Contribution]]:
+    """J and C from records, and what every measured quantity contributes to them and to a run.
+
+    Args:
+        records: releases, whose zero is the middle position
+        bench: what was measured before
+        fmu: the FMU with constant damping
+        release_angle: angle of release of the runs that are compared (rad)
+
+    Raises:
+        FitError: as `fit` does
+        ParameterError, SimulationError: a quantity is so uncertain that there is no such joystick
+    """
+    found = refit(records, bench.joystick, fmu)
+    joystick = bench.joystick.replace(found.shared())
+    contributions = [
+        _with_fitted(stage, found, [refit(moved, joystick, fmu) for moved in several])
+        for stage, several in _moved_records(joystick, records, found, bench.scale, release_angle)
+    ]
+    for name, joysticks in _moved_joysticks(joystick, bench).items():
+        run = run_contribution(name, joystick, joysticks, release_angle=release_angle)
+        # J is fitted, so that what was measured of it before counts for runs only.
+        refits = [] if name.startswith("J ") else [refit(records, one, fmu) for one in joysticks]
+        contributions.append(_with_fitted(run, found, refits) if refits else run)
+    noise = noise_contribution("fit, noise of the records", joystick, found, release_angle=release_angle)
+    return found, [*contributions, noise]
+
+
+def _moved_records(
+    joystick: JoystickParameters, records: Sequence[Record], found: Fit, scale: float, release_angle: float
+) -> Iterator[tuple[Contribution, list[list[Record]]]]:
+    """The records with another scale of the angle, and with the zero of one of them moved."""
+    if scale > 0.0:
+        run = simulate(joystick, time=_TIME, theta_start=release_angle)
+        theta, omega = (scale * float(np.sqrt(np.mean(one**2))) for one in (run.theta, run.omega))
+        scaled = [dataclasses.replace(one, theta=one.theta * (1.0 + scale)) for one in records]
+        yield Contribution(f"scale of the angle, {100.0 * scale:.2g} %", theta, omega, 0.0), [scaled]
+    zeros = [
+        fitted.sigma["theta"] / math.sqrt(REST_TIME / float(np.median(np.diff(record.time))))
+        for fitted, record in zip(found.records, records, strict=True)
+    ]
+    moved = [
+        [dataclasses.replace(one, theta=one.theta + zero * (i == j)) for j, one in enumerate(records)]
+        for i, zero in enumerate(zeros)
+    ]
+    yield Contribution("zero, noise at rest", float(np.sqrt(np.mean(np.square(zeros))))), moved
+
+
+def _moved_joysticks(joystick: JoystickParameters, bench: Bench) -> dict[str, list[JoystickParameters]]:
+    """Joysticks with one quantity moved, by what it is called."""
+    moved = {f"load curve, {side}": curve_axes(joystick, side, curve) for side, curve in bench.curves.items()}
+    values = joystick.to_names()
+    for name in BODY:
+        error = bench.uncertainties.get(name, 0.0)
+        if error > 0.0:
+            moved[f"{name} +- {error:.1g}"] = [joystick.replace({name: values[name] + error})]
+    return moved
+
+
+def _with_fitted(contribution: Contribution, before: Fit, moved: Sequence[Fit]) -> Contribution:
+    """The contribution with what J and C differ by, as the root of the sum of squares."""
+    parts = [
+        math.sqrt(sum((one.value(name) / before.value(name) - 1.0) ** 2 for one in moved)) for name in FITTED
+    ]
+    return dataclasses.replace(contribution, J=parts[0], C=parts[1])
+
+
+def combined(contributions: Sequence[Contribution]) -> tuple[float, float]:
+    """Relative standard uncertainties of J and C: the roots of the sums of squares."""
+    parts = np.array([(one.J, one.C) for one in contributions])
+    inertia, damping = np.sqrt(np.nansum(parts**2, axis=0))
+    return float(inertia), float(damping)
+
+
 def contribution_table(contributions: Sequence[Contribution]) -> str:
     """The contributions as a table in Markdown, and the root of the sum of squares of those to J and C."""
 
@@ -149,10 +237,6 @@ def contribution_table(contributions: Sequence[Contribution]) -> str:
         ]
         for one in contributions
     ]
-    whole = [
-        math.sqrt(sum(getattr(one, name) ** 2 for one in contributions if not math.isnan(getattr(one, name))))
-        for name in ("J", "C")
-    ]
-    rows.append(["all", "", "", "", *(cell(100.0 * value, 3) for value in whole)])
+    rows.append(["all", "", "", "", *(cell(100.0 * value, 3) for value in combined(contributions))])
     header = ["stage", "theta, rms (deg)", "omega, rms (rad/s)", "period (%)", "fitted J (%)", "fitted C (%)"]
     return markdown_table(header, rows)

@@ -9,13 +9,14 @@ import pytest
 
 from pyjoystick.fmu import Fmu
 from pyjoystick.laboratory_errors import (
+    Bench,
     Contribution,
+    combined,
     contribution_table,
     curve_axes,
-    noise_contribution,
+    fit_contributions,
     refit,
     run_contribution,
-    with_fitted,
 )
 from pyjoystick.load_curve import fit_load_curve
 from pyjoystick.measurement_errors import mean_period
@@ -58,22 +59,28 @@ def test_several_axes_add_up_by_their_squares() -> None:
     assert one.theta == pytest.approx(float(np.sqrt(np.mean((run.theta - other.theta) ** 2))), rel=1e-9)
 
 
-def test_a_wrong_mass_and_a_wrong_scale_reach_the_fitted_values(fmus_by_name: object) -> None:
+@pytest.mark.usefixtures("fmus_by_name")
+def test_what_is_measured_before_reaches_the_fitted_values() -> None:
     random = np.random.default_rng(3)
     records = [synthetic_record(NOMINAL, release_angle=RELEASE, random=random, noise=1e-3)]
+    bench = Bench(joystick=NOMINAL, curves={}, uncertainties={"m": 0.01, "J": 1e-4}, scale=2e-3)
     with Fmu("Joystick") as fmu:
-        found = refit(records, NOMINAL, fmu)
-        stiffer = {f"{side}.returnSpring.F_0": 1.01 for side in ("forward", "backward")}
-        values = NOMINAL.to_names()
-        forces = NOMINAL.replace({name: factor * values[name] for name, factor in stiffer.items()})
-        moved = with_fitted(Contribution("forces"), found, [refit(records, forces, fmu)])
-        assert found.value("J") == pytest.approx(NOMINAL.J, rel=3e-3)
-        # All forces grow together with inertia and damping; the preload is most of the force.
-        assert 0.005 < moved.J < 0.01
-        assert 0.005 < moved.C < 0.01
-        noise = noise_contribution("fit", NOMINAL, found, release_angle=RELEASE)
-    assert pytest.approx(found.error("J") / found.value("J")) == noise.J
-    assert 0.0 < noise.theta < 1e-3
+        found, contributions = fit_contributions(records, bench, fmu, release_angle=RELEASE)
+        joystick = NOMINAL.replace(found.shared())
+        heavier = refit(records, joystick.replace({"m": joystick.m + 0.01}), fmu)
+    scale, zero, mass, inertia, noise = contributions
+    assert pytest.approx(abs(heavier.value("J") / found.value("J") - 1.0), rel=1e-6) == mass.J
+    assert pytest.approx(abs(heavier.value("damping.C") / found.value("damping.C") - 1.0), rel=1e-6) == mass.C
+    run = simulate(joystick, time=np.arange(901) / 600.0, theta_start=RELEASE)
+    assert scale.theta == pytest.approx(2e-3 * float(np.sqrt(np.mean(run.theta**2))), rel=1e-9)
+    assert zero.theta == pytest.approx(1e-3 / math.sqrt(15.0), rel=0.2)
+    # J is fitted: what was measured of it before says nothing more, but a run with it would be off.
+    assert math.isnan(inertia.J)
+    assert inertia.period > 3e-3
+    assert found.error("J") / found.value("J") == noise.J
+    assert combined(contributions)[0] == pytest.approx(
+        math.sqrt(sum(one.J**2 for one in (scale, zero, mass, noise)))
+    )
 
 
 def test_the_table_leaves_out_what_has_no_part_and_adds_up() -> None:
