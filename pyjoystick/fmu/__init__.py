@@ -12,6 +12,7 @@ from pyjoystick.fmu.description import (
 from pyjoystick.fmu.errors import FmuFileError, FmuNotFoundError, FmuRunError, UnsupportedFmuError
 from pyjoystick.fmu.files import MODELS, build_folder, find_fmu
 from pyjoystick.fmu.inputs import Inputs
+from pyjoystick.fmu.linearization import Linearization
 from pyjoystick.fmu.model_exchange import run_model_exchange
 from pyjoystick.fmu.plan import Plan
 from pyjoystick.fmu.reductions import Extremes, Final, Loss, Peaks, Reduction
@@ -29,6 +30,7 @@ __all__ = [
     "FmuNotFoundError",
     "FmuRunError",
     "Inputs",
+    "Linearization",
     "Loss",
     "Peaks",
     "Plan",

@@ -15,6 +15,7 @@ from pyjoystick.defaults import DEFAULT_TOLERANCE
 from pyjoystick.fmu.description import FmuDescription, read_description
 from pyjoystick.fmu.files import find_fmu
 from pyjoystick.fmu.inputs import Inputs
+from pyjoystick.fmu.linearization import Linearization, linearize
 from pyjoystick.fmu.plan import Plan
 from pyjoystick.fmu.pool import InstancePool
 from pyjoystick.fmu.values import Value
@@ -133,3 +134,34 @@ class Fmu:
             ParameterError, SeriesError: a value or series is not allowed, or a name is given twice
         """
         return Plan(self, self._pool, time, varied, parameters or {}, inputs, outputs, tolerance)
+
+    def linearize(
+        self,
+        time: float = 0.0,
+        *,
+        parameters: Mapping[str, Value] | None = None,
+        inputs: Mapping[str, float] | None = None,
+        outputs: Iterable[str] | None = None,
+        tolerance: float = DEFAULT_TOLERANCE,
+    ) -> Linearization:
+        """The linear system that the FMU is near one point of a motion, from its own derivatives.
+
+        Args:
+            time: where on the motion from the start values, s; 0 is the start
+            parameters: as in `run`; start values choose the point
+            inputs: constant inputs by name; those not given keep the FMU's own
+            outputs: as in `run`; the rows of C and D
+            tolerance: as in `run`
+
+        Raises:
+            UnknownParameterError, UnknownInputError, UnknownVariableError: a name is not one of the FMU's
+            ParameterError: a value is not allowed, or the time is negative
+            UnsupportedFmuError: the FMU provides no directional derivatives
+            FmuRunError: the FMU refuses its settings, fails on the way or has no derivatives there
+        """
+        instance = self._pool.take()
+        try:
+            library = self._pool.library
+            return linearize(library, instance, time, parameters or {}, inputs or {}, outputs, tolerance)
+        finally:
+            self._pool.give_back(instance)

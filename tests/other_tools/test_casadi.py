@@ -16,6 +16,7 @@ import pytest
 from pyjoystick import NOMINAL, NOMINAL_POWER_LAW
 from pyjoystick.parameters import JoystickParameters
 from pyjoystick.reference import simulate
+from tests.joystick_fmu.analytic import jacobian
 from tests.other_tools.programs import require, run
 
 RELEASE = math.radians(6.0)
@@ -51,3 +52,31 @@ def test_motion_within_a_branch(
     assert 0.0 < expected.theta[-1] < math.radians(2.0)
     assert np.abs(theta - expected.theta[1:]).max() < 1e-8
     assert np.abs(omega - expected.omega[1:]).max() < 1e-6
+
+
+JACOBIAN = """
+import casadi
+dae = casadi.DaeBuilder("joystick", folder, {})
+dae.set("theta_start", release)
+f = dae.create("f", ["x", "u"], ["ode"], {"uses_directional_derivatives": True})
+jacobian = f.factory("jacobian", ["x", "u"], ["jac:ode:x", "jac:ode:u"])
+by_x, by_u = jacobian([release, omega], torque)
+print(json.dumps([by_x.full().tolist(), by_u.full().tolist()]))
+"""
+
+
+@pytest.mark.parametrize(
+    ("name", "parameters"), [("Joystick", NOMINAL), ("JoystickPowerLaw", NOMINAL_POWER_LAW)]
+)
+def test_jacobian_is_that_of_the_fmu(
+    name: str, parameters: JoystickParameters, joystick_fmus: Path, tmp_path: Path
+) -> None:
+    """From directional derivatives: differences of the states' rates would be off by about 1e-8."""
+    require("casadi")
+    with zipfile.ZipFile(joystick_fmus / f"{name}.fmu") as archive:
+        archive.extractall(tmp_path)
+    by_x, by_u = run(JACOBIAN, folder=str(tmp_path), release=RELEASE, omega=-0.7, torque=0.2)
+    expected = jacobian(parameters.to_names(), RELEASE, -0.7, 0.2)
+    assert by_x[0] == [0.0, 1.0]
+    assert by_x[1] == pytest.approx([expected["alpha", known] for known in ("theta", "omega")], rel=1e-12)
+    assert by_u == [[0.0], [pytest.approx(1.0 / parameters.J, rel=1e-12)]]
