@@ -43,7 +43,7 @@ DURATION: Final = 60.0
 MARKERS: Final = 20
 SAMPLING: Final = 1800.0
 #: What of the accelerometer's record is kept (s).
-WINDOW: Final = (100.0, 104.0)
+WINDOW: Final = (10.0, 14.0)
 
 
 def main(
