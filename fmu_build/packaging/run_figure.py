@@ -16,7 +16,7 @@ from fmu_build.packaging.default_run import DefaultRun
 _COLORS = ("#000000", "#D55E00", "#0072B2", "#009E73", "#CC79A7")
 _DASHES = ("-", (0, (6, 2)), (0, (2, 1.5)), (0, (6, 1.5, 1.5, 1.5)), (0, (1, 1)))
 # In inches: the margins, the panels' width and height, and an average letter of the names on the right.
-_LEFT, _BELOW, _CURVES, _PANEL, _LETTER = 0.8, 0.5, 5.6, 1.4, 0.09
+_LEFT, _BELOW, _CURVES, _PANEL, _LETTER = 1.0, 0.5, 5.6, 1.4, 0.09
 _SETTINGS: dict[Any, Any] = {
     "svg.fonttype": "none",  # text as text
     "svg.hashsalt": "default run",  # the same names within the file every time
@@ -53,7 +53,7 @@ def default_run_svg(run: DefaultRun, description: ModelDescription) -> bytes:
                     label=_plain(name),
                 )
             axes.set_ylabel(_plain(unit or "1"))
-            axes.yaxis.set_label_coords(-0.1, 0.5)
+            axes.yaxis.set_label_coords(-0.8 / _CURVES, 0.5)
             axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), frameon=False)
         all_axes[-1].set_xlabel("time in s")
         all_axes[-1].set_xlim(run.time[0], run.time[-1])
