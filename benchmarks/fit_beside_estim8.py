@@ -102,16 +102,7 @@ def _our_fit(settings: FitSettings, records: list[Measurement], fmu: Fmu) -> dic
     begun = time.perf_counter()
     problem = make_problem(records, settings, fmu)
     problem.steps = choose_steps(problem, problem.variables.start).steps
-    wanted = settings.search
-    best = multi_start(
-        problem,
-        problem.variables.start,
-        starts=wanted.starts,
-        seed=wanted.seed,
-        evaluations=wanted.evaluations,
-        stages=wanted.stages,
-        exchanges=wanted.exchanges,
-    )[0]
+    best = multi_start(problem, problem.variables.start, settings.search)[0]
     seconds = time.perf_counter() - begun
     loss = sum(
         float(np.sum((predicted - data) ** 2))

@@ -64,6 +64,6 @@ def omc(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Omc]:
 @pytest.fixture
 def fmus_by_name(joystick_fmus: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """Has ``Joystick`` and the other names mean the FMUs of `joystick_fmus`."""
-    for module in ("pyjoystick.fmu.files", "pyjoystick.cli.fmus"):
+    for module in ("pyjoystick.fmu.files", "pyjoystick.fmu"):
         monkeypatch.setattr(f"{module}.build_folder", lambda: joystick_fmus)
     return joystick_fmus

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from pyjoystick.cli.options import DampingLaw, Parameters, parse_names
+from pyjoystick.cli.options import Columns, DampingLaw, Parameters, Units, parse_names
 
 EXAMPLES = """
 Examples:
@@ -66,14 +66,8 @@ def run(
             show_default=False,
         ),
     ] = None,
-    columns: Annotated[
-        list[str] | None,
-        typer.Option("--column", metavar="NAME=HEADING", help="Where time, theta or omega is found."),
-    ] = None,
-    units: Annotated[
-        list[str] | None,
-        typer.Option("--unit", metavar="NAME=UNIT", help="Unit of a column that has none in its heading."),
-    ] = None,
+    columns: Columns = None,
+    units: Units = None,
 ) -> None:
     """Fit parameters to measured motion, and say how sure the answer is.
 

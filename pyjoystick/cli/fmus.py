@@ -7,7 +7,6 @@ from pathlib import Path
 
 from pyjoystick.cli.console import messages, print_note
 from pyjoystick.errors import PyJoystickError
-from pyjoystick.fmu import MODELS, FmuNotFoundError, build_folder, find_fmu
 
 _TOOLS = ("fmu_build", "rumoca", "ziglang")
 
@@ -23,6 +22,9 @@ def found_or_built(fmu: str) -> Path:
         FmuNotFoundError: there is no such file, and it cannot be built here
         FmuBuildError: building it failed
     """
+    # What finds FMUs comes with what runs them, which help need not wait for.
+    from pyjoystick.fmu import MODELS, FmuNotFoundError, build_folder, find_fmu
+
     try:
         return find_fmu(fmu)
     except FmuNotFoundError:

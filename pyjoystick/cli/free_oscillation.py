@@ -11,6 +11,7 @@ from rich.table import Table
 
 from pyjoystick.cli import options
 from pyjoystick.cli.console import messages, output, print_note
+from pyjoystick.cli.setup import opened
 from pyjoystick.defaults import DEFAULT_DURATION, DEFAULT_OUTPUT_INTERVAL, DEFAULT_TOLERANCE
 from pyjoystick.output import check_outputs
 
@@ -56,7 +57,6 @@ def run(
     """Release the joystick from rest and let it oscillate; prints the peaks of its motion."""
     # What it takes is loaded when it is wanted, so that the other commands start quickly.
     from pyjoystick import experiments
-    from pyjoystick.cli.setup import opened
     from pyjoystick.tables import write_csv
 
     start = options.parse_angle(release_angle)

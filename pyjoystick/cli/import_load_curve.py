@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from pyjoystick.cli.console import output, print_note
-from pyjoystick.cli.options import SideName, parse_names
+from pyjoystick.cli.options import SideName, Units, parse_names
 from pyjoystick.cli.parameter_updates import file_to_update, write_update
 from pyjoystick.errors import ParameterError
 from pyjoystick.output import check_outputs
@@ -52,10 +52,7 @@ def run(
         list[str] | None,
         typer.Option("--column", metavar="NAME=HEADING", help="Where travel or force is found."),
     ] = None,
-    units: Annotated[
-        list[str] | None,
-        typer.Option("--unit", metavar="NAME=UNIT", help="Unit of a column that has none in its heading."),
-    ] = None,
+    units: Units = None,
     travel_noise: Annotated[
         float | None,
         typer.Option(metavar="METRES", help="Standard deviation of travel; from its scatter if not given."),

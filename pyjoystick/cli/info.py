@@ -10,6 +10,7 @@ from rich.markup import escape
 from rich.table import Table
 
 from pyjoystick.cli.console import output
+from pyjoystick.cli.fmus import found_or_built
 
 if TYPE_CHECKING:
     from pyjoystick.fmu import DefaultExperiment, FmuDescription, Variable
@@ -44,7 +45,6 @@ def run(
 ) -> None:
     """Show what an FMU is: model, interfaces, platforms, variables; nothing of it is run."""
     # What it takes is loaded when it is wanted, so that the other commands start quickly.
-    from pyjoystick.cli.fmus import found_or_built
     from pyjoystick.fmu import read_description
 
     description = read_description(found_or_built(fmu))

@@ -160,6 +160,24 @@ Parameters = Annotated[
         show_default=False,
     ),
 ]
+Columns = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--column",
+        metavar="NAME=HEADING",
+        help="Where time, theta or omega is found; repeatable.",
+        show_default=False,
+    ),
+]
+Units = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--unit",
+        metavar="NAME=UNIT",
+        help="Unit of a column that has none in its heading; repeatable.",
+        show_default=False,
+    ),
+]
 Released = Annotated[
     SideName | None,
     typer.Option(

@@ -23,14 +23,8 @@ def run(
         list[Path],
         typer.Argument(metavar="RECORD.csv...", help="One file a repeat: columns time (s), theta (deg)."),
     ],
-    columns: Annotated[
-        list[str] | None,
-        typer.Option("--column", metavar="NAME=HEADING", help="Where time, theta or omega is found."),
-    ] = None,
-    units: Annotated[
-        list[str] | None,
-        typer.Option("--unit", metavar="NAME=UNIT", help="Unit of a column that has none in its heading."),
-    ] = None,
+    columns: options.Columns = None,
+    units: options.Units = None,
     released: options.Released = None,
     parameters: options.Parameters = None,
     assignments: options.Set = None,

@@ -5,14 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import typer
 
 from pyjoystick.cli.fmus import found_or_built
 from pyjoystick.cli.options import DampingLaw, joystick_of, law_of, parameter_file, parse_assignments
-from pyjoystick.experiments import fmu_of_damping
-from pyjoystick.fmu import Fmu
 from pyjoystick.parameters import JoystickParameters
+
+if TYPE_CHECKING:
+    from pyjoystick.fmu import Fmu
 
 
 @contextmanager
@@ -20,6 +22,10 @@ def opened(
     law: DampingLaw | None, fmu: str | None, assignments: list[str] | None, parameters: Path | None = None
 ) -> Iterator[tuple[Fmu, JoystickParameters]]:
     """The FMU that the options name, and the joystick that it is to be: a file's or the paper's, changed."""
+    # What runs FMUs takes a while to load, which help need not wait for.
+    from pyjoystick.experiments import fmu_of_damping
+    from pyjoystick.fmu import Fmu
+
     file = parameter_file(parameters)
     changes = parse_assignments(assignments or [], "--set")
     if law is not None and fmu is not None:

@@ -66,17 +66,13 @@ def fit(
 def _search(problem: Problem, settings: FitSettings, tell: OnProgress) -> list[Minimum]:
     """Search, and set the weights of the problem to what the noise is found to be."""
     problem.steps = choose_steps(problem, problem.variables.start).steps
-    wanted = settings.search
-    tell("searching", 0, wanted.starts)
+    starts = settings.search.starts
+    tell("searching", 0, starts)
     minima = multi_start(
         problem,
         problem.variables.start,
-        starts=wanted.starts,
-        seed=wanted.seed,
-        evaluations=wanted.evaluations,
-        stages=wanted.stages,
-        exchanges=wanted.exchanges,
-        on_start=lambda done, total: tell("searching", done, total),
+        settings.search,
+        lambda done, total: tell("searching", done, total),
     )
     if settings.noise.sigma:
         return minima

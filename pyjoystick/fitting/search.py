@@ -13,6 +13,7 @@ from scipy.stats import qmc
 
 from pyjoystick._types import FloatArray
 from pyjoystick.fitting.problem import Problem
+from pyjoystick.fitting.settings import Search
 
 #: Minima are the same if their sums of squares differ by less than this part and their variables, in parts of
 #: their scale, by less than this.
@@ -151,15 +152,7 @@ class _Best:
 
 
 def multi_start(
-    problem: Problem,
-    x: FloatArray,
-    *,
-    starts: int,
-    seed: int,
-    evaluations: int,
-    stages: Sequence[float] = (),
-    exchanges: Sequence[tuple[str, str]] = (),
-    on_start: OnStart | None = None,
+    problem: Problem, x: FloatArray, wanted: Search, on_start: OnStart | None = None
 ) -> list[Minimum]:
     """Searches from x and from a Latin hypercube over the bounds of the shared variables.
 
@@ -170,14 +163,15 @@ def multi_start(
         the minima that differ, best first, each with the number of searches that ended in it
     """
     minima: list[Minimum] = []
-    for number, start in enumerate(start_points(problem, x, starts, seed)):
-        _merge(minima, staged_search(problem, start, evaluations=evaluations, stages=stages), problem)
+    for number, start in enumerate(start_points(problem, x, wanted.starts, wanted.seed)):
+        found = staged_search(problem, start, evaluations=wanted.evaluations, stages=wanted.stages)
+        _merge(minima, found, problem)
         if on_start is not None:
-            on_start(number + 1, starts)
-    if exchanges:
+            on_start(number + 1, wanted.starts)
+    if wanted.exchanges:
         best = min(minima, key=lambda one: one.cost)
-        begun = _exchanged(problem, best.x, exchanges)
-        _merge(minima, search(problem, begun, evaluations=evaluations), problem)
+        begun = _exchanged(problem, best.x, wanted.exchanges)
+        _merge(minima, search(problem, begun, evaluations=wanted.evaluations), problem)
     return sorted(minima, key=lambda one: one.cost)
 
 

@@ -15,7 +15,7 @@ from tests.pyjoystick.cli.conftest import Command
 def empty_build_folder(command: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A checkout in which nothing has been built; overrides what `command` has set."""
     folder = tmp_path / "build" / "fmi2"
-    for module in ("pyjoystick.fmu.files", "pyjoystick.cli.fmus"):
+    for module in ("pyjoystick.fmu.files", "pyjoystick.fmu"):
         monkeypatch.setattr(f"{module}.build_folder", lambda: folder)
     return folder
 
