@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -41,6 +42,15 @@ def test_every_script_is_here_or_has_a_test_of_its_own() -> None:
     elsewhere |= {"fit_your_own_joystick"}
     figures = {path.stem for path in SCENARIOS.glob("*.py") if path.stem.startswith(("fig0", "fig1"))}
     assert {name for name in figures if name < "fig14"} <= set(FIGURES) | elsewhere
+
+
+def test_make_figures_runs_them_all() -> None:
+    listed = subprocess.run(
+        ["make", "--dry-run", "figures"], cwd=SCENARIOS.parent, capture_output=True, text=True, check=True
+    ).stdout
+    scripts = {path.stem for path in SCENARIOS.glob("fig[01]*.py")} | {"ergonomics", "free_oscillation"}
+    missing = [name for name in scripts | set(FIGURES) if f"scenarios/{name}.py" not in listed]
+    assert missing == []
 
 
 @pytest.mark.parametrize("name", FIGURES)
