@@ -20,9 +20,8 @@ from pyjoystick.forced_motion import (
 )
 from pyjoystick.forced_motion.figures import plot_demands
 from pyjoystick.forced_motion.reports import demand_report
-from pyjoystick.output import write_text
 from pyjoystick.parameters import NOMINAL
-from pyjoystick.plots import save_figure
+from pyjoystick.results import save_results
 
 MOVES = MoveDistribution().draw(60, seed=1)
 JOYSTICK = NOMINAL  # read_parameters("joystick.toml") takes your own
@@ -56,8 +55,6 @@ def main(results: Path = RESULTS) -> int:
     for name, variants in groups.items():
         rows |= {f"{name.lower()}, {label}": one for label, one in variants.items() if label != "as it is"}
     title = f"A shift of {MOVES_PER_SHIFT:,} moves"
-    for suffix in ("png", "pdf"):
-        save_figure(plot_demands(groups, title=title), results / f"force.{suffix}")
     nominal = rows["as it is"]
     summary = "\n\n".join(
         (
@@ -67,8 +64,7 @@ def main(results: Path = RESULTS) -> int:
             "the hand on the joystick. W-: work of the joystick on the hand, which a muscle has to take up.",
         )
     )
-    write_text(results / "summary.md", summary + "\n")
-    print(summary)
+    save_results(results, summary, {"force": plot_demands(groups, title=title)})
     return 0
 
 

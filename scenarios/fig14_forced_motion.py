@@ -11,13 +11,14 @@ from pathlib import Path
 
 import numpy as np
 
+from pyjoystick.figure_style import SERIES
 from pyjoystick.forced_motion import Samples, torque_by_reference, torque_table
 from pyjoystick.forced_motion.section_5 import MOTION
 from pyjoystick.forced_motion.synthetic import seen_by_cameras
-from pyjoystick.output import write_text
 from pyjoystick.parameters import NOMINAL
-from pyjoystick.plots import plot_motion, save_figure
+from pyjoystick.plots import plot_motion
 from pyjoystick.report import markdown_table
+from pyjoystick.results import save_results
 from pyjoystick.tables import write_csv
 
 INTERVAL = 1e-3  # s
@@ -50,11 +51,10 @@ def main(results: Path = RESULTS) -> int:
     for name, table in tables.items():
         write_csv(table, results / f"{name.replace(' ', '_')}.csv")
     title = f"Forward and back, {math.degrees(MOTION.amplitude):g} degrees in {MOTION.rise:g} s"
-    for suffix in ("png", "pdf"):
-        save_figure(plot_motion(tables), results / f"motion.{suffix}")
-    summary = f"## {title}: peaks\n\n{markdown_table(header, rows)}\n"
-    write_text(results / "summary.md", summary)
-    print(summary)
+    # Black is what stands for a measurement, in all figures.
+    styles = dict(zip(tables, (SERIES[1], SERIES[0]), strict=True))
+    summary = f"## {title}: peaks\n\n{markdown_table(header, rows)}"
+    save_results(results, summary, {"motion": plot_motion(tables, styles=styles)})
     return 0
 
 

@@ -26,10 +26,9 @@ from pyjoystick.forced_motion.figures import plot_torque
 from pyjoystick.forced_motion.reports import measures_report
 from pyjoystick.forced_motion.section_5 import MOTION, Section5, section_5
 from pyjoystick.forced_motion.synthetic import seen_by_cameras
-from pyjoystick.output import write_text
 from pyjoystick.parameters import NOMINAL, NOMINAL_POWER_LAW, law_name
-from pyjoystick.plots import save_figure
 from pyjoystick.report import markdown_table
+from pyjoystick.results import save_results
 
 JOYSTICKS = {law_name(one.damping): one for one in (NOMINAL, NOMINAL_POWER_LAW)}
 STROKES = (0.08, 0.1, 0.12, 0.15, 0.2, 0.3, 0.5)  # s
@@ -45,10 +44,12 @@ def main(results: Path = RESULTS) -> int:
         "torque": Samples.evenly(MOTION, 5e-4),
         "torque_measured": seen_by_cameras(MOTION, random=np.random.default_rng(SEED)),
     }
-    for name, samples in motions.items():
-        tables = {law: torque_table(samples, torque_by_fmu(one, samples)) for law, one in JOYSTICKS.items()}
-        for suffix in ("png", "pdf"):
-            save_figure(plot_torque(tables), results / f"{name}.{suffix}")
+    figures = {
+        name: plot_torque(
+            {law: torque_table(samples, torque_by_fmu(one, samples)) for law, one in JOYSTICKS.items()}
+        )
+        for name, samples in motions.items()
+    }
 
     found, differences, returned = {}, [], []
     for law, joystick in JOYSTICKS.items():
@@ -74,8 +75,7 @@ def main(results: Path = RESULTS) -> int:
             "the lines of Fig. 9 do.",
         )
     )
-    write_text(results / "summary.md", summary + "\n")
-    print(summary)
+    save_results(results, summary, figures)
     return 0
 
 
