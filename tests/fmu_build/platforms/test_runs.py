@@ -30,7 +30,7 @@ pytestmark = [
 ]
 
 _IMPORTER = Path(__file__).with_name("importer")
-_STRICT = ("-std=c11", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-O1")
+_STRICT = ("-std=c11", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-O1", "-ffp-contract=off")
 _HOST = host_platform() or PLATFORMS["x86_64-linux"]
 _FOREIGN = [PLATFORMS[name] for name in ("aarch64-linux", "x86_64-windows") if PLATFORMS[name] != _HOST]
 _TIME = np.linspace(0.0, 1.5, 301)
