@@ -8,7 +8,7 @@ from pathlib import Path
 import fmpy
 import pytest
 
-from fmu_build import build_fmu
+from fmu_build import FmiVersion, build_fmu
 from pyjoystick.fmu import MODELS
 from tests.omc import Omc, opened, why_not
 
@@ -21,12 +21,22 @@ def joystick_fmus(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
     Those of ``make fmu`` where they are up to date and not another compiler's, else new ones.
     """
-    made = ROOT / "build" / "fmi2"
+    return _made_or_new("2.0", tmp_path_factory)
+
+
+@pytest.fixture(scope="session")
+def joystick_fmus3(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The same of FMI 3."""
+    return _made_or_new("3.0", tmp_path_factory)
+
+
+def _made_or_new(fmi_version: FmiVersion, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    made = ROOT / "build" / f"fmi{fmi_version[0]}"
     if _is_up_to_date(made):
         return made
-    folder = tmp_path_factory.mktemp("fmi2")
+    folder = tmp_path_factory.mktemp(made.name)
     for model in MODELS.values():
-        build_fmu(model, folder)
+        build_fmu(model, folder, fmi_version=fmi_version)
     return folder
 
 

@@ -25,7 +25,8 @@ static Component *create(bool co_simulation, fmi3InstanceEnvironment environment
         return NULL;
     component->environment = environment;
     component->log_message = logger;
-    const Log log = {component, logger != NULL ? write_message : NULL, logging ? LOG_EVERYTHING : 0};
+    /* A message has references to variables such as "#12#". */
+    const Log log = {component, logger != NULL ? write_message : NULL, logging ? LOG_EVERYTHING : 0, "#"};
     component->instance = instance_create(co_simulation, &fmi3_face, &log);
     if (component->instance == NULL) {
         free(component);

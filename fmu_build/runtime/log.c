@@ -31,12 +31,11 @@ bool log_switch(Log *log, const char *category, bool on)
     return false;
 }
 
-/* Importers may take a message for a printf format with FMI's "#r12#" references, so both signs are doubled. */
-static void escape(char *escaped, size_t size, const char *text)
+static void escape(char *escaped, size_t size, const char *text, const char *signs)
 {
     size_t length = 0;
     for (; *text != '\0' && length + 3 <= size; ++text) {
-        if (*text == '%' || *text == '#')
+        if (strchr(signs, *text) != NULL)
             escaped[length++] = *text;
         escaped[length++] = *text;
     }
@@ -52,6 +51,6 @@ void log_message(const Log *log, LogCategory category, Status status, const char
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
-    escape(escaped, sizeof escaped, text);
+    escape(escaped, sizeof escaped, text, log->escaped);
     log->write(log->context, status, category_names[category], escaped);
 }

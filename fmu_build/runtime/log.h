@@ -25,7 +25,8 @@ typedef enum {
 typedef struct {
     void *context;
     void (*write)(void *context, Status status, const char *category, const char *message); /* may be NULL */
-    unsigned enabled; /* bit n: category n */
+    unsigned enabled;     /* bit n: category n */
+    const char *escaped;  /* signs that the importer wants doubled */
 } Log;
 
 /* Sets of categories. */

@@ -92,6 +92,7 @@ class FmuDescription:
         interpolates_inputs: Co-Simulation follows input derivatives within a step
         variable_steps: Co-Simulation takes communication steps of different lengths
         one_instance: Co-Simulation can be instantiated only once in a process
+        log_categories: names of what the FMU tells of
     """
 
     path: Path
@@ -109,6 +110,7 @@ class FmuDescription:
     interpolates_inputs: bool
     variable_steps: bool
     one_instance: bool = False
+    log_categories: tuple[str, ...] = ()
 
     @property
     def platforms(self) -> tuple[str, ...]:
@@ -198,6 +200,7 @@ def _description(path: Path, files: list[str], model: Any) -> FmuDescription:
         interpolates_inputs=bool(getattr(model.coSimulation, "canInterpolateInputs", False)),
         variable_steps=bool(getattr(model.coSimulation, "canHandleVariableCommunicationStepSize", False)),
         one_instance=bool(getattr(model.coSimulation, "canBeInstantiatedOnlyOncePerProcess", False)),
+        log_categories=tuple(category.name for category in model.logCategories or ()),
     )
 
 

@@ -12,7 +12,7 @@ from typing import Any, Final
 
 import fmpy
 from fmpy.fmi2 import FMU2Model, FMU2Slave
-from fmpy.fmi3 import FMU3Slave
+from fmpy.fmi3 import FMU3Model, FMU3Slave
 
 from pyjoystick.fmu.description import FmuDescription, Interface
 from pyjoystick.fmu.errors import FmuFileError, UnsupportedFmuError
@@ -24,6 +24,7 @@ _CLASSES: Final[dict[tuple[Interface, str], Any]] = {
     ("CoSimulation", "2"): FMU2Slave,
     ("CoSimulation", "3"): FMU3Slave,
     ("ModelExchange", "2"): FMU2Model,
+    ("ModelExchange", "3"): FMU3Model,
 }
 
 
@@ -79,7 +80,7 @@ class FmuLibrary:
             if self.description.fmi_version.startswith("2"):
                 fmi.instantiate(callbacks=log.callbacks, loggingOn=False)
             else:
-                fmi.instantiate(logMessage=lambda _environment, _status, _category, text: log.add(text))
+                _instantiate_with_log(fmi, log, self.description.log_categories)
         except Exception as error:  # FMPy has no type of its own for it
             log.close()
             said = "; ".join(log.messages()) or "no message"
@@ -89,6 +90,19 @@ class FmuLibrary:
     def close(self) -> None:
         """Unload the binary and delete what was unpacked."""
         self._stack.close()
+
+
+def _instantiate_with_log(fmi: Any, log: FmuLog, categories: tuple[str, ...]) -> None:
+    """Of FMI 3: logging is on, which else would be off, but for problems alone where they have categories."""
+
+    def receive(_environment: object, _status: int, _category: bytes, text: bytes) -> None:
+        log.add(text.replace(b"##", b"#"))
+
+    fmi.instantiate(logMessage=receive, loggingOn=True)
+    problems = [category for category in categories if category.startswith("logStatus")]
+    if problems:
+        fmi.fmi3SetDebugLogging(fmi.component, False, 0, None)
+        fmi.setDebugLogging(True, problems)
 
 
 def _platform(description: FmuDescription) -> str:

@@ -1,4 +1,4 @@
-"""Plain FMI 2 runs through FMPy's wrappers, for tests that need more control than the package's own runs."""
+"""Plain runs through FMPy's wrappers, for tests that need more control than the package's own runs."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from pathlib import Path
 import fmpy
 import numpy as np
 from fmpy.fmi2 import FMU2Slave, fmi2CallbackFunctions, fmi2CallbackLoggerTYPE
+from fmpy.fmi3 import FMU3Slave
 from numpy.typing import NDArray
 
 from pyjoystick.parameters import ConstantDamping, JoystickParameters
@@ -47,26 +48,32 @@ def _kind(relation: str) -> str:
 class Slave:
     """One co-simulation instance, with variables by name and the log kept."""
 
-    def __init__(self, fmu: FMU2Slave, references: Mapping[str, int], log: list[bytes]) -> None:
+    def __init__(self, fmu: FMU2Slave | FMU3Slave, references: Mapping[str, int], log: list[bytes]) -> None:
         self.fmu = fmu
         self.references = references
         self.log = log
+        is_fmi2 = isinstance(fmu, FMU2Slave)
+        self.get = fmu.getReal if is_fmi2 else fmu.getFloat64
+        self.set = fmu.setReal if is_fmi2 else fmu.setFloat64
 
     def start(self, parameters: Mapping[str, float], tolerance: float) -> None:
         """From instantiated, or reset, to step mode."""
-        self.fmu.setupExperiment(tolerance=tolerance, startTime=0.0)
-        self.fmu.setReal([self.references[name] for name in parameters], list(parameters.values()))
-        self.fmu.enterInitializationMode()
+        self.set([self.references[name] for name in parameters], list(parameters.values()))
+        if isinstance(self.fmu, FMU2Slave):
+            self.fmu.setupExperiment(tolerance=tolerance, startTime=0.0)
+            self.fmu.enterInitializationMode()
+        else:
+            self.fmu.enterInitializationMode(tolerance=tolerance, startTime=0.0)
         self.fmu.exitInitializationMode()
 
     def run(self, times: NDArray[np.float64], names: Sequence[str]) -> Columns:
         """Steps from one instant to the next; a row for each instant."""
         references = [self.references[name] for name in names]
         instants = times.tolist()
-        rows = [self.fmu.getReal(references)]
+        rows = [self.get(references)]
         for now, then in pairwise(instants):
             self.fmu.doStep(currentCommunicationPoint=now, communicationStepSize=then - now)
-            rows.append(self.fmu.getReal(references))
+            rows.append(self.get(references))
         return dict(zip(names, np.array(rows).T, strict=True))
 
     def events(self) -> list[StateEvent]:
@@ -81,16 +88,20 @@ def slave(path: Path, *, logging: bool = False) -> Iterator[Slave]:
     description = fmpy.read_model_description(path)
     folder = fmpy.extract(path)
     log: list[bytes] = []
-    callbacks = fmi2CallbackFunctions()
-    callbacks.logger = fmi2CallbackLoggerTYPE(lambda *message: log.append(message[-1]))
-    fmu = FMU2Slave(
+    is_fmi2 = description.fmiVersion == "2.0"
+    fmu = (FMU2Slave if is_fmi2 else FMU3Slave)(
         guid=description.guid,
         unzipDirectory=folder,
         modelIdentifier=description.coSimulation.modelIdentifier,
         instanceName="test",
     )
     try:
-        fmu.instantiate(callbacks=callbacks, loggingOn=logging)
+        if is_fmi2:
+            callbacks = fmi2CallbackFunctions()
+            callbacks.logger = fmi2CallbackLoggerTYPE(lambda *message: log.append(message[-1]))
+            fmu.instantiate(callbacks=callbacks, loggingOn=logging)
+        else:
+            fmu.instantiate(logMessage=lambda *message: log.append(message[-1]), loggingOn=logging)
         yield Slave(fmu, {v.name: v.valueReference for v in description.modelVariables}, log)
         fmu.freeInstance()
     finally:

@@ -22,10 +22,10 @@ def _reference(case: RandomCase, times: np.ndarray = TIMES) -> Trajectory:
 
 
 @pytest.mark.parametrize("case", CASES, ids=[case.name for case in CASES])
-def test_co_simulation_follows_the_reference(case: RandomCase, joystick_fmus: Path) -> None:
+def test_co_simulation_follows_the_reference(case: RandomCase, fmus: Path) -> None:
     """At tolerance 1e-8 within 1e-7 rad, with the same state events in the same order."""
     expected = _reference(case)
-    with slave(fmu_path(joystick_fmus, case.parameters), logging=True) as run:
+    with slave(fmu_path(fmus, case.parameters), logging=True) as run:
         run.start(fmu_parameters(case.parameters, case.theta_start), tolerance=1e-8)
         theta = run.run(TIMES, ["theta"])["theta"]
         events = run.events()
@@ -43,12 +43,12 @@ def test_co_simulation_follows_the_reference(case: RandomCase, joystick_fmus: Pa
 
 
 @pytest.mark.parametrize("law", ["constant", "power law"])
-def test_the_error_falls_with_the_tolerance(law: str, joystick_fmus: Path) -> None:
+def test_the_error_falls_with_the_tolerance(law: str, fmus: Path) -> None:
     cases = [case for case in CASES if case.name.startswith(law)][:8]
     worst = dict.fromkeys(TOLERANCES, 0.0)
     for case in cases:
         expected = _reference(case).theta
-        with slave(fmu_path(joystick_fmus, case.parameters)) as run:
+        with slave(fmu_path(fmus, case.parameters)) as run:
             for tolerance in TOLERANCES:
                 run.start(fmu_parameters(case.parameters, case.theta_start), tolerance)
                 error = np.abs(run.run(TIMES, ["theta"])["theta"] - expected).max()
@@ -60,14 +60,14 @@ def test_the_error_falls_with_the_tolerance(law: str, joystick_fmus: Path) -> No
 
 
 @pytest.mark.parametrize("case", [CASES[0], CASES[25]], ids=lambda case: case.name)
-def test_communication_steps_do_not_matter(case: RandomCase, joystick_fmus: Path) -> None:
+def test_communication_steps_do_not_matter(case: RandomCase, fmus: Path) -> None:
     """Steps from 0.1 ms to 0.1 s give the same angle within 1e-7 rad where they meet."""
     meeting = np.linspace(0.0, 1.5, 16)
     angles = []
     for step in (1e-4, 1e-3, 7e-3, 1e-2, 0.1):
         times = np.union1d(np.arange(0.0, 1.5, step), meeting)
         times = times[np.append(True, np.diff(times) > 1e-9)]
-        with slave(fmu_path(joystick_fmus, case.parameters)) as run:
+        with slave(fmu_path(fmus, case.parameters)) as run:
             run.start(fmu_parameters(case.parameters, case.theta_start), tolerance=1e-8)
             theta = run.run(times, ["theta"])["theta"]
         angles.append(theta[np.searchsorted(times, meeting - 1e-9)])
@@ -75,10 +75,10 @@ def test_communication_steps_do_not_matter(case: RandomCase, joystick_fmus: Path
 
 
 @pytest.mark.parametrize("case", [*CASES[:3], *CASES[25:28]], ids=lambda case: case.name)
-def test_model_exchange_follows_the_reference(case: RandomCase, joystick_fmus: Path) -> None:
+def test_model_exchange_follows_the_reference(case: RandomCase, fmus: Path) -> None:
     """FMPy's CVode at a tolerance of 1e-10 within 1e-6 rad."""
     result = fmpy.simulate_fmu(
-        str(fmu_path(joystick_fmus, case.parameters)),
+        str(fmu_path(fmus, case.parameters)),
         fmi_type="ModelExchange",
         solver="CVode",
         stop_time=1.5,

@@ -30,16 +30,16 @@ def _run(case: RandomCase, folder: Path, times: NDArray[np.float64]) -> Columns:
 
 
 @every_case
-def test_energy_never_rises(case: RandomCase, joystick_fmus: Path) -> None:
-    energy = _run(case, joystick_fmus, np.linspace(0.0, 1.5, 15001))["E"]
+def test_energy_never_rises(case: RandomCase, fmus: Path) -> None:
+    energy = _run(case, fmus, np.linspace(0.0, 1.5, 15001))["E"]
     assert np.diff(energy).max() < 1e-9
 
 
 @every_case
-def test_energy_is_lost_to_damping_alone(case: RandomCase, joystick_fmus: Path) -> None:
+def test_energy_is_lost_to_damping_alone(case: RandomCase, fmus: Path) -> None:
     """dE/dt = -C*omega^2, integrated (physics.md, section 1)."""
     end, margin = 0.3, 1e-11
-    with slave(fmu_path(joystick_fmus, case.parameters), logging=True) as run:
+    with slave(fmu_path(fmus, case.parameters), logging=True) as run:
         run.start(fmu_parameters(case.parameters, case.theta_start), tolerance=1e-10)
         run.run(np.array([0.0, end]), NAMES)
         events = [event.time for event in run.events() if event.time < end]
@@ -50,16 +50,16 @@ def test_energy_is_lost_to_damping_alone(case: RandomCase, joystick_fmus: Path) 
         for start, stop in pairwise([0.0, *events, end])
         if stop - start > 4.0 * margin
     ]
-    run_of = _run(case, joystick_fmus, np.concatenate([[0.0], *stretches, [end]]))
+    run_of = _run(case, fmus, np.concatenate([[0.0], *stretches, [end]]))
     rates = np.split(run_of["C"] * run_of["omega"] ** 2, np.cumsum([1, *map(len, stretches)]))[1:-1]
     lost = sum(simpson(rate, x=times) for rate, times in zip(rates, stretches, strict=True))
     assert run_of["E"][0] - run_of["E"][-1] == pytest.approx(lost, abs=1e-8)
 
 
 @every_case
-def test_contact_moment_is_conservative(case: RandomCase, joystick_fmus: Path) -> None:
+def test_contact_moment_is_conservative(case: RandomCase, fmus: Path) -> None:
     """M_s = f_x*dx/dtheta, the corrected eq. (5), with eq. (3) differentiated by hand."""
-    run = _run(case, joystick_fmus, np.linspace(0.0, 1.5, 1501))
+    run = _run(case, fmus, np.linspace(0.0, 1.5, 1501))
     theta, p = run["theta"], case.parameters
     slope = (np.sign(theta) * p.a - p.b * np.sin(theta)) / np.cos(theta) ** 2
     expected = run["f_x"] * slope
@@ -67,9 +67,9 @@ def test_contact_moment_is_conservative(case: RandomCase, joystick_fmus: Path) -
 
 
 @every_case
-def test_moments_balance(case: RandomCase, joystick_fmus: Path) -> None:
+def test_moments_balance(case: RandomCase, fmus: Path) -> None:
     """J*alpha + M_d + M_s = M_g, and M_d = C*omega, M_g = m*g*h*sin(theta): eq. (1)."""
-    run = _run(case, joystick_fmus, np.linspace(0.0, 1.5, 1501))
+    run = _run(case, fmus, np.linspace(0.0, 1.5, 1501))
     p = case.parameters
     largest = np.abs(run["M_s"]).max()
     assert run["M_d"] == pytest.approx(run["C"] * run["omega"], abs=1e-15 * largest)
@@ -79,19 +79,19 @@ def test_moments_balance(case: RandomCase, joystick_fmus: Path) -> None:
 
 
 @every_case
-def test_inverse_returns_no_torque_for_free_motion(case: RandomCase, joystick_fmus: Path) -> None:
+def test_inverse_returns_no_torque_for_free_motion(case: RandomCase, fmus: Path) -> None:
     """The inverse FMU of the damping law (eq. 13) on a free oscillation: nothing drives it."""
     times = np.linspace(0.0, 0.5, 101)
-    motion = _run(case, joystick_fmus, times)
+    motion = _run(case, fmus, times)
     outputs = ("T", "T_inertia", "T_damping", "T_stiffness")
-    with slave(joystick_fmus / f"{inverse_fmu(case.parameters.damping)}.fmu") as run:
+    with slave(fmus / f"{inverse_fmu(case.parameters.damping)}.fmu") as run:
         run.start(case.parameters.to_names(), tolerance=1e-8)
         inputs = [run.references[name] for name in ("theta", "omega", "alpha")]
         rows = []
         for i, time in enumerate(times):
-            run.fmu.setReal(inputs, [motion[name][i] for name in ("theta", "omega", "alpha")])
+            run.set(inputs, [motion[name][i] for name in ("theta", "omega", "alpha")])
             run.fmu.doStep(currentCommunicationPoint=time, communicationStepSize=1e-6)
-            rows.append(run.fmu.getReal([run.references[name] for name in outputs]))
+            rows.append(run.get([run.references[name] for name in outputs]))
             run.fmu.doStep(currentCommunicationPoint=time + 1e-6, communicationStepSize=5e-3 - 1e-6)
     torque, inertia, damping, stiffness = np.array(rows).T
     largest = np.abs(inertia).max()

@@ -10,7 +10,7 @@ import fmpy
 import pytest
 
 from pyjoystick.errors import PyJoystickError
-from pyjoystick.fmu import Fmu, FmuFileError, UnsupportedFmuError, run_model_exchange
+from pyjoystick.fmu import Fmu, FmuFileError, UnsupportedFmuError
 from tests.pyjoystick.fmu.doctored import FMI_3, doctored, without_co_simulation
 
 
@@ -18,15 +18,6 @@ def test_without_co_simulation(joystick_path: Path, tmp_path: Path) -> None:
     path = doctored(joystick_path, tmp_path / "me.fmu", description=without_co_simulation)
     with pytest.raises(UnsupportedFmuError, match=r"me\.fmu: has no CoSimulation .*it has ModelExchange"):
         Fmu(path)
-
-
-def test_model_exchange_of_fmi_3(joystick_path: Path, tmp_path: Path) -> None:
-    text = FMI_3.replace("CoSimulation", "ModelExchange")
-    path = doctored(joystick_path, tmp_path / "3.fmu", description=lambda _: text)
-    with pytest.raises(
-        UnsupportedFmuError, match=r"3\.fmu: is an FMU of FMI 3\.0, whose ModelExchange cannot"
-    ):
-        run_model_exchange(path, [0.0, 1.0])
 
 
 def test_fmi_3_has_other_names_for_platforms(joystick_path: Path, tmp_path: Path) -> None:
