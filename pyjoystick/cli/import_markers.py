@@ -109,6 +109,8 @@ def run(
     chain = chain_of(rate, cutoff, order, corrected, longest_gap, velocity_points, acceleration_points)
     if (rests is None) != (parameters is None):
         raise typer.BadParameter("give --rests and --parameters together")
+    if middle and radius is not None:
+        raise typer.BadParameter("give --middle or --radius: the pivot is one or the other")
     check_outputs(record_file, motion_file)
     leaning = side_of(rests)
     at_rest = 0.0 if leaning is None else rest_angle(parameter_file(parameters).joystick, leaning)

@@ -118,7 +118,8 @@ def measure_angle(
         base: names of the two markers on the base
         forward: axis of the laboratory that points forward, as far as any does: a name of `AXES`
         origin: the center of the angle: that of the top marker's arc, or the middle of the base markers
-        radius: from the pivot to the top marker (m), where it was measured; the arc's own where not given
+        radius: from the pivot to the top marker (m), where it was measured; the arc's own where not given;
+            without effect on the middle
         base_motion: ``still`` takes the mean position of the base markers, which averages their noise;
             ``moving`` takes the angle and the pivot in each frame relative to the base, whose two markers
             must then be apart in the plane of motion

@@ -131,7 +131,8 @@ def _require_side(record: Record, release: Swing, released: Side | None) -> None
         raise RecordError(
             record.source,
             f"the joystick is released {found} instead of {released}: wrong sign?",
-            "the angle is positive forward: turn its sign in the file, or correct the side of release",
+            "the angle is positive forward: turn its sign, for markers by the other --forward, or correct "
+            "the side of release",
             column="theta",
             rows=[record.rows[release.extreme]],
             value=f"{math.degrees(release.value):+.2f} degrees",
