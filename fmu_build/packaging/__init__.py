@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import partial
 from importlib import metadata
@@ -20,7 +21,7 @@ from fmu_build.packaging.documentation import FIGURE, index_html
 from fmu_build.packaging.elements import generation_time
 from fmu_build.packaging.icon import ICONS, model_png
 from fmu_build.packaging.licenses_text import license_text
-from fmu_build.packaging.platforms import host_platform, select_platforms
+from fmu_build.packaging.platforms import Platform, host_platform, select_platforms
 from fmu_build.packaging.reference_results import reference_files
 from fmu_build.packaging.run_figure import default_run_svg
 from fmu_build.packaging.sources import (
@@ -74,13 +75,8 @@ def package_fmu(model: GeneratedModel, request: BuildRequest) -> PackagedFmu:
     entries["modelDescription.xml"] = xml
     if version == "3.0":
         entries[TERMINALS] = terminals_and_icons_xml(model.description)
-    log = ""
-    libraries = {}
     # This machine's too, for the default run.
-    for platform in dict.fromkeys((*platforms, *([host] if host else []))):
-        request.on_stage(f"compiling the C code for {platform.name}")
-        libraries[platform], output = compile_library(sources, identifier, platform)
-        log += output
+    libraries, log = _compiled(sources, identifier, (*platforms, *([host] if host else [])), request.on_stage)
     entries |= binary_entries({p: libraries[p] for p in platforms}, identifier, version)
     request.on_stage("running the default experiment")
     run: DefaultRun | str = "it has not been run, because this machine is none of the known platforms"
@@ -95,6 +91,21 @@ def package_fmu(model: GeneratedModel, request: BuildRequest) -> PackagedFmu:
     with replacing(target, archive_bytes(entries)) as new:
         log += check_fmu(new, fmi_types=request.fmi_types, load=host in platforms)
     return PackagedFmu(target, log)
+
+
+def _compiled(
+    sources: Mapping[str, bytes],
+    identifier: str,
+    platforms: Iterable[Platform],
+    on_stage: Callable[[str], None],
+) -> tuple[dict[Platform, bytes], str]:
+    """The library for each of the platforms, and what the compiler printed."""
+    libraries, log = {}, ""
+    for platform in dict.fromkeys(platforms):
+        on_stage(f"compiling the C code for {platform.name}")
+        libraries[platform], output = compile_library(sources, identifier, platform)
+        log += output
+    return libraries, log
 
 
 def _description_and_sources(

@@ -33,7 +33,7 @@ def license_text(fmi_version: FmiVersion, platforms: Iterable[Platform]) -> str:
         "This FMU consists of a model and of a runtime that carries it.\n\n"
         "The model (modelDescription.xml and sources/model.c) is under the terms that the author of its\n"
         "Modelica source gave it. The runtime (all other files in sources/, apart from the FMI headers, and\n"
-        "its part of the binaries) is under the Apache License 2.0. The FMI headers in sources/\n"
+        "its part of the binaries) is under the Apache License 2.0. The FMI headers\n"
         f"({', '.join(FMI_HEADERS[fmi_version])}) are under a BSD license.\n"
         "The binaries may hold small parts of the libraries that the C compiler brings. All texts follow.\n"
     ) + "".join(f"\n{_RULE}\n{title}\n{_RULE}\n\n{text.strip()}\n" for title, text in sections.items())

@@ -132,6 +132,31 @@ def test_stages_are_told(generated: GeneratedModel, request_in: BuildRequest) ->
     ]
 
 
+def test_an_fmu_for_another_machine_is_documented_by_a_run_on_this_one(
+    generated: GeneratedModel, request_in: BuildRequest
+) -> None:
+    made = package_fmu(generated, replace(request_in, platforms=("win64",)))
+    with zipfile.ZipFile(made.path) as archive:
+        names = archive.namelist()
+        licenses = archive.read("documentation/licenses/license.txt").decode()
+    assert [name for name in names if name.startswith("binaries/")] == ["binaries/win64/Oscillator.dll"]
+    assert "documentation/default_run.svg" in names
+    assert "mingw-w64" in licenses
+    assert "validated but not loaded" in made.log
+
+
+def test_a_default_experiment_that_fails_is_told_and_left_out(
+    generated: GeneratedModel, request_in: BuildRequest
+) -> None:
+    made = package_fmu(_source_with(generated, "der[V] = (p[F]", "der[V] = 0.0 / 0.0 + (p[F]"), request_in)
+    with zipfile.ZipFile(made.path) as archive:
+        names = archive.namelist()
+        page = archive.read("documentation/index.html").decode()
+    assert [name for name in names if name.startswith("extra/") or name.endswith(".svg")] == []
+    assert "There is no figure: " in page
+    assert "default experiment: " in made.log
+
+
 def _source_with(generated: GeneratedModel, old: str, new: str) -> GeneratedModel:
     assert old in generated.c_source
     return replace(generated, c_source=generated.c_source.replace(old, new))
