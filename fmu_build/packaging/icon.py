@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
 from fmu_build.description import ModelDescription
+from fmu_build.packaging.drawing import own_settings
 from fmu_build.request import FmiVersion
 
 # Where it is in the archive.
@@ -19,6 +20,11 @@ _COLOR = "#1f3b63"
 
 def model_png(description: ModelDescription) -> bytes:
     """A PNG of 400 by 300 pixels."""
+    with own_settings({}):
+        return _drawn(description)
+
+
+def _drawn(description: ModelDescription) -> bytes:
     figure = Figure(figsize=(4, 3), dpi=100)
     axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
     axes.set(xlim=(0, 4), ylim=(0, 3))

@@ -4,20 +4,19 @@ from __future__ import annotations
 
 import io
 from collections.abc import Iterable, Mapping
-from typing import Any
 
-import matplotlib as mpl
 from matplotlib.figure import Figure
 
 from fmu_build.description import ModelDescription
 from fmu_build.packaging.default_run import DefaultRun
+from fmu_build.packaging.drawing import own_settings
 
 # Those of Okabe and Ito, which the color-blind can tell apart; the dashes tell them apart in gray.
 _COLORS = ("#000000", "#D55E00", "#0072B2", "#009E73", "#CC79A7")
 _DASHES = ("-", (0, (6, 2)), (0, (2, 1.5)), (0, (6, 1.5, 1.5, 1.5)), (0, (1, 1)))
 # In inches: the margins, the panels' width and height, and an average letter of the names on the right.
 _LEFT, _BELOW, _CURVES, _PANEL, _LETTER = 1.0, 0.5, 5.6, 1.4, 0.09
-_SETTINGS: dict[Any, Any] = {
+_SETTINGS = {
     "svg.fonttype": "none",  # text as text
     "svg.hashsalt": "default run",  # the same names within the file every time
     "font.family": "sans-serif",
@@ -33,7 +32,7 @@ def default_run_svg(run: DefaultRun, description: ModelDescription) -> bytes:
     units = {variable.name: variable.unit for variable in description.variables}
     panels = [(unit, names, run.inputs, "steps-post") for unit, names in _by_unit(run.inputs, units)]
     panels += [(unit, names, run.outputs, "default") for unit, names in _by_unit(run.outputs, units)]
-    with mpl.rc_context(_SETTINGS):
+    with own_settings(_SETTINGS):
         height = _BELOW + _PANEL * len(panels)
         width = _LEFT + _CURVES + _LETTER * (8 + max(map(len, [*run.inputs, *run.outputs])))
         figure = Figure(figsize=(width, height))

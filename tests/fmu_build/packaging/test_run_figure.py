@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 
+import matplotlib as mpl
 from lxml import etree
 
 from fmu_build.description import ModelDescription, Variable
@@ -29,6 +30,8 @@ def test_the_same_run_gives_the_same_bytes(description: ModelDescription) -> Non
     svg = default_run_svg(_RUN, description)
     assert default_run_svg(_RUN, description) == svg
     assert default_run_svg(replace(_RUN, time=(0.0, 1.0, 3.0)), description) != svg
+    with mpl.rc_context({"font.size": 20, "axes.grid": False}):
+        assert default_run_svg(_RUN, description) == svg
     assert b"<dc:date>" not in svg
     assert b"Matplotlib" not in svg
 
