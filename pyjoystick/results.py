@@ -25,5 +25,6 @@ def save_results(folder: Path, summary: str, figures: Mapping[str, Figure]) -> N
     for name, figure in figures.items():
         for suffix in ("png", "pdf"):
             save_figure(figure, folder / f"{name}.{suffix}")
-    write_text(folder / "summary.md", summary)
-    print(summary)
+    text = summary.rstrip("\n")
+    write_text(folder / "summary.md", f"{text}\n")
+    print(text)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import Final
@@ -25,6 +26,7 @@ _INTRODUCTION: Final = """\
 Every statement of Rogers, Garland and Oliver (J. Sound Vib. 274 (2004) 73-89) that the model can check, in
 our words, with what we get for the joystick of Tables 1 and 2. This page is made by `make claims` from
 `pyjoystick/claims/`, a small function for each line: it computes the numbers and decides the verdict by them.
+It is kept with the sources, though it is generated, because it is here to be read; a test keeps it true.
 The release is from rest at -20 degrees, the damping function is eq. (11) at alpha = 0.9, the constant is
 C = 0.045 N m s/rad, unless a line says more.
 """
@@ -44,7 +46,7 @@ def claims_page(found: Mapping[str, Sequence[tuple[Claim, Finding]]]) -> str:
     for chapter, rows in found.items():
         lines = [f"## {chapter}", "", "| where | the paper | here | verdict |", "|---|---|---|---|"]
         lines += [
-            f"| {claim.where} | {claim.statement} | {text_of(finding)} | **{finding.verdict}** |"
+            f"| {claim.where} | {_cell(claim.statement)} | {text_of(finding)} | **{finding.verdict}** |"
             for claim, finding in rows
         ]
         parts.append("\n".join(lines) + "\n")
@@ -54,5 +56,9 @@ def claims_page(found: Mapping[str, Sequence[tuple[Claim, Finding]]]) -> str:
 def text_of(finding: Finding) -> str:
     """What we get, with the remark behind it."""
     text = f"{finding.here}; {finding.remark}" if finding.remark else finding.here
-    # A vertical bar would end the cell.
-    return text.replace("|", "\\|")
+    return _cell(text)
+
+
+def _cell(text: str) -> str:
+    """Text as it is written in a cell: a bar would end it, two products would be an emphasis."""
+    return re.sub(r"[|*]", r"\\\g<0>", text)
