@@ -19,10 +19,11 @@ from pyjoystick.cli.options import (
 from pyjoystick.cli.parameter_updates import write_update
 from pyjoystick.errors import ParameterError
 from pyjoystick.output import check_outputs
-from pyjoystick.parameters import SIDES, ParameterFile, read_parameter_file, rounded
+from pyjoystick.parameters import SIDES, ParameterFile, Side, law_name, read_parameter_file, rounded
 
 if TYPE_CHECKING:
     from pyjoystick.laboratory_errors import Bench
+    from pyjoystick.load_curve import LoadCurveFit
 
 EXAMPLES = """
 Examples:
@@ -74,7 +75,7 @@ def run(
         bool, typer.Option("--update", help="Write J and C with their whole uncertainty into the file.")
     ] = False,
 ) -> None:
-    """What each measured quantity adds to the errors of a run, and of J and C fitted to releases.
+    """Say what each measured quantity adds to the errors of a run, and of J and C fitted to releases.
 
     The standard errors of `pyjoystick fit` have the noise of the records alone. This fits J and C again with
     each quantity moved by its uncertainty, those of a load-deflection curve with their correlations.
@@ -109,14 +110,12 @@ def run(
 def _bench(file: ParameterFile, curves: dict[str, Path], errors: dict[str, float]) -> Bench:
     """What the file and the options say, with notes on what is taken as exact."""
     from pyjoystick.laboratory_errors import Bench
-    from pyjoystick.load_curve import fit_load_curve, read_load_curve
 
     for name, value in errors.items():
         if name not in (*_PLACES, "scale"):
             raise ParameterError(name, value, f"one of {', '.join(_PLACES)}, scale")
-    for side in curves:
-        if side not in SIDES:
-            raise typer.BadParameter(f"{side!r} must be forward or backward", param_hint="--curve")
+    if law_name(file.joystick.damping) != "constant":
+        raise typer.BadParameter("the file must choose constant damping", param_hint="--parameters")
     stated = {name: file.uncertainties.get(place, 0.0) for name, place in _PLACES.items()}
     exact = [name for name in ("m", "h", "a") if not errors.get(name, stated[name]) > 0.0]
     exact += [f"load curve {side}" for side in SIDES if side not in curves]
@@ -125,8 +124,27 @@ def _bench(file: ParameterFile, curves: dict[str, Path], errors: dict[str, float
     if exact:
         print_note(f"taken as exact: {', '.join(exact)}")
     return Bench(
-        joystick=file.with_law("constant"),
-        curves={side: fit_load_curve(read_load_curve(curves[side])) for side in SIDES if side in curves},
+        joystick=file.joystick,
+        curves=_fitted(file, curves),
         uncertainties={**stated, **{name: value for name, value in errors.items() if name != "scale"}},
         scale=errors.get("scale", 0.0),
     )
+
+
+def _fitted(file: ParameterFile, curves: dict[str, Path]) -> dict[Side, LoadCurveFit]:
+    """The fits of the curves, which must be those that the file has."""
+    from pyjoystick.load_curve import fit_load_curve, read_load_curve
+
+    found: dict[Side, LoadCurveFit] = {}
+    for name, path in curves.items():
+        side = next((one for one in SIDES if one == name), None)
+        if side is None:
+            raise typer.BadParameter(f"{name!r} must be forward or backward", param_hint="--curve")
+        found[side] = fit = fit_load_curve(read_load_curve(path))
+        known = file.curves[side]
+        errors = (*fit.x_errors, *fit.k_errors)
+        pairs = zip((*fit.table.x, *fit.table.k), (*known.x, *known.k), errors, strict=True)
+        if any(abs(value - written) > error for value, written, error in pairs):
+            what = f"{path} is not the curve that [{side}] of {file.path} is from"
+            raise typer.BadParameter(f"{what}; import it first", param_hint="--curve")
+    return found

@@ -8,9 +8,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pyjoystick.parameters import NOMINAL, read_parameter_file, write_parameters
+from pyjoystick.parameters import BACKWARD_TABLE, NOMINAL, read_parameter_file, write_parameters
 from pyjoystick.synthetic_records import synthetic_record
 from tests.pyjoystick.cli.conftest import Command
+from tests.pyjoystick.load_curve.machine import cycle, write
 from tests.scenarios.scripts import cells
 
 
@@ -61,3 +62,15 @@ def test_wrong_usage(command: Command, record: str, options: tuple[str, ...], co
     outcome = command("budget", record, "-p", "joystick.toml", *options)
     assert outcome.code == code
     assert words in outcome.err
+
+
+def test_another_curve_and_another_law_are_refused(command: Command, record: str) -> None:
+    write(Path("other.csv"), *cycle(BACKWARD_TABLE, 1))
+    outcome = command("budget", record, "-p", "joystick.toml", "--curve", "forward=other.csv")
+    assert outcome.code == 2
+    words = " ".join(outcome.err.replace("│", " ").split())
+    assert "other.csv is not the curve that [forward] of joystick.toml is from; import it first" in words
+    assert command("parameters", "--damping", "power-law", "-o", "power.toml").code == 0
+    outcome = command("budget", record, "-p", "power.toml")
+    assert outcome.code == 2
+    assert "must choose constant damping" in outcome.err
