@@ -67,8 +67,10 @@ def _parameter(fit: Fit, place: int) -> dict[str, Any]:
             "interval": profile.interval,
             "values": profile.values,
             "distances": profile.distances,
+            "at_bound": profile.bounded,
         }
     if fit.bootstrap is not None and len(fit.bootstrap.fits) > 1:
+        found["bootstrap_error"] = fit.bootstrap.errors()[place]
         found["bootstrap_interval"] = fit.bootstrap.intervals(fit.settings.uncertainty.level)[place]
     return found
 

@@ -180,6 +180,8 @@ def test_json_has_every_number_and_no_nan(with_bootstrap: Fit) -> None:
     damping = found["parameters"][0]
     assert damping["value"] == with_bootstrap.value("damping.C")
     assert len(damping["bootstrap_interval"]) == 2
+    assert damping["bootstrap_error"] > 0.0
+    assert damping["profile"]["at_bound"] == [False, False]
     assert len(found["records"][0]["data"]) == len(with_bootstrap.records[0].data)
     open_one = fit(
         releases(NOMINAL),
