@@ -5,7 +5,7 @@ from __future__ import annotations
 import importlib
 import re
 from collections.abc import Iterator
-from itertools import pairwise
+from itertools import islice, pairwise
 from pathlib import Path
 from urllib.parse import urlsplit
 
@@ -85,6 +85,20 @@ def test_files_and_names_exist(page: Path) -> None:
                 check_name(word.removesuffix("()"))
 
 
+@pytest.mark.parametrize("page", READ, ids=lambda page: str(page.relative_to(ROOT)))
+def test_no_product_is_taken_for_an_emphasis(page: Path) -> None:
+    assert swallowed_products(page.read_text(encoding="utf-8")) == []
+
+
+def swallowed_products(text: str) -> list[str]:
+    """Words that go over into an emphasis, as ``m*g*h`` does unless it is code or escaped."""
+    return [
+        f"{before.content}*{inside.content}*"
+        for before, mark, inside in zip(*(islice(inline(text), i, None) for i in range(3)), strict=False)
+        if mark.type == "em_open" and mark.markup == "*" and re.search(r"[\w)]$", before.content)
+    ]
+
+
 def check_name(name: str) -> None:
     """Fail unless a dotted name is that of a module, or of something in one."""
     parts = name.split(".")
@@ -127,6 +141,10 @@ def test_links_are_found() -> None:
 def test_links_that_lead_nowhere_fail(target: str) -> None:
     with pytest.raises(AssertionError, match=re.escape(target)):
         check_link(target, DOCS / "sweeps.md")
+
+
+def test_swallowed_products_are_found() -> None:
+    assert swallowed_products("J = m*g*h, `m*g*h`, m\\*g\\*h and *h*") == ["J = m*g*"]
 
 
 @pytest.mark.parametrize("name", ["pyjoystick.nothing", "pyjoystick.fmu.Fmu.nothing"])
