@@ -26,7 +26,7 @@ pytestmark = pytest.mark.xdist_group("platforms")
 # The C library of each system, and nothing else; on Windows it comes in parts.
 _NEEDED = {
     ".so": r"lib[cm]\.so\.6",
-    ".dll": r"kernel32\.dll|api-ms-win-crt-(heap|math|runtime|stdio|string)-l1-1-0\.dll",
+    ".dll": r"kernel32\.dll|api-ms-win-crt-(heap|math|private|runtime|stdio|string)-l1-1-0\.dll",
     ".dylib": r"/usr/lib/libSystem\.B\.dylib",
 }
 _OLDEST_SYSTEM = {".so": (2, 17), ".dll": (6, 0), ".dylib": (11, 0)}  # glibc, Windows, macOS
