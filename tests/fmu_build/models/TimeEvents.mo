@@ -52,4 +52,16 @@ package TimeEvents "Events at times that are known beforehand"
       held = if time < 0.5 then start_value else 2*pre(held);
     end when;
   end InitialWhen;
+
+  model Level "A discrete variable that follows a parameter, the one or the other by the time"
+    parameter Real low = 1;
+    parameter Real high = 3;
+    Boolean on;
+    discrete Real level;
+    Real x(start=0, fixed=true);
+  equation
+    on = time >= 0.5;
+    level = if on then high*high else low;
+    der(x) = level;
+  end Level;
 end TimeEvents;

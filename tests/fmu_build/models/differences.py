@@ -101,13 +101,12 @@ class Probe:
             x[self.states.index(known)] = value
             self.set_states(x)
         else:
-            # Without newDiscreteStates() the relations stay as they are.
             self.model.enterEventMode()
             self.model.setReal([known.valueReference], [value])
-            self.model.enterContinuousTimeMode()
+            self.settle()  # discrete variables that follow a parameter are set at events
 
     def differences(self, unknowns: Sequence[Any], knowns: Sequence[Any]) -> Differences:
-        """At the present point, in its branch."""
+        """At the present point; no event may be so near that a step would pass it."""
         centres = self.read(knowns)
         columns = []
         for known, centre in zip(knowns, centres, strict=True):

@@ -61,6 +61,10 @@ def initial_when(t: Array) -> Values:
     return {"held": np.where(t < 1, 3.0, 6.0), "x": ramps(t, [1.0], [3, 6])}
 
 
+def level(t: Array) -> Values:
+    return {"level": np.where(t < 0.5, 1.0, 9.0), "x": ramps(t, [0.5], [1, 9])}
+
+
 CASES = (
     steps_case(0.5, 0.25, "default"),
     steps_case(0.65, 0.4, "other times"),
@@ -69,4 +73,5 @@ CASES = (
     ramp_case(0.3, 0.4, "default"),
     ramp_case(0.55, 0.7, "other times"),
     Case("TimeEvents.InitialWhen", 2.0, initial_when, events=at(1.0)),
+    Case("TimeEvents.Level", 1.0, level, events=at(0.5)),
 )
