@@ -55,10 +55,22 @@ def check_description(description: ModelDescription) -> None:
         _check_links(variable, description.variables)
     for unknown in (*description.outputs, *description.derivatives, *description.initial_unknowns):
         _check_unknown(unknown, description.variables)
+    _check_terminals(description)
     for unknown in description.initial_unknowns:
         if not set(unknown.dependency_kinds) <= {"dependent", "constant"}:
             name = description.variables[unknown.value_reference].name
             raise _internal(name, "initial unknowns have only dependencies of kind 'dependent' or 'constant'")
+
+
+def _check_terminals(description: ModelDescription) -> None:
+    connectable = ("input", "output", "parameter", "calculatedParameter")
+    causalities = {variable.name: variable.causality for variable in description.variables}
+    for terminal in description.terminals:
+        for variable, _, _ in terminal.members:
+            if causalities.get(variable) not in connectable:
+                raise ModelicaError(
+                    f"terminal {terminal.name!r}: {variable!r} is no input, output or parameter of the model"
+                )
 
 
 def _check_combination(variable: Variable) -> None:

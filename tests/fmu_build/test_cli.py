@@ -102,6 +102,7 @@ def test_an_unforeseen_error_is_one_message_too(monkeypatch: pytest.MonkeyPatch,
         (("M", "-o", "out", "--nonsense"), "No such option"),
         (("M", "-o", "out", "--option", "omc"), "'omc' is not of the form NAME=VALUE"),
         (("M", "-o", "out", "--fmi-type", "se"), "'se' is not one of"),
+        (("M", "-o", "out", "--fmi", "1"), "'1' is not one of 2, 3"),
     ],
 )
 def test_wrong_usage(arguments: tuple[str, ...], message: str) -> None:
@@ -122,6 +123,13 @@ def test_what_only_the_compiler_has(monkeypatch: pytest.MonkeyPatch, tmp_path: P
     assert refused.exit_code == 1
     assert "the compiler rumoca has no option 'size'; it has color" in refused.stderr
     assert len(compiler.requests) == 1
+
+
+@pytest.mark.parametrize(("name", "version"), [("2", "2.0"), ("2.0", "2.0"), ("3", "3.0")])
+def test_versions_of_fmi(monkeypatch: pytest.MonkeyPatch, tmp_path: Path, name: str, version: str) -> None:
+    compiler = _use(monkeypatch)
+    assert _run("M", "-o", str(tmp_path), "--fmi", name).exit_code == 0
+    assert compiler.requests[0].fmi_version == version
 
 
 def test_help_has_an_example() -> None:

@@ -91,3 +91,23 @@ def test_model_exchange_follows_the_reference(case: RandomCase, fmus: Path) -> N
     times, first = np.unique(result["time"], return_index=True)
     expected = _reference(case, times).theta
     assert np.abs(result["theta"][first] - expected).max() < 1e-6
+
+
+@pytest.mark.parametrize("early_return", [True, False])
+def test_event_mode_in_co_simulation_gives_the_same(early_return: bool, joystick_fmus3: Path) -> None:
+    """FMPy carries out the events itself, before the communication points where steps may end early."""
+    settings = {
+        "fmi_type": "CoSimulation",
+        "stop_time": 1.5,
+        "output_interval": 1e-3,
+        "relative_tolerance": 1e-8,
+        "start_values": {"theta_start": np.deg2rad(-20.0)},
+        "output": ["theta"],
+    }
+    path = str(joystick_fmus3 / "Joystick.fmu")
+    plain = fmpy.simulate_fmu(path, **settings)
+    driven = fmpy.simulate_fmu(path, use_event_mode=True, early_return_allowed=early_return, **settings)
+    times, first = np.unique(driven["time"], return_index=True)
+    assert (len(times) > len(plain)) == early_return, "the events too have a row"
+    meeting = np.searchsorted(times, plain["time"] - 1e-9)
+    assert np.abs(driven["theta"][first][meeting] - plain["theta"]).max() < 1e-9
