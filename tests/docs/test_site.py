@@ -16,6 +16,9 @@ from tests.docs.pages import DOCS, NOTEBOOKS, ROOT
 
 pytest.importorskip("sphinx", reason="the extra docs is not installed")
 
+# One worker builds the site for all of these.
+pytestmark = pytest.mark.xdist_group("site")
+
 _LOADED = re.compile(r"<(?:script|link|img|iframe)\b[^>]*?\b(?:src|href)=\"(https?:[^\"]+)\"")
 
 
