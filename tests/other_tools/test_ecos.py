@@ -32,11 +32,15 @@ print(json.dumps(theta))
 """
 
 
+@pytest.mark.parametrize("folder", ["joystick_fmus", "joystick_fmus3"])
 @pytest.mark.parametrize(
     ("name", "parameters"), [("Joystick", NOMINAL), ("JoystickPowerLaw", NOMINAL_POWER_LAW)]
 )
-def test_free_oscillation(name: str, parameters: JoystickParameters, joystick_fmus: Path) -> None:
+def test_free_oscillation(
+    name: str, parameters: JoystickParameters, folder: str, request: pytest.FixtureRequest
+) -> None:
     require("ecospy")
-    theta = run(PROGRAM, fmu=str(joystick_fmus / f"{name}.fmu"), release=RELEASE, step=STEP, count=1500)
+    fmu: Path = request.getfixturevalue(folder) / f"{name}.fmu"
+    theta = run(PROGRAM, fmu=str(fmu), release=RELEASE, step=STEP, count=1500)
     expected = simulate(parameters, time=STEP * np.arange(1501), theta_start=RELEASE).theta
     assert np.abs(np.array(theta) - expected).max() < 1e-7
