@@ -14,7 +14,7 @@ from pyjoystick.cli.console import messages, output, print_error, print_note
 from pyjoystick.cli.fmus import found_or_built
 from pyjoystick.cli.options import DampingLaw, law_of, parameter_file
 from pyjoystick.cli.parameter_updates import file_to_update, write_update
-from pyjoystick.fitted_joystick import FittedJoystick, fitted_joystick, require_joystick_in
+from pyjoystick.fitted_joystick import fitted_joystick, require_joystick_in
 from pyjoystick.fitting import (
     CONSTANT_DAMPING,
     POWER_LAW_DAMPING,
@@ -33,6 +33,7 @@ from pyjoystick.fitting.table_record import read_table_record
 from pyjoystick.fitting.text_report import report, summary
 from pyjoystick.fmu import Fmu, FmuDescription
 from pyjoystick.output import check_outputs, write_text
+from pyjoystick.parameters import JoystickParameters
 from pyjoystick.records import Record, read_repeats
 
 #: Exit code where a fit is done but not to be trusted, and after Ctrl-C.
@@ -86,7 +87,7 @@ def fit_and_show(
     names = ", ".join(path.name for path in paths)
     _show(found, wanted.folder, names)
     if wanted.joystick is not None and joystick is not None:
-        _update(found, wanted, fitted_joystick(found, joystick, given.uncertainties), names)
+        _update(found, wanted, joystick, given.uncertainties, names)
     if found.interrupted:
         return INTERRUPTED
     return 0 if found.trusted else DOUBTFUL
@@ -129,13 +130,20 @@ def _show(found: Fit, folder: Path | None, names: str) -> None:
         print_error(f"the fit is not to be trusted: {_failed(found)} (see above)")
 
 
-def _update(found: Fit, wanted: Wanted, fitted: FittedJoystick, names: str) -> None:
+def _update(
+    found: Fit,
+    wanted: Wanted,
+    before: JoystickParameters,
+    uncertainties: Mapping[str, float],
+    names: str,
+) -> None:
     """Write the joystick into its file, unless there is something to be said against it."""
     assert wanted.joystick is not None
     doubts = "it was stopped" if found.interrupted else "" if found.trusted else _failed(found)
     if doubts and not wanted.even_if_doubtful:
         print_note(f"{wanted.joystick} is left as it was; --even-if-doubtful writes the result all the same")
         return
+    fitted = fitted_joystick(found, before, uncertainties)
     source = f"fit to {names}" + (f"; doubtful: {doubts}" if doubts else "")
     sources = dict.fromkeys(fitted.tables, source)
     sources |= dict.fromkeys(fitted.fixed, f"as fixed in the {source}")
