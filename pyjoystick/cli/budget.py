@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
 
-from pyjoystick.cli.console import messages, output, print_note
+from pyjoystick.cli.console import messages, output, print_error, print_note
 from pyjoystick.cli.fmus import found_or_built
 from pyjoystick.cli.options import (
     DEFAULT_RELEASE_ANGLE,
@@ -86,6 +86,7 @@ def run(
     errors = parse_assignments(uncertainties or [], "--uncertainty")
     files = {side: Path(file) for side, file in parse_names(curves, "--curve").items()}
     # SciPy and lmfit take a while to load, which the other commands need not wait for.
+    from pyjoystick.cli.fit_steps import DOUBTFUL
     from pyjoystick.fmu import Fmu
     from pyjoystick.laboratory_errors import FITTED, combined, contribution_table, fit_contributions
     from pyjoystick.records import read_repeats
@@ -99,6 +100,10 @@ def run(
     wholes = [value * part for value, part in zip(values, combined(contributions), strict=True)]
     for name, value, whole in zip(FITTED, values, wholes, strict=True):
         output().print(f"{name} = {rounded(value, whole):.9g}, standard uncertainty {whole:.2g} (SI units)")
+    if not found.trusted:
+        failed = ", ".join(check.name for check in found.checks if not check.passed)
+        print_error(f"the fit is not to be trusted: {failed}; pyjoystick fit says why")
+        raise typer.Exit(DOUBTFUL)
     if update:
         changes = {n: rounded(v, u) for n, v, u in zip(FITTED, values, wholes, strict=True)}
         places = dict(zip(("body.J", "damping.constant.C"), wholes, strict=True))

@@ -74,3 +74,16 @@ def test_another_curve_and_another_law_are_refused(command: Command, record: str
     outcome = command("budget", record, "-p", "power.toml")
     assert outcome.code == 2
     assert "must choose constant damping" in outcome.err
+
+
+def test_a_fit_that_is_not_to_be_trusted_is_not_written(command: Command, record: str) -> None:
+    text = Path("joystick.toml").read_text(encoding="utf-8")
+    Path("joystick.toml").write_text(
+        text.replace("k = [430e3, 2625.0", "k = [430e3, 4625.0"), encoding="utf-8"
+    )
+    before = Path("joystick.toml").read_text(encoding="utf-8")
+    assert before != text
+    outcome = command("budget", record, "-p", "joystick.toml", "--update")
+    assert outcome.code == 3
+    assert "not to be trusted: whiteness" in outcome.err
+    assert Path("joystick.toml").read_text(encoding="utf-8") == before
