@@ -145,7 +145,7 @@ Law = Annotated[
     DampingLaw | None,
     typer.Option(
         "--damping",
-        help="Damping law; that of --parameters if neither this nor --fmu is given, constant without a file.",
+        help="Damping law; if not given that of --parameters or of an FMU, constant without either.",
         show_default=False,
     ),
 ]

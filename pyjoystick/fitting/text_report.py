@@ -90,7 +90,8 @@ def _strong_correlations(fit: Fit) -> str:
         for j in range(i)
         if abs(matrix[i, j]) > _STRONG
     ]
-    weakest = f"Known worst: {fit.identifiability.weakest}." if fit.identifiability.weakest else ""
+    combination = fit.identifiability.weakest
+    weakest = f"Least known, all changed together: {combination}." if combination else ""
     strong = f"Correlated beyond {_STRONG}: {'; '.join(found)}." if found else ""
     return "\n".join(part for part in (strong, weakest) if part)
 
