@@ -12,6 +12,7 @@ from rich.table import Table
 from pyjoystick.cli import options
 from pyjoystick.cli.console import messages, output, print_note
 from pyjoystick.cli.setup import opened
+from pyjoystick.cli.stops import note_stops
 from pyjoystick.defaults import DEFAULT_DURATION, DEFAULT_OUTPUT_INTERVAL, DEFAULT_TOLERANCE
 from pyjoystick.output import check_outputs
 
@@ -79,6 +80,7 @@ def run(
         )
         name = joystick.description.path.name
     degrees = math.degrees(start)
+    note_stops(abs(start))
     _print_peaks(table, f"{name}: free oscillation from {degrees:.6g} deg ({start:.6g} rad), {duration:g} s")
     if csv is not None:
         write_csv(table, csv)

@@ -9,6 +9,7 @@ import typer
 
 from pyjoystick.cli import chain_options, options
 from pyjoystick.cli.console import messages, output, print_note
+from pyjoystick.cli.stops import note_stops
 from pyjoystick.cli.torque_motion import MotionOptions, refuse_given
 from pyjoystick.defaults import DEFAULT_OUTPUT_INTERVAL
 from pyjoystick.output import check_outputs, write_text
@@ -157,6 +158,7 @@ def run(
         print_note(note)
     with messages().status("computing"):
         results = torque_results.compute(motion, joysticks, torque_results.arm_of(file, arm))
+    note_stops(float(next(iter(results.values())).table["theta"].abs().max()))
     output().print(torque_results.text(motion, results), markup=False)
     if csv is not None:
         write_csv(next(iter(results.values())).table, csv)

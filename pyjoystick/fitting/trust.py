@@ -19,6 +19,8 @@ from pyjoystick.fitting.variables import Variables
 #: A sound fit of white noise fails a test of the residuals once in this many.
 _CHANCE: Final = 1e-3
 _LAGS: Final = 5
+#: A mean of so many of its standard errors is not chance.
+_OFFSET: Final = 5.0
 #: Residuals of more than this part of the largest value measured are no noise.
 _LARGE: Final = 0.05
 #: Average error of peaks that no longer counts as agreement.
@@ -135,7 +137,21 @@ def check_whiteness(names: Sequence[str], series: Sequence[FloatArray], least: f
             "standard errors and intervals are then too small"
         )
         return Check("whiteness", False, message)
-    return Check("whiteness", True, f"no correlation over {_LAGS} samples")
+    offset = "".join(_offsets(names, series, least))
+    return Check("whiteness", True, f"no correlation over {_LAGS} samples{offset}")
+
+
+def _offsets(names: Sequence[str], series: Sequence[FloatArray], least: float) -> Iterator[str]:
+    """Records whose residuals have a mean that chance does not explain."""
+    for name, residuals in zip(names, series, strict=True):
+        if float(np.max(np.abs(residuals))) <= least:
+            continue
+        mean, deviation = float(np.mean(residuals)), float(np.std(residuals))
+        if abs(mean) * math.sqrt(len(residuals)) > _OFFSET * deviation > 0.0:
+            yield (
+                f"; those of {name} lie {mean / deviation:+.2f} standard deviations off on average, as when "
+                "the zero of a record is off, which no parameter can correct"
+            )
 
 
 def _not_white(names: Sequence[str], series: Sequence[FloatArray], least: float) -> Iterator[str]:

@@ -17,6 +17,7 @@ from pathlib import Path
 import ezc3d
 import numpy as np
 
+from pyjoystick.errors import PyJoystickError
 from pyjoystick.inertia import Measured, from_parts
 from pyjoystick.inertia.parts import Part
 from pyjoystick.measurements.markers import Markers
@@ -194,4 +195,7 @@ def write_nexus(markers: Markers, path: Path) -> None:
 
 
 if __name__ == "__main__":
-    sys.exit(main(*map(Path, sys.argv[1:2])))
+    try:
+        sys.exit(main(*map(Path, sys.argv[1:2])))
+    except PyJoystickError as error:
+        sys.exit(f"error: {error}")

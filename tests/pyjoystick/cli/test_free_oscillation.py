@@ -158,3 +158,9 @@ def test_the_paper_is_what_no_option_gives(command: Command, tmp_path: Path) -> 
     command("free-oscillation", "--csv", "run.csv")
     expected = free_oscillation(math.radians(-20.0), parameters=NOMINAL)
     np.testing.assert_array_equal(_csv(tmp_path / "run.csv").to_numpy(), expected.to_numpy())
+
+
+def test_angles_beyond_the_stops_are_told(command: Command) -> None:
+    outcome = command("free-oscillation", "--release-angle", "-45", "--duration", "0.1")
+    assert outcome.code == 0
+    assert "45 degrees are beyond the paper's stops at about 20, which are not modeled" in outcome.err

@@ -130,3 +130,9 @@ def test_errors_are_one_line(command: Command, arguments: tuple[str, ...], messa
     outcome = command("torque", *arguments)
     assert (outcome.code, outcome.out) == (1, "")
     assert outcome.message.startswith(message)
+
+
+def test_angles_beyond_the_stops_are_told(command: Command) -> None:
+    outcome = command("torque", "--angle", "45")
+    assert outcome.code == 0
+    assert "45 degrees are beyond the paper's stops at about 20, which are not modeled" in outcome.err

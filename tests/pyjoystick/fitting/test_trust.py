@@ -66,3 +66,12 @@ def test_white_noise_passes_and_a_slow_wave_does_not() -> None:
     check = check_whiteness(["a", "b"], [noise, wave], 0.0)
     assert not check.passed
     assert "not white in b" in check.message
+
+
+def test_a_zero_that_is_off_is_told() -> None:
+    noise = np.random.default_rng(5).normal(size=300)
+    noise = (noise - noise.mean()) / noise.std()
+    check = check_whiteness(["a", "b"], [noise, noise + 0.6], 0.0)
+    assert check.passed
+    assert "those of b lie +0.60 standard deviations off" in check.message
+    assert "those of a" not in check.message
