@@ -49,7 +49,7 @@ def test_attributes_of_the_declared_type_count_where_the_variable_has_none(
 
     def with_type(text: str) -> str:
         text, changed = re.subn(
-            r"<Real [^>]*start=\"0\.87\"/>", '<Real declaredType="Load" start="0.87"/>', text
+            r"<Real [^>]*start=\"0\.87\"[^>]*/>", '<Real declaredType="Load" start="0.87"/>', text
         )
         assert changed == 1
         assert "<TypeDefinitions>" not in text

@@ -54,9 +54,9 @@ def test_an_fmu_declares_what_it_declares(first: FmuDescription) -> None:
         ('start="2.0"', 'start="2.00001"', [("k", "start", "2.0", "2.00001")]),
         ('start="2.0"', "", [("k", "start", "2.0", "")]),
         ('start="false"', 'start="1"', [("inverted", "start", "false", "1")]),
-        ('unit="m" start="1.0"', 'unit="m" start="3.0"', [("x", "start", "1.0", "3.0")]),
+        ('start="1.0" unit="m"', 'start="3.0" unit="m"', [("x", "start", "1.0", "3.0")]),
         (
-            '<Real unit="N" start="0.5"/>',
+            '<Real start="0.5" unit="N"/>',
             '<Integer start="2"/>',
             [("u", "type", "Real", "Integer"), ("u", "unit", "N", ""), ("u", "start", "0.5", "2")],
         ),

@@ -30,7 +30,8 @@ def test_the_limit_of_an_angle(largest: float, tolerance: float, factor: float, 
 
 def test_relative_limits(pair: Path, tmp_path: Path) -> None:
     def large(text: str) -> str:
-        return text.replace('unit="N.s" start="0.0"', 'unit="N.s" start="0.0" nominal="-5e6"')
+        assert 'start="0.0" unit="N.s"' in text
+        return text.replace('start="0.0" unit="N.s"', 'start="0.0" unit="N.s" nominal="-5e6"')
 
     ordinary = read_description(pair / "First.fmu")
     fmus = ordinary, read_description(doctored(ordinary.path, tmp_path / "large.fmu", description=large))

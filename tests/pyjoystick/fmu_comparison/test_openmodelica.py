@@ -7,12 +7,9 @@ from pathlib import Path
 import pytest
 
 from fmu_build import build_fmu
-from pyjoystick.fmu import MODELS, read_description
+from pyjoystick.fmu import read_description
 from pyjoystick.fmu_comparison import Experiment, compare_fmus, experiments_for
-from tests.omc import why_not
-
-#: Those with an interface by contract; elsewhere derivatives have units of another form (W, not J/s).
-JOYSTICKS = {name: model for name, model in MODELS.items() if ".Joystick." in model}
+from tests.omc import JOYSTICKS, why_not
 
 pytestmark = pytest.mark.skipif(bool(why_not()), reason=why_not())
 

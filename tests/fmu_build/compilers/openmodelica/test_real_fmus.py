@@ -18,9 +18,8 @@ from fmu_build.compilers.openmodelica.finding import find_omc, omc_version
 from pyjoystick.fmu import Fmu
 from pyjoystick.parameters import NOMINAL, NOMINAL_POWER_LAW
 from pyjoystick.reference import inverse_torque, simulate
-from tests.conftest import JOYSTICKS
 from tests.joystick_fmu.driver import fmu_parameters
-from tests.omc import why_not
+from tests.omc import JOYSTICKS, why_not
 from tests.pyjoystick.random_parameters import RandomCase, both_laws
 
 pytestmark = pytest.mark.skipif(bool(why_not()), reason=why_not())
@@ -35,12 +34,9 @@ every_case = pytest.mark.parametrize("case", CASES, ids=[case.name for case in C
 
 @pytest.fixture(scope="module")
 def results(tmp_path_factory: pytest.TempPathFactory) -> dict[str, BuildResult]:
-    """The results of building the three, in a folder whose name has a blank and a letter beyond ASCII."""
+    """The results of building the four, in a folder whose name has a blank and a letter beyond ASCII."""
     folder = tmp_path_factory.mktemp("FMUs für alle") / "new"
-    return {
-        name: build_fmu(f"PreloadedSprings.Joystick.{name}", folder, compiler="openmodelica")
-        for name in JOYSTICKS
-    }
+    return {name: build_fmu(model, folder, compiler="openmodelica") for name, model in JOYSTICKS.items()}
 
 
 def _fmu(results: dict[str, BuildResult], case: RandomCase) -> Path:
