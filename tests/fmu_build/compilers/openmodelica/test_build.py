@@ -76,7 +76,7 @@ def test_answers_that_are_missing() -> None:
         (BuildRequest("M", Path("o"), fmi_types=()), r"FMI types \[\]: allowed are 'me', 'cs' or both"),
         (
             BuildRequest("M", Path("o"), platforms=("win64",)),
-            "for this machine .* alone, not for x86_64-windows",
+            "for this machine .*, not for x86_64-windows",
         ),
         (BuildRequest("M", Path(__file__)), "is not a folder"),
     ],
