@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from contextlib import ExitStack
 from typing import Any, Self
 
@@ -31,29 +30,27 @@ class Network:
         self.participants: dict[str, Participant] = {}
         sources = [connection.source.split(".", 1) for connection in system.connections]
         targets = [connection.target.split(".", 1) for connection in system.connections]
-        self._fed_by = [self._number(sources, i) for i in range(len(sources))]
+        outputs = {
+            c.name: list(dict.fromkeys(variable for name, variable in sources if name == c.name))
+            for c in system.components
+        }
+        self._fed_by = [(name, outputs[name].index(variable)) for name, variable in sources]
         self._signals = {
             c.name: [i for i, (name, _) in enumerate(targets) if name == c.name] for c in system.components
         }
         with ExitStack() as stack:
             for component in system.components:
                 inputs = [variable for name, variable in targets if name == component.name]
-                outputs = list(
-                    dict.fromkeys(variable for name, variable in sources if name == component.name)
-                )
                 participant = Participant(
-                    described[component.name], component.parameters, inputs, outputs, tolerance
+                    described[component.name],
+                    component.parameters,
+                    inputs,
+                    outputs[component.name],
+                    tolerance,
                 )
                 stack.callback(participant.close)
                 self.participants[component.name] = participant
             self._stack = stack.pop_all()
-
-    @staticmethod
-    def _number(sources: Sequence[Sequence[str]], i: int) -> tuple[str, int]:
-        """The component that feeds signal `i`, and the place of that output among its connected outputs."""
-        name, variable = sources[i]
-        outputs = list(dict.fromkeys(other for owner, other in sources if owner == name))
-        return name, outputs.index(variable)
 
     def copy(self) -> FloatArray:
         """Copy the outputs, as they are at the present communication point, to the inputs.

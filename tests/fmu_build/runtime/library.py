@@ -144,6 +144,10 @@ class Instance:
         """fmi2DoStep."""
         return self.call("fmi2DoStep", float(point), float(size), 1)
 
+    def advance(self, point: float, size: float) -> None:
+        """A step that must return fmi2OK."""
+        assert self.step(point, size) == OK, self.text
+
     def run(self, end: float, steps: int, references: Sequence[int], start: float = 0.0) -> list[list[float]]:
         """Equal communication steps to `end`; values of Real variables at every point, the first included."""
         size = (end - start) / steps

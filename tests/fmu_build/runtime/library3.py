@@ -149,6 +149,10 @@ class Instance3:
         status = self.call("fmi3DoStep", float(point), float(size), True, *outputs)
         return Step(status, event.value, terminate.value, early.value, time.value)
 
+    def advance(self, point: float, size: float) -> None:
+        """A step that must return fmi3OK."""
+        assert self.step(point, size).status == OK, self.text
+
     def update(self) -> Discrete:
         """fmi3UpdateDiscreteStates."""
         flags, time = [c.c_bool() for _ in range(5)], c.c_double()

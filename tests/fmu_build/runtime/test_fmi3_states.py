@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ctypes as c
 import math
-import random
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
@@ -16,50 +15,26 @@ import pytest
 from tests.fmu_build.runtime.conftest import Build
 from tests.fmu_build.runtime.library import CO_SIMULATION, ERROR, MODEL_EXCHANGE, OK, TOKEN
 from tests.fmu_build.runtime.library3 import Instance3, Update
+from tests.fmu_build.runtime.saved_runs import SIZE, check_detours, steps
 
-_SIZE = 0.003
 _THREADS = Path(__file__).with_name("threads.c")
-
-
-def _steps(instance: Instance3, first: int, last: int) -> list[list[float]]:
-    values = []
-    for i in range(first, last):
-        assert instance.step(i * _SIZE, _SIZE).status == OK, instance.text
-        values.append(instance.get(0, 1))
-    return values
 
 
 @pytest.mark.parametrize("model", ["joystick", "ball", "oscillator"])
 def test_restored_run_is_bit_identical(build3: Build, model: str) -> None:
-    instance = Instance3(build3(model))
-    instance.initialize()
-    straight = _steps(instance, 0, 300)
-    instance.expect("fmi3Reset")
-    instance.initialize()
-    random.seed(2)
-    done = 0
-    while done < 300:
-        # Goes ahead, and back to where it was: the detour must leave no trace.
-        state = instance.save()
-        _steps(instance, done, min(300, done + random.randint(1, 40)))
-        instance.restore(state)
-        instance.discard(state)
-        further = min(300, done + random.randint(1, 40))
-        assert _steps(instance, done, further) == straight[done:further]
-        done = further
-    instance.free()
+    check_detours(Instance3(build3(model)), "fmi3Reset", 2)
 
 
 def test_serialized_state_continues_in_another_instance(build3: Build) -> None:
     first, second = Instance3(build3("joystick")), Instance3(build3("joystick"))
     assert first.set({8: 0.012}) == OK
     first.initialize(1e-9, stop=2.0)
-    _steps(first, 0, 37)
+    steps(first, 0, 37)
     state = first.save()
     status, copy = second.deserialize(first.serialize(state))
     assert status == OK
     second.restore(copy)
-    assert _steps(first, 37, 200) == _steps(second, 37, 200)
+    assert steps(first, 37, 200) == steps(second, 37, 200)
     for instance, saved in ((first, state), (second, copy)):
         instance.discard(saved)
         instance.free()
@@ -91,15 +66,15 @@ def test_a_state_saved_before_an_event_leads_to_the_event_again(build3: Build) -
 def test_a_state_brings_an_instance_back_from_an_error(build3: Build) -> None:
     instance = Instance3(build3("joystick"))
     instance.initialize()
-    expected = _steps(instance, 0, 20)
+    expected = steps(instance, 0, 20)
     instance.expect("fmi3Reset")
     instance.initialize()
-    assert _steps(instance, 0, 10) == expected[:10]
+    assert steps(instance, 0, 10) == expected[:10]
     state = instance.save()
     assert instance.step(5.0, 0.1).status == ERROR
-    assert instance.step(10 * _SIZE, _SIZE).status == ERROR, "it is terminated"
+    assert instance.step(10 * SIZE, SIZE).status == ERROR, "it is terminated"
     instance.restore(state)
-    assert _steps(instance, 10, 20) == expected[10:]
+    assert steps(instance, 10, 20) == expected[10:]
     instance.discard(state)
     instance.free()
 

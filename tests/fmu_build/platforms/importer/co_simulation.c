@@ -2,7 +2,6 @@
 #include "importer.h"
 
 #include <stdbool.h>
-#include <stdlib.h>
 
 #if FMI_VERSION == 3
 Instance begin(const Settings *settings, Logger logger)
@@ -28,19 +27,7 @@ void step(Instance instance, double time, double size)
 #else
 Instance begin(const Settings *settings, Logger logger)
 {
-    static fmi2CallbackFunctions callbacks = {NULL, calloc, free, NULL, NULL};
-    FUNCTION(fmi2Instantiate);
-    FUNCTION(fmi2SetupExperiment);
-    FUNCTION(fmi2EnterInitializationMode);
-    callbacks.logger = logger;
-    Instance instance =
-        fmi2Instantiate("importer", fmi2CoSimulation, settings->token, NULL, &callbacks, fmi2False, fmi2False);
-    if (!instance)
-        fail("fmi2Instantiate");
-    CALL(fmi2SetupExperiment(
-        instance, fmi2True, settings->tolerance, settings->start, fmi2True, settings->stop));
-    CALL(fmi2EnterInitializationMode(instance));
-    return instance;
+    return begin_fmi2(settings, logger, fmi2CoSimulation);
 }
 
 void step(Instance instance, double time, double size)

@@ -58,6 +58,23 @@ void get(Instance instance, const Reference *references, size_t count, double *v
     CALL(fmi3GetFloat64(instance, references, count, values, count));
 }
 #else
+Instance begin_fmi2(const Settings *settings, Logger logger, fmi2Type type)
+{
+    static fmi2CallbackFunctions callbacks = {NULL, calloc, free, NULL, NULL};
+    FUNCTION(fmi2Instantiate);
+    FUNCTION(fmi2SetupExperiment);
+    FUNCTION(fmi2EnterInitializationMode);
+    callbacks.logger = logger;
+    Instance instance =
+        fmi2Instantiate("importer", type, settings->token, NULL, &callbacks, fmi2False, fmi2False);
+    if (!instance)
+        fail("fmi2Instantiate");
+    CALL(fmi2SetupExperiment(
+        instance, fmi2True, settings->tolerance, settings->start, fmi2True, settings->stop));
+    CALL(fmi2EnterInitializationMode(instance));
+    return instance;
+}
+
 static void log_message(
     fmi2ComponentEnvironment environment, fmi2String name, fmi2Status status, fmi2String category, fmi2String text, ...)
 {

@@ -27,6 +27,10 @@ typedef struct {
 
 /* An instance in Initialization Mode. */
 Instance begin(const Settings *settings, Logger logger);
+#if FMI_VERSION == 2
+/* What begin is in FMI 2.0, where the type is an argument. */
+Instance begin_fmi2(const Settings *settings, Logger logger, fmi2Type type);
+#endif
 /* To the first communication point. */
 void initialized(Instance instance);
 void step(Instance instance, double time, double size);

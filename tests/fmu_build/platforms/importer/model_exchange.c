@@ -3,7 +3,6 @@
 #include "importer.h"
 
 #include <stdbool.h>
-#include <stdlib.h>
 
 #define LARGEST_STEP 5e-5
 #define SMALLEST_STEP 1e-10
@@ -54,18 +53,7 @@ static void discrete_states(Instance instance)
 
 Instance begin(const Settings *settings, Logger logger)
 {
-    static fmi2CallbackFunctions callbacks = {NULL, calloc, free, NULL, NULL};
-    FUNCTION(fmi2Instantiate);
-    FUNCTION(fmi2SetupExperiment);
-    FUNCTION(fmi2EnterInitializationMode);
-    callbacks.logger = logger;
-    Instance instance =
-        fmi2Instantiate("importer", fmi2ModelExchange, settings->token, NULL, &callbacks, fmi2False, fmi2False);
-    if (!instance)
-        fail("fmi2Instantiate");
-    CALL(fmi2SetupExperiment(
-        instance, fmi2True, settings->tolerance, settings->start, fmi2True, settings->stop));
-    CALL(fmi2EnterInitializationMode(instance));
+    Instance instance = begin_fmi2(settings, logger, fmi2ModelExchange);
     n_states = settings->n_states;
     n_indicators = settings->n_indicators;
     return instance;
