@@ -18,8 +18,8 @@ import pandas as pd
 from benchmarks.errors import BenchmarkError
 from benchmarks.memory import memory_of_process, reset_peak
 from benchmarks.task import INTERVALS, TOLERANCE, sample_times
-from pyjoystick._types import FloatArray
 from pyjoystick.fmu import Extremes, Fmu, Peaks, Plan, Reduction
+from pyjoystick.support import FloatArray
 
 THREADS: Final = 2
 #: Runs of each batch of a round: enough that starting the threads and their last runs weigh little.

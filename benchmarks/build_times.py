@@ -18,7 +18,7 @@ from typing import Annotated, NamedTuple
 import typer
 
 from benchmarks.report import machine
-from pyjoystick.report import markdown_table
+from pyjoystick.motion import markdown_table
 
 _MODEL = "PreloadedSprings.Joystick.Joystick"
 _CASES: dict[str, Sequence[str]] = {"this machine's": (), "all": ("--platform", "all")}

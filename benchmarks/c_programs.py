@@ -15,7 +15,7 @@ from benchmarks.build import UnpackedFmu
 from benchmarks.contender import Contender
 from benchmarks.errors import BenchmarkError
 from benchmarks.task import INTERVALS, RELEASE, Law
-from pyjoystick._types import FloatArray
+from pyjoystick.support import FloatArray
 
 #: Batches of one run each: interruptions by other programs of the machine hit few of them.
 _BATCHES: Final = 100

@@ -20,8 +20,8 @@ from benchmarks.dask_processes import DaskProcesses
 from benchmarks.errors import BenchmarkError
 from benchmarks.report import machine
 from pyjoystick.fmu import Fmu, Plan
-from pyjoystick.sweeps import ClusterError, Sweep, read_settings
-from pyjoystick.sweeps.cluster import run_on_cluster
+from pyjoystick.runs import ClusterError, Sweep, read_settings
+from pyjoystick.runs.sweeps.cluster import run_on_cluster
 
 _WORKERS: Final = 2
 _PATIENCE: Final = 60.0  # s, until the workers are there

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from benchmarks.task import RELEASES, Law, error
-from pyjoystick._types import FloatArray
+from pyjoystick.support import FloatArray
 
 
 @dataclass(frozen=True, slots=True)

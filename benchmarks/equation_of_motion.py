@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 
-from pyjoystick._types import FloatArray
-from pyjoystick.parameters import ConstantDamping, JoystickParameters
+from pyjoystick.model import ConstantDamping, JoystickParameters
+from pyjoystick.support import FloatArray
 
 #: The derivatives of theta (rad) and omega (rad/s) from the time (s) and their values.
 RightHandSide = Callable[[float, FloatArray], tuple[float, float]]

@@ -1,4 +1,4 @@
-"""The same fits by `pyjoystick.fitting` and by estim8: the same FMU, data, bounds and minimum.
+"""The same fits by `pyjoystick.identification.fitting` and by estim8: the same FMU, data, bounds and minimum.
 
     python -m venv /path/to/environment && /path/to/environment/bin/pip install estim8==0.1.6
     python -m benchmarks.fit_beside_estim8 --python /path/to/environment/bin/python
@@ -26,14 +26,14 @@ from typing import Any, Final
 import numpy as np
 
 from benchmarks.errors import BenchmarkError
-from pyjoystick.fitting import CONSTANT_DAMPING, POWER_LAW_DAMPING, FitSettings, Measurement
-from pyjoystick.fitting.search import multi_start
-from pyjoystick.fitting.setup import make_problem
-from pyjoystick.fitting.steps import choose_steps
 from pyjoystick.fmu import Fmu, find_fmu
-from pyjoystick.parameters import NOMINAL, NOMINAL_POWER_LAW
-from pyjoystick.report import markdown_table
-from pyjoystick.synthetic_records import synthetic_record
+from pyjoystick.identification import CONSTANT_DAMPING, POWER_LAW_DAMPING, FitSettings, Measurement
+from pyjoystick.identification.fitting.search import multi_start
+from pyjoystick.identification.fitting.setup import make_problem
+from pyjoystick.identification.fitting.steps import choose_steps
+from pyjoystick.laboratory.synthetic_records import synthetic_record
+from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW
+from pyjoystick.motion import markdown_table
 
 RECORDS: Final = 4
 #: Fits of pyjoystick whose median time counts; estim8 fits once.

@@ -20,7 +20,8 @@ from typing import Final
 
 import numpy as np
 
-from pyjoystick.fitting import (
+from pyjoystick.fmu import Fmu
+from pyjoystick.identification import (
     CONSTANT_DAMPING,
     DISPLACEMENT_DAMPING,
     Fit,
@@ -29,11 +30,9 @@ from pyjoystick.fitting import (
     Uncertainty,
     fit,
 )
-from pyjoystick.fmu import Fmu
-from pyjoystick.parameters import NOMINAL, NOMINAL_POWER_LAW, JoystickParameters
-from pyjoystick.records import Record
-from pyjoystick.report import markdown_table
-from pyjoystick.synthetic_records import synthetic_record
+from pyjoystick.laboratory.synthetic_records import synthetic_record
+from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW, JoystickParameters
+from pyjoystick.motion import Record, markdown_table
 
 RECORDS: Final = 4
 NOISE: Final = math.radians(0.1)

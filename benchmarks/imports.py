@@ -30,13 +30,17 @@ import typer
 
 from benchmarks.memory import memory_of_process, reset_peak
 from benchmarks.report import machine
-from pyjoystick._types import FloatArray
-from pyjoystick.measurements.accelerometer import read_accelerometer
-from pyjoystick.measurements.angle import measure_angle
-from pyjoystick.measurements.chain import Chain
-from pyjoystick.measurements.reading import read_markers
-from pyjoystick.report import markdown_table
-from pyjoystick.synthetic_laboratory import BASE, TOP, synthetic_markers
+from pyjoystick.laboratory import (
+    BASE,
+    TOP,
+    Chain,
+    measure_angle,
+    read_accelerometer,
+    read_markers,
+    synthetic_markers,
+)
+from pyjoystick.motion import markdown_table
+from pyjoystick.support import FloatArray
 
 RATE: Final = 240.0
 DURATION: Final = 60.0

@@ -16,9 +16,9 @@ from benchmarks.contender import Contender
 from benchmarks.equation_of_motion import right_hand_side
 from benchmarks.errors import BenchmarkError
 from benchmarks.task import DURATION, INTERVALS, PARAMETERS, RELEASE, Law, sample_times
-from pyjoystick._types import FloatArray
 from pyjoystick.fmu import Fmu
-from pyjoystick.reference import DEFAULT_TOLERANCE, simulate
+from pyjoystick.model import DEFAULT_TOLERANCE, simulate
+from pyjoystick.support import FloatArray
 
 #: Runs of which a short one is timed: interruptions by other programs of the machine hit few of them.
 _RUNS: Final = 100
@@ -108,7 +108,7 @@ def fmpy_run(
 
 
 def reference_run(law: Law, tolerance: float = DEFAULT_TOLERANCE) -> Contender:
-    """`pyjoystick.reference.simulate`."""
+    """`pyjoystick.model.simulate`."""
     times = sample_times(INTERVALS)
 
     def theta(release: float) -> FloatArray:

@@ -8,9 +8,8 @@ from typing import Final, Literal
 
 import numpy as np
 
-from pyjoystick._types import FloatArray
-from pyjoystick.parameters.paper import NOMINAL, NOMINAL_POWER_LAW
-from pyjoystick.reference import simulate
+from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW, simulate
+from pyjoystick.support import FloatArray
 
 Law = Literal["constant", "power-law"]
 LAWS: Final[tuple[Law, ...]] = ("constant", "power-law")

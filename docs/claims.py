@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from pyjoystick.claims import claims_page, findings
-from pyjoystick.output import write_text
+from pyjoystick.reports import claims_page, findings
+from pyjoystick.support import write_text
 
 write_text(Path(__file__).with_suffix(".md"), claims_page(findings()))

@@ -57,8 +57,8 @@ nitpick_ignore = [
     ("py:class", "ArrayLike"),  # of numpy.typing
     # Handed from one function to the next, not made by users.
     ("py:class", "pyjoystick.fmu.pool.InstancePool"),
-    ("py:class", "pyjoystick.sweeps.sweep.Part"),
-    ("py:class", "pyjoystick.sweeps.sweep.Task"),
+    ("py:class", "pyjoystick.runs.sweeps.sweep.Part"),
+    ("py:class", "pyjoystick.runs.sweeps.sweep.Task"),
 ]
 # Other projects' lists of names are on the network, which a build does without.
 nitpick_ignore_regex = [

@@ -7,10 +7,9 @@ from pathlib import Path
 
 import matplotlib as mpl
 
-from pyjoystick.experiments import free_oscillation
-from pyjoystick.figure_style import LAWS
-from pyjoystick.parameters import NOMINAL, NOMINAL_POWER_LAW
-from pyjoystick.plots import plot_motion
+from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW
+from pyjoystick.runs import free_oscillation
+from pyjoystick.support import LAWS, plot_motion
 
 # The same bytes every time, and no more points than the eye can tell apart.
 mpl.rcParams.update({"svg.hashsalt": "pyjoystick", "path.simplify_threshold": 0.1})

@@ -14,7 +14,7 @@ from os import PathLike
 from pathlib import Path
 
 from fmu_build.compilers import build, compiler_names
-from fmu_build.errors import (
+from fmu_build.support.errors import (
     BuildError,
     ModelicaError,
     ModelNotFoundError,
@@ -22,7 +22,7 @@ from fmu_build.errors import (
     UnknownCompilerError,
     UnsupportedModelError,
 )
-from fmu_build.request import BuildRequest, BuildResult, FmiType, FmiVersion
+from fmu_build.support.request import BuildRequest, BuildResult, FmiType, FmiVersion
 
 __all__ = [
     "BuildError",

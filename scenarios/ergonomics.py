@@ -20,8 +20,8 @@ from pyjoystick.forced_motion import (
 )
 from pyjoystick.forced_motion.figures import plot_demands
 from pyjoystick.forced_motion.reports import demand_report
-from pyjoystick.parameters import NOMINAL
-from pyjoystick.results import save_results
+from pyjoystick.model import NOMINAL
+from pyjoystick.support import save_results
 
 MOVES = MoveDistribution().draw(60, seed=1)
 JOYSTICK = NOMINAL  # read_parameters("joystick.toml") takes your own

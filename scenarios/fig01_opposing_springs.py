@@ -13,13 +13,10 @@ import pandas as pd
 from matplotlib.figure import Figure
 
 from fmu_build import build_fmu
-from pyjoystick.figure_style import SERIES, dress, legend_above
 from pyjoystick.fmu import Fmu
-from pyjoystick.parameters import RestrainedSpring
-from pyjoystick.peaks import find_peaks
-from pyjoystick.report import markdown_table
-from pyjoystick.results import save_results
-from pyjoystick.undamped_period import LineOscillator, LineSide
+from pyjoystick.model import LineOscillator, LineSide, RestrainedSpring
+from pyjoystick.motion import find_peaks, markdown_table
+from pyjoystick.support import SERIES, dress, legend_above, save_results
 
 SPRING = {f"rightSpring.{field}": field for field in ("k_s", "k_h", "F_0")}
 CLEARANCES = {"clearance 0.5 mm": 0.5e-3, "no clearance": 0.0}  # m

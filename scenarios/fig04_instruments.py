@@ -13,14 +13,12 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from pyjoystick.measurement_plots import plot_instruments
-from pyjoystick.measurements.accelerometer import GRAVITY
-from pyjoystick.measurements.chain import Chain
-from pyjoystick.parameters import NOMINAL_POWER_LAW, PIVOT_TO_TOP
-from pyjoystick.records import read_repeats
-from pyjoystick.reference import simulate
-from pyjoystick.report import peak_table
-from pyjoystick.results import save_results
+from pyjoystick.laboratory import GRAVITY, Chain
+from pyjoystick.laboratory.measurement_plots import plot_instruments
+from pyjoystick.model import NOMINAL_POWER_LAW, PIVOT_TO_TOP, simulate
+from pyjoystick.motion import read_repeats
+from pyjoystick.motion.report import peak_table
+from pyjoystick.support import save_results
 
 DATA = Path(__file__).parent / "data"
 RECORD = DATA / "synthetic_power_law_1.csv"

@@ -8,11 +8,11 @@ results/fig07_load_deflection/.
 import sys
 from pathlib import Path
 
-from pyjoystick.load_curve.model_figure import CubicFit, cubic_fits, plot_load_deflection
-from pyjoystick.parameters import NOMINAL, STOP_ANGLE
-from pyjoystick.reference import assembly_force
-from pyjoystick.report import markdown_table
-from pyjoystick.results import save_results
+from pyjoystick.laboratory import cubic_fits, plot_load_deflection
+from pyjoystick.laboratory.load_curve.model_figure import CubicFit
+from pyjoystick.model import NOMINAL, STOP_ANGLE, assembly_force
+from pyjoystick.motion import markdown_table
+from pyjoystick.support import save_results
 
 JOYSTICK = NOMINAL
 RESULTS = Path(__file__).parents[1] / "results" / "fig07_load_deflection"

@@ -10,14 +10,20 @@ from pathlib import Path
 
 import numpy as np
 
-from pyjoystick.damping_estimate import bias_table, constant_bias, estimate_damping, line_bias
-from pyjoystick.damping_plots import plot_damping_estimate
-from pyjoystick.damping_report import bias_report, damping_report, releases_report
-from pyjoystick.measured_peaks import measured_peaks
-from pyjoystick.parameters import NOMINAL
-from pyjoystick.records import read_repeats
-from pyjoystick.results import save_results
-from pyjoystick.simulated_releases import SimulatedReleases
+from pyjoystick.identification import (
+    bias_table,
+    constant_bias,
+    damping_report,
+    estimate_damping,
+    line_bias,
+    plot_damping_estimate,
+    releases_report,
+)
+from pyjoystick.identification.peak_method.report import bias_report
+from pyjoystick.model import NOMINAL
+from pyjoystick.motion import measured_peaks, read_repeats
+from pyjoystick.runs import SimulatedReleases
+from pyjoystick.support import save_results
 
 DATA = Path(__file__).parent / "data"
 RECORDS = {

@@ -10,17 +10,12 @@ from pathlib import Path
 
 import pandas as pd
 
-from pyjoystick.experiments import free_oscillation
-from pyjoystick.figure_style import LAWS, SERIES
-from pyjoystick.measured_peaks import measured_peaks
-from pyjoystick.measurements.chain import Chain
-from pyjoystick.parameters import NOMINAL, NOMINAL_POWER_LAW
-from pyjoystick.peak_errors import peak_errors
-from pyjoystick.plots import plot_motion
-from pyjoystick.records import read_repeats
-from pyjoystick.release_peaks import peaks_of_run
-from pyjoystick.report import markdown_table, peak_table
-from pyjoystick.results import save_results
+from pyjoystick.laboratory import Chain
+from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW
+from pyjoystick.motion import markdown_table, measured_peaks, peak_errors, peaks_of_run, read_repeats
+from pyjoystick.motion.report import peak_table
+from pyjoystick.runs import free_oscillation
+from pyjoystick.support import LAWS, SERIES, plot_motion, save_results
 
 RECORD = Path(__file__).parent / "data" / "synthetic_power_law_1.csv"
 DURATION = 1.25  # s

@@ -10,15 +10,13 @@ from pathlib import Path
 
 import numpy as np
 
-from pyjoystick.damping_plots import plot_peak_errors
-from pyjoystick.damping_report import peak_error_report
-from pyjoystick.measured_peaks import measured_peaks
-from pyjoystick.parameters import NOMINAL, NOMINAL_POWER_LAW
-from pyjoystick.peak_errors import sweep_peak_errors
-from pyjoystick.records import read_repeats
-from pyjoystick.release_peaks import average_peaks
-from pyjoystick.results import save_results
-from pyjoystick.simulated_releases import SimulatedReleases
+from pyjoystick.identification.peak_method.figures import plot_peak_errors
+from pyjoystick.identification.peak_method.report import peak_error_report
+from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW
+from pyjoystick.motion import measured_peaks, read_repeats, sweep_peak_errors
+from pyjoystick.motion.release_peaks import average_peaks
+from pyjoystick.runs import SimulatedReleases
+from pyjoystick.support import save_results
 
 RECORDS = sorted((Path(__file__).parent / "data").glob("synthetic_power_law_?.csv"))
 SWEEPS = {  # label: the joystick, the parameter that varies, its values

@@ -13,17 +13,12 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from pyjoystick.dissipation import plateaus
-from pyjoystick.dissipation.figures import plot_energy
-from pyjoystick.measurement_errors import error_budget, error_budget_report
-from pyjoystick.measurement_plots import plot_chain_effect
-from pyjoystick.measurements.chain import Chain
-from pyjoystick.measurements.chain_effect import chain_effect
-from pyjoystick.measurements.low_pass import LowPass
-from pyjoystick.parameters import NOMINAL_POWER_LAW
-from pyjoystick.reference import simulate
-from pyjoystick.report import markdown_table
-from pyjoystick.results import save_results
+from pyjoystick.laboratory import Chain, LowPass, chain_effect
+from pyjoystick.laboratory.measurement_errors import error_budget, error_budget_report
+from pyjoystick.laboratory.measurement_plots import plot_chain_effect
+from pyjoystick.model import NOMINAL_POWER_LAW, plateaus, plot_energy, simulate
+from pyjoystick.motion import markdown_table
+from pyjoystick.support import save_results
 
 JOYSTICK = NOMINAL_POWER_LAW
 RELEASE = math.radians(-20.0)

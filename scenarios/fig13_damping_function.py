@@ -10,12 +10,18 @@ from pathlib import Path
 
 import numpy as np
 
-from pyjoystick.dissipation import damping_jumps, equivalent_damping, mean_damping
-from pyjoystick.dissipation.figures import plot_damping_function
-from pyjoystick.parameters import NOMINAL, NOMINAL_POWER_LAW
-from pyjoystick.reference import PAPER_STEP, simulate
-from pyjoystick.report import markdown_table
-from pyjoystick.results import save_results
+from pyjoystick.model import (
+    NOMINAL,
+    NOMINAL_POWER_LAW,
+    PAPER_STEP,
+    damping_jumps,
+    equivalent_damping,
+    mean_damping,
+    plot_damping_function,
+    simulate,
+)
+from pyjoystick.motion import markdown_table
+from pyjoystick.support import save_results
 
 JOYSTICK = NOMINAL_POWER_LAW
 CONSTANT = NOMINAL.to_names()["damping.C"]

@@ -11,15 +11,11 @@ from pathlib import Path
 
 import numpy as np
 
-from pyjoystick.figure_style import SERIES
-from pyjoystick.forced_motion import Samples, torque_by_reference, torque_table
-from pyjoystick.forced_motion.section_5 import MOTION
+from pyjoystick.forced_motion import MOTION, Samples, torque_by_reference, torque_table
 from pyjoystick.forced_motion.synthetic import seen_by_cameras
-from pyjoystick.parameters import NOMINAL
-from pyjoystick.plots import plot_motion
-from pyjoystick.report import markdown_table
-from pyjoystick.results import save_results
-from pyjoystick.tables import write_csv
+from pyjoystick.model import NOMINAL
+from pyjoystick.motion import markdown_table, write_csv
+from pyjoystick.support import SERIES, plot_motion, save_results
 
 INTERVAL = 1e-3  # s
 SEED = 14

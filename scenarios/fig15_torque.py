@@ -14,21 +14,23 @@ from pathlib import Path
 import numpy as np
 
 from pyjoystick.forced_motion import (
+    MOTION,
     TORQUES,
     Samples,
     measure,
+    measures_report,
+    plot_torque,
     round_trip,
+    section_5,
     torque_by_fmu,
     torque_by_reference,
     torque_table,
 )
-from pyjoystick.forced_motion.figures import plot_torque
-from pyjoystick.forced_motion.reports import measures_report
-from pyjoystick.forced_motion.section_5 import MOTION, Section5, section_5
+from pyjoystick.forced_motion.paper_motion import Section5
 from pyjoystick.forced_motion.synthetic import seen_by_cameras
-from pyjoystick.parameters import NOMINAL, NOMINAL_POWER_LAW, law_name
-from pyjoystick.report import markdown_table
-from pyjoystick.results import save_results
+from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW, law_name
+from pyjoystick.motion import markdown_table
+from pyjoystick.support import save_results
 
 JOYSTICKS = {law_name(one.damping): one for one in (NOMINAL, NOMINAL_POWER_LAW)}
 STROKES = (0.08, 0.1, 0.12, 0.15, 0.2, 0.3, 0.5)  # s

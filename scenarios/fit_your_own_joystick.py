@@ -14,15 +14,20 @@ from pathlib import Path
 
 import numpy as np
 
-from pyjoystick.fitted_joystick import fitted_joystick
-from pyjoystick.fitting import CONSTANT_DAMPING, DISPLACEMENT_DAMPING, POWER_LAW_DAMPING, Fit
-from pyjoystick.fitting.figures import save_figures
-from pyjoystick.fitting.json_report import as_json
-from pyjoystick.fitting.selection import Candidate, compare_models, comparison_table
-from pyjoystick.fitting.text_report import report
-from pyjoystick.output import write_text
-from pyjoystick.parameters import PAPER, read_parameter_file, write_parameters
-from pyjoystick.records import read_repeats
+from pyjoystick.identification import (
+    CONSTANT_DAMPING,
+    DISPLACEMENT_DAMPING,
+    POWER_LAW_DAMPING,
+    Fit,
+    as_json,
+    fitted_joystick,
+    report,
+    save_figures,
+)
+from pyjoystick.identification.fitting.selection import Candidate, compare_models, comparison_table
+from pyjoystick.model import PAPER, read_parameter_file, write_parameters
+from pyjoystick.motion import read_repeats
+from pyjoystick.support import write_text
 
 ROOT = Path(__file__).parents[1]
 RECORDS = sorted((ROOT / "scenarios" / "data").glob("synthetic_power_law_*.csv"))

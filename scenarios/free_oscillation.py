@@ -8,18 +8,16 @@ import math
 import sys
 from pathlib import Path
 
-from pyjoystick.comparison import compare, within_limits
-from pyjoystick.experiments import free_oscillation, reference_free_oscillation
-from pyjoystick.figure_style import LAWS
-from pyjoystick.parameters import PAPER
-from pyjoystick.plots import plot_motion
-from pyjoystick.report import Case, free_oscillation_report
-from pyjoystick.results import save_results
-from pyjoystick.tables import write_csv
+from pyjoystick.model import PAPER
+from pyjoystick.motion import compare, write_csv
+from pyjoystick.motion.comparison import within_limits
+from pyjoystick.motion.report import Case, free_oscillation_report
+from pyjoystick.runs import free_oscillation, reference_free_oscillation
+from pyjoystick.support import LAWS, plot_motion, save_results
 
 RELEASE_ANGLE = math.radians(-20.0)
 DURATION = 1.5  # s
-FILE = PAPER  # read_parameter_file("joystick.toml") of pyjoystick.parameters takes your own joystick
+FILE = PAPER  # read_parameter_file("joystick.toml") of pyjoystick.model.parameters takes your own joystick
 JOYSTICKS = {
     "constant damping": FILE.with_law("constant"),
     "power-law damping": FILE.with_law("power-law"),

@@ -9,18 +9,11 @@ import math
 import sys
 from pathlib import Path
 
-from pyjoystick.coupling import (
-    coupling_errors,
-    operator_and_joystick,
-    orders,
-    read_ssp,
-    run_coupled,
-    write_ssp,
-)
-from pyjoystick.coupling.figures import plot_operated_joystick, plot_step_errors
 from pyjoystick.fmu import Fmu
-from pyjoystick.report import markdown_table
-from pyjoystick.results import save_results
+from pyjoystick.motion import markdown_table
+from pyjoystick.runs import coupling_errors, operator_and_joystick, orders, read_ssp, run_coupled, write_ssp
+from pyjoystick.runs.coupling.figures import plot_operated_joystick, plot_step_errors
+from pyjoystick.support import save_results
 
 STEPS = (20e-3, 10e-3, 5e-3, 2e-3, 1e-3, 0.5e-3)  # s
 RESULTS = Path(__file__).parents[1] / "results" / "operator_and_joystick"

@@ -12,17 +12,21 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from pyjoystick.experiments import free_oscillation
-from pyjoystick.figure_style import CONSTANT_DAMPING, POWER_LAW
 from pyjoystick.fmu import Fmu
-from pyjoystick.parameters import NOMINAL, NOMINAL_POWER_LAW
-from pyjoystick.peaks import find_peaks
-from pyjoystick.report import markdown_table
-from pyjoystick.results import save_results
-from pyjoystick.undamped_period.figure import plot_periods
-from pyjoystick.undamped_period.table import decaying_periods, exponent, period_table
+from pyjoystick.model import (
+    NOMINAL,
+    NOMINAL_POWER_LAW,
+    decaying_periods,
+    exponent,
+    period_table,
+    plot_periods,
+)
+from pyjoystick.motion import find_peaks, markdown_table
+from pyjoystick.runs import free_oscillation
+from pyjoystick.support import save_results
+from pyjoystick.support.figure_style import CONSTANT_DAMPING, POWER_LAW
 
-JOYSTICK = NOMINAL  # read_parameters("joystick.toml") of pyjoystick.parameters takes your own
+JOYSTICK = NOMINAL  # read_parameters("joystick.toml") of pyjoystick.model.parameters takes your own
 RELEASE = math.radians(-20.0)
 SHOWN = -np.radians([0.3, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0])
 DRAWN = -np.radians(np.geomspace(0.2, 20.8, 250))

@@ -6,10 +6,17 @@ Prints them and saves them in results/tables_1_and_2/.
 import sys
 from pathlib import Path
 
-from pyjoystick.parameter_tables import body_table, damping_table, segment_table, spring_table
-from pyjoystick.parameters import NOMINAL, NOMINAL_POWER_LAW, PIVOT_TO_TOP
-from pyjoystick.report import markdown_table
-from pyjoystick.results import save_results
+from pyjoystick.model import (
+    NOMINAL,
+    NOMINAL_POWER_LAW,
+    PIVOT_TO_TOP,
+    body_table,
+    damping_table,
+    segment_table,
+    spring_table,
+)
+from pyjoystick.motion import markdown_table
+from pyjoystick.support import save_results
 
 TABLES = {
     "Table 1: displacements and stiffnesses": segment_table(NOMINAL),

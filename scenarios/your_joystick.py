@@ -12,17 +12,26 @@ from pathlib import Path
 import numpy as np
 
 from pyjoystick.fmu import Fmu
-from pyjoystick.inertia import Measured, from_parts, inertia_of_swing, period_of_record, read_parts
-from pyjoystick.laboratory_errors import FITTED, Bench, Contribution, contribution_table, fit_contributions
-from pyjoystick.load_curve import fit_load_curve, read_load_curve
-from pyjoystick.measurement_errors import error_budget
-from pyjoystick.measurements.angle import AngleMeasurement, measure_angle
-from pyjoystick.measurements.chain import Chain
-from pyjoystick.measurements.reading import read_markers
-from pyjoystick.measurements.rest_position import rest_angle
-from pyjoystick.output import write_text
-from pyjoystick.parameters import NOMINAL, SIDES, JoystickParameters
-from pyjoystick.records import read_record
+from pyjoystick.identification import FITTED, Bench, contribution_table, fit_contributions
+from pyjoystick.identification.laboratory_errors import Contribution
+from pyjoystick.laboratory import (
+    Chain,
+    Measured,
+    fit_load_curve,
+    from_parts,
+    inertia_of_swing,
+    measure_angle,
+    period_of_record,
+    read_load_curve,
+    read_markers,
+    read_parts,
+    rest_angle,
+)
+from pyjoystick.laboratory.measurement_errors import error_budget
+from pyjoystick.laboratory.measurements.angle import AngleMeasurement
+from pyjoystick.model import NOMINAL, SIDES, JoystickParameters
+from pyjoystick.motion import read_record
+from pyjoystick.support import write_text
 
 MAKER = Path(__file__).parent / "data" / "make_synthetic_laboratory.py"
 GEOMETRY = {"a": 0.0241, "b": 0.0051}

@@ -10,7 +10,7 @@ from fmu_build.compilers.openmodelica.finding import find_omc
 from fmu_build.compilers.openmodelica.messages import Answer, errors, quoted
 from fmu_build.compilers.openmodelica.options import Options
 from fmu_build.compilers.openmodelica.sessions import Session, open_session
-from fmu_build.errors import ToolchainError
+from fmu_build.support.errors import ToolchainError
 from pyjoystick.fmu import MODELS
 
 #: Those with an interface by contract; in the others OpenModelica writes units of derivatives otherwise.

@@ -15,9 +15,8 @@ import numpy as np
 import pytest
 
 from pyjoystick.cli import main
-from pyjoystick.parameters import ParameterFile, read_parameter_file
-from pyjoystick.records import read_record
-from pyjoystick.reference import simulate
+from pyjoystick.model import ParameterFile, read_parameter_file, simulate
+from pyjoystick.motion import read_record
 from tests.scenarios.scripts import load
 
 PAGE = (Path(__file__).parents[1] / "docs" / "your-joystick.md").read_text(encoding="utf-8")

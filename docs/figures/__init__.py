@@ -5,15 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from types import MappingProxyType
 
-from figures import (
-    actuator,
-    cam,
-    free_body,
-    load_deflection,
-    opposing_springs,
-    restrained_spring,
-    secants,
-)
+from figures import actuator, cam, free_body, load_deflection, opposing_springs, restrained_spring, secants
 
 FOLDER = Path(__file__).parent
 #: Each figure by the name of its file.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from figures.restrained_spring import restrained_spring
 from figures.svg import LIGHT, Drawing, Point
-from pyjoystick.figure_style import VERMILION
+from pyjoystick.support import VERMILION
 
 
 def draw() -> Drawing:

@@ -5,9 +5,8 @@ from __future__ import annotations
 import math
 
 from figures.svg import GRAY, LIGHT, Drawing, Point, polar
-from pyjoystick.figure_style import BLUE, VERMILION
-from pyjoystick.parameters import NOMINAL, STOP_ANGLE
-from pyjoystick.reference import contact_travel
+from pyjoystick.model import NOMINAL, STOP_ANGLE, contact_travel
+from pyjoystick.support import BLUE, VERMILION
 
 #: Pixels of a meter.
 _SCALE = 13_000.0

@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 
 from figures.svg import GRAY, LIGHT, Drawing, Point, polar
-from pyjoystick.figure_style import BLUE, GREEN, PURPLE, VERMILION
+from pyjoystick.support import BLUE, GREEN, VERMILION
+from pyjoystick.support.figure_style import PURPLE
 
 #: Lengths (px), not to scale: the real handle is eleven times as long as a.
 _LEAN, _TOP, _H, _A, _B = 16.0, 300.0, 165.0, 110.0, 26.0

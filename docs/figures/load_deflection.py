@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from figures.axes import Axes
 from figures.svg import Drawing, Point
-from pyjoystick.figure_style import BACKWARD, BLACK, FORWARD
-from pyjoystick.parameters import NOMINAL, ActuatorAssembly
-from pyjoystick.reference import assembly_force
+from pyjoystick.model import NOMINAL, ActuatorAssembly, assembly_force
+from pyjoystick.support import BACKWARD, BLACK, FORWARD
 
 _DASHES = "7 3"
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from figures.svg import GRAY, LIGHT, Drawing, Point, zigzag
-from pyjoystick.figure_style import BLUE, GREEN, VERMILION
+from pyjoystick.support import BLUE, GREEN, VERMILION
 
 _WIDTH: Final = 250.0
 #: From the wall to the lips of the housing, and half of the housing's height.

@@ -6,9 +6,8 @@ import math
 
 from figures.axes import Axes
 from figures.svg import Drawing, Point
-from pyjoystick.figure_style import BLACK, BLUE, VERMILION
-from pyjoystick.parameters import NOMINAL
-from pyjoystick.reference import angle_of_travel, contact_moment, gravity_moment
+from pyjoystick.model import NOMINAL, angle_of_travel, contact_moment, gravity_moment
+from pyjoystick.support import BLACK, BLUE, VERMILION
 
 #: Amplitude (deg), color, label and where it stands (deg, N.m).
 _SWINGS = ((16.0, BLUE, "large swing", (15.5, 1.2)), (4.0, VERMILION, "small swing", (4.0, 1.8)))

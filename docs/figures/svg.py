@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from html import escape
 from typing import Final, Literal, NamedTuple
 
-from pyjoystick.figure_style import BLACK
+from pyjoystick.support import BLACK
 
 GRAY: Final = "#767676"
 LIGHT: Final = "#e8e8e8"

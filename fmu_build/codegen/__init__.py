@@ -18,7 +18,7 @@ from fmu_build.codegen.start_values import StartValues
 from fmu_build.codegen.structure import Structure
 from fmu_build.codegen.tangents import NoTangentsError, Tangents
 from fmu_build.codegen.variables import StoredVariable, VariableReader
-from fmu_build.description import GeneratedModel, ModelDescription
+from fmu_build.support.description import GeneratedModel, ModelDescription
 
 __all__ = ["ModelSource", "generate"]
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 
 from fmu_build.codegen.lowered import LoweredModel
-from fmu_build.description import DefaultExperiment, Terminal
-from fmu_build.source_text import STRING, blanked
+from fmu_build.modelica_source.text import STRING, blanked
+from fmu_build.support.description import DefaultExperiment, Terminal
 
 _MEMBERS = r"(?:signal|inflow|outflow)\s*\([^()]*\)"
 _TERMINAL = rf"(\w+)\s*\((\s*{_MEMBERS}(?:\s*,\s*{_MEMBERS})*\s*)\)"

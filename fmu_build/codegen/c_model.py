@@ -15,9 +15,11 @@ from fmu_build.codegen.c_tangents import tangent_functions
 from fmu_build.codegen.equations import Equations, watched_conditions, written_slots
 from fmu_build.codegen.expression import Expression, Slot
 from fmu_build.codegen.functions import FunctionSources
-from fmu_build.codegen.half_angle import NAME as SIN_FROM_HALF
-from fmu_build.codegen.half_angle import SOURCE as SIN_FROM_HALF_SOURCE
-from fmu_build.codegen.half_angle import sines_from_half
+from fmu_build.codegen.half_angle import (
+    NAME as SIN_FROM_HALF,
+    SOURCE as SIN_FROM_HALF_SOURCE,
+    sines_from_half,
+)
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.names import slot_names
 from fmu_build.codegen.right_hand_side import RightHandSide, arrange, with_parts

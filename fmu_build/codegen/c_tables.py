@@ -14,7 +14,7 @@ from fmu_build.codegen.modelica_text import modelica_texts
 from fmu_build.codegen.start_values import StartValues
 from fmu_build.codegen.tangents import Tangents
 from fmu_build.codegen.variables import StoredVariable
-from fmu_build.description import Variable
+from fmu_build.support.description import Variable
 
 _STORES = {
     "y": "STORE_STATE_OR_ALGEBRAIC",

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from fmu_build.errors import UnsupportedModelError
-from fmu_build.places import Place, located, place_at
-from fmu_build.source_text import declarations
+from fmu_build.modelica_source.places import Place, located, place_at
+from fmu_build.modelica_source.text import declarations
+from fmu_build.support.errors import UnsupportedModelError
 
 Span = Mapping[str, int]
 """Bytes of a source file: ``source`` is the number of the file, ``start`` and ``end`` are offsets."""

@@ -6,9 +6,9 @@ import re
 from pathlib import Path
 
 from fmu_build.codegen.lowered import LoweredModel
-from fmu_build.constructs import Construct, ModelText
-from fmu_build.errors import UnsupportedModelError
-from fmu_build.places import located
+from fmu_build.modelica_source.constructs import Construct, ModelText
+from fmu_build.modelica_source.places import located
+from fmu_build.support.errors import UnsupportedModelError
 
 _KINDS = r"(?:model|block|record|type|package|class)"
 _REDECLARED_CLASS = (

@@ -12,7 +12,7 @@ import rumoca
 
 from fmu_build.codegen.compiled import CompiledModel
 from fmu_build.codegen.not_lowered import not_lowered
-from fmu_build.errors import UnsupportedModelError
+from fmu_build.support.errors import UnsupportedModelError
 
 SOLVE_SCHEMA = 71
 """The version of rumoca's Solve IR that this generator was written for."""

@@ -7,8 +7,8 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 from fmu_build.codegen.compiled import CompiledModel, Span
-from fmu_build.errors import UnsupportedModelError
-from fmu_build.source_text import blanked
+from fmu_build.modelica_source.text import blanked
+from fmu_build.support.errors import UnsupportedModelError
 
 _STAGE = re.compile(r"^(?:Target rendering error: |Lower Solve IR for target capability validation: )*")
 _ATTRIBUTES = ("start", "min", "max", "nominal")

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
-from fmu_build.codegen import expression as ex
-from fmu_build.codegen import tensors
+from fmu_build.codegen import expression as ex, tensors
 from fmu_build.codegen.expression import Expression
 from fmu_build.codegen.lowered import LoweredModel
 

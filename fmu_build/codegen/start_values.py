@@ -7,7 +7,7 @@ from typing import Any
 
 from fmu_build.codegen.expression import Slot
 from fmu_build.codegen.lowered import LoweredModel
-from fmu_build.description import EnumerationType
+from fmu_build.support.description import EnumerationType
 
 
 class StartValues:

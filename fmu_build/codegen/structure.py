@@ -10,7 +10,7 @@ from fmu_build.codegen.differentiate import NotDifferentiableError, partial
 from fmu_build.codegen.equations import Equations
 from fmu_build.codegen.expression import TIME, ZERO, Expression
 from fmu_build.codegen.variables import StoredVariable
-from fmu_build.description import DependencyKind, Unknown
+from fmu_build.support.description import DependencyKind, Unknown
 
 _TIME_SLOT = ("time", 0)
 

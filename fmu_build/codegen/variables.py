@@ -12,7 +12,14 @@ from fmu_build.codegen.algebraics import Assignment
 from fmu_build.codegen.equations import Equations, acting_expressions
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.start_values import StartValues
-from fmu_build.description import Causality, EnumerationType, Initial, ValueType, Variability, Variable
+from fmu_build.support.description import (
+    Causality,
+    EnumerationType,
+    Initial,
+    ValueType,
+    Variability,
+    Variable,
+)
 
 Store = Literal["y", "p", "derivative", "time"]
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from fmu_build.compilers.base import Compiler
-from fmu_build.errors import BuildError, UnknownCompilerError
-from fmu_build.request import BuildRequest, BuildResult
+from fmu_build.support.errors import BuildError, UnknownCompilerError
+from fmu_build.support.request import BuildRequest, BuildResult
 
 __all__ = ["build", "compiler_names", "get_compiler"]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Protocol
 
-from fmu_build.request import BuildRequest, BuildResult
+from fmu_build.support.request import BuildRequest, BuildResult
 
 
 class Compiler(Protocol):

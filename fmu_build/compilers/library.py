@@ -9,8 +9,8 @@ from dataclasses import dataclass
 from importlib import resources
 from pathlib import Path
 
-from fmu_build.errors import ModelicaError, ModelNotFoundError
-from fmu_build.source_text import declarations
+from fmu_build.modelica_source.text import declarations
+from fmu_build.support.errors import ModelicaError, ModelNotFoundError
 
 DEFAULT_LIBRARY = "PreloadedSprings"
 MODEL_KINDS = ("model", "block", "class")

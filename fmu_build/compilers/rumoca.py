@@ -9,6 +9,7 @@ from importlib import metadata
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from fmu_build.compilers.input_steps import input_steps_file, read_input_steps
 from fmu_build.compilers.library import (
     DEFAULT_LIBRARY,
     MODEL_KINDS,
@@ -22,11 +23,10 @@ from fmu_build.compilers.library import (
     source_files,
 )
 from fmu_build.compilers.rumoca_errors import native_stderr, syntax_errors, translated_errors
-from fmu_build.description import GeneratedModel
-from fmu_build.errors import ToolchainError
-from fmu_build.input_steps import input_steps_file, read_input_steps
 from fmu_build.packaging import check_request, package_fmu
-from fmu_build.request import BuildRequest, BuildResult
+from fmu_build.support.description import GeneratedModel
+from fmu_build.support.errors import ToolchainError
+from fmu_build.support.request import BuildRequest, BuildResult
 
 if TYPE_CHECKING:
     import rumoca

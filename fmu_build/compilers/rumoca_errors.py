@@ -12,9 +12,9 @@ from pathlib import Path
 
 from fmu_build.compilers.library import read_text
 from fmu_build.compilers.rumoca_messages import meaning_of
-from fmu_build.constructs import ModelText
-from fmu_build.errors import BuildError, ModelicaError, UnsupportedModelError
-from fmu_build.places import located
+from fmu_build.modelica_source.constructs import ModelText
+from fmu_build.modelica_source.places import located
+from fmu_build.support.errors import BuildError, ModelicaError, UnsupportedModelError
 
 _LOCATED = re.compile(r"(?:; )?(?P<text>.+?) \[(?P<place>[^\[\]\n]+\.mo:\d+:\d+)\]", re.DOTALL)
 _IN_FILE = re.compile(r"^- (?P<file>.+\.mo) \[\w+\]: ", re.MULTILINE)

@@ -6,8 +6,8 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from fmu_build.constructs import Construct, ModelText
-from fmu_build.errors import BuildError, ModelicaError, UnsupportedModelError
+from fmu_build.modelica_source.constructs import Construct, ModelText
+from fmu_build.support.errors import BuildError, ModelicaError, UnsupportedModelError
 
 _NAME = r"(?:[^`']*\.)?(?P<name>\w+)(?:\[[^`'.]*\])?"
 """The last part of a qualified name, as it stands in the source."""

@@ -8,8 +8,6 @@ from functools import partial
 from importlib import metadata
 from pathlib import Path
 
-from fmu_build.description import GeneratedModel, ModelDescription
-from fmu_build.errors import BuildError
 from fmu_build.packaging import fmi2_xml, fmi3_xml
 from fmu_build.packaging.archive import archive_bytes, check_output_folder, replacing
 from fmu_build.packaging.binaries import COMPILER_FLAGS, LINKER_FLAGS, binary_entries, compile_library
@@ -33,7 +31,9 @@ from fmu_build.packaging.sources import (
     token_header,
 )
 from fmu_build.packaging.terminals import TERMINALS, terminals_and_icons_xml
-from fmu_build.request import BuildRequest
+from fmu_build.support.description import GeneratedModel, ModelDescription
+from fmu_build.support.errors import BuildError
+from fmu_build.support.request import BuildRequest
 
 __all__ = ["PackagedFmu", "check_request", "package_fmu"]
 

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 
-from fmu_build.errors import BuildError
+from fmu_build.support.errors import BuildError
 
 _EARLIEST = (1980, 1, 1, 0, 0, 0)  # of the dates that a ZIP entry can have
 _PLAIN_FILE = 0o100644

@@ -12,11 +12,11 @@ from collections.abc import Mapping
 from importlib import metadata
 from pathlib import Path
 
-from fmu_build.errors import ToolchainError
 from fmu_build.packaging.platforms import PLATFORMS, Platform
 from fmu_build.packaging.sources import c_files
 from fmu_build.packaging.universal import universal_library
-from fmu_build.request import FmiVersion
+from fmu_build.support.errors import ToolchainError
+from fmu_build.support.request import FmiVersion
 
 # Floating point: no contraction to fused multiply-add and nothing of -ffast-math, so that every platform
 # computes alike. -s and the relative paths keep this machine's names out of the library.

@@ -12,8 +12,8 @@ from pathlib import Path
 
 from fmpy.validation import validate_fmu
 
-from fmu_build.errors import BuildError
-from fmu_build.request import FmiType
+from fmu_build.support.errors import BuildError
+from fmu_build.support.request import FmiType
 
 _SECONDS_TO_LOAD = 300  # so that a library that hangs does not hang the build
 

@@ -9,8 +9,8 @@ from __future__ import annotations
 import math
 from collections import Counter
 
-from fmu_build.description import Initial, ModelDescription, Unknown, Variable
-from fmu_build.errors import BuildError, ModelicaError
+from fmu_build.support.description import Initial, ModelDescription, Unknown, Variable
+from fmu_build.support.errors import BuildError, ModelicaError
 
 _EXACT: tuple[Initial, ...] = ("exact",)
 _COMPUTED: tuple[Initial, ...] = ("calculated", "approx")

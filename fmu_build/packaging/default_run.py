@@ -11,9 +11,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from fmu_build.description import DefaultExperiment, ModelDescription, Variable
 from fmu_build.packaging.platforms import Platform
-from fmu_build.request import FmiVersion
+from fmu_build.support.description import DefaultExperiment, ModelDescription, Variable
+from fmu_build.support.request import FmiVersion
 
 # Tighter than what anyone compares with it.
 TOLERANCE = 1e-10

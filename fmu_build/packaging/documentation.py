@@ -5,10 +5,10 @@ from __future__ import annotations
 from lxml import html
 from lxml.html import builder
 
-from fmu_build.description import ModelDescription, Variable
 from fmu_build.packaging.default_run import TOLERANCE, DefaultRun
 from fmu_build.packaging.reference_results import FOLDER
 from fmu_build.packaging.text import xml_text
+from fmu_build.support.description import ModelDescription, Variable
 
 _STYLE = """
 body { font-family: sans-serif; max-width: 60em; margin: 2em auto; padding: 0 1em; }

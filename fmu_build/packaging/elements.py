@@ -9,10 +9,10 @@ from typing import Any
 
 from lxml import etree
 
-from fmu_build.description import DefaultExperiment, EnumerationType, Variable
-from fmu_build.errors import BuildError
 from fmu_build.packaging.fmi2_units import distinct_display_unit
 from fmu_build.packaging.text import xml_text
+from fmu_build.support.description import DefaultExperiment, EnumerationType, Variable
+from fmu_build.support.errors import BuildError
 
 LICENSE = "See documentation/licenses/license.txt"
 _LOG_CATEGORIES = {

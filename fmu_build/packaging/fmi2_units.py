@@ -6,9 +6,9 @@ from collections.abc import Iterable
 
 from lxml import etree
 
-from fmu_build.description import Variable
-from fmu_build.errors import ModelicaError
 from fmu_build.packaging.units import BASE_UNITS, Unit, UnitError, conversion, parse_unit
+from fmu_build.support.description import Variable
+from fmu_build.support.errors import ModelicaError
 
 # Offered to importers beside what the model itself asks for.
 _USUAL_DISPLAY_UNITS = {

@@ -6,7 +6,6 @@ from collections.abc import Collection, Sequence
 
 from lxml import etree
 
-from fmu_build.description import ModelDescription, Unknown, Variable
 from fmu_build.packaging.elements import (
     LICENSE,
     add,
@@ -19,7 +18,8 @@ from fmu_build.packaging.elements import (
     value_attributes,
 )
 from fmu_build.packaging.fmi2_units import unit_definitions
-from fmu_build.request import FmiType
+from fmu_build.support.description import ModelDescription, Unknown, Variable
+from fmu_build.support.request import FmiType
 
 # What the runtime can do. Both kinds of FMU are one library with one identifier.
 _CAPABILITIES = {

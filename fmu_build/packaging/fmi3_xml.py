@@ -7,7 +7,6 @@ from typing import Any
 
 from lxml import etree
 
-from fmu_build.description import ModelDescription, Unknown, Variable
 from fmu_build.packaging.elements import (
     LICENSE,
     add,
@@ -20,7 +19,8 @@ from fmu_build.packaging.elements import (
     value_attributes,
 )
 from fmu_build.packaging.fmi2_units import unit_definitions
-from fmu_build.request import FmiType
+from fmu_build.support.description import ModelDescription, Unknown, Variable
+from fmu_build.support.request import FmiType
 
 # What the runtime can do. Both kinds of FMU are one library with one identifier.
 _CAPABILITIES = {

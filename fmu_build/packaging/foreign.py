@@ -9,12 +9,12 @@ from pathlib import Path
 from fmpy.validation import validate_fmu
 from lxml import etree
 
-from fmu_build.errors import BuildError
 from fmu_build.packaging.archive import check_output_folder, replacing
 from fmu_build.packaging.check import check_archive, check_loads
 from fmu_build.packaging.fmi2_units import add_unit_definitions
 from fmu_build.packaging.platforms import host_platform, select_platforms
-from fmu_build.request import BuildRequest
+from fmu_build.support.errors import BuildError
+from fmu_build.support.request import BuildRequest
 
 _DESCRIPTION = "modelDescription.xml"
 _VERSIONS = ("2.0", "3.0")

@@ -8,9 +8,9 @@ from collections.abc import Mapping
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
-from fmu_build.description import ModelDescription
 from fmu_build.packaging.drawing import own_settings
-from fmu_build.request import FmiVersion
+from fmu_build.support.description import ModelDescription
+from fmu_build.support.request import FmiVersion
 
 # Where it is in the archive.
 ICONS: Mapping[FmiVersion, str] = {"2.0": "model.png", "3.0": "terminalsAndIcons/icon.png"}

@@ -6,10 +6,10 @@ from collections.abc import Iterable
 from importlib import resources
 from importlib.resources.abc import Traversable
 
-from fmu_build.errors import BuildError
 from fmu_build.packaging.platforms import Platform
 from fmu_build.packaging.sources import FMI_HEADERS, fmi_license
-from fmu_build.request import FmiVersion
+from fmu_build.support.errors import BuildError
+from fmu_build.support.request import FmiVersion
 
 _RULE = "=" * 78
 

@@ -7,8 +7,8 @@ import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from fmu_build.errors import BuildError
-from fmu_build.request import FmiVersion
+from fmu_build.support.errors import BuildError
+from fmu_build.support.request import FmiVersion
 
 ALL = "all"
 

@@ -7,9 +7,9 @@ from collections.abc import Iterable, Mapping
 
 from matplotlib.figure import Figure
 
-from fmu_build.description import ModelDescription
 from fmu_build.packaging.default_run import DefaultRun
 from fmu_build.packaging.drawing import own_settings
+from fmu_build.support.description import ModelDescription
 
 # Those of Okabe and Ito, which the color-blind can tell apart; the dashes tell them apart in gray.
 _COLORS = ("#000000", "#D55E00", "#0072B2", "#009E73", "#CC79A7")

@@ -8,8 +8,8 @@ from collections.abc import Mapping
 from importlib import resources
 from pathlib import Path
 
-from fmu_build.errors import BuildError
-from fmu_build.request import FmiVersion
+from fmu_build.support.errors import BuildError
+from fmu_build.support.request import FmiVersion
 
 MODEL_FILE = "model.c"
 TOKEN_FILE = "token.h"

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from lxml import etree
 
-from fmu_build.description import ModelDescription
 from fmu_build.packaging.elements import add, document
+from fmu_build.support.description import ModelDescription
 
 TERMINALS = "terminalsAndIcons/terminalsAndIcons.xml"
 

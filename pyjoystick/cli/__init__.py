@@ -22,8 +22,7 @@ from pyjoystick.cli import (
     torque,
 )
 from pyjoystick.cli.console import print_error, print_traceback
-from pyjoystick.errors import PyJoystickError
-from pyjoystick.versions import version_of
+from pyjoystick.support import PyJoystickError, version_of
 
 __all__ = ["app", "main"]
 

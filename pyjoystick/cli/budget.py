@@ -17,13 +17,12 @@ from pyjoystick.cli.options import (
     parse_names,
 )
 from pyjoystick.cli.parameter_updates import write_update
-from pyjoystick.errors import ParameterError
-from pyjoystick.output import check_outputs
-from pyjoystick.parameters import SIDES, ParameterFile, Side, law_name, read_parameter_file, rounded
+from pyjoystick.model import SIDES, ParameterFile, Side, law_name, read_parameter_file, rounded
+from pyjoystick.support import ParameterError, check_outputs
 
 if TYPE_CHECKING:
-    from pyjoystick.laboratory_errors import Bench
-    from pyjoystick.load_curve import LoadCurveFit
+    from pyjoystick.identification import Bench
+    from pyjoystick.laboratory import LoadCurveFit
 
 EXAMPLES = """
 Examples:
@@ -88,8 +87,8 @@ def run(
     # SciPy and lmfit take a while to load, which the other commands need not wait for.
     from pyjoystick.cli.fit_steps import DOUBTFUL
     from pyjoystick.fmu import Fmu
-    from pyjoystick.laboratory_errors import FITTED, combined, contribution_table, fit_contributions
-    from pyjoystick.records import read_repeats
+    from pyjoystick.identification import FITTED, combined, contribution_table, fit_contributions
+    from pyjoystick.motion import read_repeats
 
     bench = _bench(before, files, errors)
     releases = read_repeats(records)
@@ -114,7 +113,7 @@ def run(
 
 def _bench(file: ParameterFile, curves: dict[str, Path], errors: dict[str, float]) -> Bench:
     """What the file and the options say, with notes on what is taken as exact."""
-    from pyjoystick.laboratory_errors import Bench
+    from pyjoystick.identification import Bench
 
     for name, value in errors.items():
         if name not in (*_PLACES, "scale"):
@@ -138,7 +137,7 @@ def _bench(file: ParameterFile, curves: dict[str, Path], errors: dict[str, float
 
 def _fitted(file: ParameterFile, curves: dict[str, Path]) -> dict[Side, LoadCurveFit]:
     """The fits of the curves, which must be those that the file has."""
-    from pyjoystick.load_curve import fit_load_curve, read_load_curve
+    from pyjoystick.laboratory import fit_load_curve, read_load_curve
 
     found: dict[Side, LoadCurveFit] = {}
     for name, path in curves.items():

@@ -6,8 +6,7 @@ from typing import Annotated
 
 import typer
 
-from pyjoystick.measurements.chain import Chain
-from pyjoystick.measurements.low_pass import LowPass
+from pyjoystick.laboratory import Chain, LowPass
 
 Rate = Annotated[float, typer.Option("--rate", metavar="HZ", help="Samples a second after interpolation.")]
 Cutoff = Annotated[float, typer.Option("--cutoff", metavar="HZ", help="Cut-off of the Butterworth filter.")]

@@ -9,7 +9,7 @@ from typing import Annotated, Final
 import typer
 
 from pyjoystick.cli import options
-from pyjoystick.defaults import DEFAULT_TOLERANCE
+from pyjoystick.support import DEFAULT_TOLERANCE
 
 EXAMPLES = """
 Examples:
@@ -156,7 +156,7 @@ def run(
     """
     # What compares is loaded when it is wanted, so that the other commands start quickly.
     from pyjoystick.cli import comparisons
-    from pyjoystick.fmu_comparison import Tolerances
+    from pyjoystick.runs import Tolerances
 
     names = _names(fmus or [], fmu)
     angles = None if release_angle is None else [options.parse_angle(text) for text in release_angle]

@@ -17,10 +17,9 @@ from pyjoystick.cli.difference_table import print_differences
 from pyjoystick.cli.fmus import found_or_built
 from pyjoystick.cli.options import DEFAULT_RELEASE_ANGLE, DampingLaw, law_of, parameter_file, parse_angle
 from pyjoystick.cli.setup import opened
-from pyjoystick.defaults import DEFAULT_DURATION, DEFAULT_OUTPUT_INTERVAL
-from pyjoystick.fmu import FmuDescription, read_description
-from pyjoystick.fmu.description import Interface
-from pyjoystick.fmu_comparison import (
+from pyjoystick.fmu import FmuDescription, Interface, read_description
+from pyjoystick.motion import read_csv_file
+from pyjoystick.runs import (
     Declarations,
     FmuComparison,
     Limits,
@@ -31,9 +30,7 @@ from pyjoystick.fmu_comparison import (
     compare_with_reference,
     experiments_for,
 )
-from pyjoystick.output import check_outputs, write_text
-from pyjoystick.records.csv_file import read_csv_file
-from pyjoystick.versions import versions
+from pyjoystick.support import DEFAULT_DURATION, DEFAULT_OUTPUT_INTERVAL, check_outputs, versions, write_text
 
 #: Interfaces by their short names.
 INTERFACES: Final[Mapping[str, Interface]] = {"me": "ModelExchange", "cs": "CoSimulation"}

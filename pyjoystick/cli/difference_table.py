@@ -9,8 +9,8 @@ from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
-from pyjoystick.comparison import Difference
-from pyjoystick.fmu_comparison import RunComparison
+from pyjoystick.motion import Difference
+from pyjoystick.runs import RunComparison
 
 
 def print_differences(console: Console, runs: Sequence[RunComparison], *, every_run: bool = False) -> None:

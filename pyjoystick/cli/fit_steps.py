@@ -14,27 +14,31 @@ from pyjoystick.cli.console import messages, output, print_error, print_note
 from pyjoystick.cli.fmus import found_or_built
 from pyjoystick.cli.options import DampingLaw, law_of, parameter_file
 from pyjoystick.cli.parameter_updates import file_to_update, write_update
-from pyjoystick.fitted_joystick import fitted_joystick, require_joystick_in
-from pyjoystick.fitting import (
+from pyjoystick.fmu import Fmu, FmuDescription
+from pyjoystick.identification import (
     CONSTANT_DAMPING,
     POWER_LAW_DAMPING,
+    PROFILES,
+    Fit,
     FitInterruptedError,
     FitSettings,
     Measurement,
+    OnProgress,
+    as_json,
+    fit as carry_out,
+    fitted_joystick,
+    read_fit_settings,
+    read_table_record,
+    reads_releases,
+    report,
+    require_joystick_in,
+    save_figures,
+    summary,
+    with_values,
 )
-from pyjoystick.fitting import fit as carry_out
-from pyjoystick.fitting.figures import PROFILES, save_figures
-from pyjoystick.fitting.fit import OnProgress
-from pyjoystick.fitting.joystick_values import with_values
-from pyjoystick.fitting.json_report import as_json
-from pyjoystick.fitting.result import Fit
-from pyjoystick.fitting.settings_file import read_fit_settings, reads_releases
-from pyjoystick.fitting.table_record import read_table_record
-from pyjoystick.fitting.text_report import report, summary
-from pyjoystick.fmu import Fmu, FmuDescription
-from pyjoystick.output import check_outputs, write_text
-from pyjoystick.parameters import JoystickParameters
-from pyjoystick.records import Record, read_repeats
+from pyjoystick.model import JoystickParameters
+from pyjoystick.motion import Record, read_repeats
+from pyjoystick.support import check_outputs, write_text
 
 #: Exit code where a fit is done but not to be trusted, and after Ctrl-C.
 DOUBTFUL: Final = 3

@@ -6,7 +6,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from pyjoystick.cli.console import messages, print_note
-from pyjoystick.errors import PyJoystickError
+from pyjoystick.support import PyJoystickError
 
 _TOOLS = ("fmu_build", "rumoca", "ziglang")
 

@@ -13,8 +13,7 @@ from pyjoystick.cli import options
 from pyjoystick.cli.console import messages, output, print_note
 from pyjoystick.cli.setup import opened
 from pyjoystick.cli.stops import note_stops
-from pyjoystick.defaults import DEFAULT_DURATION, DEFAULT_OUTPUT_INTERVAL, DEFAULT_TOLERANCE
-from pyjoystick.output import check_outputs
+from pyjoystick.support import DEFAULT_DURATION, DEFAULT_OUTPUT_INTERVAL, DEFAULT_TOLERANCE, check_outputs
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -57,12 +56,12 @@ def run(
 ) -> None:
     """Release the joystick from rest and let it oscillate; prints the peaks of its motion."""
     # What it takes is loaded when it is wanted, so that the other commands start quickly.
-    from pyjoystick import experiments
-    from pyjoystick.tables import write_csv
+    from pyjoystick.motion import write_csv
+    from pyjoystick.runs import free_oscillation as released
 
     start = options.parse_angle(release_angle)
     if plot is not None:
-        from pyjoystick.plots import check_figure_path, plot_motion, save_figure
+        from pyjoystick.support import check_figure_path, plot_motion, save_figure
 
         check_figure_path(plot)
     check_outputs(csv, plot)
@@ -70,7 +69,7 @@ def run(
         opened(damping, fmu, assignments, parameters_file) as (joystick, parameters),
         messages().status("simulating"),
     ):
-        table = experiments.free_oscillation(
+        table = released(
             start,
             fmu=joystick,
             parameters=parameters,
@@ -91,7 +90,7 @@ def run(
 
 
 def _print_peaks(motion: pd.DataFrame, title: str) -> None:
-    from pyjoystick.peaks import find_peaks
+    from pyjoystick.motion import find_peaks
 
     peaks = find_peaks(motion.index, motion["theta"], motion["omega"]) if len(motion) > 2 else None
     console = output()

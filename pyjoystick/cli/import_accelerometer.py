@@ -10,7 +10,7 @@ import typer
 from pyjoystick.cli import chain_options
 from pyjoystick.cli.chain_options import PAPER, chain_of
 from pyjoystick.cli.console import output, print_note
-from pyjoystick.output import check_outputs
+from pyjoystick.support import check_outputs
 
 EXAMPLES = """
 Examples:
@@ -77,11 +77,15 @@ def run(
 ) -> None:
     """Compare an accelerometer with the differentiated angle (section 2 of the paper)."""
     # What it takes is loaded when it is wanted, so that the other commands start quickly.
-    from pyjoystick.measurements.accelerometer import LARGEST_LAG, angular_acceleration, read_accelerometer
-    from pyjoystick.measurements.angle import REST_TIME
-    from pyjoystick.measurements.motion_files import write_acceleration
-    from pyjoystick.measurements.report import acceleration_report
-    from pyjoystick.records import read_record
+    from pyjoystick.laboratory import (
+        LARGEST_LAG,
+        REST_TIME,
+        acceleration_report,
+        angular_acceleration,
+        read_accelerometer,
+        write_acceleration,
+    )
+    from pyjoystick.motion import read_record
 
     chain = chain_of(rate, cutoff, order, corrected, longest_gap, velocity_points, acceleration_points)
     check_outputs(result)

@@ -11,12 +11,11 @@ import typer
 from pyjoystick.cli.console import output, print_note
 from pyjoystick.cli.options import Set, parse_angle, parse_assignments
 from pyjoystick.cli.parameter_updates import file_to_update, write_update
-from pyjoystick.errors import ParameterError
-from pyjoystick.output import check_outputs
-from pyjoystick.parameters import PAPER, ParameterFile, rounded
+from pyjoystick.model import PAPER, ParameterFile, rounded
+from pyjoystick.support import ParameterError, check_outputs
 
 if TYPE_CHECKING:
-    from pyjoystick.inertia import Estimate, Measured, SwingPeriod
+    from pyjoystick.laboratory import Estimate, Measured, SwingPeriod
 
 SWING_EXAMPLES = """
 Examples:
@@ -78,7 +77,7 @@ def swing(
     ] = None,
 ) -> None:
     """Moment of inertia from the period as a pendulum, hung upside down without contact (section 3.2)."""
-    from pyjoystick.inertia import inertia_of_swing
+    from pyjoystick.laboratory import inertia_of_swing
 
     check_outputs(parameters)
     before = PAPER if parameters is None else file_to_update(parameters)
@@ -109,7 +108,7 @@ def parts(
     parameters: Target = None,
 ) -> None:
     """Mass, center of mass and moment of inertia from the parts, by the parallel-axis theorem."""
-    from pyjoystick.inertia import from_parts, read_parts
+    from pyjoystick.laboratory import from_parts, read_parts
 
     check_outputs(parameters)
     before = PAPER if parameters is None else file_to_update(parameters)
@@ -129,7 +128,7 @@ def _known(
     file: ParameterFile, assignments: list[str] | None, uncertainty: list[str] | None
 ) -> Mapping[str, Measured]:
     """The mass, its center and gravity: from the options, else from the file."""
-    from pyjoystick.inertia import Measured
+    from pyjoystick.laboratory import Measured
 
     values = parse_assignments(assignments or [], "--set")
     errors = parse_assignments(uncertainty or [], "--uncertainty")
@@ -149,8 +148,8 @@ def _known(
 
 
 def _of_record(path: Path) -> SwingPeriod:
-    from pyjoystick.inertia import period_of_record
-    from pyjoystick.records import read_record
+    from pyjoystick.laboratory import period_of_record
+    from pyjoystick.motion import read_record
 
     return period_of_record(read_record(path, free_oscillation=False))
 
@@ -163,8 +162,7 @@ def _of_readings(
     uncertainty: str,
     reaction_time: float | None,
 ) -> SwingPeriod:
-    from pyjoystick.inertia import Measured, period_of_readings
-    from pyjoystick.inertia.swing import REACTION_TIME
+    from pyjoystick.laboratory import REACTION_TIME, Measured, period_of_readings
 
     if first is None:
         raise typer.BadParameter("is needed: the period grows with it", param_hint="--amplitude")
@@ -194,7 +192,7 @@ def _period_text(found: SwingPeriod) -> str:
 
 
 def _print_budget(estimates: Mapping[str, Estimate]) -> None:
-    from pyjoystick.report import markdown_table
+    from pyjoystick.motion import markdown_table
 
     rows = []
     for name, one in estimates.items():

@@ -11,12 +11,11 @@ import typer
 from pyjoystick.cli.console import output, print_note
 from pyjoystick.cli.options import SideName, Units, parse_names
 from pyjoystick.cli.parameter_updates import file_to_update, write_update
-from pyjoystick.errors import ParameterError
-from pyjoystick.output import check_outputs
-from pyjoystick.parameters import PAPER, ActuatorAssembly, JoystickParameters, rounded
+from pyjoystick.model import PAPER, ActuatorAssembly, JoystickParameters, rounded
+from pyjoystick.support import ParameterError, check_outputs
 
 if TYPE_CHECKING:
-    from pyjoystick.load_curve import LoadCurveFit
+    from pyjoystick.laboratory import LoadCurveFit
 
 EXAMPLES = """
 Examples:
@@ -71,10 +70,8 @@ def run(
     if parameters is not None and segments != 4:
         raise typer.BadParameter("a parameter file has four segments a side", param_hint="--segments")
     # SciPy and Matplotlib take a while to load, which the other commands need not wait for.
-    from pyjoystick.load_curve import fit_load_curve, read_load_curve
-    from pyjoystick.load_curve.figure import plot_load_curve
-    from pyjoystick.load_curve.report import load_curve_report
-    from pyjoystick.plots import check_figure_path, save_figure
+    from pyjoystick.laboratory import fit_load_curve, load_curve_report, plot_load_curve, read_load_curve
+    from pyjoystick.support import check_figure_path, save_figure
 
     if plot is not None:
         check_figure_path(plot)

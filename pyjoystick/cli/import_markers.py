@@ -11,7 +11,7 @@ from pyjoystick.cli import chain_options
 from pyjoystick.cli.chain_options import PAPER, chain_of
 from pyjoystick.cli.console import output, print_note
 from pyjoystick.cli.options import Released, SideName, parameter_file, side_of
-from pyjoystick.output import check_outputs
+from pyjoystick.support import check_outputs
 
 EXAMPLES = """
 Examples:
@@ -99,12 +99,16 @@ def run(
 ) -> None:
     """Make a record of the joystick's angle from motion capture (section 2 of the paper)."""
     # What it takes is loaded when it is wanted, so that the other commands start quickly.
-    from pyjoystick.measurements.angle import measure_angle
-    from pyjoystick.measurements.motion_files import write_motion, write_record
-    from pyjoystick.measurements.reading import read_markers
-    from pyjoystick.measurements.report import chain_report, markers_report
-    from pyjoystick.measurements.rest_position import rest_angle
-    from pyjoystick.records import check_free_oscillation
+    from pyjoystick.laboratory import (
+        chain_report,
+        markers_report,
+        measure_angle,
+        read_markers,
+        rest_angle,
+        write_motion,
+        write_record,
+    )
+    from pyjoystick.motion import check_free_oscillation
 
     chain = chain_of(rate, cutoff, order, corrected, longest_gap, velocity_points, acceleration_points)
     if (rests is None) != (parameters is None):

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from pyjoystick.errors import ParameterError
-from pyjoystick.parameters import PAPER, SIDES, JoystickParameters, ParameterFile, Side, read_parameter_file
+from pyjoystick.model import PAPER, SIDES, JoystickParameters, ParameterFile, Side, read_parameter_file
+from pyjoystick.support import ParameterError
 
 if TYPE_CHECKING:
     from pyjoystick.fmu import FmuDescription

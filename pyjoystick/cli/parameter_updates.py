@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from pyjoystick.cli.console import print_note
-from pyjoystick.parameters import (
+from pyjoystick.model import (
     PAPER,
     JoystickParameters,
     ParameterFile,

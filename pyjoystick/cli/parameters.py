@@ -9,9 +9,8 @@ import typer
 
 from pyjoystick.cli import options
 from pyjoystick.cli.console import output, print_note
-from pyjoystick.errors import OutputFileError
-from pyjoystick.output import write_text
-from pyjoystick.parameters import updated_text
+from pyjoystick.model import updated_text
+from pyjoystick.support import OutputFileError, write_text
 
 EXAMPLES = """
 Examples:

@@ -35,7 +35,7 @@ def run(
 ) -> None:
     """Estimate the damping from the peaks of free oscillations (eqs. 9 and 10), beside the bias of that."""
     if plot is not None:
-        from pyjoystick.plots import check_figure_path
+        from pyjoystick.support import check_figure_path
 
         check_figure_path(plot)
     joystick = options.joystick_of(

@@ -9,13 +9,16 @@ import numpy as np
 
 from pyjoystick.cli.console import messages, output, print_note
 from pyjoystick.cli.fmus import found_or_built
-from pyjoystick.damping_estimate import constant_bias, estimate_damping, line_bias
-from pyjoystick.damping_report import damping_report, releases_report
-from pyjoystick.experiments import fmu_of_damping
-from pyjoystick.measured_peaks import MeasuredPeaks, measured_peaks
-from pyjoystick.parameters import NOMINAL, NOMINAL_POWER_LAW, JoystickParameters
-from pyjoystick.records import Side, read_repeats
-from pyjoystick.simulated_releases import SimulatedReleases
+from pyjoystick.identification import (
+    constant_bias,
+    damping_report,
+    estimate_damping,
+    line_bias,
+    releases_report,
+)
+from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW, JoystickParameters
+from pyjoystick.motion import MeasuredPeaks, Side, measured_peaks, read_repeats
+from pyjoystick.runs import SimulatedReleases, fmu_of_damping
 
 
 def estimate_and_show(
@@ -44,8 +47,8 @@ def estimate_and_show(
     console.print()
     console.print(damping_report(estimate, constants, lines))
     if plot is not None:
-        from pyjoystick.damping_plots import plot_damping_estimate
-        from pyjoystick.plots import save_figure
+        from pyjoystick.identification import plot_damping_estimate
+        from pyjoystick.support import save_figure
 
         save_figure(plot_damping_estimate(estimate, constant=constants["both"].corrected), plot)
         print_note(f"wrote {plot}")

@@ -11,7 +11,7 @@ from pyjoystick.cli import options
 from pyjoystick.cli.console import messages, print_note
 from pyjoystick.cli.fmus import found_or_built
 from pyjoystick.cli.setup import opened
-from pyjoystick.output import check_outputs, write_text
+from pyjoystick.support import check_outputs, write_text
 
 EXAMPLES = """
 Examples:
@@ -43,7 +43,7 @@ def run(
     start = options.parse_angle(release_angle)
     check_outputs(target)
     # Matplotlib and SciPy take a while to load, which the other commands need not wait for.
-    from pyjoystick.html_report import Study, joystick_report
+    from pyjoystick.reports import Study, joystick_report
 
     file = options.parameter_file(parameters_file)
     found_or_built("Joystick")  # which the table of the paper's statements runs

@@ -11,7 +11,7 @@ import typer
 
 from pyjoystick.cli.fmus import found_or_built
 from pyjoystick.cli.options import DampingLaw, joystick_of, law_of, parameter_file, parse_assignments
-from pyjoystick.parameters import JoystickParameters
+from pyjoystick.model import JoystickParameters
 
 if TYPE_CHECKING:
     from pyjoystick.fmu import Fmu
@@ -23,8 +23,8 @@ def opened(
 ) -> Iterator[tuple[Fmu, JoystickParameters]]:
     """The FMU that the options name, and the joystick that it is to be: a file's or the paper's, changed."""
     # What runs FMUs takes a while to load, which help need not wait for.
-    from pyjoystick.experiments import fmu_of_damping
     from pyjoystick.fmu import Fmu
+    from pyjoystick.runs import fmu_of_damping
 
     file = parameter_file(parameters)
     changes = parse_assignments(assignments or [], "--set")

@@ -6,7 +6,7 @@ import math
 from typing import Final
 
 from pyjoystick.cli.console import print_note
-from pyjoystick.parameters import STOP_ANGLE
+from pyjoystick.model import STOP_ANGLE
 
 #: The paper gives its stops as "about" 20 degrees.
 _ABOUT: Final = 1.05

@@ -15,11 +15,25 @@ from rich.table import Table
 from pyjoystick.cli.console import output, print_note
 from pyjoystick.cli.fmus import found_or_built
 from pyjoystick.cli.sweep_progress import progress
-from pyjoystick.errors import OutputFileError, UnknownVariableError
-from pyjoystick.output import check_outputs, replacing
-from pyjoystick.plots import check_figure_path, save_figure
-from pyjoystick.sweeps import Outcome, SensitivityError, Sweep, read_settings, run_sweep, sensitivity
-from pyjoystick.sweeps.plots import MOST_RESULTS, plot_scatter, plot_sensitivity
+from pyjoystick.runs import (
+    MOST_RESULTS,
+    Outcome,
+    SensitivityError,
+    Sweep,
+    plot_scatter,
+    plot_sensitivity,
+    read_settings,
+    run_sweep,
+    sensitivity,
+)
+from pyjoystick.support import (
+    OutputFileError,
+    UnknownVariableError,
+    check_figure_path,
+    check_outputs,
+    replacing,
+    save_figure,
+)
 
 #: Exit code after Ctrl-C, as shells have it.
 INTERRUPTED: Final = 130

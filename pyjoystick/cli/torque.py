@@ -11,8 +11,7 @@ from pyjoystick.cli import chain_options, options
 from pyjoystick.cli.console import messages, output, print_note
 from pyjoystick.cli.stops import note_stops
 from pyjoystick.cli.torque_motion import MotionOptions, refuse_given
-from pyjoystick.defaults import DEFAULT_OUTPUT_INTERVAL
-from pyjoystick.output import check_outputs, write_text
+from pyjoystick.support import DEFAULT_OUTPUT_INTERVAL, check_outputs, write_text
 
 EXAMPLES = """
 Examples:
@@ -134,10 +133,9 @@ def run(
     """
     # What it takes is loaded when it is wanted, so that the other commands start quickly.
     from pyjoystick.cli import torque_results
-    from pyjoystick.measurements.chain import Chain
-    from pyjoystick.measurements.low_pass import LowPass
-    from pyjoystick.plots import check_figure_path
-    from pyjoystick.tables import write_csv
+    from pyjoystick.laboratory import Chain, LowPass
+    from pyjoystick.motion import write_csv
+    from pyjoystick.support import check_figure_path
 
     if plot is not None:
         check_figure_path(plot)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, cast
 import typer
 
 from pyjoystick.cli.options import parse_angle
-from pyjoystick.errors import ParameterError
+from pyjoystick.support import ParameterError
 
 if TYPE_CHECKING:
     from pyjoystick.forced_motion import ForwardAndReturn, Shape

@@ -21,18 +21,16 @@ from pyjoystick.forced_motion import (
     TorqueMeasures,
     inverse_fmu,
     measure,
+    measures_report,
+    plot_torque,
     read_motion,
     torque_by_fmu,
     torque_by_reference,
     torque_table,
 )
-from pyjoystick.forced_motion.figures import plot_torque
-from pyjoystick.forced_motion.reports import measures_report
-from pyjoystick.measurements.chain import Chain
-from pyjoystick.parameters import PIVOT_TO_TOP, JoystickParameters, LawName, ParameterFile, law_name
-from pyjoystick.plots import save_figure
-from pyjoystick.reference import InverseTorque
-from pyjoystick.versions import versions
+from pyjoystick.laboratory import Chain
+from pyjoystick.model import PIVOT_TO_TOP, InverseTorque, JoystickParameters, LawName, ParameterFile, law_name
+from pyjoystick.support import save_figure, versions
 
 
 @dataclass(frozen=True, slots=True)

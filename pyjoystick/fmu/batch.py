@@ -13,12 +13,11 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from pyjoystick._types import FloatArray
-from pyjoystick.errors import ParameterError, PyJoystickError
 from pyjoystick.fmu.errors import FmuFileError
 from pyjoystick.fmu.pool import InstancePool
 from pyjoystick.fmu.runner import Job, Runner
 from pyjoystick.fmu.stepping.program import OK, STOPPED
+from pyjoystick.support import FloatArray, ParameterError, PyJoystickError
 
 #: Called in the calling thread with the number of runs that are done and the number of all runs.
 OnProgress = Callable[[int, int], None]

@@ -11,7 +11,6 @@ from typing import Any, Self
 import pandas as pd
 from numpy.typing import ArrayLike
 
-from pyjoystick.defaults import DEFAULT_TOLERANCE
 from pyjoystick.fmu.description import FmuDescription, read_description
 from pyjoystick.fmu.files import find_fmu
 from pyjoystick.fmu.inputs import Inputs
@@ -19,7 +18,8 @@ from pyjoystick.fmu.linearization import Linearization, linearize
 from pyjoystick.fmu.plan import Plan
 from pyjoystick.fmu.pool import InstancePool
 from pyjoystick.fmu.values import Value
-from pyjoystick.tables import make_table
+from pyjoystick.motion import make_table
+from pyjoystick.support import DEFAULT_TOLERANCE
 
 
 class Fmu:

@@ -14,7 +14,7 @@ from xml.etree import ElementTree
 from fmpy import read_model_description
 
 from pyjoystick.fmu.errors import FmuFileError, UnsupportedFmuError
-from pyjoystick.tables import DisplayUnit, Quantity
+from pyjoystick.motion import DisplayUnit, Quantity
 
 #: What a minimum means that is no larger; Modelica.Constants.small is 1e-60.
 _SMALL: Final = 1e-50

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from pyjoystick.errors import PyJoystickError, SimulationError
+from pyjoystick.support import PyJoystickError, SimulationError
 
 
 class FmuNotFoundError(PyJoystickError):

@@ -10,10 +10,9 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from pyjoystick._types import FloatArray
-from pyjoystick.errors import ParameterError, SeriesError, UnknownInputError
 from pyjoystick.fmu.description import FmuDescription, Variable
 from pyjoystick.fmu.values import Value, checked_value, require_scalar
+from pyjoystick.support import FloatArray, ParameterError, SeriesError, UnknownInputError
 
 #: A constant by name of the input, or a table indexed by time (s) with one column an input. Between rows a
 #: continuous input is straight and any other keeps its value; before the first and after the last row both

@@ -10,14 +10,13 @@ import fmpy
 import numpy as np
 import pandas as pd
 
-from pyjoystick._types import FloatArray
-from pyjoystick.checks import not_negative, positive
 from pyjoystick.fmu.description import FmuDescription
 from pyjoystick.fmu.errors import UnsupportedFmuError
 from pyjoystick.fmu.inputs import checked_inputs
 from pyjoystick.fmu.instance import Instance
 from pyjoystick.fmu.library import FmuLibrary
 from pyjoystick.fmu.values import Value, checked_outputs, checked_parameters
+from pyjoystick.support import FloatArray, not_negative, positive
 
 _REAL = ("Real", "Float64")
 

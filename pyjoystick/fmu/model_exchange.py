@@ -12,8 +12,6 @@ import numpy as np
 import pandas as pd
 from numpy.typing import ArrayLike
 
-from pyjoystick.checks import increasing_times, positive
-from pyjoystick.errors import ParameterError, SimulationError
 from pyjoystick.fmu.description import read_description
 from pyjoystick.fmu.errors import FmuRunError
 from pyjoystick.fmu.exchange_inputs import apply_inputs_with_time, input_signals
@@ -22,7 +20,8 @@ from pyjoystick.fmu.inputs import Inputs, checked_inputs
 from pyjoystick.fmu.instance import Instance
 from pyjoystick.fmu.library import FmuLibrary
 from pyjoystick.fmu.values import Value, checked_outputs, checked_parameters
-from pyjoystick.tables import make_table
+from pyjoystick.motion import make_table
+from pyjoystick.support import ParameterError, SimulationError, increasing_times, positive
 
 
 def run_model_exchange(

@@ -10,9 +10,6 @@ import numpy as np
 import pandas as pd
 from numpy.typing import ArrayLike, NDArray
 
-from pyjoystick._types import FloatArray
-from pyjoystick.checks import increasing_times, positive
-from pyjoystick.errors import ParameterError
 from pyjoystick.fmu.batch import Batch, BatchResult, OnProgress, number_of_threads
 from pyjoystick.fmu.inputs import Inputs, checked_inputs, communication_points, input_series
 from pyjoystick.fmu.pool import InstancePool
@@ -23,6 +20,7 @@ from pyjoystick.fmu.stepping.engine import Loop, loop
 from pyjoystick.fmu.stepping.program import OK, UNFINISHED, WARNING
 from pyjoystick.fmu.values import Value, checked_outputs, checked_parameters, checked_varied
 from pyjoystick.fmu.varied import Varied
+from pyjoystick.support import FloatArray, ParameterError, increasing_times, positive
 
 #: A single run comes back to Python about so often (s), so that Ctrl-C is heard.
 _PATIENCE: Final = 0.1

@@ -5,10 +5,10 @@ from __future__ import annotations
 import os
 import threading
 
-from pyjoystick.errors import PyJoystickError
 from pyjoystick.fmu.description import FmuDescription
 from pyjoystick.fmu.instance import Instance
 from pyjoystick.fmu.library import FmuLibrary
+from pyjoystick.support import PyJoystickError
 
 
 class InstancePool:

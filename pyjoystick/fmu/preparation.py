@@ -9,13 +9,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pyjoystick._types import FloatArray
 from pyjoystick.fmu.description import FmuDescription, Variable
 from pyjoystick.fmu.inputs import InputSeries
 from pyjoystick.fmu.interface import CInterface, c_interface
 from pyjoystick.fmu.rows import RowFormat
 from pyjoystick.fmu.stepping.program import Group, Program
 from pyjoystick.fmu.values import Value
+from pyjoystick.support import FloatArray
 
 
 @dataclass(frozen=True, slots=True)

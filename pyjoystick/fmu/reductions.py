@@ -9,9 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from pyjoystick.checks import not_negative
-from pyjoystick.errors import ParameterError, UnknownVariableError
 from pyjoystick.fmu.stepping.reducing import EXTREMES, FINAL, LOSS, PEAKS, Operation
+from pyjoystick.support import ParameterError, UnknownVariableError, not_negative
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +39,7 @@ class Extremes:
 
 @dataclass(frozen=True, slots=True)
 class Peaks:
-    """The first peaks, of both signs, as `pyjoystick.peaks.find_peaks` finds them between the samples.
+    """The first peaks, of both signs, as `pyjoystick.motion.peaks.find_peaks` finds them between the samples.
 
     The columns are ``theta.peak1``, ``theta.peak1_time``, ``theta.peak2`` and so on.
 

@@ -8,7 +8,6 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from pyjoystick._types import FloatArray
 from pyjoystick.fmu.errors import FmuRunError
 from pyjoystick.fmu.pool import InstancePool
 from pyjoystick.fmu.preparation import Preparation
@@ -27,6 +26,7 @@ from pyjoystick.fmu.stepping.program import (
     UNFINISHED,
     WARNING,
 )
+from pyjoystick.support import FloatArray
 
 _LABELS: Final = ("ok", "warning", "discard", "error", "fatal", "pending")
 _GOOD: Final = (OK, WARNING, UNFINISHED, STOPPED)

@@ -10,8 +10,8 @@ from typing import Final
 
 import numpy as np
 
-from pyjoystick.errors import ParameterError, UnknownParameterError, UnknownVariableError
 from pyjoystick.fmu.description import FmuDescription, Variable
+from pyjoystick.support import ParameterError, UnknownParameterError, UnknownVariableError
 
 #: What a variable of an FMU may be set to.
 Value = float | bool | str

@@ -8,10 +8,9 @@ import numpy as np
 import pandas as pd
 from numpy.typing import ArrayLike
 
-from pyjoystick._types import FloatArray
-from pyjoystick.errors import ParameterError
 from pyjoystick.fmu.description import Variable
 from pyjoystick.fmu.values import INTEGERS, allowed_values, limits
+from pyjoystick.support import FloatArray, ParameterError
 
 
 class Varied:

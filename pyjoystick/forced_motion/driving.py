@@ -10,15 +10,12 @@ from typing import Final
 import numpy as np
 import pandas as pd
 
-from pyjoystick._types import FloatArray
-from pyjoystick.checks import positive
-from pyjoystick.experiments import fmu_of_damping
-from pyjoystick.fmu import Fmu, run_model_exchange
-from pyjoystick.fmu.description import Interface
+from pyjoystick.fmu import Fmu, Interface, run_model_exchange
 from pyjoystick.forced_motion.motions import ForwardAndReturn, Kinematics
 from pyjoystick.forced_motion.samples import smooth_spans
-from pyjoystick.parameters import JoystickParameters
-from pyjoystick.reference import inverse_torque
+from pyjoystick.model import JoystickParameters, inverse_torque
+from pyjoystick.runs import fmu_of_damping
+from pyjoystick.support import FloatArray, positive
 
 #: How far the torque may be from the lines between rows (N m); it brings the motion back to 1e-7 rad.
 TORQUE_TOLERANCE: Final = 2e-8

@@ -9,10 +9,9 @@ import numpy as np
 import pandas as pd
 from matplotlib.figure import Figure
 
-from pyjoystick.errors import ParameterError
-from pyjoystick.figure_style import LAWS, SERIES, dress, legend_above
 from pyjoystick.forced_motion.work_cycle import PERCENTAGES, Demand
-from pyjoystick.parameters import LawName
+from pyjoystick.model import LawName
+from pyjoystick.support import LAWS, SERIES, ParameterError, dress, legend_above
 
 _PANELS: Final = (
     ("T_stiffness", "(a)  Stiffness"),

@@ -11,14 +11,19 @@ from typing import Final
 
 import numpy as np
 
-from pyjoystick._types import FloatArray
 from pyjoystick.forced_motion.samples import Samples
-from pyjoystick.measurements.chain import Chain
-from pyjoystick.measurements.resampling import GAP
-from pyjoystick.records import Record, RecordError, read_record
-from pyjoystick.records.columns import find_column, finite_numbers, unit_factor
-from pyjoystick.records.csv_file import read_csv_file
-from pyjoystick.records.record import MISSING_ADVICE
+from pyjoystick.laboratory import GAP, Chain
+from pyjoystick.motion import (
+    MISSING_ADVICE,
+    Record,
+    RecordError,
+    find_column,
+    finite_numbers,
+    read_csv_file,
+    read_record,
+    unit_factor,
+)
+from pyjoystick.support import FloatArray
 
 #: Factors to rad/s2.
 ACCELERATION_UNITS: Final[Mapping[str, float]] = {
@@ -53,7 +58,7 @@ def read_motion(
 ) -> MeasuredMotion:
     """Read a motion: as it stands where the file has ``omega`` and ``alpha``, else through the signal chain.
 
-    The columns are those of `pyjoystick.records.read_record` and ``alpha (rad/s2)`` or ``alpha (deg/s2)``;
+    The columns are those of `pyjoystick.motion.read_record` and ``alpha (rad/s2)`` or ``alpha (deg/s2)``;
     the motions that ``pyjoystick import markers --motion`` writes are such files.
 
     Args:

@@ -8,11 +8,9 @@ from typing import Final
 
 import numpy as np
 
-from pyjoystick._types import FloatArray
-from pyjoystick.checks import positive
 from pyjoystick.forced_motion.samples import Samples
-from pyjoystick.parameters import PIVOT_TO_TOP, JoystickParameters
-from pyjoystick.reference import InverseTorque, energy
+from pyjoystick.model import PIVOT_TO_TOP, InverseTorque, JoystickParameters, energy
+from pyjoystick.support import FloatArray, positive
 
 #: The parts of eq. (13) by name, and the columns that hold them.
 PARTS: Final = {"stiffness": "T_stiffness", "damping": "T_damping", "inertia": "T_inertia"}

@@ -10,10 +10,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pyjoystick._types import FloatArray
-from pyjoystick.checks import angle, finite, not_negative, positive
-from pyjoystick.errors import ParameterError
 from pyjoystick.forced_motion.profiles import SHAPES, Shape, profile
+from pyjoystick.support import FloatArray, ParameterError, angle, finite, not_negative, positive
 
 #: Where a motion has two values, at a jump of the acceleration: the one before it or the one after it.
 Limit = Literal["before", "after"]

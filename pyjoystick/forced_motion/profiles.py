@@ -12,7 +12,7 @@ from typing import Final, Literal, get_args
 
 import numpy as np
 
-from pyjoystick._types import FloatArray
+from pyjoystick.support import FloatArray
 
 Shape = Literal["minimum-jerk", "raised-cosine", "trapezoid"]
 SHAPES: Final[tuple[Shape, ...]] = get_args(Shape)

@@ -6,8 +6,8 @@ from collections.abc import Mapping
 
 from pyjoystick.forced_motion.measures import PartMeasures, TorqueMeasures
 from pyjoystick.forced_motion.work_cycle import MOVES_PER_SHIFT, Demand
-from pyjoystick.parameters import LawName
-from pyjoystick.report import markdown_table
+from pyjoystick.model import LawName
+from pyjoystick.motion import markdown_table
 
 
 def measures_report(found: Mapping[LawName, TorqueMeasures]) -> str:

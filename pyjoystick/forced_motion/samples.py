@@ -9,12 +9,10 @@ from typing import Final
 import numpy as np
 from scipy.optimize import brentq
 
-from pyjoystick._types import FloatArray
-from pyjoystick.errors import SeriesError
-from pyjoystick.experiments import time_grid
 from pyjoystick.forced_motion.motions import ForwardAndReturn, Limit
-from pyjoystick.parameters import JoystickParameters
-from pyjoystick.reference.cam import angle_of_travel
+from pyjoystick.model import JoystickParameters, angle_of_travel
+from pyjoystick.runs import time_grid
+from pyjoystick.support import FloatArray, SeriesError
 
 #: Parts of each smooth piece, closer together at its ends, and nodes of Gauss and Legendre in each.
 _PANELS: Final = 12

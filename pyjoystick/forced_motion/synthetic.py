@@ -9,9 +9,7 @@ import numpy as np
 from pyjoystick.forced_motion.measured import through_chain
 from pyjoystick.forced_motion.motions import ForwardAndReturn
 from pyjoystick.forced_motion.samples import Samples
-from pyjoystick.measurements.angle import measure_angle
-from pyjoystick.measurements.chain import Chain
-from pyjoystick.synthetic_laboratory import BASE, TOP, MarkerLayout, synthetic_markers
+from pyjoystick.laboratory import BASE, TOP, Chain, MarkerLayout, measure_angle, synthetic_markers
 
 
 def seen_by_cameras(

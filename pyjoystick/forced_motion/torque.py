@@ -9,12 +9,18 @@ from typing import Final
 import numpy as np
 import pandas as pd
 
-from pyjoystick.checks import positive
 from pyjoystick.fmu import Fmu, UnsupportedFmuError
 from pyjoystick.forced_motion.samples import Samples
-from pyjoystick.parameters import PIVOT_TO_TOP, ConstantDamping, Damping, JoystickParameters
-from pyjoystick.reference import InverseTorque, inverse_torque
-from pyjoystick.tables import DisplayUnit, Quantity, make_table
+from pyjoystick.model import (
+    PIVOT_TO_TOP,
+    ConstantDamping,
+    Damping,
+    InverseTorque,
+    JoystickParameters,
+    inverse_torque,
+)
+from pyjoystick.motion import DisplayUnit, Quantity, make_table
+from pyjoystick.support import positive
 
 #: The torque and its parts.
 TORQUES: Final = ("T", "T_inertia", "T_damping", "T_stiffness")

@@ -15,14 +15,12 @@ from typing import Final
 import numpy as np
 import pandas as pd
 
-from pyjoystick._types import FloatArray
-from pyjoystick.checks import angle, not_negative, positive
-from pyjoystick.errors import ParameterError
 from pyjoystick.fmu import Fmu
 from pyjoystick.forced_motion.motions import ForwardAndReturn
 from pyjoystick.forced_motion.samples import Samples
 from pyjoystick.forced_motion.torque import MOTION, inverse_fmu
-from pyjoystick.parameters import PIVOT_TO_TOP, JoystickParameters
+from pyjoystick.model import PIVOT_TO_TOP, JoystickParameters
+from pyjoystick.support import FloatArray, ParameterError, angle, not_negative, positive
 
 #: Section 1: moves in a typical operator's shift.
 MOVES_PER_SHIFT: Final = 20_000

@@ -17,20 +17,19 @@ from pathlib import Path
 import ezc3d
 import numpy as np
 
-from pyjoystick.errors import PyJoystickError
-from pyjoystick.inertia import Measured, from_parts
-from pyjoystick.inertia.parts import Part
-from pyjoystick.measurements.markers import Markers
-from pyjoystick.output import replacing, write_text
-from pyjoystick.parameters import NOMINAL, ActuatorAssembly, JoystickParameters, SegmentTable
-from pyjoystick.reference import simulate
-from pyjoystick.synthetic_laboratory import (
+from pyjoystick.laboratory import (
     MarkerLayout,
+    Measured,
+    from_parts,
     synthetic_acceleration,
     synthetic_load_cycle,
     synthetic_markers,
     synthetic_swing,
 )
+from pyjoystick.laboratory.inertia.parts import Part
+from pyjoystick.laboratory.measurements.markers import Markers
+from pyjoystick.model import NOMINAL, ActuatorAssembly, JoystickParameters, SegmentTable, simulate
+from pyjoystick.support import PyJoystickError, replacing, write_text
 
 SEED = 274
 #: Travels (m) and stiffnesses (N/m) of both sides.

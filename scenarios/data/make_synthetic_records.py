@@ -12,10 +12,10 @@ from pathlib import Path
 
 import numpy as np
 
-from pyjoystick.output import write_text
-from pyjoystick.parameters import NOMINAL, NOMINAL_POWER_LAW, STOP_ANGLE, JoystickParameters
-from pyjoystick.records import Record
-from pyjoystick.synthetic_records import ANGLE_NOISE, CAMERA_RATE, synthetic_record
+from pyjoystick.laboratory.synthetic_records import ANGLE_NOISE, CAMERA_RATE, synthetic_record
+from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW, STOP_ANGLE, JoystickParameters
+from pyjoystick.motion import Record
+from pyjoystick.support import write_text
 
 JOYSTICKS = {"constant": NOMINAL, "power_law": NOMINAL_POWER_LAW}
 REPEATS = 4

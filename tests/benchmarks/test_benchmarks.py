@@ -24,7 +24,7 @@ from benchmarks.python_runs import compiled_run, fmpy_run, reference_run, scipy_
 from benchmarks.report import as_json, as_markdown
 from benchmarks.task import INTERVALS, PARAMETERS, RELEASE, Law, reference_theta, sample_times
 from pyjoystick.fmu import Fmu, Plan
-from pyjoystick.reference import simulate
+from pyjoystick.model import simulate
 
 LAW: Law = "constant"
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from benchmarks import imports
-from pyjoystick.measurements.reading import read_markers
+from pyjoystick.laboratory import read_markers
 
 
 def test_all_kinds_of_files_hold_the_same_markers(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

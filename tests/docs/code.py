@@ -10,9 +10,9 @@ from typing import Any
 
 import rumoca
 
-from pyjoystick.fitting.settings_file import read_fit_settings
-from pyjoystick.parameters import NOMINAL, read_parameter_file, write_parameters
-from pyjoystick.sweeps import Sweep, read_settings
+from pyjoystick.identification import read_fit_settings
+from pyjoystick.model import NOMINAL, read_parameter_file, write_parameters
+from pyjoystick.runs import Sweep, read_settings
 from tests.docs import commands
 from tests.docs.pages import ROOT, Block
 

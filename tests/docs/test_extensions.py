@@ -10,8 +10,7 @@ import typer
 from pyjoystick import cli
 from tests.docs.commands import command_lines, read
 from tests.docs.pages import blocks
-from tests.modelica.library import ROOT as LIBRARY
-from tests.modelica.library import library_classes
+from tests.modelica.library import ROOT as LIBRARY, library_classes
 
 pytest.importorskip("sphinx", reason="the extra docs is not installed")
 

@@ -14,8 +14,8 @@ from typer.testing import CliRunner
 import fmu_build
 from fmu_build import UnknownCompilerError, build_fmu, compilers
 from fmu_build.__main__ import app
-from fmu_build.errors import ModelicaError
-from fmu_build.request import BuildRequest, BuildResult
+from fmu_build.support.errors import ModelicaError
+from fmu_build.support.request import BuildRequest, BuildResult
 
 _JOYSTICK = "PreloadedSprings.Joystick.Joystick"
 

@@ -16,7 +16,7 @@ from fmpy.fmi2 import FMU2Slave, fmi2CallbackFunctions, fmi2CallbackLoggerTYPE
 from fmpy.fmi3 import FMU3Slave
 from numpy.typing import NDArray
 
-from pyjoystick.parameters import ConstantDamping, JoystickParameters
+from pyjoystick.model import ConstantDamping, JoystickParameters
 
 Columns = dict[str, NDArray[np.float64]]
 _EVENT = re.compile(r"State event at time ([-+.\deE]+): (.*) changes its sign")

@@ -8,7 +8,7 @@ import fmpy
 import numpy as np
 import pytest
 
-from pyjoystick.reference import Trajectory, simulate
+from pyjoystick.model import Trajectory, simulate
 from tests.joystick_fmu.driver import fmu_parameters, fmu_path, slave
 from tests.pyjoystick.random_parameters import RandomCase, both_laws
 

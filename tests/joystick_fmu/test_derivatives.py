@@ -17,7 +17,7 @@ from fmpy.fmi3 import FMU3Model
 from numpy.typing import NDArray
 
 from fmu_build import build_fmu
-from pyjoystick.parameters import NOMINAL, NOMINAL_POWER_LAW
+from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW
 from tests.joystick_fmu.analytic import jacobian
 from tests.joystick_fmu.driver import slave
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from scipy.integrate import simpson
 
 from pyjoystick.forced_motion import inverse_fmu
-from pyjoystick.parameters import NOMINAL, NOMINAL_POWER_LAW
+from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW
 from tests.joystick_fmu.driver import Columns, fmu_parameters, fmu_path, slave
 from tests.pyjoystick.random_parameters import RandomCase, both_laws
 

@@ -14,8 +14,7 @@ from fmpy.cross_check.validate_vendor_repo import read_csv, validate_test_fmu
 from fmpy.util import read_ref_opt_file
 from lxml import etree
 
-from pyjoystick.parameters import NOMINAL, NOMINAL_POWER_LAW
-from pyjoystick.reference import inverse_torque, simulate
+from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW, inverse_torque, simulate
 
 FOLDER = "extra/org.fmi-standard.fmi-ls-ref"
 PARAMETERS = {

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from pyjoystick.parameters import NOMINAL
+from pyjoystick.model import NOMINAL
 from tests.joystick_fmu.driver import fmu_parameters, slave
 
 CYCLES = 100_000

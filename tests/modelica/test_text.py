@@ -6,13 +6,7 @@ import re
 
 import pytest
 
-from tests.modelica.library import (
-    ROOT,
-    LibraryClass,
-    library_classes,
-    split_statements,
-    without_annotations,
-)
+from tests.modelica.library import ROOT, LibraryClass, library_classes, split_statements, without_annotations
 
 CLASSES = {c.qualified: c for c in library_classes()}
 

@@ -9,8 +9,7 @@ import numpy as np
 import pytest
 
 from pyjoystick import NOMINAL, NOMINAL_POWER_LAW
-from pyjoystick.parameters import JoystickParameters
-from pyjoystick.reference import simulate
+from pyjoystick.model import JoystickParameters, simulate
 from tests.other_tools.programs import require, run
 
 RELEASE = math.radians(-20.0)

@@ -12,8 +12,8 @@ import pandas as pd
 import pytest
 
 from pyjoystick import NOMINAL
-from pyjoystick.coupling import Component, CoupledSystem, write_ssp
-from pyjoystick.reference import simulate
+from pyjoystick.model import simulate
+from pyjoystick.runs import Component, CoupledSystem, write_ssp
 
 RELEASE = math.radians(-20.0)
 

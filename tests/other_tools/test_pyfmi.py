@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from pyjoystick import NOMINAL
-from pyjoystick.reference import simulate
+from pyjoystick.model import simulate
 from tests.other_tools.programs import require, run
 
 RELEASE = math.radians(-20.0)

@@ -18,8 +18,10 @@ def mixed_path(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="session")
 def pair(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The folder with First.fmu, Second.fmu, Stops.fmu and Closed.fmu, see fmu_comparison/Pair.mo."""
+    """The folder with First.fmu, Second.fmu, Stops.fmu and Closed.fmu, see runs/fmu_comparison/Pair.mo."""
     folder = tmp_path_factory.mktemp("pair")
     for name in ("First", "Second", "Stops", "Closed"):
-        build_fmu(f"Pair.{name}", folder, library=Path(__file__).parent / "fmu_comparison" / "Pair.mo")
+        build_fmu(
+            f"Pair.{name}", folder, library=Path(__file__).parent / "runs" / "fmu_comparison" / "Pair.mo"
+        )
     return folder

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pyjoystick.parameters import NOMINAL, NOMINAL_POWER_LAW, JoystickParameters
+from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW, JoystickParameters
 
 SPREAD = 0.2
 LARGEST_RELEASE_ANGLE = math.radians(20.0)

@@ -9,9 +9,9 @@ import numpy as np
 import pandas as pd
 from numpy.typing import ArrayLike
 
-from pyjoystick.experiments import reference_free_oscillation
-from pyjoystick.parameters import JoystickParameters
-from pyjoystick.release_peaks import ReleasePeaks, peaks_of_run
+from pyjoystick.model import JoystickParameters
+from pyjoystick.motion import ReleasePeaks, peaks_of_run
+from pyjoystick.runs import reference_free_oscillation
 
 
 def peak_table(time: ArrayLike, value: ArrayLike) -> pd.DataFrame:

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.polynomial import polynomial
 from numpy.typing import NDArray
 
-from pyjoystick.parameters import ConstantDamping, JoystickParameters, SegmentTable
+from pyjoystick.model import ConstantDamping, JoystickParameters, SegmentTable
 
 FloatArray = NDArray[np.float64]
 #: Taylor coefficients 0 .. order of the torque about an instant, from (instant, order).

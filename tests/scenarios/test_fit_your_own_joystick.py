@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from pyjoystick.parameters import read_parameter_file
+from pyjoystick.model import read_parameter_file
 from tests.scenarios.scripts import load
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from pyjoystick.cli import main
-from pyjoystick.sweeps import Sweep, read_settings, read_sweep, sensitivity
+from pyjoystick.runs import Sweep, read_settings, read_sweep, sensitivity
 
 FOLDER = Path(__file__).parents[2] / "scenarios" / "sweeps"
 SETTINGS = sorted(FOLDER.glob("*.toml"))

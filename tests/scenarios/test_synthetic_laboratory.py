@@ -10,10 +10,8 @@ import numpy as np
 import pytest
 
 from pyjoystick.cli import main
-from pyjoystick.measurements.angle import measure_angle
-from pyjoystick.measurements.reading import read_markers
-from pyjoystick.parameters import NOMINAL
-from pyjoystick.synthetic_laboratory import BASE, TOP
+from pyjoystick.laboratory import BASE, TOP, measure_angle, read_markers
+from pyjoystick.model import NOMINAL
 from tests.scenarios.scripts import load
 
 FORWARD = {"trial_1.c3d": "x", "trial_2.c3d": "x", "trial_3.csv": "x", "trial_4.csv": "-x"}

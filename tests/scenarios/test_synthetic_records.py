@@ -8,9 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pyjoystick.parameters import NOMINAL, NOMINAL_POWER_LAW
-from pyjoystick.records import read_repeats
-from pyjoystick.reference import simulate
+from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW, simulate
+from pyjoystick.motion import read_repeats
 from tests.scenarios.scripts import SCENARIOS, load
 
 DATA = SCENARIOS / "data"

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from fmu_build.codegen.lowered import LoweredModel
-from fmu_build.errors import UnsupportedModelError
+from fmu_build.support.errors import UnsupportedModelError
 
 _TYPES = ("real", "integer", "boolean", "enumeration")
 

@@ -24,9 +24,9 @@ from fmu_build.compilers.openmodelica.finding import find_omc, omc_version
 from fmu_build.compilers.openmodelica.options import OPTIONS, Options, read_options
 from fmu_build.compilers.openmodelica.sessions import Opened, open_session
 from fmu_build.compilers.openmodelica.shared import left_as_found
-from fmu_build.errors import BuildError
 from fmu_build.packaging.foreign import check_request, place
-from fmu_build.request import BuildRequest, BuildResult
+from fmu_build.support.errors import BuildError
+from fmu_build.support.request import BuildRequest, BuildResult
 
 __all__ = ["OpenModelicaCompiler"]
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from fmu_build.compilers.openmodelica.finding import plain_version
 from fmu_build.compilers.openmodelica.messages import Answer, Message, errors, quoted
-from fmu_build.request import BuildRequest
+from fmu_build.support.request import BuildRequest
 
 _TYPES = {("cs",): "cs", ("cs", "me"): "me_cs", ("me",): "me"}
 _VERSION, _SOLVER, _LOAD = "version", "solver", "load"

@@ -14,7 +14,7 @@ from typing import Any
 from OMPython import OMCSessionABC, OMCSessionDocker, OMCSessionPort, OMSessionException
 
 from fmu_build.compilers.openmodelica.messages import Answer, read_answers, watched
-from fmu_build.errors import ToolchainError
+from fmu_build.support.errors import ToolchainError
 
 _SECONDS_TO_CONNECT = 10.0
 _SECONDS_TO_START = 120.0

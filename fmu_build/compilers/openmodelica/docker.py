@@ -7,7 +7,7 @@ import subprocess
 from collections.abc import Sequence
 from pathlib import Path
 
-from fmu_build.errors import ToolchainError
+from fmu_build.support.errors import ToolchainError
 
 _SECONDS_TO_INSPECT = 60
 

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from fmu_build.compilers.openmodelica.messages import Message, errors
-from fmu_build.errors import BuildError, ModelicaError, ToolchainError, UnsupportedModelError
-from fmu_build.places import located
+from fmu_build.modelica_source.places import located
+from fmu_build.support.errors import BuildError, ModelicaError, ToolchainError, UnsupportedModelError
 
 # Only repeat that there was an error, or follow from one.
 _FOLLOWS = re.compile(r"Error occurred while flattening model |Failed to load package |.*\bfailed\.?$")

@@ -10,7 +10,7 @@ import sys
 from collections.abc import Mapping
 from pathlib import Path
 
-from fmu_build.errors import ToolchainError
+from fmu_build.support.errors import ToolchainError
 
 _NAME = "omc.exe" if sys.platform == "win32" else "omc"
 _SECONDS_FOR_VERSION = 60

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from fmu_build.places import Place
+from fmu_build.modelica_source.places import Place
 
 _MESSAGE = re.compile(
     r"^(?:\[(?P<file>[^\n]*?):(?P<line>\d+):(?P<column>\d+)-\d+:\d+:(?:readonly|writable)\] )?"

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from fmu_build.errors import BuildError
+from fmu_build.support.errors import BuildError
 
 OPTIONS = {
     "omc": "path of omc, or of an OpenModelica installation; else OPENMODELICAHOME, then PATH",

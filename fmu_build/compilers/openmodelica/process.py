@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
-from fmu_build.errors import ToolchainError
+from fmu_build.support.errors import ToolchainError
 
 # Reads until this process closes the pipe, be it because it was killed, then kills its own group.
 _GUARD = "read -r _; kill -s KILL 0"

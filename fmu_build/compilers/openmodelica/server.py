@@ -11,7 +11,7 @@ from pathlib import Path
 from subprocess import Popen
 
 from fmu_build.compilers.openmodelica.process import read_log, running
-from fmu_build.errors import ToolchainError
+from fmu_build.support.errors import ToolchainError
 
 _SECONDS_TO_START = 60.0
 _REFUSAL = "as a server using the root user"

@@ -15,7 +15,7 @@ from fmu_build.compilers.openmodelica.messages import Answer
 from fmu_build.compilers.openmodelica.options import Options
 from fmu_build.compilers.openmodelica.script import ScriptSession
 from fmu_build.compilers.openmodelica.server import RootRefusedError, local_server, read_port_file
-from fmu_build.errors import ToolchainError
+from fmu_build.support.errors import ToolchainError
 
 ROOT_NOTE = (
     "omc refuses to serve the root user: running it on a script instead, which gives the same FMU (start "

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from fmu_build.compilers.openmodelica.messages import quoted
 from fmu_build.compilers.openmodelica.sessions import Session
-from fmu_build.errors import ToolchainError
+from fmu_build.support.errors import ToolchainError
 
 _FLAGS = re.compile(r"--fmiFlags=[^\s\"]*")
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import hashlib
 import inspect
+import sys
 from collections.abc import Callable
 from types import FunctionType
 from typing import Any, Final, cast
@@ -16,10 +17,10 @@ from llvmlite import ir
 from numba import njit, typeof, types
 from numba.extending import intrinsic, overload, register_jitable
 
-from pyjoystick import extrema
 from pyjoystick.fmu.stepping import calls, decoding, kernel, program, reducing
+from pyjoystick.motion import EXTREMA_FUNCTIONS
 
-_SOURCES: Final = (extrema, calls, decoding, kernel, program, reducing)
+_SOURCES: Final = (sys.modules[EXTREMA_FUNCTIONS[0].__module__], calls, decoding, kernel, program, reducing)
 _C_TYPES: Final = {"w": types.intp, "i": types.int32, "d": types.float64}
 
 

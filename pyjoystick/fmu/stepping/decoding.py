@@ -7,8 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from pyjoystick._types import FloatArray
 from pyjoystick.fmu.stepping.program import BOOLEAN, FLOAT32, FLOAT64, SIGNED, Group
+from pyjoystick.support import FloatArray
 
 _TWO_TO_32 = np.int64(2**32)
 

@@ -11,10 +11,10 @@ from typing import Any, Final
 
 import numpy as np
 
-from pyjoystick._types import FloatArray
 from pyjoystick.fmu.stepping.kernel import run_many
 from pyjoystick.fmu.stepping.program import GROUP, PLACE_SIZE, Group, Program, Workspace
 from pyjoystick.fmu.stepping.reducing import OPERATION, Operation
+from pyjoystick.support import FloatArray
 
 #: `kernel.run_many` from the argument `workspace` on.
 Loop = Callable[..., int]

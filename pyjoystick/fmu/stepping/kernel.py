@@ -11,8 +11,6 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from pyjoystick import extrema
-from pyjoystick._types import FloatArray
 from pyjoystick.fmu.stepping import decoding, reducing
 from pyjoystick.fmu.stepping.calls import (
     access2,
@@ -48,6 +46,8 @@ from pyjoystick.fmu.stepping.program import (
     Workspace,
 )
 from pyjoystick.fmu.stepping.reducing import Operation, reduce_run
+from pyjoystick.motion import EXTREMA_FUNCTIONS
+from pyjoystick.support import FloatArray
 
 
 def run_many(
@@ -245,7 +245,7 @@ def _step(program: Program, workspace: Workspace, point: int) -> int:
 
 #: What a compiler of `run_many` must know, each after those that it calls.
 FUNCTIONS = (
-    *extrema.FUNCTIONS,
+    *EXTREMA_FUNCTIONS,
     *decoding.FUNCTIONS,
     *reducing.FUNCTIONS,
     _is_bad,

@@ -8,7 +8,7 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from pyjoystick._types import FloatArray
+from pyjoystick.support import FloatArray
 
 # Places in `Program.functions`; setters and getters follow.
 RESET, SETUP, ENTER, EXIT, STEP, TERMINATE, DERIVATIVES = range(7)

@@ -7,8 +7,8 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
-from pyjoystick._types import FloatArray
-from pyjoystick.extrema import extrema_of_derivative, extrema_of_samples, peaks_among
+from pyjoystick.motion import extrema_of_derivative, extrema_of_samples, peaks_among
+from pyjoystick.support import FloatArray
 
 FINAL, EXTREMES, PEAKS, LOSS = range(4)
 

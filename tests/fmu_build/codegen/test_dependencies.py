@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from fmu_build.compilers.rumoca import generate_model
-from fmu_build.description import ModelDescription, Unknown
-from fmu_build.request import BuildRequest
+from fmu_build.support.description import ModelDescription, Unknown
+from fmu_build.support.request import BuildRequest
 
 MODEL = """model Driven
   parameter Real k = 2;

@@ -14,7 +14,7 @@ from fmu_build.codegen.expression import Expression, binary, number, p, select, 
 from fmu_build.codegen.relations import Relations
 from fmu_build.codegen.tangents import NoTangentsError, Tangent, Tangents
 from fmu_build.codegen.variables import StoredVariable
-from fmu_build.description import Variable
+from fmu_build.support.description import Variable
 
 
 def _parameter(index: int) -> StoredVariable:

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from fmu_build.codegen.annotations import terminals
-from fmu_build.description import Terminal
+from fmu_build.support.description import Terminal
 
 _SHAFT = 'shaft(inflow(tau = "T"), signal(phi = "theta", w = "omega"))'
 

@@ -15,7 +15,7 @@ from fmu_build.compilers.library import (
     not_found,
     read_classes,
 )
-from fmu_build.errors import ModelicaError, ModelNotFoundError
+from fmu_build.support.errors import ModelicaError, ModelNotFoundError
 
 _ONE_FILE = """
 within Lib.Sub;

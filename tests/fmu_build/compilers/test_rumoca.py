@@ -13,14 +13,14 @@ import pytest
 from fmu_build.compilers import rumoca as backend
 from fmu_build.compilers.rumoca import RumocaCompiler, generate_model
 from fmu_build.compilers.rumoca_errors import native_stderr
-from fmu_build.errors import (
+from fmu_build.support.errors import (
     BuildError,
     ModelicaError,
     ModelNotFoundError,
     ToolchainError,
     UnsupportedModelError,
 )
-from fmu_build.request import BuildRequest
+from fmu_build.support.request import BuildRequest
 
 
 @pytest.fixture

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from fmu_build.compilers.rumoca import generate_model
-from fmu_build.errors import BuildError, ModelicaError, UnsupportedModelError
-from fmu_build.request import BuildRequest
+from fmu_build.support.errors import BuildError, ModelicaError, UnsupportedModelError
+from fmu_build.support.request import BuildRequest
 
 _X = "Real x(start = 0, fixed = true);"
 _N = "discrete Integer n(start = 0, fixed = true);"

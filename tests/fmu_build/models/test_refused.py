@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from fmu_build import ModelicaError, ModelNotFoundError, UnsupportedModelError, build_fmu
-from fmu_build.errors import BuildError
+from fmu_build.support.errors import BuildError
 
 REFUSED = Path(__file__).parent / "refused"
 

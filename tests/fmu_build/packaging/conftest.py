@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from fmu_build.description import EnumerationType, GeneratedModel, ModelDescription, Unknown, Variable
-from fmu_build.request import BuildRequest
+from fmu_build.support.description import EnumerationType, GeneratedModel, ModelDescription, Unknown, Variable
+from fmu_build.support.request import BuildRequest
 
 _MODE = EnumerationType("Test.Mode", (("Slow", "Takes its time"), ("Fast", "")))
 

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from fmu_build.errors import BuildError
 from fmu_build.packaging.archive import archive_bytes, check_output_folder, replacing
+from fmu_build.support.errors import BuildError
 
 _ENTRIES = {"modelDescription.xml": b"<x/>", "binaries/linux64/M.so": b"\x7fELF" * 1000}
 

@@ -13,10 +13,10 @@ from typing import Any
 
 import pytest
 
-from fmu_build.errors import ToolchainError
 from fmu_build.packaging import binaries
 from fmu_build.packaging.binaries import compile_library, toolchain_version
 from fmu_build.packaging.platforms import PLATFORMS
+from fmu_build.support.errors import ToolchainError
 
 _LINUX = PLATFORMS["x86_64-linux"]
 _GOOD = {

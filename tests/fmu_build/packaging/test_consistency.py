@@ -8,9 +8,9 @@ from typing import Any, get_args
 
 import pytest
 
-from fmu_build.description import Causality, Initial, ModelDescription, Unknown, Variability, Variable
-from fmu_build.errors import BuildError, ModelicaError
 from fmu_build.packaging.consistency import check_description
+from fmu_build.support.description import Causality, Initial, ModelDescription, Unknown, Variability, Variable
+from fmu_build.support.errors import BuildError, ModelicaError
 
 _VARIABILITIES = get_args(Variability)
 _INITIALS = (None, *get_args(Initial))

@@ -7,12 +7,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from fmu_build.description import DefaultExperiment, GeneratedModel, InputStep, ModelDescription
 from fmu_build.packaging import default_run
 from fmu_build.packaging.binaries import compile_library
 from fmu_build.packaging.default_run import DefaultRun, communication_points, run_default_experiment
 from fmu_build.packaging.platforms import Platform, host_platform
 from fmu_build.packaging.sources import collect_sources, token_header
+from fmu_build.support.description import DefaultExperiment, GeneratedModel, InputStep, ModelDescription
 
 _GUID = "{1}"
 

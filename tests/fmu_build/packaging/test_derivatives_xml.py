@@ -9,8 +9,8 @@ from typing import Any
 import pytest
 from lxml import etree
 
-from fmu_build.description import ModelDescription, Unknown
 from fmu_build.packaging import fmi2_xml, fmi3_xml
+from fmu_build.support.description import ModelDescription, Unknown
 
 
 def _root(version: str, description: ModelDescription) -> Any:

@@ -9,10 +9,10 @@ from typing import Any
 import matplotlib as mpl
 from lxml import html
 
-from fmu_build.description import ModelDescription, Variable
 from fmu_build.packaging.default_run import DefaultRun
 from fmu_build.packaging.documentation import FIGURE, index_html
 from fmu_build.packaging.icon import model_png
+from fmu_build.support.description import ModelDescription, Variable
 
 
 def _page(content: bytes) -> Any:

@@ -12,10 +12,10 @@ from fmpy import read_model_description
 from fmpy.validation import validate_fmu
 from lxml import etree
 
-from fmu_build.description import EnumerationType, ModelDescription, Variable
-from fmu_build.errors import BuildError, ModelicaError
 from fmu_build.packaging.elements import generation_time
 from fmu_build.packaging.fmi2_xml import model_description_xml
+from fmu_build.support.description import EnumerationType, ModelDescription, Variable
+from fmu_build.support.errors import BuildError, ModelicaError
 
 
 def _xml(description: ModelDescription, **changes: Any) -> bytes:

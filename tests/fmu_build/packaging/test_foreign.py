@@ -13,12 +13,12 @@ from fmpy import read_model_description
 from fmpy.validation import validate_fmu
 from lxml import etree
 
-from fmu_build.description import GeneratedModel
-from fmu_build.errors import BuildError
 from fmu_build.packaging import package_fmu
 from fmu_build.packaging.fmi2_units import add_unit_definitions
 from fmu_build.packaging.foreign import place
-from fmu_build.request import BuildRequest
+from fmu_build.support.description import GeneratedModel
+from fmu_build.support.errors import BuildError
+from fmu_build.support.request import BuildRequest
 
 pytestmark = pytest.mark.filterwarnings("default::DeprecationWarning:xmlschema")
 

@@ -6,7 +6,7 @@ import pytest
 
 from fmu_build.packaging.licenses_text import license_text
 from fmu_build.packaging.platforms import PLATFORMS
-from fmu_build.request import FmiVersion
+from fmu_build.support.request import FmiVersion
 
 _LINUX, _WINDOWS = PLATFORMS["x86_64-linux"], PLATFORMS["x86_64-windows"]
 

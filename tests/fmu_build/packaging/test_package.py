@@ -17,12 +17,12 @@ from fmpy.validation import validate_fmu
 from fmu_manipulation_toolbox.checker import OperationGenericCheck, OperationSemanticCheck
 from fmu_manipulation_toolbox.operations import FMU
 
-from fmu_build.description import GeneratedModel
-from fmu_build.errors import BuildError, ModelicaError, ToolchainError
 from fmu_build.packaging import package_fmu
 from fmu_build.packaging.binaries import compile_library
 from fmu_build.packaging.platforms import PLATFORMS
-from fmu_build.request import BuildRequest
+from fmu_build.support.description import GeneratedModel
+from fmu_build.support.errors import BuildError, ModelicaError, ToolchainError
+from fmu_build.support.request import BuildRequest
 
 pytestmark = pytest.mark.filterwarnings("default::DeprecationWarning:xmlschema")
 

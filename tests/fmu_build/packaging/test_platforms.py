@@ -7,8 +7,8 @@ import sys
 
 import pytest
 
-from fmu_build.errors import BuildError
 from fmu_build.packaging.platforms import PLATFORMS, host_platform, select_platforms
+from fmu_build.support.errors import BuildError
 
 
 def test_named_platforms_come_once_and_in_order() -> None:

@@ -13,9 +13,9 @@ import numpy as np
 import pytest
 from fmpy.util import read_csv
 
-from fmu_build.description import GeneratedModel
 from fmu_build.packaging import package_fmu
-from fmu_build.request import BuildRequest, FmiVersion
+from fmu_build.support.description import GeneratedModel
+from fmu_build.support.request import BuildRequest, FmiVersion
 
 
 @pytest.mark.parametrize("fmi_version", ["2.0", "3.0"])

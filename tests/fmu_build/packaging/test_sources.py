@@ -6,9 +6,9 @@ import re
 
 import pytest
 
-from fmu_build.errors import BuildError
 from fmu_build.packaging import sources
 from fmu_build.packaging.sources import c_files, collect_sources, content_guid, token_header
+from fmu_build.support.errors import BuildError
 
 _FLAGS = ("-O2", "-s")
 _FILES = {"a.c": b"int a;", "b.h": b""}

@@ -6,7 +6,7 @@ import zipfile
 from pathlib import Path
 
 from fmu_build.packaging.platforms import Platform
-from fmu_build.request import FmiVersion
+from fmu_build.support.request import FmiVersion
 
 from .elf import read_elf
 from .mach_o import read_mach_o

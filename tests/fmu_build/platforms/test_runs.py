@@ -18,8 +18,7 @@ from fmu_build import FmiVersion
 from fmu_build.packaging.binaries import compile_library
 from fmu_build.packaging.platforms import PLATFORMS, Platform, host_platform
 from pyjoystick.fmu import MODELS
-from pyjoystick.parameters import NOMINAL
-from pyjoystick.reference import simulate
+from pyjoystick.model import NOMINAL, simulate
 
 from .emulators import Runner, runner_for
 from .libraries import library_in

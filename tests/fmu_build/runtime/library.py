@@ -11,7 +11,7 @@ from pathlib import Path
 
 from fmu_build.packaging.binaries import COMPILER_FLAGS
 from fmu_build.packaging.sources import FMI_HEADERS, RUNTIME, runtime_files
-from fmu_build.request import FmiVersion
+from fmu_build.support.request import FmiVersion
 
 MODELS = Path(__file__).parent / "models"
 TOKEN = "{00000000-0000-0000-0000-000000000001}"

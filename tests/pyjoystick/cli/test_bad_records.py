@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pyjoystick._types import FloatArray
+from pyjoystick.support import FloatArray
 from tests.pyjoystick.cli.conftest import Command
-from tests.pyjoystick.records.made import HOLD, RATE, motion, rows, write
+from tests.pyjoystick.motion.records.made import HOLD, RATE, motion, rows, write
 
 Table = list[list[object]]
 FIRST_LINE = 2

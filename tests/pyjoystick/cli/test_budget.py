@@ -8,10 +8,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pyjoystick.parameters import BACKWARD_TABLE, NOMINAL, read_parameter_file, write_parameters
-from pyjoystick.synthetic_records import synthetic_record
+from pyjoystick.laboratory.synthetic_records import synthetic_record
+from pyjoystick.model import BACKWARD_TABLE, NOMINAL, read_parameter_file, write_parameters
 from tests.pyjoystick.cli.conftest import Command
-from tests.pyjoystick.load_curve.machine import cycle, write
+from tests.pyjoystick.laboratory.load_curve.machine import cycle, write
 from tests.scenarios.scripts import cells
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from pyjoystick.experiments import COLUMNS
+from pyjoystick.runs.experiments import COLUMNS
 from tests.pyjoystick.cli.conftest import Command
 
 

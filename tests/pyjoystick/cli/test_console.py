@@ -8,8 +8,8 @@ from rich.table import Table
 
 from pyjoystick.cli.console import output
 from pyjoystick.cli.difference_table import print_differences
-from pyjoystick.comparison import Difference
-from pyjoystick.fmu_comparison import RunComparison
+from pyjoystick.motion import Difference
+from pyjoystick.runs import RunComparison
 
 _NAME = "assembly.returnSpring.a_variable_with_a_long_name"
 

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from pyjoystick.fitting import FitInterruptedError
-from pyjoystick.parameters import PAPER, ConstantDamping, read_parameter_file
+from pyjoystick.identification import FitInterruptedError
+from pyjoystick.model import PAPER, ConstantDamping, read_parameter_file
 from tests.pyjoystick.cli.conftest import Command
 
 DATA = Path(__file__).parents[3] / "scenarios" / "data"
@@ -181,7 +181,10 @@ def test_ctrl_c(
     def stopped(*_: object, **__: object) -> None:
         raise KeyboardInterrupt if stage == "searching" else FitInterruptedError
 
-    place = {"searching": "pyjoystick.fmu.Plan.run", "profiles": "pyjoystick.fitting.profile.search"}
+    place = {
+        "searching": "pyjoystick.fmu.Plan.run",
+        "profiles": "pyjoystick.identification.fitting.profile.search",
+    }
     monkeypatch.setattr(place[stage], stopped)
     before = joystick.read_bytes()
     outcome = command("fit", RECORDS[0], "-p", str(joystick), "--update", "--output", "out")

@@ -9,9 +9,10 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pyjoystick.experiments import COLUMNS, free_oscillation
 from pyjoystick.fmu import Fmu
-from pyjoystick.parameters import NOMINAL, NOMINAL_POWER_LAW
+from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW
+from pyjoystick.runs import free_oscillation
+from pyjoystick.runs.experiments import COLUMNS
 from tests.pyjoystick.cli.conftest import Command
 
 

@@ -8,13 +8,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pyjoystick.measured_peaks import measured_peaks
-from pyjoystick.parameters import NOMINAL
-from pyjoystick.records import read_record
-from pyjoystick.reference import simulate
-from pyjoystick.synthetic_laboratory import BASE, TOP, synthetic_acceleration, synthetic_markers
+from pyjoystick.laboratory import BASE, TOP, synthetic_acceleration, synthetic_markers
+from pyjoystick.model import NOMINAL, simulate
+from pyjoystick.motion import measured_peaks, read_record
 from tests.pyjoystick.cli.conftest import Command
-from tests.pyjoystick.measurements.c3d_writer import write_c3d
+from tests.pyjoystick.laboratory.measurements.c3d_writer import write_c3d
 
 RELEASE = math.radians(-20.0)
 MARKERS = ("--top", TOP, "--base", *BASE)

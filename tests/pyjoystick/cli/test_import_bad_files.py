@@ -7,12 +7,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pyjoystick.parameters import FORWARD_TABLE
-from pyjoystick.synthetic_laboratory import BASE, TOP, synthetic_markers
+from pyjoystick.laboratory import BASE, TOP, synthetic_markers
+from pyjoystick.model import FORWARD_TABLE
 from tests.pyjoystick.cli.conftest import Command
-from tests.pyjoystick.load_curve.machine import cycle, write
-from tests.pyjoystick.measurements.c3d_writer import write_c3d
-from tests.pyjoystick.measurements.made import nexus_text, plain_text, swing
+from tests.pyjoystick.laboratory.load_curve.machine import cycle, write
+from tests.pyjoystick.laboratory.measurements.c3d_writer import write_c3d
+from tests.pyjoystick.laboratory.measurements.made import nexus_text, plain_text, swing
 
 TIME = np.arange(180) / 60.0
 SEEN = synthetic_markers(TIME, swing(TIME), random=np.random.default_rng(1))

@@ -7,10 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pyjoystick.parameters import NOMINAL, read_parameter_file
+from pyjoystick.model import NOMINAL, read_parameter_file
 from tests.pyjoystick.cli.conftest import Command
-from tests.pyjoystick.inertia.pendulum import swing
-from tests.pyjoystick.inertia.test_parts import FILE
+from tests.pyjoystick.laboratory.inertia.pendulum import swing
+from tests.pyjoystick.laboratory.inertia.test_parts import FILE
 
 
 def test_a_recorded_swing_goes_into_the_parameter_file(command: Command, tmp_path: Path) -> None:

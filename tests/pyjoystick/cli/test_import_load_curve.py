@@ -6,9 +6,9 @@ from pathlib import Path
 
 import numpy as np
 
-from pyjoystick.parameters import BACKWARD_TABLE, FORWARD_TABLE, PAPER, read_parameter_file
+from pyjoystick.model import BACKWARD_TABLE, FORWARD_TABLE, PAPER, read_parameter_file
 from tests.pyjoystick.cli.conftest import Command
-from tests.pyjoystick.load_curve.machine import cycle, write
+from tests.pyjoystick.laboratory.load_curve.machine import cycle, write
 
 
 def test_from_the_machine_to_a_run_of_the_fmu(command: Command, tmp_path: Path) -> None:

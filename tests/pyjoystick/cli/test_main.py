@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from pyjoystick.versions import version_of
+from pyjoystick.support import version_of
 from tests.pyjoystick.cli.conftest import Command
 
 ROOT = Path(__file__).parents[3]

@@ -8,8 +8,8 @@ import pytest
 from typer import BadParameter
 
 from pyjoystick.cli.options import DampingLaw, joystick_of, parse_angle, parse_assignments
-from pyjoystick.errors import ParameterError, UnknownParameterError
-from pyjoystick.parameters import NOMINAL, NOMINAL_POWER_LAW
+from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW
+from pyjoystick.support import ParameterError, UnknownParameterError
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from pyjoystick.parameters import (
+from pyjoystick.model import (
     NOMINAL,
     NOMINAL_POWER_LAW,
     PAPER,
@@ -15,7 +15,7 @@ from pyjoystick.parameters import (
     read_parameters,
     write_parameters,
 )
-from pyjoystick.sweeps import read_sweep
+from pyjoystick.runs import read_sweep
 from tests.pyjoystick.cli.conftest import Command
 
 RECORD = Path(__file__).parents[3] / "scenarios" / "data" / "synthetic_constant_1.csv"

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from pyjoystick.cli import main
-from tests.pyjoystick.html_report.reading import read_page
+from tests.pyjoystick.reports.html_report.reading import read_page
 
 
 def test_it_writes_one_page(fmus_by_name: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

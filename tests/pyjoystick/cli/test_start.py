@@ -61,7 +61,15 @@ def test_help_waits_for_nothing_heavy(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    "module", ["numpy", "typer", "pyjoystick.cli", "pyjoystick.parameters", "pyjoystick.fmu.pool", "pandas"]
+    "module",
+    [
+        "numpy",
+        "typer",
+        "pyjoystick.cli",
+        "pyjoystick.model.parameters.file",
+        "pyjoystick.fmu.description",
+        "pandas",
+    ],
 )
 def test_ctrl_c_while_it_loads_is_no_traceback(module: str, tmp_path: Path) -> None:
     done = _python(STOPPED, module, "info", str(tmp_path / "nowhere.fmu"))

@@ -8,7 +8,7 @@ import pandas as pd
 import pytest
 
 from pyjoystick.cli import sweep_steps
-from pyjoystick.sweeps import Outcome, read_sweep
+from pyjoystick.runs import Outcome, read_sweep
 from tests.pyjoystick.cli.conftest import Command
 
 GRID = """

@@ -12,7 +12,7 @@ import pandas as pd
 import pytest
 
 from pyjoystick.forced_motion import ForwardAndReturn, Samples, measure, torque_by_reference
-from pyjoystick.parameters import NOMINAL
+from pyjoystick.model import NOMINAL
 from tests.pyjoystick.cli.conftest import Command
 
 MOTION = ForwardAndReturn(amplitude=math.radians(15.0), rise=0.15)

@@ -12,8 +12,8 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pyjoystick.errors import ParameterError, UnknownVariableError
 from pyjoystick.fmu import Extremes, Final, Fmu, FmuFileError, Loss, Peaks
+from pyjoystick.support import ParameterError, UnknownVariableError
 from tests.pyjoystick.fmu import awkward
 from tests.pyjoystick.fmu.awkward import Trouble
 

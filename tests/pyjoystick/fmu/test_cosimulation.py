@@ -11,10 +11,9 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pyjoystick.errors import ParameterError
 from pyjoystick.fmu import Fmu, FmuRunError
-from pyjoystick.parameters import NOMINAL
-from pyjoystick.reference import simulate
+from pyjoystick.model import NOMINAL, simulate
+from pyjoystick.support import ParameterError
 from tests.pyjoystick.fmu.awkward import Trouble
 from tests.pyjoystick.fmu.doctored import doctored
 

@@ -11,8 +11,8 @@ import fmpy
 import pytest
 
 from pyjoystick.fmu import Fmu, FmuFileError, UnsupportedFmuError, read_description
-from pyjoystick.parameters import NOMINAL
-from pyjoystick.tables import DisplayUnit
+from pyjoystick.model import NOMINAL
+from pyjoystick.motion import DisplayUnit
 from tests.pyjoystick.fmu.doctored import FMI_3, doctored, without_co_simulation
 
 

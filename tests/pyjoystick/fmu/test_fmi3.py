@@ -10,8 +10,8 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pyjoystick.errors import ParameterError
 from pyjoystick.fmu import Final, Fmu, FmuRunError
+from pyjoystick.support import ParameterError
 from tests.pyjoystick.fmu.awkward import Trouble
 
 TIME = np.linspace(0.0, 1.0, 5)

@@ -10,10 +10,9 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pyjoystick.errors import ParameterError, PyJoystickError, SeriesError, UnknownInputError
 from pyjoystick.fmu import Fmu
-from pyjoystick.parameters import NOMINAL
-from pyjoystick.reference import inverse_torque, simulate
+from pyjoystick.model import NOMINAL, inverse_torque, simulate
+from pyjoystick.support import ParameterError, PyJoystickError, SeriesError, UnknownInputError
 from tests.pyjoystick.fmu.doctored import doctored
 
 TIME = np.linspace(0.0, 1.0, 41)

@@ -9,8 +9,8 @@ from pathlib import Path
 import fmpy
 import pytest
 
-from pyjoystick.errors import PyJoystickError
 from pyjoystick.fmu import Fmu, FmuFileError, UnsupportedFmuError
+from pyjoystick.support import PyJoystickError
 from tests.pyjoystick.fmu.doctored import FMI_3, doctored, without_co_simulation
 
 

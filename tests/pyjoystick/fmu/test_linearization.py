@@ -10,9 +10,9 @@ import pandas as pd
 import pytest
 from scipy.linalg import expm
 
-from pyjoystick.errors import ParameterError, UnknownInputError
 from pyjoystick.fmu import Fmu
-from pyjoystick.parameters import NOMINAL
+from pyjoystick.model import NOMINAL
+from pyjoystick.support import ParameterError, UnknownInputError
 from tests.joystick_fmu.analytic import jacobian
 
 OUTPUTS = ("alpha", "M_s", "E")

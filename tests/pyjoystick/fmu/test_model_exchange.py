@@ -10,10 +10,9 @@ import pandas as pd
 import pytest
 
 from fmu_build import build_fmu
-from pyjoystick.errors import ParameterError, SimulationError, UnknownInputError
 from pyjoystick.fmu import Fmu, FmuRunError, UnsupportedFmuError, run_model_exchange
-from pyjoystick.parameters import NOMINAL
-from pyjoystick.reference import simulate
+from pyjoystick.model import NOMINAL, simulate
+from pyjoystick.support import ParameterError, SimulationError, UnknownInputError
 from tests.pyjoystick.fmu.doctored import doctored
 
 TIME = np.linspace(0.0, 1.0, 201)

@@ -11,10 +11,9 @@ import pytest
 from typer.testing import CliRunner
 
 from pyjoystick.cli import app
-from pyjoystick.errors import ParameterError
 from pyjoystick.fmu import Final, Fmu, FmuRunError, read_description, run_model_exchange
-from pyjoystick.parameters import NOMINAL
-from pyjoystick.reference import simulate
+from pyjoystick.model import NOMINAL, simulate
+from pyjoystick.support import ParameterError
 
 TIME = np.linspace(0.0, 1.0, 501)
 RELEASE = {"theta_start": math.radians(-20.0)}

@@ -12,15 +12,15 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pyjoystick.errors import (
+from pyjoystick.fmu import Fmu, FmuNotFoundError, FmuRunError
+from pyjoystick.fmu.stepping.engine import PLAIN_LOOP_VARIABLE
+from pyjoystick.support import (
     ParameterError,
     PyJoystickError,
     UnknownInputError,
     UnknownParameterError,
     UnknownVariableError,
 )
-from pyjoystick.fmu import Fmu, FmuNotFoundError, FmuRunError
-from pyjoystick.fmu.stepping.engine import PLAIN_LOOP_VARIABLE
 from tests.pyjoystick.fmu.awkward import Trouble
 from tests.pyjoystick.fmu.doctored import doctored
 

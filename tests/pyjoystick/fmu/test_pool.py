@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from pyjoystick.errors import PyJoystickError
 from pyjoystick.fmu import Fmu
+from pyjoystick.support import PyJoystickError
 
 _FORK = """
 import os, sys

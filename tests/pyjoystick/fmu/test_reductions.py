@@ -8,9 +8,9 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pyjoystick.errors import ParameterError
 from pyjoystick.fmu import Extremes, Final, Fmu, Loss, Peaks, Reduction
-from pyjoystick.peaks import find_peaks
+from pyjoystick.motion import find_peaks
+from pyjoystick.support import ParameterError
 
 TIME = np.linspace(0.0, 1.0, 241)
 OUTPUTS = ("E", "theta", "omega", "alpha")

@@ -7,9 +7,9 @@ import math
 import numpy as np
 import pytest
 
-from pyjoystick.errors import ParameterError, UnknownParameterError, UnknownVariableError
-from pyjoystick.fmu import Fmu, FmuRunError, Variable
-from pyjoystick.fmu.values import allowed_values, checked_value
+from pyjoystick.fmu import Fmu, FmuRunError, Variable, checked_value
+from pyjoystick.fmu.values import allowed_values
+from pyjoystick.support import ParameterError, UnknownParameterError, UnknownVariableError
 
 TIME = (0.0, 0.1)
 

@@ -6,7 +6,7 @@ import math
 from typing import Final
 
 from pyjoystick.forced_motion import SHAPES, ForwardAndReturn
-from pyjoystick.parameters import NOMINAL, NOMINAL_POWER_LAW
+from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW
 
 JOYSTICKS: Final = {"constant": NOMINAL, "power-law": NOMINAL_POWER_LAW}
 #: Both sides, unequal times, with and without rest and dwell.

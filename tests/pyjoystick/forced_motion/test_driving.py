@@ -11,11 +11,10 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pyjoystick.errors import ParameterError
-from pyjoystick.fmu.description import Interface
+from pyjoystick.fmu import Interface
 from pyjoystick.forced_motion import ForwardAndReturn, round_trip, torque_rows
-from pyjoystick.parameters import NOMINAL, JoystickParameters
-from pyjoystick.reference import inverse_torque
+from pyjoystick.model import NOMINAL, JoystickParameters, inverse_torque
+from pyjoystick.support import ParameterError
 from tests.pyjoystick.forced_motion.cases import JOYSTICKS, MOTIONS
 
 ALLOWED: Final = 1e-6  # rad

@@ -8,14 +8,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pyjoystick.errors import SeriesError
 from pyjoystick.forced_motion import ForwardAndReturn, Samples, measure, read_motion, torque_by_reference
 from pyjoystick.forced_motion.synthetic import seen_by_cameras
-from pyjoystick.measurements.chain import Chain
-from pyjoystick.measurements.low_pass import LowPass
-from pyjoystick.measurements.motion_files import write_motion
-from pyjoystick.parameters import NOMINAL
-from pyjoystick.records import RecordError
+from pyjoystick.laboratory import Chain, LowPass, write_motion
+from pyjoystick.model import NOMINAL
+from pyjoystick.motion import RecordError
+from pyjoystick.support import SeriesError
 
 MOTION = ForwardAndReturn(amplitude=0.25, rise=0.3, dwell=0.1, rest=0.3)
 FRAMES = np.arange(79) / 60.0

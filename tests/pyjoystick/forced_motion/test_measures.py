@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from pyjoystick.errors import ParameterError
 from pyjoystick.forced_motion import (
     PARTS,
     ForwardAndReturn,
@@ -21,8 +20,15 @@ from pyjoystick.forced_motion import (
     torque_by_fmu,
     torque_by_reference,
 )
-from pyjoystick.parameters import NOMINAL, PIVOT_TO_TOP, ConstantDamping, JoystickParameters
-from pyjoystick.reference import energy, inverse_torque
+from pyjoystick.model import (
+    NOMINAL,
+    PIVOT_TO_TOP,
+    ConstantDamping,
+    JoystickParameters,
+    energy,
+    inverse_torque,
+)
+from pyjoystick.support import ParameterError
 from tests.pyjoystick.forced_motion.cases import JOYSTICKS, MOTIONS
 
 BALANCE = 1e-8  # J

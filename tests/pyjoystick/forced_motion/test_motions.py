@@ -7,11 +7,10 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
-from pyjoystick.errors import ParameterError
 from pyjoystick.forced_motion import SHAPES, ForwardAndReturn, Shape
+from pyjoystick.support import ParameterError
 from tests.pyjoystick.forced_motion.cases import MOTIONS
 
 A = 0.3

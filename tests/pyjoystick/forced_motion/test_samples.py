@@ -7,10 +7,9 @@ import math
 import numpy as np
 import pytest
 
-from pyjoystick.errors import ParameterError, SeriesError
 from pyjoystick.forced_motion import ForwardAndReturn, Samples, smooth_spans
-from pyjoystick.parameters import NOMINAL
-from pyjoystick.reference import contact_travel
+from pyjoystick.model import NOMINAL, contact_travel
+from pyjoystick.support import ParameterError, SeriesError
 from tests.pyjoystick.forced_motion.cases import MOTIONS
 
 TIME = np.array([0.0, 0.1, 0.3])

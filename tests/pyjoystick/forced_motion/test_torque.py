@@ -7,7 +7,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pyjoystick.errors import ParameterError
 from pyjoystick.fmu import FmuRunError, UnsupportedFmuError
 from pyjoystick.forced_motion import (
     TORQUES,
@@ -18,9 +17,15 @@ from pyjoystick.forced_motion import (
     torque_by_reference,
     torque_table,
 )
-from pyjoystick.parameters import NOMINAL, NOMINAL_POWER_LAW, PIVOT_TO_TOP, JoystickParameters
-from pyjoystick.reference import InverseTorque
-from pyjoystick.reference.cam import angle_of_travel
+from pyjoystick.model import (
+    NOMINAL,
+    NOMINAL_POWER_LAW,
+    PIVOT_TO_TOP,
+    InverseTorque,
+    JoystickParameters,
+    angle_of_travel,
+)
+from pyjoystick.support import ParameterError
 from tests.pyjoystick.forced_motion.cases import JOYSTICKS, MOTIONS
 from tests.pyjoystick.random_parameters import RandomCase, both_laws
 

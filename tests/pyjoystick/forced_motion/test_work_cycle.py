@@ -7,7 +7,6 @@ import math
 import numpy as np
 import pytest
 
-from pyjoystick.errors import ParameterError, UnknownParameterError
 from pyjoystick.fmu import Fmu
 from pyjoystick.forced_motion import (
     MOVES_PER_SHIFT,
@@ -23,7 +22,8 @@ from pyjoystick.forced_motion import (
     scaled,
     torque_by_reference,
 )
-from pyjoystick.parameters import NOMINAL, NOMINAL_POWER_LAW, PIVOT_TO_TOP
+from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW, PIVOT_TO_TOP
+from pyjoystick.support import ParameterError, UnknownParameterError
 
 MOVES = MoveDistribution().draw(5, seed=2)
 

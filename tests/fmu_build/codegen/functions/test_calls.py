@@ -16,8 +16,8 @@ from fmu_build.codegen import ModelSource, generate
 from fmu_build.codegen.equations import read_equations
 from fmu_build.codegen.functions import FunctionLibrary
 from fmu_build.codegen.lowered import lower
-from fmu_build.errors import UnsupportedModelError
 from fmu_build.packaging.sources import RUNTIME
+from fmu_build.support.errors import UnsupportedModelError
 from tests.fmu_build.codegen.functions.compiled import compile_c
 
 # Calls that differ by nothing but the function: in one equation, within each other, in the same equation of

@@ -11,7 +11,7 @@ from fmu_build.codegen import ModelSource, generate
 from fmu_build.codegen.equations import read_equations
 from fmu_build.codegen.functions import FunctionLibrary
 from fmu_build.codegen.lowered import lower
-from fmu_build.errors import UnsupportedModelError
+from fmu_build.support.errors import UnsupportedModelError
 
 PACKAGE = """
 package P

@@ -9,8 +9,8 @@ import pytest
 from fmu_build.compilers.openmodelica import OpenModelicaCompiler
 from fmu_build.compilers.openmodelica.build import read_attempt, statements
 from fmu_build.compilers.openmodelica.messages import Answer, read_messages
-from fmu_build.errors import BuildError, ModelNotFoundError, ToolchainError
-from fmu_build.request import BuildRequest, FmiType
+from fmu_build.support.errors import BuildError, ModelNotFoundError, ToolchainError
+from fmu_build.support.request import BuildRequest, FmiType
 from tests.fmu_build.compilers.openmodelica import recorded
 
 JOYSTICK = "PreloadedSprings.Joystick.Joystick"

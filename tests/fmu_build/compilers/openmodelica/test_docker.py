@@ -9,7 +9,7 @@ import pytest
 
 from fmu_build import build_fmu
 from fmu_build.compilers.openmodelica.docker import check_image, mounts, run_in_container
-from fmu_build.errors import ToolchainError
+from fmu_build.support.errors import ToolchainError
 
 
 def test_the_same_paths_inside(tmp_path: Path) -> None:

@@ -8,7 +8,7 @@ import pytest
 
 from fmu_build.compilers.openmodelica.failures import failure
 from fmu_build.compilers.openmodelica.messages import read_messages
-from fmu_build.errors import BuildError, ModelicaError, ToolchainError, UnsupportedModelError
+from fmu_build.support.errors import BuildError, ModelicaError, ToolchainError, UnsupportedModelError
 from tests.fmu_build.compilers.openmodelica import recorded
 
 FILE = Path("/home/user/lib/M.mo")

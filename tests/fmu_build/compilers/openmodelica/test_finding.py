@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from fmu_build.compilers.openmodelica.finding import find_omc, omc_version, plain_version
-from fmu_build.errors import ToolchainError
+from fmu_build.support.errors import ToolchainError
 
 
 def _program(path: Path, script: str = "exit 0") -> Path:

@@ -13,7 +13,7 @@ from fmu_build.compilers.openmodelica.messages import (
     unquoted,
     watched,
 )
-from fmu_build.places import Place
+from fmu_build.modelica_source.places import Place
 from tests.fmu_build.compilers.openmodelica import recorded
 
 

@@ -9,7 +9,7 @@ import pytest
 from fmu_build import build_fmu
 from fmu_build.compilers.openmodelica import OpenModelicaCompiler
 from fmu_build.compilers.openmodelica.options import OPTIONS, Options, read_options
-from fmu_build.errors import BuildError
+from fmu_build.support.errors import BuildError
 
 
 def test_none_given() -> None:

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from fmu_build.compilers.openmodelica.process import read_log, run, running
-from fmu_build.errors import ToolchainError
+from fmu_build.support.errors import ToolchainError
 
 ENVIRONMENT = {"PATH": os.environ["PATH"]}
 # Two processes: the one that is started, and one that it starts itself; it prints the id of the latter.

@@ -19,7 +19,7 @@ from fmu_build.compilers.openmodelica.connection import connected
 from fmu_build.compilers.openmodelica.finding import find_omc, omc_version
 from fmu_build.compilers.openmodelica.process import running
 from fmu_build.compilers.openmodelica.sessions import ROOT_NOTE
-from fmu_build.errors import (
+from fmu_build.support.errors import (
     BuildError,
     ModelicaError,
     ModelNotFoundError,

@@ -16,8 +16,7 @@ from numpy.typing import NDArray
 from fmu_build import BuildResult, build_fmu
 from fmu_build.compilers.openmodelica.finding import find_omc, omc_version
 from pyjoystick.fmu import Fmu
-from pyjoystick.parameters import NOMINAL, NOMINAL_POWER_LAW
-from pyjoystick.reference import inverse_torque, simulate
+from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW, inverse_torque, simulate
 from tests.joystick_fmu.driver import fmu_parameters
 from tests.omc import JOYSTICKS, why_not
 from tests.pyjoystick.random_parameters import RandomCase, both_laws

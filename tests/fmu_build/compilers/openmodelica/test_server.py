@@ -18,7 +18,7 @@ from fmu_build.compilers.openmodelica.connection import connected, log_of_ompyth
 from fmu_build.compilers.openmodelica.options import Options
 from fmu_build.compilers.openmodelica.server import RootRefusedError, local_server, read_port_file
 from fmu_build.compilers.openmodelica.sessions import open_session
-from fmu_build.errors import ToolchainError
+from fmu_build.support.errors import ToolchainError
 from tests.fmu_build.compilers.openmodelica import recorded
 
 

@@ -1,0 +1,139 @@
+"""Finds constructs in the Modelica source of a model, for errors that come without a place."""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from fmu_build.modelica_source.places import Place, place_at
+from fmu_build.modelica_source.text import blanked, declarations
+
+_WORD = re.compile(r"'(?:[^'\\\n]|\\.)*'|[A-Za-z_]\w*")
+
+
+@dataclass(frozen=True, slots=True)
+class Construct:
+    """A piece of source, on one line, and its place."""
+
+    text: str
+    place: Place
+
+
+class ModelText:
+    """The text of the classes that a model can be made of, from the files of its libraries.
+
+    A class is made of itself, of the classes `around` it and of every class whose simple name occurs in one
+    of these; an error can be about no other.
+    """
+
+    def __init__(self, model: str, texts: Mapping[Path, str], *, around: bool = True) -> None:
+        self._texts = texts
+        parts = [part for file, text in self._texts.items() for part in _parts(file, text)]
+        reached = _reached(model, parts, around)
+        self._classes = {part.name: self._plain_text(part) for part in reached}
+        self._plain = {
+            file: _only(blanked(text), [span for part in reached if part.file == file for span in part.spans])
+            for file, text in self._texts.items()
+        }
+
+    def find(self, patterns: Sequence[str]) -> list[Construct]:
+        """What matches the first of the patterns that matches anywhere; an open ``(`` brings its ``)``."""
+        for pattern in patterns:
+            found = [
+                self._construct(file, match.start(), _closing(plain, match.end()))
+                for file, plain in self._plain.items()
+                for match in re.finditer(pattern, plain)
+            ]
+            if found:
+                return found
+        return []
+
+    def mentions(self, simple_name: str, pattern: str) -> bool | None:
+        """Whether the pattern occurs in a class of that simple name; None where there is no such class."""
+        found = [text for name, text in self._classes.items() if name.rpartition(".")[2] == simple_name]
+        return any(re.search(pattern, text) for text in found) if found else None
+
+    def _plain_text(self, part: _Part) -> str:
+        plain = blanked(self._texts[part.file])
+        return " ".join(plain[start:end] for start, end in part.spans)
+
+    def at_bytes(self, start: int, end: int, pattern: str) -> list[Construct]:
+        """What stands at these bytes of a file and matches; which file is not known."""
+        found = []
+        for file, plain in self._plain.items():
+            content = self._texts[file].encode()
+            first, last = (len(content[:position].decode(errors="ignore")) for position in (start, end))
+            if re.fullmatch(pattern, plain[first:last], re.DOTALL):
+                found.append(self._construct(file, first, last))
+        return found
+
+    def _construct(self, file: Path, start: int, end: int) -> Construct:
+        text = self._texts[file]
+        return Construct(" ".join(text[start:end].split()), place_at(file, text, start))
+
+
+@dataclass(frozen=True, slots=True)
+class _Part:
+    """A class without the classes inside it: where its own text stands in its file, and the words of it."""
+
+    name: str
+    file: Path
+    spans: tuple[tuple[int, int], ...]
+    words: frozenset[str]
+
+
+def _parts(file: Path, text: str) -> list[_Part]:
+    plain = blanked(text)
+    classes = sorted(declarations(text), key=lambda declared: declared.start)
+    parts = []
+    for declared in classes:
+        spans, cursor = [], declared.start
+        for inner in classes:
+            if not inner.in_modifier and cursor <= inner.start < declared.end and inner is not declared:
+                spans.append((cursor, inner.start))
+                cursor = inner.end
+        spans.append((cursor, declared.end))
+        words = frozenset(word for start, end in spans for word in _WORD.findall(plain[start:end]))
+        parts.append(_Part(declared.name, file, tuple(spans), words))
+    return parts
+
+
+def _reached(model: str, parts: Sequence[_Part], around: bool) -> list[_Part]:
+    named: dict[str, list[_Part]] = defaultdict(list)
+    for part in parts:
+        named[part.name.rpartition(".")[2]].append(part)
+    reached: list[_Part] = []
+    waiting = [part for part in parts if part.name == model]
+    while waiting:
+        part = waiting.pop()
+        if part in reached:
+            continue
+        reached.append(part)
+        for word in part.words.union(part.name.split(".") if around else ()):
+            waiting.extend(named.pop(word, ()))
+    return reached
+
+
+def _only(text: str, spans: Sequence[tuple[int, int]]) -> str:
+    """The text inside the spans, with spaces for everything before and between them."""
+    kept, cursor = [], 0
+    for start, end in sorted(spans):
+        first = max(start, cursor)
+        if first < end:
+            kept += [" " * (first - cursor), text[first:end]]
+            cursor = end
+    return "".join(kept)
+
+
+def _closing(text: str, end: int) -> int:
+    """Where the parenthesis is closed that opens right before `end`; `end` where none does."""
+    depth = 1 if text[end - 1] == "(" else 0
+    for position in range(end, len(text)):
+        if depth == 0:
+            break
+        depth += {"(": 1, ")": -1}.get(text[position], 0)
+        end = position + 1
+    return end

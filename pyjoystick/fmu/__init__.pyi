@@ -1,0 +1,36 @@
+from .batch import BatchResult as BatchResult
+from .cosimulation import Fmu as Fmu
+from .description import (
+    DefaultExperiment as DefaultExperiment,
+    FmuDescription as FmuDescription,
+    Interface as Interface,
+    Variable as Variable,
+    read_description as read_description,
+)
+from .errors import (
+    FmuFileError as FmuFileError,
+    FmuNotFoundError as FmuNotFoundError,
+    FmuRunError as FmuRunError,
+    UnsupportedFmuError as UnsupportedFmuError,
+)
+from .files import MODELS as MODELS, build_folder as build_folder, find_fmu as find_fmu
+from .inputs import Inputs as Inputs, checked_inputs as checked_inputs
+from .library import FmuLibrary as FmuLibrary
+from .linearization import Linearization as Linearization
+from .model_exchange import run_model_exchange as run_model_exchange
+from .plan import Plan as Plan
+from .reductions import (
+    Extremes as Extremes,
+    Final as Final,
+    Loss as Loss,
+    Peaks as Peaks,
+    Reduction as Reduction,
+)
+from .values import (
+    INTEGERS as INTEGERS,
+    Value as Value,
+    checked_outputs as checked_outputs,
+    checked_parameters as checked_parameters,
+    checked_value as checked_value,
+    checked_varied as checked_varied,
+)

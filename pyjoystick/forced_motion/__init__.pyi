@@ -1,0 +1,35 @@
+from .driving import RoundTrip as RoundTrip, round_trip as round_trip, torque_rows as torque_rows
+from .figures import plot_torque as plot_torque
+from .measured import (
+    MeasuredMotion as MeasuredMotion,
+    read_motion as read_motion,
+    through_chain as through_chain,
+)
+from .measures import (
+    PARTS as PARTS,
+    PartMeasures as PartMeasures,
+    TorqueMeasures as TorqueMeasures,
+    measure as measure,
+)
+from .motions import ForwardAndReturn as ForwardAndReturn, Kinematics as Kinematics
+from .paper_motion import MOTION as MOTION, section_5 as section_5
+from .profiles import SHAPES as SHAPES, Shape as Shape
+from .reports import measures_report as measures_report
+from .samples import Samples as Samples, smooth_spans as smooth_spans
+from .torque import (
+    TORQUES as TORQUES,
+    inverse_fmu as inverse_fmu,
+    torque_by_fmu as torque_by_fmu,
+    torque_by_reference as torque_by_reference,
+    torque_table as torque_table,
+)
+from .work_cycle import (
+    MOVES_PER_SHIFT as MOVES_PER_SHIFT,
+    PRELOADS as PRELOADS,
+    STIFFNESSES as STIFFNESSES,
+    Demand as Demand,
+    MoveDistribution as MoveDistribution,
+    demands as demands,
+    faster as faster,
+    scaled as scaled,
+)

@@ -1,0 +1,1 @@
+"""Fitting an FMU's parameters to records, and saying how sure the answer is."""

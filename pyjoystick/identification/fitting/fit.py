@@ -1,0 +1,185 @@
+"""The fit from settings and records to a result: set up, search, and say how sure the answer is."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterable, Sequence
+from contextlib import nullcontext
+
+import numpy as np
+
+from pyjoystick.fmu import Fmu
+from pyjoystick.identification.fitting.assessment import (
+    all_checks,
+    criteria_of,
+    derived_parameters,
+    record_fits,
+)
+from pyjoystick.identification.fitting.bootstrap import Bootstrap, bootstrap
+from pyjoystick.identification.fitting.errors import FitInterruptedError
+from pyjoystick.identification.fitting.identifiability import identifiability
+from pyjoystick.identification.fitting.measurement import Measurement
+from pyjoystick.identification.fitting.noise_model import estimated_sigmas, weights_of
+from pyjoystick.identification.fitting.problem import Problem
+from pyjoystick.identification.fitting.profile import Profile, profile
+from pyjoystick.identification.fitting.result import Fit
+from pyjoystick.identification.fitting.search import Minimum, multi_start, search
+from pyjoystick.identification.fitting.settings import FitSettings
+from pyjoystick.identification.fitting.setup import make_problem
+from pyjoystick.identification.fitting.steps import choose_steps
+from pyjoystick.identification.fitting.trust import check_profiles
+from pyjoystick.identification.fitting.uncertainty import StandardErrors, standard_errors
+from pyjoystick.motion import Record
+from pyjoystick.support import FloatArray
+
+#: Called with the stage, what is done of it and of how much.
+OnProgress = Callable[[str, int, int], None]
+
+#: The estimates of several noise levels are repeated until they change by less than this part.
+_NOISE_CHANGE = 0.01
+_MOST_ROUNDS = 5
+
+
+def fit(
+    records: Iterable[Record | Measurement],
+    settings: FitSettings,
+    *,
+    fmu: Fmu | None = None,
+    on_progress: OnProgress | None = None,
+) -> Fit:
+    """Fit parameters of an FMU to records.
+
+    Args:
+        records: what was measured
+        settings: what to fit and how
+        fmu: the FMU of the settings, where it is open already
+        on_progress: called while the fit goes on
+
+    Raises:
+        FitError: a record or the FMU does not go with the settings, or the first run fails
+        FitInterruptedError: Ctrl-C before the search was done
+        ParameterError, UnknownParameterError, UnknownVariableError: a name or value is not allowed
+    """
+    begun = time.perf_counter()
+    tell = on_progress or (lambda stage, done, total: None)
+    with nullcontext(fmu) if fmu is not None else Fmu(settings.fmu) as opened:
+        problem = make_problem(records, settings, opened)
+        minima = _search(problem, settings, tell)
+        return _judged(problem, settings, minima, begun, tell)
+
+
+def _search(problem: Problem, settings: FitSettings, tell: OnProgress) -> list[Minimum]:
+    """Search, and set the weights of the problem to what the noise is found to be."""
+    problem.steps = choose_steps(problem, problem.variables.start).steps
+    starts = settings.search.starts
+    tell("searching", 0, starts)
+    minima = multi_start(
+        problem,
+        problem.variables.start,
+        settings.search,
+        lambda done, total: tell("searching", done, total),
+    )
+    if settings.noise.sigma:
+        return minima
+    peaks = settings.comparison == "peaks"
+    several = settings.noise.per_record or (len(settings.outputs) > 1 and not peaks)
+    best = minima[0]
+    before: FloatArray | None = None
+    for _ in range(_MOST_ROUNDS):
+        sigmas = estimated_sigmas(problem, best.x, per_record=settings.noise.per_record, combined=peaks)
+        old = problem.weights
+        problem.weights = weights_of(problem, sigmas)
+        if not several:
+            # The same weights but for a factor: the minima stay where they are.
+            return [_rescaled(one, float(problem.weights[0][0] / old[0][0])) for one in minima]
+        best = search(problem, best.x, evaluations=settings.search.evaluations)
+        levels = np.array([value for one in sigmas for value in one.values()])
+        if before is not None and np.allclose(levels, before, rtol=_NOISE_CHANGE, atol=0.0):
+            break
+        before = levels
+    return [best, *minima[1:]]
+
+
+def _rescaled(minimum: Minimum, factor: float) -> Minimum:
+    return Minimum(
+        minimum.x,
+        minimum.cost * factor**2,
+        minimum.converged,
+        minimum.message,
+        minimum.evaluations,
+        minimum.found,
+    )
+
+
+def _judged(
+    problem: Problem, settings: FitSettings, minima: Sequence[Minimum], begun: float, tell: OnProgress
+) -> Fit:
+    """Everything after the search."""
+    variables, best = problem.variables, minima[0]
+    steps = choose_steps(problem, best.x)
+    problem.steps = steps.steps
+    labels = variables.labels
+    scales = np.array([one.scale for one in variables.free])
+    jacobian = problem.jacobian(best.x)
+    known = identifiability(jacobian, best.x, scales, labels, steps.errors)
+    sigma_known = bool(settings.noise.sigma)
+    errors = standard_errors(
+        jacobian, known, problem.size, settings.uncertainty.level, sigma_known=sigma_known
+    )
+    records = record_fits(problem, best.x)
+    checks = all_checks(problem, settings, best, known, errors, records, steps.noise)
+    derived = tuple(derived_parameters(variables, best.x, errors, [one.name for one in records]))
+    profiles, drawn, interrupted = _optional(problem, settings, best, errors, tell)
+    if profiles:
+        checks.append(check_profiles(labels, profiles))
+    return Fit(
+        settings=settings,
+        variables=variables.free,
+        x=best.x,
+        cost=best.cost,
+        standard_errors=errors,
+        intervals=errors.intervals(best.x),
+        derived=derived,
+        minima=tuple(minima),
+        identifiability=known,
+        criteria=criteria_of(settings, records, known.rank, best.cost),
+        records=records,
+        checks=tuple(checks),
+        steps=steps,
+        runs=problem.runs,
+        seconds=time.perf_counter() - begun,
+        profiles=profiles,
+        bootstrap=drawn,
+        interrupted=interrupted,
+    )
+
+
+def _optional(
+    problem: Problem, settings: FitSettings, best: Minimum, errors: StandardErrors, tell: OnProgress
+) -> tuple[dict[int, Profile], Bootstrap | None, bool]:
+    """Profiles and bootstrap, as far as they came before Ctrl-C."""
+    profiles: dict[int, Profile] = {}
+    drawn: Bootstrap | None = None
+    wanted = settings.uncertainty
+    shared = [j for j, one in enumerate(problem.variables.free) if one.record is None]
+    chosen = [
+        j for j in shared if wanted.profiles is None or problem.variables.free[j].name in wanted.profiles
+    ]
+    try:
+        for done, j in enumerate(chosen):
+            tell("profiles", done, len(chosen))
+            profiles[j] = profile(problem, best.x, best.cost, j, errors)
+        if chosen:
+            tell("profiles", len(chosen), len(chosen))
+        if wanted.bootstrap:
+            drawn = bootstrap(
+                problem,
+                best.x,
+                wanted.bootstrap,
+                wanted.resampling,
+                settings.search.seed,
+                lambda done, total: tell("bootstrap", done, total),
+            )
+    except FitInterruptedError:
+        return profiles, drawn, True
+    return profiles, drawn, False

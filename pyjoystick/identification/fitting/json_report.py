@@ -1,0 +1,87 @@
+"""A fit as JSON: every number in full, nothing that is no JSON (infinities and NaN are null)."""
+
+from __future__ import annotations
+
+import json
+import math
+from typing import Any
+
+import numpy as np
+
+from pyjoystick.identification.fitting.result import Fit
+from pyjoystick.identification.fitting.settings_file import as_document
+
+
+def as_json(fit: Fit) -> str:
+    """The whole result as JSON text."""
+    document = {
+        "trusted": fit.trusted,
+        "interrupted": fit.interrupted,
+        "parameters": [_parameter(fit, j) for j in range(len(fit.variables))],
+        "tied": [
+            {"name": one.name, "record": one.record, "value": one.value, "standard_error": one.error}
+            for one in fit.derived
+        ],
+        "correlation": fit.standard_errors.correlation,
+        "sum_of_squares": fit.cost,
+        "degrees_of_freedom": fit.standard_errors.degrees_of_freedom,
+        "criteria": None if fit.criteria is None else fit.criteria._asdict(),
+        "identifiability": {
+            "singular_values": fit.identifiability.singular_values,
+            "condition": fit.identifiability.condition,
+            "rank": fit.identifiability.rank,
+            "open": list(fit.identifiability.sentences),
+            "weakest": fit.identifiability.weakest,
+        },
+        "minima": [
+            {"x": one.x, "sum_of_squares": one.cost, "searches": one.found, "converged": one.converged}
+            for one in fit.minima
+        ],
+        "checks": [{"name": c.name, "passed": c.passed, "message": c.message} for c in fit.checks],
+        "records": [
+            {"name": one.name, "noise": one.sigma, "times": one.times, "data": one.data, "fit": one.predicted}
+            for one in fit.records
+        ],
+        "derivatives": {"errors": fit.steps.errors, "steps": fit.steps.steps, "noise": fit.steps.noise},
+        "runs": fit.runs,
+        "seconds": fit.seconds,
+        "settings": as_document(fit.settings),
+    }
+    return json.dumps(_plain(document), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def _parameter(fit: Fit, place: int) -> dict[str, Any]:
+    variable = fit.variables[place]
+    profile = fit.profiles.get(place)
+    found: dict[str, Any] = {
+        "name": variable.name,
+        "record": None if variable.record is None else fit.records[variable.record].name,
+        "unit": variable.unit,
+        "value": fit.x[place],
+        "standard_error": fit.standard_errors.errors[place],
+        "interval": fit.intervals[place],
+        "determined": not bool(fit.identifiability.undetermined[place]),
+    }
+    if profile is not None:
+        found["profile"] = {
+            "interval": profile.interval,
+            "values": profile.values,
+            "distances": profile.distances,
+            "at_bound": profile.bounded,
+        }
+    if fit.bootstrap is not None and len(fit.bootstrap.fits) > 1:
+        found["bootstrap_error"] = fit.bootstrap.errors()[place]
+        found["bootstrap_interval"] = fit.bootstrap.intervals(fit.settings.uncertainty.level)[place]
+    return found
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {str(key): _plain(one) for key, one in value.items()}
+    if isinstance(value, np.ndarray | list | tuple):
+        return [_plain(one) for one in value]
+    if isinstance(value, np.generic):
+        value = value.item()
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
+    return value

@@ -1,0 +1,141 @@
+"""What a fit found."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from pyjoystick.identification.fitting.bootstrap import Bootstrap
+from pyjoystick.identification.fitting.criteria import Criteria
+from pyjoystick.identification.fitting.identifiability import Identifiability
+from pyjoystick.identification.fitting.profile import Profile
+from pyjoystick.identification.fitting.search import Minimum
+from pyjoystick.identification.fitting.settings import FitSettings
+from pyjoystick.identification.fitting.steps import StepChoice
+from pyjoystick.identification.fitting.trust import Check
+from pyjoystick.identification.fitting.uncertainty import StandardErrors
+from pyjoystick.identification.fitting.variables import Variable
+from pyjoystick.support import FloatArray
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Derived:
+    """A tied parameter of the FMU: its value and standard error, which follow from those of others.
+
+    Attributes:
+        name: the parameter
+        record: the record that it belongs to; empty where all records share it
+        value, error: its value and standard error
+        slope: derivatives of the value with respect to the variables, shape (variables,)
+    """
+
+    name: str
+    record: str
+    value: float
+    error: float
+    slope: FloatArray
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RecordFit:
+    """One record beside its fit.
+
+    Attributes:
+        name: name of the record
+        labels: name of the series of each number, length n
+        times: its instant (s), shape (n,)
+        data, predicted: measured and fitted numbers, shape (n,)
+        sigma: standard deviation of the noise by series, given or estimated
+    """
+
+    name: str
+    labels: tuple[str, ...]
+    times: FloatArray
+    data: FloatArray
+    predicted: FloatArray
+    sigma: dict[str, float]
+
+    def residuals(self) -> FloatArray:
+        """Data less prediction, shape (n,)."""
+        return self.data - self.predicted
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Fit:
+    """A fit and all that was asked of it.
+
+    Attributes:
+        settings: what was asked
+        variables: the fitted variables
+        x: their values, shape (variables,)
+        cost: sum of squares in units of the noise
+        standard_errors: errors, covariance, correlations
+        intervals: of the confidence level, linear, shape (variables, 2)
+        derived: tied parameters
+        minima: the minima that the searches ended in, best first
+        identifiability: what the data cannot tell apart
+        profiles: profile likelihoods by place of the variable
+        bootstrap: fits of resampled data; None where not asked for
+        criteria: AICc and BIC; None where peaks were compared
+        records: each record beside its fit
+        checks: what decides whether the fit is to be trusted
+        steps: how the derivatives were taken and how exact they are
+        runs: FMU runs
+        seconds: duration (s)
+        interrupted: the fit was stopped after the search; what follows it is missing in part
+    """
+
+    settings: FitSettings
+    variables: tuple[Variable, ...]
+    x: FloatArray
+    cost: float
+    standard_errors: StandardErrors
+    intervals: FloatArray
+    derived: tuple[Derived, ...]
+    minima: tuple[Minimum, ...]
+    identifiability: Identifiability
+    criteria: Criteria | None
+    records: tuple[RecordFit, ...]
+    checks: tuple[Check, ...]
+    steps: StepChoice
+    runs: int
+    seconds: float
+    profiles: dict[int, Profile] = field(default_factory=dict)
+    bootstrap: Bootstrap | None = None
+    interrupted: bool = False
+
+    @property
+    def trusted(self) -> bool:
+        """Whether every check passed."""
+        return all(check.passed for check in self.checks)
+
+    def value(self, label: str) -> float:
+        """A fitted value by its label, as ``damping.C`` or ``theta_start [run 1]``; KeyError where none."""
+        return float(self.x[self._place(label)])
+
+    def error(self, label: str) -> float:
+        """The standard error of a fitted value by its label."""
+        return float(self.standard_errors.errors[self._place(label)])
+
+    def interval(self, label: str) -> tuple[float, float]:
+        """The interval of a fitted value by its label: by profile where there is one, else linear."""
+        place = self._place(label)
+        if place in self.profiles and self.profiles[place].converged:
+            return self.profiles[place].interval
+        low, high = self.intervals[place]
+        return float(low), float(high)
+
+    def shared(self) -> dict[str, float]:
+        """The fitted values that all records share, by name."""
+        return {
+            one.name: float(value)
+            for one, value in zip(self.variables, np.asarray(self.x), strict=True)
+            if one.record is None
+        }
+
+    def _place(self, label: str) -> int:
+        labels = [one.label for one in self.variables]
+        if label not in labels:
+            raise KeyError(f"{label!r} is not among {', '.join(labels)}")
+        return labels.index(label)

@@ -1,0 +1,225 @@
+"""What a fit is to do: which parameters are free, what is compared, and how much is asked of it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Final, Literal, get_args
+
+from pyjoystick.fmu import Value
+from pyjoystick.support import ParameterError, finite, positive
+
+#: The instant of a record's clock at which the FMU starts; until then the record shows the start values.
+RELEASE_TIME: Final = "release_time"
+
+Comparison = Literal["trajectory", "peaks"]
+Resampling = Literal["records", "residuals"]
+
+
+@dataclass(frozen=True, slots=True)
+class Free:
+    """A parameter that is fitted.
+
+    Attributes:
+        name: a parameter or start value of the FMU, or `RELEASE_TIME`
+        start: where the search begins, in the unit of the FMU; where None, the FMU's own value, or for the
+            release of a free oscillation a guess from each record
+        minimum, maximum: bounds; where None those of the FMU, or a range about the guess for the release
+        per_record: one value for each record, as the release has, instead of one for all
+
+    Raises:
+        ParameterError: a value is not finite, or the start is not within the bounds
+    """
+
+    name: str
+    start: float | None = None
+    minimum: float | None = None
+    maximum: float | None = None
+    per_record: bool = False
+
+    def __post_init__(self) -> None:
+        for what in ("start", "minimum", "maximum"):
+            value = getattr(self, what)
+            if value is not None:
+                object.__setattr__(self, what, finite(f"{self.name}.{what}", value))
+        low = -math.inf if self.minimum is None else self.minimum
+        high = math.inf if self.maximum is None else self.maximum
+        if low >= high:
+            raise ParameterError(f"{self.name}.minimum", low, f"below the maximum, {high:g}")
+        if self.start is not None and not low <= self.start <= high:
+            raise ParameterError(f"{self.name}.start", self.start, f"from {low:g} to {high:g}")
+
+
+@dataclass(frozen=True, slots=True)
+class Noise:
+    """What is known of the noise; it is taken to be white, the samples independent of each other.
+
+    Attributes:
+        sigma: standard deviation by output, in the unit of the output; where empty it is estimated from what
+            the fit leaves over
+        per_record: whether it is estimated for each record by itself, so that a noisy record counts less
+    """
+
+    sigma: Mapping[str, float] = field(default_factory=dict)
+    per_record: bool = False
+
+    def __post_init__(self) -> None:
+        for name, value in self.sigma.items():
+            positive(f"noise.sigma.{name}", value)
+        if self.sigma and self.per_record:
+            raise ParameterError("noise.per_record", True, "left out where sigma is given")
+
+
+@dataclass(frozen=True, slots=True)
+class Search:
+    """How the minimum is looked for.
+
+    Attributes:
+        starts: number of searches: the first from the start values, the others from a Latin hypercube over
+            the bounds of the parameters that all records share
+        seed: of the hypercube and of the bootstrap
+        evaluations: most evaluations of the residuals in one search
+        stages: parts of the records on which each search begins, see `staged_search`; increasing, below 1
+        exchanges: pairs of free parameters, those of the two sides of a mechanism for one, that a last search
+            begins with exchanged
+    """
+
+    starts: int = 1
+    seed: int = 0
+    evaluations: int = 200
+    stages: tuple[float, ...] = (0.3, 0.6)
+    exchanges: tuple[tuple[str, str], ...] = ()
+
+    def __post_init__(self) -> None:
+        whole_number("search.starts", self.starts, 1)
+        whole_number("search.seed", self.seed, 0)
+        whole_number("search.evaluations", self.evaluations, 2)
+        before = 0.0
+        for stage in self.stages:
+            if not before < finite("search.stages", stage) < 1.0:
+                raise ParameterError("search.stages", list(self.stages), "increasing, between 0 and 1")
+            before = stage
+        for pair in self.exchanges:
+            if not _names(pair) or len(pair) != 2:
+                raise ParameterError("search.exchanges", pair, "pairs of names")
+
+
+@dataclass(frozen=True, slots=True)
+class Uncertainty:
+    """What is computed beside the standard errors.
+
+    Attributes:
+        level: confidence level of all intervals
+        profiles: names of shared parameters whose profile likelihood is computed; all of them where None
+        bootstrap: number of bootstrap fits, 0 for none
+        resampling: what the bootstrap draws anew: whole records, or the residuals within each record
+    """
+
+    level: float = 0.95
+    profiles: tuple[str, ...] | None = None
+    bootstrap: int = 0
+    resampling: Resampling = "records"
+
+    def __post_init__(self) -> None:
+        if not 0.0 < finite("uncertainty.level", self.level) < 1.0:
+            raise ParameterError("uncertainty.level", self.level, "between 0 and 1")
+        if not _names(self.profiles or ()):
+            raise ParameterError("uncertainty.profiles", self.profiles, "names of parameters")
+        whole_number("uncertainty.bootstrap", self.bootstrap, 0)
+        if self.resampling not in get_args(Resampling):
+            raise ParameterError("uncertainty.resampling", self.resampling, "'records' or 'residuals'")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FitSettings:
+    """A fit of an FMU's parameters to records.
+
+    Attributes:
+        fmu: name or path of a Co-Simulation FMU
+        free: the parameters that are fitted
+        fixed: values of other parameters, in the units of the FMU
+        ties: parameters computed from others, as expressions in their names: a fixed ratio is
+            ``{"damping.A_neg": "0.4 * damping.A_pos"}``
+        outputs: the outputs that the records have as columns and that are compared
+        derivatives: output that is the derivative with respect to time of another; needed for a free release
+            time
+        inputs: columns of the records that drive inputs of the FMU, straight between the samples
+        comparison: ``trajectory`` compares every sample, ``peaks`` the heights and times of the first peaks
+            relative to the measured ones, as eqs. (12a, b) do, in the sense of least squares
+        peaks: how many peaks are compared
+        tolerance: what the FMU's integrator is asked to keep
+        noise, search, uncertainty: see there
+
+    Raises:
+        ParameterError: nothing is free, a name is given twice, or a choice does not exist
+    """
+
+    fmu: str
+    free: tuple[Free, ...]
+    fixed: Mapping[str, Value] = field(default_factory=dict)
+    ties: Mapping[str, str] = field(default_factory=dict)
+    outputs: tuple[str, ...] = ("theta",)
+    derivatives: Mapping[str, str] = field(default_factory=lambda: {"theta": "omega", "omega": "alpha"})
+    inputs: tuple[str, ...] = ()
+    comparison: Comparison = "trajectory"
+    peaks: int = 9
+    tolerance: float = 1e-8
+    noise: Noise = field(default_factory=Noise)
+    search: Search = field(default_factory=Search)
+    uncertainty: Uncertainty = field(default_factory=Uncertainty)
+
+    def __post_init__(self) -> None:
+        if not self.free:
+            raise ParameterError("free", "nothing", "one parameter or more")
+        given: set[str] = set()
+        for name in (*(one.name for one in self.free), *self.fixed, *self.ties):
+            if name in given:
+                raise ParameterError(name, "given twice", "free, fixed or tied, one of the three")
+            given.add(name)
+        if not self.outputs:
+            raise ParameterError("outputs", "nothing", "one output or more")
+        if self.comparison not in get_args(Comparison):
+            raise ParameterError("comparison", self.comparison, "'trajectory' or 'peaks'")
+        if self.comparison == "peaks":
+            self._check_peaks()
+        for name in self.noise.sigma:
+            if name not in self.outputs:
+                raise ParameterError("noise.sigma", name, f"one of the outputs, {', '.join(self.outputs)}")
+        self._check_names()
+        if RELEASE_TIME in given and self.inputs:
+            raise ParameterError(RELEASE_TIME, "given", "left out where inputs drive the FMU")
+        whole_number("peaks", self.peaks, 2)
+        positive("tolerance", self.tolerance)
+
+    def _check_peaks(self) -> None:
+        if len(self.outputs) != 1:
+            raise ParameterError("outputs", self.outputs, "one output where peaks are compared")
+        if self.noise.sigma:
+            allowed = "left out where peaks are compared, whose relative errors are estimated"
+            raise ParameterError("noise.sigma", dict(self.noise.sigma), allowed)
+
+    def _check_names(self) -> None:
+        """The parameters that are exchanged and profiled are free ones."""
+        free = [one.name for one in self.free]
+        for name in (name for pair in self.search.exchanges for name in pair):
+            if name not in free:
+                allowed = f"among the free parameters, {', '.join(free)}"
+                raise ParameterError("search.exchanges", name, allowed)
+        shared = [one.name for one in self.free if not one.per_record]
+        for name in self.uncertainty.profiles or ():
+            if name not in shared:
+                allowed = f"among the parameters that all records share, {', '.join(shared)}"
+                raise ParameterError("uncertainty.profiles", name, allowed)
+
+
+def _names(given: object) -> bool:
+    """Whether something is a tuple of names."""
+    return isinstance(given, tuple) and all(isinstance(name, str) for name in given)
+
+
+def whole_number(name: str, value: object, least: int) -> int:
+    """`value` if it is a whole number, `least` or more; else raises ParameterError."""
+    if isinstance(value, bool) or not isinstance(value, int) or value < least:
+        raise ParameterError(name, value, f"a whole number, {least} or more")
+    return value

@@ -1,0 +1,142 @@
+"""A fit as text (Markdown that reads as text too)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from pyjoystick.identification.fitting.result import Fit
+from pyjoystick.motion import markdown_table
+
+#: Correlations beyond this are named.
+_STRONG = 0.9
+
+
+def summary(fit: Fit) -> str:
+    """Parameters with their uncertainty, what the data leave open, and whether the fit is to be trusted."""
+    parts = [
+        _verdict(fit),
+        _parameters(fit),
+        _derived(fit),
+        _strong_correlations(fit),
+        _noise(fit),
+        _criteria(fit),
+        _minima(fit),
+        _checks(fit),
+        _effort(fit),
+    ]
+    return "\n\n".join(part for part in parts if part)
+
+
+def report(fit: Fit, title: str = "Fit") -> str:
+    """The summary under a title, as a file."""
+    return f"# {title}\n\n{summary(fit)}\n"
+
+
+def _verdict(fit: Fit) -> str:
+    if fit.trusted:
+        return "Every check passed."
+    failed = [check for check in fit.checks if not check.passed]
+    return "NOT TO BE TRUSTED: " + "; ".join(f"{check.name}: {check.message}" for check in failed)
+
+
+def _parameters(fit: Fit) -> str:
+    level = f"{100.0 * fit.settings.uncertainty.level:g} %"
+    header = ["parameter", "unit", "value", "standard error", f"{level} interval"]
+    if fit.profiles:
+        header.append(f"{level} by profile")
+    if fit.bootstrap is not None:
+        header.append(f"{level} by bootstrap")
+        drawn = (
+            fit.bootstrap.intervals(fit.settings.uncertainty.level) if len(fit.bootstrap.fits) > 1 else None
+        )
+    rows = []
+    for j, variable in enumerate(fit.variables):
+        error = float(fit.standard_errors.errors[j])
+        row = [variable.label, variable.unit, f"{fit.x[j]:.8g}"]
+        row += (
+            [f"{error:.2g}", _interval(fit.intervals[j])] if math.isfinite(error) else ["not determined", ""]
+        )
+        if fit.profiles:
+            one = fit.profiles.get(j)
+            row.append("" if one is None else _interval(one.interval) if one.converged else "not followed")
+        if fit.bootstrap is not None:
+            known = drawn is not None and bool(np.all(np.isfinite(drawn[j])))
+            row.append(_interval(drawn[j]) if drawn is not None and known else "")
+        rows.append(row)
+    return markdown_table(header, rows)
+
+
+def _interval(ends: Sequence[float] | np.ndarray[tuple[int], np.dtype[np.float64]]) -> str:
+    low, high = (f"{end:.6g}" if math.isfinite(end) else "open" for end in ends)
+    return f"{low} to {high}"
+
+
+def _derived(fit: Fit) -> str:
+    if not fit.derived:
+        return ""
+    rows = [[one.name, one.record, f"{one.value:.8g}", f"{one.error:.2g}"] for one in fit.derived]
+    return markdown_table(["tied parameter", "record", "value", "standard error"], rows)
+
+
+def _strong_correlations(fit: Fit) -> str:
+    matrix = fit.standard_errors.correlation
+    labels = [variable.label for variable in fit.variables]
+    found = [
+        f"{labels[i]} and {labels[j]} {matrix[i, j]:+.3f}"
+        for i in range(len(labels))
+        for j in range(i)
+        if abs(matrix[i, j]) > _STRONG
+    ]
+    combination = fit.identifiability.weakest
+    weakest = f"Least known, all changed together: {combination}." if combination else ""
+    strong = f"Correlated beyond {_STRONG}: {'; '.join(found)}." if found else ""
+    return "\n".join(part for part in (strong, weakest) if part)
+
+
+def _noise(fit: Fit) -> str:
+    kind = "given" if fit.settings.noise.sigma else "estimated"
+    unit = "relative" if fit.settings.comparison == "peaks" else "in the units of the outputs"
+    texts = []
+    for one in fit.records:
+        levels = ", ".join(f"{label} {sigma:.4g}" for label, sigma in one.sigma.items())
+        texts.append(f"{one.name}: {levels}")
+    return f"Standard deviation of the noise ({kind}, {unit}): {'; '.join(texts)}."
+
+
+def _criteria(fit: Fit) -> str:
+    if fit.criteria is None:
+        return ""
+    found = fit.criteria
+    return (
+        f"AICc {found.aicc:.2f}, BIC {found.bic:.2f} ({found.parameters} parameters with the noise, "
+        f"{found.samples} samples)."
+    )
+
+
+def _minima(fit: Fit) -> str:
+    searches = sum(one.found for one in fit.minima)
+    if searches == 1:
+        return ""
+    rows = [
+        [str(number), f"{one.cost:.8g}", str(one.found), "yes" if one.converged else "no"]
+        for number, one in enumerate(fit.minima, start=1)
+    ]
+    text = f"{searches} searches ended in {len(fit.minima)} different places."
+    return f"{text}\n\n{markdown_table(['place', 'sum of squares', 'searches', 'converged'], rows)}"
+
+
+def _checks(fit: Fit) -> str:
+    return "\n".join(
+        f"- {'passed' if one.passed else 'FAILED'}: {one.name}: {one.message}" for one in fit.checks
+    )
+
+
+def _effort(fit: Fit) -> str:
+    text = f"{fit.runs} runs of the FMU in {fit.seconds:.2f} s."
+    if fit.bootstrap is not None:
+        text += f" Bootstrap over {fit.bootstrap.resampling}: {len(fit.bootstrap.fits)} fits"
+        text += f", {fit.bootstrap.failed} failed." if fit.bootstrap.failed else "."
+    return f"{text} Stopped before everything was done." if fit.interrupted else text

@@ -1,0 +1,190 @@
+"""Checks that decide whether a fit is to be trusted."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from scipy import stats
+
+from pyjoystick.identification.fitting.identifiability import Identifiability
+from pyjoystick.identification.fitting.profile import Profile
+from pyjoystick.identification.fitting.search import Minimum
+from pyjoystick.identification.fitting.variables import Variables
+from pyjoystick.support import FloatArray
+
+#: A sound fit of white noise fails a test of the residuals once in this many.
+_CHANCE: Final = 1e-3
+_LAGS: Final = 5
+#: A mean of so many of its standard errors is not chance.
+_OFFSET: Final = 5.0
+#: Residuals of more than this part of the largest value measured are no noise.
+_LARGE: Final = 0.05
+#: Average error of peaks that no longer counts as agreement.
+_LARGE_PEAK_ERROR: Final = 0.2
+#: Variables this close to a bound, in parts of their scale, are at it.
+_AT_BOUND: Final = 1e-6
+#: A sum of squares this much lower, in variances of the noise, is another minimum.
+_UNDERCUT: Final = 0.01
+
+
+@dataclass(frozen=True, slots=True)
+class Check:
+    """One reason for or against trusting a fit.
+
+    Attributes:
+        name: what was checked
+        passed: whether it is in order
+        message: what was found, and where it failed what to do
+    """
+
+    name: str
+    passed: bool
+    message: str
+
+
+def check_convergence(minimum: Minimum) -> Check:
+    """Whether the search ended by itself."""
+    advice = "" if minimum.converged else ": allow more evaluations or begin nearer"
+    return Check("converged", minimum.converged, f"{minimum.message}{advice}")
+
+
+def check_bounds(variables: Variables, x: FloatArray) -> Check:
+    """Whether a variable ended at one of its bounds."""
+    at = [
+        f"{one.label} = {value:.6g}"
+        for one, value in zip(variables.free, x, strict=True)
+        if min(value - one.minimum, one.maximum - value) <= _AT_BOUND * one.scale
+    ]
+    message = (
+        f"at a bound: {', '.join(at)}; widen it or fix the parameter" if at else "no variable at a bound"
+    )
+    return Check("bounds", not at, message)
+
+
+def check_rank(known: Identifiability) -> Check:
+    """Whether the data determine every variable."""
+    if known.deficient:
+        return Check("rank", False, f"rank {known.rank} of {known.variables}: " + "; ".join(known.sentences))
+    return Check("rank", True, f"full rank, {known.rank}; condition {known.condition:.3g}")
+
+
+def check_precision(labels: Sequence[str], x: FloatArray, errors: FloatArray) -> Check:
+    """Whether a variable is known no better than to its own size, although the rank is full."""
+    poor = [
+        f"{label} = {value:.4g} +- {error:.2g}"
+        for label, value, error in zip(labels, x, errors, strict=True)
+        if math.isfinite(error) and error > abs(value)
+    ]
+    if poor:
+        message = f"the noise leaves these all but open: {', '.join(poor)}; fix them or measure more"
+        return Check("precision", False, message)
+    return Check("precision", True, "every standard error is below the value itself")
+
+
+def check_chi_squared(cost: float, freedom: int) -> Check:
+    """Whether what is left over is as small as the noise that was given.
+
+    Args:
+        cost: sum of squares in units of the noise
+        freedom: samples less variables
+    """
+    chance = float(stats.chi2.sf(cost, freedom))
+    message = f"chi-squared {cost:.4g} for {freedom} degrees of freedom (chance {chance:.2g})"
+    if chance <= _CHANCE:
+        message += ": more than the noise that was given; the model lacks something, or the noise is larger"
+    return Check("size of residuals", chance > _CHANCE, message)
+
+
+def check_size(residuals: Sequence[FloatArray], data: Sequence[FloatArray]) -> Check:
+    """Whether what is left over is small, where the noise is not known.
+
+    Args:
+        residuals: data less prediction, by record
+        data: what was measured
+    """
+    parts = [
+        float(np.sqrt(np.mean(one * one)) / np.max(np.abs(values)))
+        for one, values in zip(residuals, data, strict=True)
+    ]
+    message = f"root mean square {100.0 * max(parts):.2g} % of the largest value, in the worst record"
+    return Check("size of residuals", max(parts) < _LARGE, message)
+
+
+def check_peak_errors(relative: Sequence[FloatArray]) -> Check:
+    """Whether the peaks agree as well as the paper's did: 20 % on average.
+
+    Args:
+        relative: relative errors of heights and times by record
+    """
+    worst = max(float(np.mean(np.abs(one))) for one in relative)
+    message = f"heights and times differ by {100.0 * worst:.2g} % on average, in the worst record"
+    return Check("size of residuals", worst < _LARGE_PEAK_ERROR, message)
+
+
+def check_whiteness(names: Sequence[str], series: Sequence[FloatArray], least: float) -> Check:
+    """Whether the residuals of every record look like independent samples (Ljung and Box).
+
+    Residuals of no more than `least`, the integrator's own error, are not judged.
+    """
+    bad = list(_not_white(names, series, least))
+    if bad:
+        message = (
+            "not white in " + "; ".join(bad) + ": the model lacks something, or the data were filtered; "
+            "standard errors and intervals are then too small"
+        )
+        return Check("whiteness", False, message)
+    offset = "".join(_offsets(names, series, least))
+    return Check("whiteness", True, f"no correlation over {_LAGS} samples{offset}")
+
+
+def _offsets(names: Sequence[str], series: Sequence[FloatArray], least: float) -> Iterator[str]:
+    """Records whose residuals have a mean that chance does not explain."""
+    for name, residuals in zip(names, series, strict=True):
+        if float(np.max(np.abs(residuals))) <= least:
+            continue
+        mean, deviation = float(np.mean(residuals)), float(np.std(residuals))
+        if abs(mean) * math.sqrt(len(residuals)) > _OFFSET * deviation > 0.0:
+            yield (
+                f"; those of {name} lie {mean / deviation:+.2f} standard deviations off on average, as when "
+                "the zero of a record is off, which no parameter can correct"
+            )
+
+
+def _not_white(names: Sequence[str], series: Sequence[FloatArray], least: float) -> Iterator[str]:
+    for name, residuals in zip(names, series, strict=True):
+        n = len(residuals)
+        if n <= 2 * _LAGS or float(np.max(np.abs(residuals))) <= least:
+            continue
+        centered = residuals - np.mean(residuals)
+        power = float(centered @ centered)
+        lags = np.array([centered[k:] @ centered[:-k] / power for k in range(1, _LAGS + 1)])
+        statistic = n * (n + 2) * float(np.sum(lags**2 / (n - np.arange(1, _LAGS + 1))))
+        chance = float(stats.chi2.sf(statistic, _LAGS))
+        if chance < _CHANCE / len(series):
+            yield f"{name} (correlation {lags[0]:+.2f} from sample to sample)"
+
+
+def check_profiles(labels: Sequence[str], profiles: Mapping[int, Profile]) -> Check:
+    """Whether the profiles confirm the minimum and could be followed."""
+    undercut = [f"{labels[j]} (by {one.lower:.2g})" for j, one in profiles.items() if one.lower > _UNDERCUT]
+    lost = [labels[j] for j, one in profiles.items() if not one.converged]
+    if undercut:
+        message = f"the profile of {', '.join(undercut)} lies below the minimum: begin again from elsewhere"
+        return Check("profiles", False, message)
+    if lost:
+        message = f"searches along the profile of {', '.join(lost)} did not end: no interval from it"
+        return Check("profiles", False, message)
+    return Check("profiles", True, "no profile undercuts the minimum")
+
+
+def check_peaks(missing: Sequence[tuple[str, int]]) -> Check:
+    """Whether every measured peak has one in the run."""
+    lacking = [f"{count} of {name}" for name, count in missing if count]
+    if lacking:
+        message = f"measured peaks without one in the run: {', '.join(lacking)}: they cannot be paired"
+        return Check("peaks", False, message)
+    return Check("peaks", True, "every measured peak has one in the run")

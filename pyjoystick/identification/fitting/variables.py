@@ -1,0 +1,207 @@
+"""The variables of a search and what they mean for the FMU: bounds, one value a record or one for all."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import lmfit
+import numpy as np
+
+from pyjoystick.fmu import FmuDescription, checked_value
+from pyjoystick.identification.fitting.measurement import Measurement
+from pyjoystick.identification.fitting.release import Release, guess_release
+from pyjoystick.identification.fitting.settings import RELEASE_TIME, FitSettings, Free
+from pyjoystick.identification.fitting.ties import Ties, names_in
+from pyjoystick.support import FloatArray, ParameterError, UnknownParameterError
+
+#: The release time may differ from its guess by this much (s), the angle by these factors.
+_TIME_RANGE = 0.15
+_ANGLE_RANGE = (0.7, 1.6)
+
+
+@dataclass(frozen=True, slots=True)
+class Variable:
+    """One number that the search changes.
+
+    Attributes:
+        name: parameter of the FMU, or `RELEASE_TIME`
+        record: index of the record that it belongs to; None where all records share it
+        label: its name in reports
+        unit: its unit, empty for a pure number
+        start, minimum, maximum: where the search begins, and its bounds, perhaps infinite
+    """
+
+    name: str
+    record: int | None
+    label: str
+    unit: str
+    start: float
+    minimum: float
+    maximum: float
+
+    @property
+    def scale(self) -> float:
+        """How much of a change is a large one: the start value, or a part of the range where that is 0."""
+        if self.name == RELEASE_TIME:
+            return 0.1
+        if self.start != 0.0:
+            return abs(self.start)
+        width = self.maximum - self.minimum
+        return 0.1 * width if math.isfinite(width) else 1.0
+
+
+class Variables:
+    """All variables of a fit, in the order of the vectors x that the rest of the package works with.
+
+    Attributes:
+        free: the variables; besides parameters of the FMU they may be auxiliary ones that only ties use
+        varied: the FMU's parameters that they determine, ties included
+        tied: those of them that are computed from others
+    """
+
+    def __init__(
+        self, settings: FitSettings, description: FmuDescription, records: Sequence[Measurement]
+    ) -> None:
+        """Raises ParameterError, UnknownParameterError where a name, bound or expression is not allowed."""
+        self._count = len(records)
+        self._release_fixed = settings.fixed.get(RELEASE_TIME)
+        guesses = [_release_of(settings, record) for record in records]
+        free: list[Variable] = []
+        own = [one.name for one in settings.free if one.name != RELEASE_TIME]
+        used = names_in(settings.ties.values())
+        for one in settings.free:
+            auxiliary = one.name not in description.variables and one.name != RELEASE_TIME
+            if auxiliary and one.name not in used:
+                raise UnknownParameterError(one.name, [RELEASE_TIME, *description.settable_names()])
+            if one.per_record:
+                free += [
+                    _variable(one, description, guess, i, record.name)
+                    for i, (guess, record) in enumerate(zip(guesses, records, strict=True))
+                ]
+            else:
+                free.append(_variable(one, description, guesses[0], None, ""))
+        self.free = tuple(free)
+        self.tied = tuple(settings.ties)
+        self._settable = [k for k, name in enumerate(own) if name in description.variables]
+        self.varied = (*(own[k] for k in self._settable), *self.tied)
+        self._starts = [float(record.time[0]) for record in records]
+        self._places = [[self._place(name, record) for name in own] for record in range(self._count)]
+        self._time_places = [self._place(RELEASE_TIME, record) for record in range(self._count)]
+        self._ties = Ties(own, settings.ties, description)
+
+    @property
+    def start(self) -> FloatArray:
+        """The start values, shape (variables,)."""
+        return np.array([variable.start for variable in self.free])
+
+    @property
+    def lower(self) -> FloatArray:
+        """The lower bounds, shape (variables,)."""
+        return np.array([variable.minimum for variable in self.free])
+
+    @property
+    def upper(self) -> FloatArray:
+        """The upper bounds, shape (variables,)."""
+        return np.array([variable.maximum for variable in self.free])
+
+    @property
+    def labels(self) -> tuple[str, ...]:
+        """The names for reports."""
+        return tuple(variable.label for variable in self.free)
+
+    def row(self, x: FloatArray, record: int) -> FloatArray:
+        """The values of `varied` for one record, shape (len(varied),)."""
+        own = [float(x[place]) for place in self._places[record] if place is not None]
+        return np.array([own[k] for k in self._settable] + self._ties.values(own))
+
+    def tied_values(self, x: FloatArray, record: int) -> FloatArray:
+        """The values of `tied` for one record, shape (len(tied),)."""
+        return self.row(x, record)[len(self.varied) - len(self.tied) :]
+
+    def release_time(self, x: FloatArray, record: int) -> float:
+        """The instant of the record's clock (s) at which the FMU starts."""
+        place = self._time_places[record]
+        if place is not None:
+            return float(x[place])
+        return self._starts[record] if self._release_fixed is None else float(self._release_fixed)
+
+    def release_variable(self, record: int) -> int | None:
+        """Place of the release time of a record among the variables; None where it is fixed."""
+        return self._time_places[record]
+
+    def concerns(self, variable: int, record: int) -> bool:
+        """Whether a variable has an influence on a record."""
+        return self.free[variable].record in (None, record)
+
+    def lmfit_parameters(self, x: FloatArray, held: Mapping[int, float] | None = None) -> lmfit.Parameters:
+        """The variables for lmfit, as ``v0``, ``v1``, ..., with those in `held` fixed at their values."""
+        parameters = lmfit.Parameters()
+        for i, variable in enumerate(self.free):
+            fixed = held is not None and i in held
+            value = held[i] if held is not None and i in held else float(x[i])
+            parameters.add(f"v{i}", value=value, min=variable.minimum, max=variable.maximum, vary=not fixed)
+        return parameters
+
+    def _place(self, name: str, record: int) -> int | None:
+        return next(
+            (i for i, v in enumerate(self.free) if v.name == name and v.record in (None, record)), None
+        )
+
+
+def _release_of(settings: FitSettings, record: Measurement) -> Release | None:
+    """The guess, where the release is among what is fitted."""
+    wanted = {one.name for one in settings.free} & {RELEASE_TIME, "theta_start"}
+    return (
+        guess_release(record.time, record.series("theta")) if wanted and "theta" in record.columns else None
+    )
+
+
+def _variable(
+    one: Free, description: FmuDescription, guess: Release | None, record: int | None, record_name: str
+) -> Variable:
+    label = f"{one.name} [{record_name}]" if record is not None else one.name
+    if one.name == RELEASE_TIME:
+        start, low, high, unit = _release_time(one, guess)
+    elif one.name not in description.variables:
+        start, low, high, unit = _auxiliary(one)
+    else:
+        start, low, high = _fmu_parameter(one, description, guess)
+        unit = description.variables[one.name].unit or ""
+    low = low if one.minimum is None else one.minimum
+    high = high if one.maximum is None else one.maximum
+    start = start if one.start is None else one.start
+    if not low < high or not low <= start <= high:
+        raise ParameterError(f"{one.name}.start", start, f"within the bounds, {low:g} to {high:g}")
+    return Variable(one.name, record, label, unit, start, low, high)
+
+
+def _release_time(one: Free, guess: Release | None) -> tuple[float, float, float, str]:
+    if guess is None and (one.start is None or one.minimum is None or one.maximum is None):
+        raise ParameterError(RELEASE_TIME, "free", "given with start, minimum and maximum for this record")
+    time = guess.time if guess is not None else 0.0
+    return time, time - _TIME_RANGE, time + _TIME_RANGE, "s"
+
+
+def _auxiliary(one: Free) -> tuple[float, float, float, str]:
+    if one.start is None:
+        raise ParameterError(f"{one.name}.start", one.start, "given: the FMU has no parameter of this name")
+    return one.start, -math.inf, math.inf, ""
+
+
+def _fmu_parameter(
+    one: Free, description: FmuDescription, guess: Release | None
+) -> tuple[float, float, float]:
+    known = description.variables[one.name]
+    if known.type != "Real" or not known.settable_at_start:
+        raise ParameterError(one.name, "free", "a real parameter or start value that can be set")
+    for value in (one.start, one.minimum, one.maximum):
+        if value is not None:
+            checked_value(known, value)
+    low = -math.inf if known.minimum is None else float(known.minimum)
+    high = math.inf if known.maximum is None else float(known.maximum)
+    if one.name == "theta_start" and guess is not None:
+        ends = sorted(factor * guess.angle for factor in _ANGLE_RANGE)
+        return guess.angle, max(low, ends[0]), min(high, ends[1])
+    return float(known.start or 0.0), low, high

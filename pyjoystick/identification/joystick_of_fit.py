@@ -1,0 +1,175 @@
+"""The joystick that a fit has found, and how uncertain the numbers of its parameter file are."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from pyjoystick.identification.fitting.errors import FitError
+from pyjoystick.identification.fitting.result import Fit
+from pyjoystick.identification.fitting.settings import FitSettings
+from pyjoystick.model import (
+    NOMINAL,
+    NOMINAL_POWER_LAW,
+    PLAIN_TABLES,
+    SIDES,
+    JoystickParameters,
+    law_name,
+    rounded,
+    rounded_error,
+)
+from pyjoystick.support import FloatArray, ParameterError
+
+#: Every parameter that a joystick may have.
+_NAMES: Final = frozenset((*NOMINAL.to_names(), *NOMINAL_POWER_LAW.to_names()))
+#: Relative change of a parameter for the derivatives of the file's numbers, sums and quotients of parameters.
+_STEP: Final = 1e-6
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FittedJoystick:
+    """What a fit says of a joystick.
+
+    Attributes:
+        joystick: its parameters: fitted and tied, to a hundredth of the standard error, fixed in the fit, and
+            for the rest those before it
+        uncertainties: standard errors of what was fitted, to two digits, by place in a parameter file, as
+            `ParameterFile.uncertainties` has them; those of a curve whole or not at all
+        tables: names of the file's tables in which something was fitted
+        fixed: names of further tables, with numbers that the settings of the fit have changed
+    """
+
+    joystick: JoystickParameters
+    uncertainties: Mapping[str, float]
+    tables: tuple[str, ...]
+    fixed: tuple[str, ...]
+
+
+def require_joystick_in(settings: FitSettings) -> None:
+    """Find out before a fit whether a joystick can come of it.
+
+    Raises:
+        FitError: nothing of the joystick is fitted for all records together, or something for each alone
+    """
+    own = [one.name for one in settings.free if one.per_record and one.name in _NAMES]
+    if own:
+        raise _one_for_each_record(own)
+    if not any(name in _NAMES for name in (*(one.name for one in settings.free), *settings.ties)):
+        raise FitError("the joystick", "nothing of it is fitted, so that there is nothing to be written")
+
+
+def _one_for_each_record(names: Iterable[str]) -> FitError:
+    reason = "each record has a value of its own and the joystick has one: fit it without per_record"
+    return FitError(", ".join(dict.fromkeys(names)), reason)
+
+
+def fitted_joystick(
+    fit: Fit, before: JoystickParameters, uncertainties: Mapping[str, float] | None = None
+) -> FittedJoystick:
+    """The joystick of a fit.
+
+    Args:
+        fit: a fit of an FMU of the joystick
+        before: the joystick that the fit began with, with the damping law of the FMU
+        uncertainties: those before it, by place; they stay for numbers of a curve that the fit leaves alone
+
+    Raises:
+        FitError: as `require_joystick_in`
+        ParameterError: the values are those of no joystick
+    """
+    require_joystick_in(fit.settings)
+    own = [one.name for one in fit.derived if one.record and one.name in _NAMES]
+    if own:
+        raise _one_for_each_record(own)
+    fixed = {name: float(value) for name, value in fit.settings.fixed.items() if name in _NAMES}
+    joystick = before.replace({**fixed, **_values(fit)})
+    found = _uncertainties(fit, joystick)
+    curves = {_list_of(place) for place in found if _list_of(place)}
+    kept = {
+        place: (uncertainties or {}).get(place, 0.0)
+        for place in _numbers(joystick)
+        if _list_of(place) in curves
+    }
+    errors = kept | found
+    # A value that the data leave open has no standard error, and a list is written whole or not at all.
+    broken = {_list_of(place) or place for place, error in errors.items() if not math.isfinite(error)}
+    tables = _tables(found)
+    numbers = _numbers(before)
+    changed = [place for place, value in _numbers(joystick).items() if value != numbers[place]]
+    return FittedJoystick(
+        joystick=joystick,
+        uncertainties={
+            place: rounded_error(error)
+            for place, error in errors.items()
+            if (_list_of(place) or place) not in broken
+        },
+        tables=tables,
+        fixed=tuple(table for table in _tables(changed) if table not in tables),
+    )
+
+
+def _tables(places: Iterable[str]) -> tuple[str, ...]:
+    """The tables of some places, each once."""
+    return tuple(dict.fromkeys(place.rpartition(".")[0] for place in places))
+
+
+def _list_of(place: str) -> str:
+    """``forward.x`` of ``forward.x[2]``; empty where the place is no number of a list."""
+    return place.partition("[")[0] if place.endswith("]") else ""
+
+
+def _values(fit: Fit) -> dict[str, float]:
+    """What was fitted of the joystick, and what is tied to it."""
+    found = {name: rounded(value, fit.error(name)) for name, value in fit.shared().items()}
+    found |= {one.name: rounded(one.value, one.error) for one in fit.derived}
+    return {name: value for name, value in found.items() if name in _NAMES}
+
+
+def _uncertainties(fit: Fit, joystick: JoystickParameters) -> dict[str, float]:
+    """Standard errors of the file's numbers that change with what was fitted, by place."""
+    units = np.eye(len(fit.variables))
+    slopes = {one.name: units[j] for j, one in enumerate(fit.variables)}
+    slopes |= {one.name: one.slope for one in fit.derived}
+    gradients: dict[str, FloatArray] = {}
+    for name in _values(fit):
+        for place, derivative in _derivatives(joystick, name).items():
+            if derivative != 0.0:
+                gradients[place] = gradients.get(place, 0.0) + derivative * slopes[name]
+    return {place: fit.standard_errors.of(gradient) for place, gradient in gradients.items()}
+
+
+def _derivatives(joystick: JoystickParameters, name: str) -> dict[str, float]:
+    """Derivatives of the file's numbers with respect to a parameter, one-sided at the edge of its range."""
+    value = joystick.to_names()[name]
+    step = _STEP * (abs(value) or 1.0)
+    ends = []
+    for moved in (value - step, value + step, value):
+        try:
+            ends.append((moved, _numbers(joystick.replace({name: moved}))))
+        except ParameterError:
+            continue
+    (low, below), (high, above) = ends[:2]
+    return {place: (above[place] - below[place]) / (high - low) for place in below}
+
+
+def _numbers(joystick: JoystickParameters) -> dict[str, float]:
+    """What a parameter file says of a joystick, by place."""
+    names = joystick.to_names()
+    law = f"damping.{law_name(joystick.damping)}"
+    found = {
+        f"{table}.{key}": names[key] for table, keys in PLAIN_TABLES.items() for key in keys if key in names
+    }
+    found |= {
+        f"{law}.{name.removeprefix('damping.')}": value
+        for name, value in names.items()
+        if name.startswith("damping.")
+    }
+    for side in SIDES:
+        curve = getattr(joystick, side).to_table()
+        for key, values in (("x", curve.x), ("k", curve.k)):
+            found |= {f"{side}.{key}[{i}]": value for i, value in enumerate(values)}
+    return found

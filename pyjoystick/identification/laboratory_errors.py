@@ -1,0 +1,241 @@
+"""What the uncertainty of each measured quantity makes of a run, and of the parameters fitted to records.
+
+Each quantity alone is moved by its standard uncertainty, those of a load-deflection curve along the principal
+axes of their covariance: the sum of squares over the axes is the linear propagation of all of it.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from pyjoystick.fmu import Fmu
+from pyjoystick.identification.fitting.defaults import RELEASE
+from pyjoystick.identification.fitting.fit import fit
+from pyjoystick.identification.fitting.joystick_values import with_values
+from pyjoystick.identification.fitting.result import Fit
+from pyjoystick.identification.fitting.settings import FitSettings, Free, Uncertainty
+from pyjoystick.laboratory import REST_TIME, LoadCurveFit, mean_period
+from pyjoystick.model import ActuatorAssembly, JoystickParameters, Side, simulate
+from pyjoystick.motion import Record, markdown_table
+
+#: What `refit` finds.
+FITTED: Final = ("J", "damping.C")
+#: Parameters of the bench that single numbers tell, in the order of the table.
+BODY: Final = ("m", "h", "J", "g", "a", "b")
+_TIME: Final = np.arange(901) / 600.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Bench:
+    """What was measured without cameras, with standard uncertainties.
+
+    Attributes:
+        joystick: the joystick, with constant damping; its J and C are where a fit begins
+        curves: fits of the load-deflection curves, as far as there are any
+        uncertainties: of the names in `BODY`, in SI units
+        scale: of the angle's scale, in parts of it: that of the radius of the top marker
+    """
+
+    joystick: JoystickParameters
+    curves: Mapping[Side, LoadCurveFit]
+    uncertainties: Mapping[str, float]
+    scale: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Contribution:
+    """What a stage contributes; NaN where it has no part in that.
+
+    Attributes:
+        stage: what it is
+        theta, omega: root mean square error of the angle and its velocity from the release to 1.5 s after it
+            (rad, rad/s)
+        period: of the mean of the first three periods, in parts of it
+        J, C: of the fitted moment of inertia and damping coefficient, in parts of them
+    """
+
+    stage: str
+    theta: float = math.nan
+    omega: float = math.nan
+    period: float = math.nan
+    J: float = math.nan
+    C: float = math.nan
+
+
+def curve_axes(joystick: JoystickParameters, side: Side, curve: LoadCurveFit) -> list[JoystickParameters]:
+    """Joysticks whose curve of one side is off by one standard deviation along each axis of its covariance.
+
+    Args:
+        joystick: the joystick
+        side: of the curve
+        curve: its fit, of four segments
+
+    Raises:
+        ParameterError: the curve is so uncertain that one of them cannot be
+    """
+    values = np.array((*curve.table.x, *curve.table.k))
+    # The stiffnesses are a billion times the travels, which would hide those from the eigenvectors.
+    deviations = np.sqrt(np.diag(curve.covariance)[:8])
+    correlation = curve.covariance[:8, :8] / np.outer(deviations, deviations)
+    sizes, axes = np.linalg.eigh(correlation)
+    moved = []
+    for size, axis in zip(np.maximum(sizes, 0.0), axes.T, strict=True):
+        x, k = np.split(values + math.sqrt(size) * axis * deviations, 2)
+        actuator = ActuatorAssembly.from_table(x.tolist(), k.tolist())
+        forward, backward = joystick.forward, joystick.backward
+        forward, backward = (actuator, backward) if side == "forward" else (forward, actuator)
+        moved.append(dataclasses.replace(joystick, forward=forward, backward=backward))
+    return moved
+
+
+def run_contribution(
+    stage: str, joystick: JoystickParameters, moved: Sequence[JoystickParameters], *, release_angle: float
+) -> Contribution:
+    """What runs of moved joysticks differ by, as the root of the sum of squares over them.
+
+    Raises:
+        ParameterError, SimulationError: as `simulate` does
+    """
+    runs = [simulate(one, time=_TIME, theta_start=release_angle) for one in (joystick, *moved)]
+    exact, period = runs[0], mean_period(_TIME, runs[0].theta)
+    squares = [
+        (
+            float(np.mean((run.theta - exact.theta) ** 2)),
+            float(np.mean((run.omega - exact.omega) ** 2)),
+            (mean_period(_TIME, run.theta) / period - 1.0) ** 2,
+        )
+        for run in runs[1:]
+    ]
+    return Contribution(stage, *map(float, np.sqrt(np.sum(squares, axis=0))))
+
+
+def refit(records: Sequence[Record], joystick: JoystickParameters, fmu: Fmu) -> Fit:
+    """J and C fitted to records with all else as a joystick has it.
+
+    Raises:
+        FitError: as `fit` does
+    """
+    free = (*map(Free, FITTED), *RELEASE)
+    settings = FitSettings(fmu="Joystick", free=free, uncertainty=Uncertainty(profiles=()))
+    return fit(records, with_values(settings, joystick.to_names()), fmu=fmu)
+
+
+def noise_contribution(
+    stage: str, joystick: JoystickParameters, found: Fit, *, release_angle: float
+) -> Contribution:
+    """What the standard errors of a fit make of a run, and those of J and C, whose correlation counts.
+
+    Raises:
+        ParameterError, SimulationError: as `simulate` does
+    """
+    values = np.array([found.value(name) for name in FITTED])
+    sizes, axes = np.linalg.eigh(found.standard_errors.covariance[:2, :2] / np.outer(values, values))
+    moved = [
+        joystick.replace(dict(zip(FITTED, values * (1.0 + math.sqrt(size) * axis), strict=True)))
+        for size, axis in zip(sizes, axes.T, strict=True)
+    ]
+    errors = [found.error(name) / found.value(name) for name in FITTED]
+    run = run_contribution(stage, joystick, moved, release_angle=release_angle)
+    return dataclasses.replace(run, J=errors[0], C=errors[1])
+
+
+def fit_contributions(
+    records: Sequence[Record], bench: Bench, fmu: Fmu, *, release_angle: float
+) -> tuple[Fit, list[Contribution]]:
+    """J and C from records, and what every measured quantity contributes to them and to a run.
+
+    Args:
+        records: releases, whose zero is the middle position
+        bench: what was measured before
+        fmu: the FMU with constant damping
+        release_angle: angle of release of the runs that are compared (rad)
+
+    Raises:
+        FitError: as `fit` does
+        ParameterError, SimulationError: a quantity is so uncertain that there is no such joystick
+    """
+    found = refit(records, bench.joystick, fmu)
+    joystick = bench.joystick.replace(found.shared())
+    contributions = [
+        _with_fitted(stage, found, [refit(moved, joystick, fmu) for moved in several])
+        for stage, several in _moved_records(joystick, records, found, bench.scale, release_angle)
+    ]
+    for name, joysticks in _moved_joysticks(joystick, bench).items():
+        run = run_contribution(name, joystick, joysticks, release_angle=release_angle)
+        # J is fitted, so that what was measured of it before counts for runs only.
+        refits = [] if name.startswith("J ") else [refit(records, one, fmu) for one in joysticks]
+        contributions.append(_with_fitted(run, found, refits) if refits else run)
+    noise = noise_contribution("fit, noise of the records", joystick, found, release_angle=release_angle)
+    return found, [*contributions, noise]
+
+
+def _moved_records(
+    joystick: JoystickParameters, records: Sequence[Record], found: Fit, scale: float, release_angle: float
+) -> Iterator[tuple[Contribution, list[list[Record]]]]:
+    """The records with another scale of the angle, and with the zero of one of them moved."""
+    if scale > 0.0:
+        run = simulate(joystick, time=_TIME, theta_start=release_angle)
+        theta, omega = (scale * float(np.sqrt(np.mean(one**2))) for one in (run.theta, run.omega))
+        scaled = [dataclasses.replace(one, theta=one.theta * (1.0 + scale)) for one in records]
+        yield Contribution(f"scale of the angle, {100.0 * scale:.2g} %", theta, omega, 0.0), [scaled]
+    zeros = [
+        fitted.sigma["theta"] / math.sqrt(REST_TIME / float(np.median(np.diff(record.time))))
+        for fitted, record in zip(found.records, records, strict=True)
+    ]
+    moved = [
+        [dataclasses.replace(one, theta=one.theta + zero * (i == j)) for j, one in enumerate(records)]
+        for i, zero in enumerate(zeros)
+    ]
+    yield Contribution("zero, noise at rest", float(np.sqrt(np.mean(np.square(zeros))))), moved
+
+
+def _moved_joysticks(joystick: JoystickParameters, bench: Bench) -> dict[str, list[JoystickParameters]]:
+    """Joysticks with one quantity moved, by what it is called."""
+    moved = {f"load curve, {side}": curve_axes(joystick, side, curve) for side, curve in bench.curves.items()}
+    values = joystick.to_names()
+    for name in BODY:
+        error = bench.uncertainties.get(name, 0.0)
+        if error > 0.0:
+            moved[f"{name} +- {error:.1g}"] = [joystick.replace({name: values[name] + error})]
+    return moved
+
+
+def _with_fitted(contribution: Contribution, before: Fit, moved: Sequence[Fit]) -> Contribution:
+    """The contribution with what J and C differ by, as the root of the sum of squares."""
+    parts = [
+        math.sqrt(sum((one.value(name) / before.value(name) - 1.0) ** 2 for one in moved)) for name in FITTED
+    ]
+    return dataclasses.replace(contribution, J=parts[0], C=parts[1])
+
+
+def combined(contributions: Sequence[Contribution]) -> tuple[float, float]:
+    """Relative standard uncertainties of J and C: the roots of the sums of squares."""
+    parts = np.array([(one.J, one.C) for one in contributions])
+    inertia, damping = np.sqrt(np.nansum(parts**2, axis=0))
+    return float(inertia), float(damping)
+
+
+def contribution_table(contributions: Sequence[Contribution]) -> str:
+    """The contributions as a table in Markdown, and the root of the sum of squares of those to J and C."""
+
+    def cell(value: float, digits: int) -> str:
+        return "" if math.isnan(value) else f"{value:.{digits}f}"
+
+    rows = [
+        [
+            one.stage,
+            cell(math.degrees(one.theta), 3),
+            cell(one.omega, 4),
+            *(cell(100.0 * value, 3) for value in (one.period, one.J, one.C)),
+        ]
+        for one in contributions
+    ]
+    rows.append(["all", "", "", "", *(cell(100.0 * value, 3) for value in combined(contributions))])
+    header = ["stage", "theta, rms (deg)", "omega, rms (rad/s)", "period (%)", "fitted J (%)", "fitted C (%)"]
+    return markdown_table(header, rows)

@@ -1,0 +1,1 @@
+"""Damping from the peaks of free oscillations: section 3.3 of the paper, with its bias."""

@@ -1,0 +1,163 @@
+"""What the peak method does to a damping that is known.
+
+Eq. (9) is that of a linear joystick. With restrained preloaded springs the amplitude falls by another law:
+with a potential V ~ |theta|^s the virial theorem gives the kinetic energy the share s/(s + 2) of E on
+average, so that E falls as exp(-2 C/J * s/(s + 2) * t), the angle as E^(1/s) and the velocity as E^(1/2).
+Eq. (10) then returns 4/(s + 2) * C from displacement peaks and 2 s/(s + 2) * C from velocity peaks: a third
+too much and a third too little where the preload alone holds the joystick (s = 1), C itself where the spring
+is linear (s = 2). The mean of the two is C whatever s is.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import Final
+
+import pandas as pd
+from scipy.optimize import brentq
+
+from pyjoystick.identification.peak_method.estimate import CONSTANTS, LINES, DampingEstimate, estimate_damping
+from pyjoystick.identification.peak_method.line import DampingEstimateError
+from pyjoystick.model import ConstantDamping, JoystickParameters
+from pyjoystick.motion import ReleasePeaks
+
+#: The peaks of a joystick released at an angle (rad).
+Simulate = Callable[[JoystickParameters, float], ReleasePeaks]
+#: The corrected C is sought between these parts of the estimate.
+_SOUGHT: Final = (0.4, 2.5)
+
+
+@dataclass(frozen=True, slots=True)
+class Bias:
+    """An estimate beside what the method returns where that estimate is the truth.
+
+    Attributes:
+        estimate: from the records
+        returned: what the method returns from a simulation with the estimate
+        corrected: for a constant C, the value whose simulation returns the estimate; for a coefficient or an
+            exponent the estimate less its bias, the coefficient's taken as a factor
+    """
+
+    estimate: float
+    returned: float
+    corrected: float
+
+    @property
+    def bias(self) -> float:
+        """What the method adds to the truth."""
+        return self.returned - self.estimate
+
+
+def constant_bias(
+    estimate: DampingEstimate, parameters: JoystickParameters, release_angle: float, simulate: Simulate
+) -> dict[str, Bias]:
+    """Bias of each reading of a constant C, found by simulation.
+
+    Args:
+        estimate: from the records
+        parameters: the joystick; its damping law is put aside
+        release_angle: angle of release of the simulation (rad), best the mean of the records'
+        simulate: gives the peaks of a release
+
+    Returns:
+        bias by reading: ``displacement``, ``velocity`` and ``both``
+
+    Raises:
+        DampingEstimateError: no C between 0.4 and 2.5 times the estimate returns it
+    """
+
+    def returned(C: float, name: str) -> float:  # noqa: N803 - the name of the quantity
+        joystick = dataclasses.replace(parameters, damping=ConstantDamping(C=C))
+        found = estimate_damping([simulate(joystick, release_angle)], parameters.J)
+        return found.constants[name].value
+
+    biases = {}
+    for name in CONSTANTS:
+        value = estimate.constants[name].value
+        low, high = (part * value for part in _SOUGHT)
+        if not (returned(low, name) < value < returned(high, name)):
+            raise DampingEstimateError(
+                f"no constant C from {low:.3g} to {high:.3g} returns {name} = {value:.4g}"
+            )
+        corrected = brentq(
+            lambda trial, name=name, value=value: returned(trial, name) - value, low, high, xtol=1e-6
+        )
+        biases[name] = Bias(value, returned(value, name), float(corrected))
+    return biases
+
+
+def line_bias(
+    estimate: DampingEstimate, parameters: JoystickParameters, release_angle: float, simulate: Simulate
+) -> dict[str, Bias]:
+    """Bias of the coefficients and exponents of the lines, by their names in the damping law.
+
+    The displacement lines account for all the damping, and so does the velocity line: the law is simulated
+    with alpha = 1 for the one and alpha = 0 for the other.
+
+    Args:
+        estimate: from the records
+        parameters: the joystick; its damping law is put aside
+        release_angle: angle of release of the simulation (rad)
+        simulate: gives the peaks of a release
+
+    Returns:
+        bias by name: ``A_pos``, ``n_pos``, ``A_neg``, ``n_neg``, ``B``, ``m``
+    """
+    names = dict(zip(LINES, (("A_pos", "n_pos"), ("A_neg", "n_neg"), ("B", "m")), strict=True))
+    biases = {}
+    for alpha, lines in ((1.0, LINES[:2]), (0.0, LINES[2:])):
+        joystick = dataclasses.replace(parameters, damping=estimate.law(alpha))
+        found = estimate_damping([simulate(joystick, release_angle)], parameters.J)
+        for line in lines:
+            ours, theirs = estimate.lines[line], found.lines[line]
+            coefficient, exponent = names[line]
+            factor = ours.coefficient / theirs.coefficient
+            biases[coefficient] = Bias(ours.coefficient, theirs.coefficient, ours.coefficient * factor)
+            biases[exponent] = Bias(ours.exponent, theirs.exponent, 2.0 * ours.exponent - theirs.exponent)
+    return biases
+
+
+def bias_table(
+    parameters: JoystickParameters,
+    values: Iterable[float],
+    release_angles: Iterable[float],
+    simulate: Simulate,
+) -> pd.DataFrame:
+    """What the method returns from simulations with known constant C.
+
+    Args:
+        parameters: the joystick; its damping law is put aside
+        values: true C (N m s/rad)
+        release_angles: angles of release (rad)
+        simulate: gives the peaks of a release
+
+    Returns:
+        one row a combination: ``C`` and ``release_angle``, then the estimates ``displacement``, ``velocity``
+        and ``both`` as parts of the true C, then the exponents ``n_pos``, ``n_neg``, ``m`` of the lines,
+        which should be 0
+    """
+    rows = []
+    for value in values:
+        joystick = dataclasses.replace(parameters, damping=ConstantDamping(C=value))
+        for angle in release_angles:
+            found = estimate_damping([simulate(joystick, angle)], parameters.J)
+            law = found.law(1.0)
+            parts = {name: found.constants[name].value / value for name in CONSTANTS}
+            exponents = {"n_pos": law.n_pos, "n_neg": law.n_neg, "m": law.m}
+            rows.append({"C": value, "release_angle": angle} | parts | exponents)
+    return pd.DataFrame(rows)
+
+
+def preload_factors(exponent: float) -> tuple[float, float]:
+    """What eq. (10) returns from displacement and from velocity peaks, as parts of C, for weak damping.
+
+    Args:
+        exponent: s of the potential |theta|^s, above 0: 1 where the preload alone holds the joystick, 2 for
+            linear springs
+    """
+    if not (math.isfinite(exponent) and exponent > 0.0):
+        raise DampingEstimateError(f"exponent = {exponent}: must be above 0")
+    return 4.0 / (exponent + 2.0), 2.0 * exponent / (exponent + 2.0)

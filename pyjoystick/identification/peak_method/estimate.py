@@ -1,0 +1,147 @@
+"""The peak method of section 3.3 on pooled releases: power laws, and what a constant damping would be."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+import pandas as pd
+from scipy.stats import t as student
+
+from pyjoystick.identification.peak_method.line import DampingEstimateError, PowerLine, fit_power_line
+from pyjoystick.identification.peak_method.points import VelocityClock, displacement_points, velocity_points
+from pyjoystick.model import PowerLawDamping
+from pyjoystick.motion import DISPLACEMENT_PEAKS, VELOCITY_PEAKS, ReleasePeaks
+
+#: The three lines of Fig. 9.
+LINES: Final = ("positive", "negative", "velocity")
+#: The three readings of a constant damping coefficient.
+CONSTANTS: Final = ("displacement", "velocity", "both")
+
+
+@dataclass(frozen=True, slots=True)
+class ConstantEstimate:
+    """A damping coefficient as the mean over peaks and then over records.
+
+    Attributes:
+        value: the mean (N m s/rad)
+        error: its standard error from the scatter between the records; None with one record
+        records: number of records
+    """
+
+    value: float
+    error: float | None
+    records: int
+
+    def interval(self, confidence: float = 0.95) -> tuple[float, float] | None:
+        """t-based confidence interval (N m s/rad); None with one record."""
+        if self.error is None:
+            return None
+        half = float(student.ppf(0.5 + 0.5 * confidence, self.records - 1)) * self.error
+        return self.value - half, self.value + half
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class DampingEstimate:
+    """What the peak method says of the damping; it is biased, see `peak_method.bias`.
+
+    Attributes:
+        displacement: points of the displacement peaks, see `displacement_points`
+        velocity: points of the velocity peaks, see `velocity_points`
+        lines: the power lines of the displacement peaks with theta > 0 (``positive``) and theta < 0
+            (``negative``) and of the velocity peaks of both signs (``velocity``)
+        constants: the mean C of the ``displacement`` peaks, of the ``velocity`` peaks, and the mean of
+            these two (``both``), in which the biases of the two cancel to first order
+        left_out: number of points without a logarithm (a peak no lower than the start)
+    """
+
+    displacement: pd.DataFrame
+    velocity: pd.DataFrame
+    lines: dict[str, PowerLine]
+    constants: dict[str, ConstantEstimate]
+    left_out: int
+
+    def law(self, alpha: float) -> PowerLawDamping:
+        """Eq. (11) with the coefficients and exponents of the lines.
+
+        Raises:
+            ParameterError: alpha is not between 0 and 1
+        """
+        positive, negative, velocity = (self.lines[name] for name in LINES)
+        return PowerLawDamping(
+            alpha=alpha,
+            A_pos=positive.coefficient,
+            n_pos=positive.exponent,
+            A_neg=negative.coefficient,
+            n_neg=negative.exponent,
+            B=velocity.coefficient,
+            m=velocity.exponent,
+        )
+
+
+def estimate_damping(
+    releases: Sequence[ReleasePeaks],
+    inertia: float,
+    *,
+    displacement_peaks: int = DISPLACEMENT_PEAKS,
+    velocity_peaks: int = VELOCITY_PEAKS,
+    clock: VelocityClock = "first peak",
+) -> DampingEstimate:
+    """The peak method, eqs. (9) and (10) and Fig. 9, on the pooled peaks of one or more releases.
+
+    Args:
+        releases: peaks of each release, from whichever side
+        inertia: moment of inertia about the pivot, J (kg m2)
+        displacement_peaks: number of displacement peaks that are used of each release
+        velocity_peaks: number of velocity peaks, with the first one, which stands for theta(0)
+        clock: from when the time of velocity peaks counts, see `velocity_points`
+
+    Raises:
+        DampingEstimateError: no release, or too few points for a line (three on either side)
+        ParameterError: the inertia is not above zero
+    """
+    if not releases:
+        raise DampingEstimateError("no release is given; the peaks of one or more are needed")
+    displacement = pd.concat(
+        [displacement_points(one, inertia, count=displacement_peaks) for one in releases], ignore_index=True
+    )
+    velocity = pd.concat(
+        [velocity_points(one, inertia, count=velocity_peaks, clock=clock) for one in releases],
+        ignore_index=True,
+    )
+    sides = {
+        "positive": displacement[displacement["peak"] > 0.0],
+        "negative": displacement[displacement["peak"] < 0.0],
+        "velocity": velocity,
+    }
+    usable = {name: points[points["C"] > 0.0] for name, points in sides.items()}
+    return DampingEstimate(
+        displacement=displacement,
+        velocity=velocity,
+        lines={
+            name: fit_power_line(points["peak"].abs(), points["C"], name=f"{name} peaks")
+            for name, points in usable.items()
+        },
+        constants=_constants(displacement, velocity),
+        left_out=sum(len(sides[name]) - len(usable[name]) for name in LINES),
+    )
+
+
+def _constants(displacement: pd.DataFrame, velocity: pd.DataFrame) -> dict[str, ConstantEstimate]:
+    means = pd.DataFrame(
+        {
+            "displacement": displacement.groupby("record")["C"].mean(),
+            "velocity": velocity.groupby("record")["C"].mean(),
+        }
+    )
+    means["both"] = means.mean(axis=1)
+    return {name: _constant(means[name]) for name in CONSTANTS}
+
+
+def _constant(values: pd.Series) -> ConstantEstimate:
+    count = len(values)
+    error = float(np.std(values, ddof=1)) / math.sqrt(count) if count > 1 else None
+    return ConstantEstimate(float(values.mean()), error, count)

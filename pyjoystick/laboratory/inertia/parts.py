@@ -1,0 +1,167 @@
+"""Mass, center of mass and moment of inertia of a body from its parts, by the parallel-axis theorem."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
+from typing import Final
+
+from pyjoystick.laboratory.inertia.budget import Estimate, Measured, combined
+from pyjoystick.motion import RecordError, find_column, finite_numbers, read_csv_file, unit_factor
+from pyjoystick.support import ParameterError, finite, not_negative, positive
+
+_MASS: Final = {"kg": 1.0, "g": 1e-3}
+_LENGTH: Final = {"m": 1.0, "cm": 1e-2, "mm": 1e-3}
+_INERTIA: Final = {"kg.m2": 1.0, "g.m2": 1e-3, "kg.mm2": 1e-6, "g.cm2": 1e-7, "g.mm2": 1e-9}
+#: Factors to SI units by quantity and unit.
+UNITS: Final[Mapping[str, Mapping[str, float]]] = {
+    "mass": _MASS,
+    "height": _LENGTH,
+    "offset": _LENGTH,
+    "inertia": _INERTIA,
+    "u_mass": _MASS,
+    "u_height": _LENGTH,
+    "u_offset": _LENGTH,
+    "u_inertia": _INERTIA,
+}
+_REQUIRED: Final = ("mass", "height", "inertia")
+#: A center of mass further off the axis than this part of h is told.
+_OFF_AXIS: Final = 0.02
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Part:
+    """A rigid part.
+
+    Attributes:
+        name: what it is called in the budget
+        mass: (kg), above 0
+        height: of its center above the pivot, along the axis of the joystick (m)
+        inertia: about the axis through its own center, parallel to the pivot's (kg m2), 0 or more
+        offset: of its center from the axis of the joystick, in the plane of motion (m)
+    """
+
+    name: str
+    mass: Measured
+    height: Measured
+    inertia: Measured
+    offset: Measured = dataclasses.field(default_factory=lambda: Measured(0.0))
+
+    def __post_init__(self) -> None:
+        positive(f"{self.name}: mass", self.mass.value, "kg")
+        not_negative(f"{self.name}: inertia", self.inertia.value, "kg.m2")
+        for what in ("height", "offset"):
+            finite(f"{self.name}: {what}", getattr(self, what).value, "m")
+        for what in ("mass", "height", "inertia", "offset"):
+            not_negative(f"{self.name}: u_{what}", getattr(self, what).uncertainty)
+
+
+@dataclass(frozen=True, slots=True)
+class PartsResult:
+    """The body that the parts make.
+
+    Attributes:
+        m: mass (kg)
+        h: pivot to center of mass, along the axis (m)
+        J: moment of inertia about the pivot (kg m2)
+        notes: what is doubtful, a sentence each
+    """
+
+    m: Estimate
+    h: Estimate
+    J: Estimate
+    notes: tuple[str, ...]
+
+
+def from_parts(parts: Sequence[Part]) -> PartsResult:
+    """M = sum m_i, h = sum m_i z_i / m, J = sum J_i + m_i (z_i^2 + y_i^2).
+
+    Raises:
+        ParameterError: no parts, two of one name, or a center of mass below the pivot
+    """
+    names = [part.name for part in parts]
+    if not parts or len(set(names)) < len(names):
+        raise ParameterError("parts", names, "one part or more, each with a name of its own")
+    quantities = {
+        f"{part.name}: {what}": getattr(part, what)
+        for part in parts
+        for what in ("mass", "height", "inertia", "offset")
+    }
+
+    def of(by_name: Mapping[str, float], name: str) -> tuple[float, float, float, float]:
+        mass, height, inertia, offset = (
+            by_name[f"{name}: {what}"] for what in ("mass", "height", "inertia", "offset")
+        )
+        return mass, height, inertia, offset
+
+    def total(**by_name: float) -> float:
+        return sum(of(by_name, name)[0] for name in names)
+
+    def center(**by_name: float) -> float:
+        return sum(of(by_name, name)[0] * of(by_name, name)[1] for name in names) / total(**by_name)
+
+    def inertia(**by_name: float) -> float:
+        each = (of(by_name, name) for name in names)
+        return sum(own + mass * (height**2 + offset**2) for mass, height, own, offset in each)
+
+    mass, height, about_pivot = (combined(function, quantities) for function in (total, center, inertia))
+    if height.value < 0.0:
+        raise ParameterError("h", height.value, "0 or more: heights count upward from the pivot (m)")
+    off_axis = sum(part.mass.value * part.offset.value for part in parts) / mass.value
+    notes = []
+    if abs(off_axis) > _OFF_AXIS * height.value:
+        notes.append(
+            f"the center of mass lies {1e3 * off_axis:.3g} mm off the axis, where the model has it: the "
+            "moment of the weight at rest is left out"
+        )
+    return PartsResult(mass, height, about_pivot, tuple(notes))
+
+
+def read_parts(path: str | PathLike[str]) -> tuple[Part, ...]:
+    """Read parts from a CSV file.
+
+    Its headings are ``part``, ``mass (g)``, ``height (mm)``, ``inertia (g.cm2)`` and perhaps ``offset (mm)``
+    and standard uncertainties ``u_mass (g)``, ``u_height (mm)``, ``u_inertia (g.cm2)``, ``u_offset (mm)``,
+    in any of `UNITS`.
+
+    Raises:
+        RecordError: the file cannot be read, a column is missing, has no unit or an unknown one, a cell is no
+            number or not allowed, or a name occurs twice; the message names file, column and row
+    """
+    file = read_csv_file(Path(path))
+    heading = find_column(file, "the names", "part", required=True)
+    assert heading is not None
+    names = [row[file.headings.index(heading)] for row in file.cells]
+    series = {}
+    for quantity, factors in UNITS.items():
+        found = find_column(file, quantity, quantity, required=quantity in _REQUIRED)
+        if found is not None:
+            factor = unit_factor(file, found, factors, "")
+            series[quantity] = factor * finite_numbers(file, found, "write 0 where there is none")
+    parts = []
+    for i, name in enumerate(names):
+        numbers = {quantity: float(values[i]) for quantity, values in series.items()}
+        if name in names[:i]:
+            raise RecordError(
+                str(path), "a part occurs twice", "give each its own name", rows=[file.lines[i]], value=name
+            )
+        measured = {
+            what: Measured(numbers.get(what, 0.0), numbers.get(f"u_{what}", 0.0))
+            for what in ("mass", "height", "inertia", "offset")
+        }
+        try:
+            parts.append(Part(name=name, **measured))
+        except ParameterError as error:
+            column = error.field.split(": ")[-1]
+            raise RecordError(
+                str(path),
+                "is not allowed",
+                f"must be {error.allowed}",
+                column=column,
+                rows=[file.lines[i]],
+                value=error.value,
+            ) from None
+    return tuple(parts)

@@ -1,0 +1,131 @@
+"""Moment of inertia from the period as a pendulum, upside down and out of contact (section 3.2)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.polynomial.legendre import leggauss
+from numpy.typing import ArrayLike
+from scipy.special import ellipk
+
+from pyjoystick.laboratory.inertia.budget import Estimate, Measured, combined
+from pyjoystick.support import FloatArray, ParameterError, angle, not_negative, positive
+
+#: Standard uncertainty of the difference of the reactions at start and stop of a stopwatch (s).
+REACTION_TIME: Final = 0.05
+_NODES: Final = 16
+
+
+@dataclass(frozen=True, slots=True)
+class SwingPeriod:
+    """The period of small undamped swings.
+
+    Attributes:
+        period: with its uncertainty (s)
+        measured: mean period as measured (s)
+        amplitude_factor: by how much the amplitude lengthens the measured period
+        damping_ratio: from the decay, with its standard error; None where the decay was not recorded
+    """
+
+    period: Estimate
+    measured: float
+    amplitude_factor: float
+    damping_ratio: Measured | None = None
+
+
+def amplitude_factor(amplitude: ArrayLike) -> FloatArray:
+    """Period of a pendulum over that of small swings: 2 K(sin(A/2))/pi, K the complete elliptic integral.
+
+    Args:
+        amplitude: A (rad), any shape
+
+    Returns:
+        same shape; 1.0019 at 10 degrees
+    """
+    return np.asarray(2.0 / math.pi * ellipk(np.sin(np.asarray(amplitude, np.float64) / 2.0) ** 2))
+
+
+def mean_amplitude_factor(first: float, last: float) -> float:
+    """Mean of `amplitude_factor` while the amplitude (rad) decays exponentially from `first` to `last`."""
+    if first == 0.0 or last == 0.0:
+        return float((amplitude_factor(first) + amplitude_factor(last)) / 2.0)
+    nodes, weights = leggauss(_NODES)
+    amplitudes = first * (last / first) ** ((nodes + 1.0) / 2.0)
+    return float(weights @ amplitude_factor(amplitudes)) / 2.0
+
+
+def period_of_readings(
+    readings: Sequence[float],
+    swings: int,
+    first_amplitude: Measured,
+    last_amplitude: Measured | None = None,
+    *,
+    reaction_time: float = REACTION_TIME,
+) -> SwingPeriod:
+    """The period of small swings from a stopwatch.
+
+    The scatter of the readings counts as type A, with Student's factor for their number. What start and
+    stop have in common in every reading does not show in it: `reaction_time` stands for that. Damping is not
+    corrected: at a tenth of the critical one it lengthens the period by 0.5 %.
+
+    Args:
+        readings: time of `swings` full swings each (s)
+        swings: number of full swings in a reading, 1 or more
+        first_amplitude: at the start of a reading (rad)
+        last_amplitude: at its end (rad); the same where not given
+        reaction_time: standard uncertainty of a reading that all share (s)
+
+    Raises:
+        ParameterError: no reading, a reading or number that is not above 0, an amplitude out of range
+    """
+    if isinstance(swings, bool) or not isinstance(swings, int) or swings < 1:
+        raise ParameterError("swings", swings, "a whole number, 1 or more")
+    if not readings:
+        raise ParameterError("readings", "none", "one time or more (s)")
+    times = np.array([positive(f"readings[{i}]", time, "s") for i, time in enumerate(readings)])
+    last_amplitude = last_amplitude or first_amplitude
+    for name, one in (("first_amplitude", first_amplitude), ("last_amplitude", last_amplitude)):
+        not_negative(name, angle(name, one.value), "rad")
+    scatter = float(np.std(times, ddof=1)) / math.sqrt(len(times)) if len(times) > 1 else 0.0
+    quantities = {
+        "mean of the readings": Measured(float(np.mean(times)), scatter, max(len(times) - 1.0, 1.0)),
+        "reaction": Measured(0.0, not_negative("reaction_time", reaction_time, "s")),
+        "first amplitude": first_amplitude,
+        "last amplitude": last_amplitude,
+    }
+
+    def small(**by_name: float) -> float:
+        time, reaction, first, last = by_name.values()
+        return (time + reaction) / swings / mean_amplitude_factor(abs(first), abs(last))
+
+    return SwingPeriod(
+        combined(small, quantities),
+        float(np.mean(times)) / swings,
+        mean_amplitude_factor(first_amplitude.value, last_amplitude.value),
+    )
+
+
+def inertia_of_swing(period: Estimate, m: Measured, h: Measured, g: Measured) -> Estimate:
+    """J = m*g*h*(T/(2*pi))^2, about the pivot (kg m2).
+
+    Args:
+        period: T of small undamped swings (s)
+        m: mass (kg)
+        h: pivot to center of mass (m)
+        g: acceleration of gravity (m/s2); its sign does not matter
+
+    Raises:
+        ParameterError: one of them is 0, so that nothing swings
+    """
+    for name, one in (("m", m), ("h", h), ("g", g)):
+        positive(name, abs(one.value))
+
+    def inertia(T: float, m: float, h: float, g: float) -> float:  # noqa: N803  # the symbol of the period
+        return m * abs(g) * h * (T / (2.0 * math.pi)) ** 2
+
+    measured = Measured(period.value, period.uncertainty, period.freedom)
+    return combined(inertia, {"T": measured, "m": m, "h": h, "g": g})

@@ -1,0 +1,108 @@
+"""The period of a recorded swing, with amplitude and damping taken out."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+from typing import Final
+
+import numpy as np
+from numpy.polynomial import Polynomial
+from scipy.stats import linregress
+
+from pyjoystick.laboratory.inertia.budget import Measured, combined
+from pyjoystick.laboratory.inertia.swing import SwingPeriod, amplitude_factor
+from pyjoystick.motion import Record, RecordError, find_swings
+from pyjoystick.support import FloatArray
+
+_FEWEST_SWINGS: Final = 5
+#: Samples of a half swing beyond this part of its height make its top; those below it, its passage of zero.
+_TOP: Final = 0.7
+_PASSAGE: Final = 0.5
+_FEWEST_SAMPLES: Final = 6
+_THRESHOLD: Final = 0.2
+
+
+def period_of_record(record: Record) -> SwingPeriod:
+    """The period of small undamped swings from the angle over time.
+
+    Tops of the half swings and passages of the middle come from polynomials through the samples around them.
+    The instants of the passages are a straight line over the sum of the amplitude factors of the half swings
+    between them, whose slope is half the period; the logarithm of the heights falls along a straight line
+    over their number, which gives the damping ratio z of viscous damping and the factor sqrt(1 - z^2).
+
+    Args:
+        record: the joystick as a pendulum, five half swings or more above a fifth of the largest angle
+
+    Raises:
+        RecordError: too few half swings, or too few samples in one
+    """
+    # The zero of the angle need not be where the pendulum rests: the tops say where that is.
+    theta = record.theta - _middle(record, record.theta - float(np.mean(record.theta)), record.theta)
+    tops, passages = _tops_and_passages(record, theta)
+    heights = np.abs(tops)
+    inner = amplitude_factor(heights[1:-1])
+    phase = np.concatenate(([0.0], np.cumsum(inner))) / 2.0
+    line = linregress(phase, passages)
+    decay = linregress(np.arange(len(heights)) / 2.0, np.log(heights))
+    decrement = Measured(-float(decay.slope), float(decay.stderr), len(heights) - 2.0)
+
+    def undamped(period: float, decrement: float) -> float:
+        return period * math.sqrt(1.0 - _ratio(decrement) ** 2)
+
+    slope = Measured(float(line.slope), float(line.stderr), len(passages) - 2.0)
+    estimate = combined(undamped, {"period": slope, "decrement": decrement})
+    ratio = combined(_ratio, {"decrement": decrement})
+    return SwingPeriod(
+        estimate,
+        2.0 * float(passages[-1] - passages[0]) / (len(passages) - 1),
+        float(np.mean(inner)),
+        Measured(ratio.value, ratio.uncertainty),
+    )
+
+
+def _ratio(decrement: float) -> float:
+    """Damping ratio of a logarithmic decrement a period."""
+    return decrement / math.hypot(2.0 * math.pi, decrement)
+
+
+def _middle(record: Record, centered: FloatArray, theta: FloatArray) -> float:
+    """The angle of rest: the mean of a top and of the two beside it, on the other side."""
+    shift = theta[0] - centered[0]
+    tops, _ = _tops_and_passages(record, centered)
+    return float(shift + np.mean((tops[:-2] + 2.0 * tops[1:-1] + tops[2:]) / 4.0))
+
+
+def _tops_and_passages(record: Record, theta: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Angles of the tops of the half swings, shape (n,), and instants of the passages between, shape (n-1,).
+
+    The first and the last half swing may be cut off, so that they are left out.
+    """
+    largest = float(np.max(np.abs(theta)))
+    swings = find_swings(theta, _THRESHOLD * largest)[1:-1]
+    if len(swings) < _FEWEST_SWINGS:
+        reason = f"has {len(swings)} whole half swings that count; at least {_FEWEST_SWINGS} are needed"
+        raise RecordError(record.source, reason, "record the pendulum for longer", column="theta")
+    tops = np.empty(len(swings))
+    for i, swing in enumerate(swings):
+        span = slice(swing.first, swing.last + 1)
+        time, height = record.time[span], theta[span] * swing.sign
+        top = height > _TOP * np.max(height)
+        curve = _polynomial(record, time[top], height[top], 4)
+        grid = np.linspace(time[top][0], time[top][-1], 201)
+        tops[i] = swing.sign * np.max(curve(grid))
+    passages = np.empty(len(swings) - 1)
+    for i, (before, after) in enumerate(pairwise(swings)):
+        span = slice(before.extreme, after.extreme + 1)
+        time, angle = record.time[span], theta[span]
+        near = np.abs(angle) < _PASSAGE * min(abs(tops[i]), abs(tops[i + 1]))
+        # Time as a function of the angle, so that the passage is its value at 0.
+        passages[i] = _polynomial(record, angle[near], time[near], 3)(0.0)
+    return tops, passages
+
+
+def _polynomial(record: Record, x: FloatArray, y: FloatArray, degree: int) -> Polynomial:
+    if len(x) < _FEWEST_SAMPLES:
+        reason = f"has {len(x)} samples where {_FEWEST_SAMPLES} are needed for a top or a passage of zero"
+        raise RecordError(record.source, reason, "record with more samples a second", column="theta")
+    return Polynomial.fit(x, y, degree)

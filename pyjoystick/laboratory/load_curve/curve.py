@@ -1,0 +1,132 @@
+"""A load-deflection curve as a testing machine records it: loading, and perhaps unloading."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pyjoystick.motion import RecordError
+from pyjoystick.support import FloatArray
+
+#: Running back by more than this part of the whole travel is no noise.
+JITTER = 0.01
+#: A branch that covers less than this part of the whole travel is none.
+_LEAST_COVERED = 0.5
+_FEWEST_SAMPLES = 20
+#: Part of the whole travel before the turn that is left out: friction turns around there, and with noise the
+#: sample that goes furthest need not be the last of loading.
+_TURN = 0.005
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Branch:
+    """One direction of travel.
+
+    Attributes:
+        travel: travel of the contact (m), shape (n,), in the order of the record
+        force: force on the plunger (N), shape (n,)
+        rows: lines of the file, or indices, shape (n,)
+    """
+
+    travel: FloatArray
+    force: FloatArray
+    rows: NDArray[np.int64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class LoadCurve:
+    """One cycle of quasi-static loading.
+
+    Attributes:
+        source: the file, or what else it comes from
+        loading: travel rises
+        unloading: travel falls; None where it was not recorded
+        notes: what is doubtful, a sentence each
+    """
+
+    source: str
+    loading: Branch
+    unloading: Branch | None
+    notes: tuple[str, ...] = ()
+
+    @property
+    def branches(self) -> tuple[Branch, ...]:
+        """The branches that were recorded."""
+        return (self.loading,) if self.unloading is None else (self.loading, self.unloading)
+
+    @classmethod
+    def from_cycle(
+        cls,
+        travel: FloatArray,
+        force: FloatArray,
+        *,
+        source: str = "arrays",
+        rows: NDArray[np.int64] | None = None,
+    ) -> LoadCurve:
+        """Part a record where its travel is largest; with two branches the last 0.5 % of travel are left out.
+
+        Compression that is counted negative is turned, with a note.
+
+        Args:
+            travel: travel of the contact (m), shape (n,), rising once and perhaps falling once
+            force: force (N), shape (n,)
+            source: what messages call it
+            rows: lines of the file; indices where not given
+
+        Raises:
+            RecordError: fewer than 20 samples in a branch, no travel, no force, or travel that turns back
+        """
+        lines = np.arange(len(travel)) if rows is None else rows
+        notes = []
+        series = {"travel": travel, "force": force}
+        for name, values in series.items():
+            extreme = float(values[np.argmax(np.abs(values))]) if len(values) else 0.0
+            if extreme == 0.0:
+                raise RecordError(source, "is zero throughout", "was the right column chosen?", column=name)
+            if extreme < 0.0:
+                series[name] = -values
+                notes.append(f"{name} is mostly negative: taken as compression counted negative and turned")
+        travel, force = series["travel"], series["force"]
+        turn = int(np.argmax(travel))
+        span = float(np.ptp(travel))
+        parts = [slice(0, turn + 1), slice(turn, len(travel))]
+        covered = [float(np.ptp(travel[part])) / span if span > 0.0 else 0.0 for part in parts]
+        if covered[0] < _LEAST_COVERED:
+            advice = "begin the record before the load is applied, with travel counted in its direction"
+            raise RecordError(source, "has no loading branch: travel does not rise", advice, column="travel")
+        _require_one_way(source, travel[parts[0]], lines[parts[0]], span, "loading")
+        two = covered[1] >= _LEAST_COVERED
+        if two:
+            _require_one_way(source, -travel[parts[1]], lines[parts[1]], span, "unloading")
+        else:
+            notes.append(
+                "has no unloading branch: friction counts as force of the springs; record the whole cycle"
+            )
+        kept = travel < travel[turn] - _TURN * span if two else np.ones(len(travel), dtype=bool)
+        found = [
+            Branch(travel[part][kept[part]], force[part][kept[part]], lines[part][kept[part]])
+            for part in parts[: 1 + two]
+        ]
+        for branch in found:
+            if len(branch.rows) < _FEWEST_SAMPLES:
+                reason = f"has {len(branch.rows)} samples in a branch; at least {_FEWEST_SAMPLES} are needed"
+                raise RecordError(source, reason, "record more slowly or more often")
+        return cls(source, found[0], found[1] if len(found) > 1 else None, tuple(notes))
+
+
+def _require_one_way(
+    source: str, travel: FloatArray, rows: NDArray[np.int64], span: float, branch: str
+) -> None:
+    back = np.maximum.accumulate(travel) - travel
+    wrong = np.flatnonzero(back > JITTER * span)
+    if wrong.size:
+        raise RecordError(
+            source,
+            f"travel turns back by {1e3 * float(np.max(back)):.3g} mm within {branch}",
+            "keep one cycle a file: the first loading, and the unloading that follows it",
+            column="travel",
+            rows=[int(rows[wrong[0]])],
+            value=f"{1e3 * abs(float(travel[wrong[0]])):.6g} mm",
+        )

@@ -1,0 +1,113 @@
+"""What makes the fit of a load-deflection curve doubtful, and records that cannot be fitted."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+
+from pyjoystick.laboratory.load_curve.curve import LoadCurve
+from pyjoystick.model import SegmentTable
+from pyjoystick.motion import RecordError
+from pyjoystick.support import FloatArray
+
+_FIRST_SAMPLES: Final = 3
+_CLEAR: Final = 5.0
+_LEAST_PART: Final = 0.02
+#: A branch; with fewer the standard errors, which are those of a smooth problem, are too small.
+_FEWEST_IN_SEGMENT: Final = 3
+_LARGEST_ERROR: Final = 0.2
+_LARGEST_MISFIT: Final = 1.5
+
+
+def require_contact_within(curve: LoadCurve, force_noise: float) -> None:
+    """Refuse a record that begins in contact, or in which unloading needs more force than loading.
+
+    Raises:
+        RecordError: one of the two
+    """
+    loading = curve.loading
+    first = float(np.median(loading.force[:_FIRST_SAMPLES]))
+    largest = float(np.max(loading.force))
+    lowest = float(min(np.min(branch.force) for branch in curve.branches))
+    threshold = max(_CLEAR * force_noise, _LEAST_PART * (largest - lowest))
+    if abs(first) > threshold and first - lowest > threshold:
+        raise _begins_in_contact(curve)
+    if curve.unloading is None:
+        return
+    order = np.argsort(curve.unloading.travel)
+    back = np.interp(loading.travel, curve.unloading.travel[order], curve.unloading.force[order])
+    between = float(np.median(loading.force - back))
+    if between < -threshold:
+        raise RecordError(
+            curve.source,
+            f"unloading lies {-between:.3g} N above loading",
+            "friction cannot do that: are the rows in the order in which they were recorded?",
+            column="force",
+        )
+
+
+def require_samples_before_contact(curve: LoadCurve, table: SegmentTable) -> None:
+    """Refuse a fit whose first kink is not within the record.
+
+    Raises:
+        RecordError: fewer than three samples of loading lie before it
+    """
+    if int(np.sum(curve.loading.travel < table.x[0])) < _FIRST_SAMPLES:
+        raise _begins_in_contact(curve)
+
+
+def _begins_in_contact(curve: LoadCurve) -> RecordError:
+    return RecordError(
+        curve.source,
+        "is in contact from the first rows on, so that the clearance x_0 cannot be seen",
+        "begin the record before contact",
+        column="force",
+        rows=[int(curve.loading.rows[0])],
+        value=f"{curve.loading.force[0]:.4g} N",
+    )
+
+
+def doubts(
+    curve: LoadCurve,
+    table: SegmentTable,
+    k_errors: FloatArray,
+    misfit: float,
+    distances: FloatArray,
+) -> tuple[str, ...]:
+    """What to look at before the numbers are used, with rows and a remedy."""
+    notes = [*curve.notes]
+    loading = curve.loading
+    contact = int(np.argmax(loading.travel >= table.x[0]))
+    notes.append(
+        f"no force up to a travel of {1e3 * table.x[0]:.4g} mm (row {loading.rows[contact]}): this counts as "
+        "the clearance x_0; slack of the fixture would be in it, so take that up before travel is set to zero"
+    )
+    ends = [*table.x[1:], float(np.max(loading.travel))]
+    for i, (first, last) in enumerate(zip(table.x, ends, strict=True)):
+        samples = sum(
+            int(np.sum((branch.travel >= first) & (branch.travel < last))) for branch in curve.branches
+        )
+        if samples < _FEWEST_IN_SEGMENT * len(curve.branches) or k_errors[i] > _LARGEST_ERROR * table.k[i]:
+            notes.append(
+                f"k_{i} rests on {samples} samples between {1e3 * first:.5g} and {1e3 * last:.5g} mm and is "
+                f"uncertain by {100.0 * k_errors[i] / table.k[i]:.2g} %: record there more slowly"
+            )
+    if misfit > _LARGEST_MISFIT:
+        notes.append(_where_it_misses(curve, misfit, distances))
+    return tuple(notes)
+
+
+def _where_it_misses(curve: LoadCurve, misfit: float, distances: FloatArray) -> str:
+    """The stretch of rows that lies farthest from the fit; single outliers do not count."""
+    rows = np.concatenate([branch.rows for branch in curve.branches])
+    travel = np.concatenate([branch.travel for branch in curve.branches])
+    width = max(5, len(rows) // 100)
+    smooth = np.abs(np.convolve(distances, np.ones(width) / width, mode="same"))
+    worst = int(np.argmax(smooth))
+    first, last = max(0, worst - width // 2), min(len(rows) - 1, worst + width // 2)
+    return (
+        f"the segments miss the record by {misfit:.2g} times its noise, most in rows {rows[first]}-"
+        f"{rows[last]} (travel about {1e3 * travel[worst]:.4g} mm): look "
+        "there for slack, sliding or one more segment"
+    )

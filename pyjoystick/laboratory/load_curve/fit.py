@@ -1,0 +1,270 @@
+"""Fit of connected straight segments with unknown kinks to a load-deflection curve.
+
+The search is SciPy's; no library of piecewise regression fits this task. pwlf 2.7 finds the kinks of a made
+curve (stiffnesses 400-fold apart, kinks 10 um apart), but needs 50 s where this fit needs about one, puts all
+error into the force, and can neither keep the first segment at no force nor share the kinks of two branches.
+Error of travel is what counts: at 1 MN/m a micrometer is a newton. So distances are taken to the line itself,
+in the plane scaled by the noise of both axes.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from scipy.optimize import least_squares
+
+from pyjoystick.laboratory.load_curve.curve import Branch, LoadCurve
+from pyjoystick.laboratory.load_curve.doubts import (
+    doubts,
+    require_contact_within,
+    require_samples_before_contact,
+)
+from pyjoystick.laboratory.load_curve.polyline import corners, signed_distances
+from pyjoystick.model import ActuatorAssembly, SegmentTable
+from pyjoystick.motion import RecordError
+from pyjoystick.support import FloatArray, positive
+
+#: Least noise in parts of the range, for records that have none.
+_LEAST_NOISE: Final = 1e-6
+_MEDIAN_TO_DEVIATION: Final = 1.4826
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class LoadCurveFit:
+    """What a load-deflection curve says.
+
+    Attributes:
+        curve: the record
+        table: travels x_i (m) and stiffnesses k_i (N/m) of the segments, as in Table 1
+        friction: half the force between loading and unloading (N); 0 where only one was recorded
+        zero: force that the machine shows without load (N)
+        covariance: of x_0 .. x_n-1, k_0 .. k_n-1, friction, zero, in SI units, shape (2n+2, 2n+2)
+        travel_noise, force_noise: standard deviations of one sample (m, N)
+        misfit: root mean square of the distances in units of the noise; 1 where the model holds
+        notes: what is doubtful, a sentence each
+    """
+
+    curve: LoadCurve
+    table: SegmentTable
+    friction: float
+    zero: float
+    covariance: FloatArray
+    travel_noise: float
+    force_noise: float
+    misfit: float
+    notes: tuple[str, ...]
+
+    @property
+    def x_errors(self) -> FloatArray:
+        """Standard errors of the travels (m), shape (n,)."""
+        return np.sqrt(np.diag(self.covariance))[: len(self.table.x)]
+
+    @property
+    def k_errors(self) -> FloatArray:
+        """Standard errors of the stiffnesses (N/m), shape (n,)."""
+        count = len(self.table.x)
+        return np.sqrt(np.diag(self.covariance))[count : 2 * count]
+
+    @property
+    def friction_error(self) -> float:
+        """Standard error of the friction (N)."""
+        return float(np.sqrt(self.covariance[-2, -2]))
+
+    @property
+    def assembly(self) -> ActuatorAssembly:
+        """The return and the balance spring.
+
+        Raises:
+            ParameterError: not four segments, or stiffnesses that no pair of restrained springs has
+        """
+        return ActuatorAssembly.from_table(self.table.x, self.table.k)
+
+    def springs(self) -> dict[str, tuple[float, float]]:
+        """Value and standard error by name: ``returnSpring.k_s``, ``.k_h``, ``.F_0``, ``.x_0``, and so on.
+
+        The errors follow from those of x and k, with their correlation, to first order.
+
+        Raises:
+            ParameterError: as `assembly`
+        """
+        assembly = self.assembly
+        x, k = np.array(self.table.x), np.array(self.table.k)
+        row = np.eye(8)
+        gap_1, gap_2 = x[1] - x[0], x[3] - x[2]
+        slopes = {
+            "returnSpring.k_s": row[5],
+            "returnSpring.k_h": row[4] - row[5],
+            "returnSpring.F_0": gap_1 * (row[4] - row[5]) + (k[0] - k[1]) * (row[1] - row[0]),
+            "returnSpring.x_0": row[0],
+            "balanceSpring.k_s": row[7] - row[5],
+            "balanceSpring.k_h": row[6] - row[7],
+            "balanceSpring.F_0": gap_2 * (row[6] - row[7]) + (k[2] - k[3]) * (row[3] - row[2]),
+            "balanceSpring.x_0": row[2],
+        }
+        values = {"returnSpring": assembly.return_spring, "balanceSpring": assembly.balance_spring}
+        found = {}
+        for name, slope in slopes.items():
+            spring, field = name.split(".")
+            error = float(np.sqrt(slope @ self.covariance[:8, :8] @ slope))
+            found[name] = (float(getattr(values[spring], field)), error)
+        return found
+
+
+def fit_load_curve(
+    curve: LoadCurve,
+    segments: int = 4,
+    *,
+    travel_noise: float | None = None,
+    force_noise: float | None = None,
+) -> LoadCurveFit:
+    """Fit straight segments: no force up to x_0, then stiffness k_i from x_i to x_i+1.
+
+    Both branches have the same kinks and stiffnesses; friction adds a constant force while loading
+    and takes it away while unloading. The force that the machine shows before contact is fitted too.
+
+    Args:
+        curve: the record, which must begin before contact
+        segments: number of segments under load; four for an actuator (Fig. 7c)
+        travel_noise: standard deviation of one sample of travel (m); from the scatter where not given
+        force_noise: standard deviation of one sample of force (N); likewise
+
+    Raises:
+        ParameterError: no segment, or a noise that is not above 0
+        RecordError: the record begins in contact, unloading lies above loading, or too few samples
+    """
+    if segments < 1:
+        positive("segments", 0)
+    noise = np.array(
+        [
+            _noise(curve, "travel") if travel_noise is None else positive("travel_noise", travel_noise, "m"),
+            _noise(curve, "force") if force_noise is None else positive("force_noise", force_noise, "N"),
+        ]
+    )
+    if len(curve.loading.rows) < 5 * (segments + 1):
+        reason = f"has {len(curve.loading.rows)} samples of loading for {segments} segments"
+        raise RecordError(curve.source, reason, "record more slowly or more often")
+    require_contact_within(curve, noise[1])
+    model = _Model(curve, segments, noise)
+    solution = least_squares(model.residuals, model.start(), method="trf", x_scale="jac", max_nfev=300)
+    if not solution.success:
+        raise RecordError(curve.source, f"{segments} segments do not fit", "try another number of segments")
+    natural = model.natural(solution.x)
+    distances = model.distances(natural)
+    freedom = len(distances) - len(natural) + (curve.unloading is None)
+    misfit = float(np.sqrt(np.sum(distances**2) / freedom))
+    covariance = _covariance(model, natural) * max(misfit, 1.0) ** 2
+    x, k, friction, zero = model.parted(natural)
+    table = SegmentTable(tuple(np.maximum(x, 0.0)), tuple(k))
+    require_samples_before_contact(curve, table)
+    scale = np.concatenate(
+        (np.full(segments, noise[0]), np.full(segments, noise[1] / noise[0]), [noise[1]] * 2)
+    )
+    covariance = covariance * np.outer(scale, scale)
+    k_errors = np.sqrt(np.diag(covariance))[segments : 2 * segments]
+    return LoadCurveFit(
+        curve=curve,
+        table=table,
+        friction=friction,
+        zero=zero,
+        covariance=covariance,
+        travel_noise=float(noise[0]),
+        force_noise=float(noise[1]),
+        misfit=misfit,
+        notes=doubts(curve, table, k_errors, misfit, distances),
+    )
+
+
+def _noise(curve: LoadCurve, name: str) -> float:
+    """Standard deviation of one sample: a steady motion has no second differences but noise."""
+    series = [getattr(branch, name) for branch in curve.branches]
+    second = np.abs(np.concatenate([np.diff(values, 2) for values in series]))
+    reach = max(float(np.ptp(values)) for values in series)
+    # A second difference has six times the variance of one sample.
+    return max(_MEDIAN_TO_DEVIATION * float(np.median(second)) / math.sqrt(6.0), _LEAST_NOISE * reach)
+
+
+class _Model:
+    """The lines of both branches in the plane scaled by the noise.
+
+    The search runs over x_0, the logarithms of the gaps between kinks and of the stiffnesses, the friction
+    (where there are two branches) and the zero of the force, so that no step can mix up their order.
+    """
+
+    def __init__(self, curve: LoadCurve, segments: int, noise: FloatArray) -> None:
+        self.segments = segments
+        self.noise = noise
+        self.points = [_points(branch) / noise for branch in curve.branches]
+
+    def start(self) -> FloatArray:
+        loading = self.points[0]
+        found = loading[corners(loading, self.segments)]
+        ends = np.vstack((found, loading[-1]))
+        gaps = np.maximum(np.diff(ends[:, 0]), 1e-3)
+        stiffnesses = np.maximum(np.diff(ends[:, 1]) / gaps, 1e-6)
+        before = loading[:, 1][loading[:, 0] < found[0, 0]]
+        zero = float(np.median(before)) if before.size else 0.0
+        friction = [1.0] if len(self.points) > 1 else []
+        return np.concatenate(([found[0, 0]], np.log(gaps[:-1]), np.log(stiffnesses), friction, [zero]))
+
+    def natural(self, q: FloatArray) -> FloatArray:
+        """x_0 .. x_n-1, k_0 .. k_n-1, friction, zero, all in units of the noise."""
+        n = self.segments
+        x = q[0] + np.concatenate(([0.0], np.cumsum(np.exp(q[1:n]))))
+        friction = q[2 * n] if len(self.points) > 1 else 0.0
+        return np.concatenate((x, np.exp(q[n : 2 * n]), [friction, q[-1]]))
+
+    def parted(self, natural: FloatArray) -> tuple[FloatArray, FloatArray, float, float]:
+        """X (m), k (N/m), friction (N), zero (N)."""
+        n = self.segments
+        x, k = natural[:n] * self.noise[0], natural[n : 2 * n] * self.noise[1] / self.noise[0]
+        return x, k, float(natural[-2] * self.noise[1]), float(natural[-1] * self.noise[1])
+
+    def residuals(self, q: FloatArray) -> FloatArray:
+        return self.distances(self.natural(q))
+
+    def distances(self, natural: FloatArray) -> FloatArray:
+        signs = (1.0, -1.0)[: len(self.points)]
+        lines = [self._line(natural, sign, points) for sign, points in zip(signs, self.points, strict=True)]
+        return np.concatenate(
+            [signed_distances(points, line) for points, line in zip(self.points, lines, strict=True)]
+        )
+
+    def _line(self, natural: FloatArray, sign: float, points: FloatArray) -> FloatArray:
+        """Corners of one branch. Friction is a step at contact while loading; it carries all at the end."""
+        n = self.segments
+        x, k, friction, zero = natural[:n], natural[n : 2 * n], natural[-2], natural[-1]
+        end = max(float(np.max(points[:, 0])), float(x[-1]) + 1.0)
+        forces = np.concatenate(([0.0], np.cumsum(k * np.diff(np.append(x, end)))))
+        start = min(float(np.min(points[:, 0])), float(x[0]) - 1.0)
+        loaded = np.column_stack((np.append(x, end), forces + sign * friction))
+        contact = x[0] if sign > 0.0 else x[0] + max(friction, 0.0) / k[0]
+        free = [[start, 0.0], [contact, 0.0]]
+        line = np.vstack((free, loaded if sign > 0.0 else loaded[1:]))
+        line[:, 1] += zero
+        return line
+
+
+def _points(branch: Branch) -> FloatArray:
+    return np.column_stack((branch.travel, branch.force))
+
+
+def _covariance(model: _Model, natural: FloatArray) -> FloatArray:
+    """Of the natural parameters for distances of unit variance; nothing for friction that is not fitted."""
+    fitted = np.ones(len(natural), dtype=bool)
+    fitted[-2] = len(model.points) > 1
+    slopes = []
+    for i in np.flatnonzero(fitted):
+        step = np.zeros(len(natural))
+        step[i] = 1e-4 * max(abs(natural[i]), 1.0) if i >= model.segments else 1e-3
+        slopes.append((model.distances(natural + step) - model.distances(natural - step)) / (2.0 * step[i]))
+    jacobian = np.column_stack(slopes)
+    covariance = np.zeros((len(natural), len(natural)))
+    # Columns differ by many orders of magnitude, which the pseudo-inverse must not take for rank.
+    norms = np.linalg.norm(jacobian, axis=0)
+    norms[norms == 0.0] = np.nan
+    scaled = jacobian / norms
+    covariance[np.ix_(fitted, fitted)] = np.linalg.inv(scaled.T @ scaled) / np.outer(norms, norms)
+    return covariance

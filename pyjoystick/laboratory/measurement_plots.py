@@ -1,0 +1,114 @@
+"""Figures of measured motions beside the true ones."""
+
+from __future__ import annotations
+
+import math
+from typing import Final
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from pyjoystick.laboratory.measurements.accelerometer import GRAVITY
+from pyjoystick.laboratory.measurements.chain import Motion
+from pyjoystick.laboratory.measurements.chain_effect import ChainEffect
+from pyjoystick.model import ConstantDamping, JoystickParameters, Trajectory, energy
+from pyjoystick.support import LAWS, LONG_DASHES, MEASURED, SOLID, FloatArray, dress, legend_above
+
+_DEG: Final = math.degrees(1.0)
+_MJ: Final = 1e3
+_VISIBLE: Final = 2e-3
+#: As in Fig. 12: the simulation is solid, what stands for the experiment dashed.
+_MEASURED: Final = {"color": MEASURED, "linestyle": LONG_DASHES, "linewidth": 1.1}
+
+
+def plot_chain_effect(parameters: JoystickParameters, effect: ChainEffect, *, title: str = "") -> Figure:
+    """Velocity and energy of a simulated motion and of what the chain makes of it (Fig. 12).
+
+    Args:
+        parameters: the joystick of the simulation
+        effect: what `chain_effect` found
+        title: a line above the figure
+    """
+    run, motion = effect.run, effect.motion
+    shown = (motion.time >= run.time[0]) & (motion.time <= run.time[0] + 1.5)
+    time = motion.time[shown] - run.time[0]
+    law = "constant" if isinstance(parameters.damping, ConstantDamping) else "power-law"
+    true = LAWS[law] | {"linestyle": SOLID}
+    figure = Figure(figsize=(7.0, 6.0), layout="constrained")
+    above, below = figure.subplots(2, 1, sharex=True)
+    above.plot(run.time - run.time[0], run.omega, label="simulated", **true)
+    above.plot(time, motion.omega[shown], label="through the measuring chain", **_MEASURED)
+    above.set_ylabel("Velocity (rad/s)")
+    measured = energy(parameters, motion.theta[shown], motion.omega[shown])
+    below.plot(run.time - run.time[0], run.E * _MJ, **true)
+    below.plot(time, measured * _MJ, **_MEASURED)
+    below.fill_between(
+        time,
+        0.0,
+        1.05 * run.E[0] * _MJ,
+        where=_above_before(measured),
+        color="0.88",
+        linewidth=0.0,
+        zorder=0,
+        label="where it seems to have risen",
+    )
+    below.set(ylabel="Energy (mJ)", xlabel="Time after the release (s)", ylim=(0.0, 1.05 * run.E[0] * _MJ))
+    below.set_xlim(0.0, float(time[-1]))
+    dress(above, zero=True)
+    dress(below)
+    figure.align_ylabels([above, below])
+    legend_above(figure, [above, below], title=title)
+    return figure
+
+
+def plot_instruments(
+    motion: Motion,
+    true: Trajectory,
+    *,
+    release_time: float,
+    distance: float,
+    title: str = "",
+    size: tuple[float, float] = (7.0, 8.0),
+) -> Figure:
+    """What camera and accelerometer see of a free oscillation, in the four panels of Fig. 4.
+
+    Args:
+        motion: what the measuring chain gives
+        true: the motion from the release on, of which the ideal accelerometer reads its signal; no damage to
+            that signal, such as ringing, is simulated
+        release_time: instant of release on the clock of `motion` (s)
+        distance: pivot to accelerometer (m)
+        title: a line above the figure
+        size: width and height (inch)
+    """
+    duration = float(true.time[-1] - true.time[0])
+    shown = (motion.time >= release_time) & (motion.time <= release_time + duration)
+    time = motion.time[shown] - release_time
+    # As `pyjoystick.laboratory.measurements.accelerometer` has it: less the component of gravity.
+    reading = true.alpha - GRAVITY * np.sin(true.theta) / distance
+    panels = (
+        ("Displacement (deg)", time, motion.theta[shown] * _DEG),
+        ("Velocity (deg/s)", time, motion.omega[shown] * _DEG),
+        ("Acceleration,\ncamera (deg/s²)", time, motion.alpha[shown] * _DEG),
+        ("Acceleration,\naccelerometer (deg/s²)", true.time - true.time[0], reading * _DEG),
+    )
+    figure = Figure(figsize=size, layout="constrained")
+    axes = figure.subplots(len(panels), 1, sharex=True)
+    for letter, panel, (label, instants, values) in zip("abcd", axes, panels, strict=True):
+        panel.plot(instants, values, color=MEASURED, linewidth=1.1)
+        panel.set_ylabel(label)
+        panel.text(0.985, 0.93, f"({letter})", transform=panel.transAxes, ha="right", va="top")
+        panel.margins(y=0.08)
+        dress(panel, zero=True)
+    axes[-1].set_xlabel("Time after the release (s)")
+    axes[-1].set_xlim(0.0, duration)
+    figure.align_ylabels(axes)
+    if title:
+        figure.suptitle(title, fontsize="medium")
+    return figure
+
+
+def _above_before(values: FloatArray) -> list[bool]:
+    """Where the energy lies above its least before, by more than the width of a line."""
+    rise = values - np.minimum.accumulate(values)
+    return [bool(one > _VISIBLE * values[0]) for one in rise]

@@ -1,0 +1,278 @@
+"""The accelerometer of section 2: tangential acceleration, less gravity's component, over the distance.
+
+An accelerometer on the joystick at a distance L from the pivot, its axis along the direction of motion, reads
+
+    a = L alpha - g sin(theta)
+
+as it feels what holds it against gravity: at an angle theta forward its axis points downward by theta. Hence
+alpha = (a + g sin(theta))/L with the measured angle.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pyjoystick.laboratory.measurements.chain import Motion
+from pyjoystick.laboratory.measurements.low_pass import LowPass
+from pyjoystick.laboratory.measurements.sample_files import PIECE, open_samples
+from pyjoystick.laboratory.measurements.saturation import SaturationWatch
+from pyjoystick.motion import RecordError, rows_in_words
+from pyjoystick.support import FloatArray, positive
+
+#: Standard gravity (m/s2).
+GRAVITY: Final = 9.80665
+#: m/s2 in units of acceleration.
+UNITS: Final = {"m/s2": 1.0, "m/s^2": 1.0, "m/s²": 1.0, "mm/s2": 1e-3, "g": GRAVITY}
+#: Volts in units of voltage, which need a sensitivity.
+VOLTAGES: Final = {"V": 1.0, "mV": 1e-3}
+#: Steps in time that differ by more than this from the usual one are no even sampling.
+_UNEVEN: Final = 0.02
+#: Clocks are compared over this much to either side (s), in these steps.
+LARGEST_LAG: Final = 0.1
+_LAG_STEP: Final = 5e-4
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class AccelerometerRecord:
+    """The part of an accelerometer's samples that was asked for, and what was seen in all of them.
+
+    Attributes:
+        source: the file
+        time: instants (s), shape (n,), on the clock of the window
+        acceleration: what was read (m/s2), shape (n,)
+        rows: rows in the file, shape (n,)
+        samples: number of samples of the whole file
+        rate: samples a second (Hz)
+        smallest, largest: extremes of the whole file (m/s2)
+        notes: what is doubtful, a sentence each
+    """
+
+    source: str
+    time: FloatArray
+    acceleration: FloatArray
+    rows: NDArray[np.int64]
+    samples: int
+    rate: float
+    smallest: float
+    largest: float
+    notes: tuple[str, ...]
+
+
+def read_accelerometer(
+    path: Path,
+    *,
+    window: tuple[float, float] = (-math.inf, math.inf),
+    column: str = "acceleration",
+    unit: str | None = None,
+    rate: float | None = None,
+    sensitivity: float | None = None,
+    full_scale: float | None = None,
+    delay: float = 0.0,
+    piece: int = PIECE,
+) -> AccelerometerRecord:
+    """Read the samples of an accelerometer; only those inside the window are kept.
+
+    Args:
+        path: a CSV file with headings, ``time (s),acceleration (m/s2)``, or an .npy file
+        window: first and last instant (s) that are wanted, on the clock of the other measurement
+        column: heading or name of the column in a CSV file
+        unit: unit of the samples where the heading has none: a name of `UNITS` or `VOLTAGES`
+        rate: samples a second (Hz), for files without a time
+        sensitivity: volts in 1 m/s2, for voltages
+        full_scale: largest magnitude that the amplifier gives, in the unit of the file
+        delay: what the accelerometer's clock shows (s) when the other clock shows zero
+        piece: samples that are in memory at a time
+
+    Raises:
+        RecordError: the file cannot be used, see `open_samples`; the unit is unknown; the signal never
+            changes; the samples are not even; or none lie in the window
+    """
+    file = open_samples(path, column=column, rate=rate)
+    factor = _factor(str(path), file.heading.unit, unit, sensitivity, file.heading.text)
+    watch = SaturationWatch(full_scale)
+    kept: list[tuple[FloatArray, FloatArray, NDArray[np.int64]]] = []
+    samples, smallest, largest = 0, math.inf, -math.inf
+    for part in file.pieces(piece):
+        watch.add(part.values, part.first)
+        smallest, largest = min(smallest, float(part.values.min())), max(largest, float(part.values.max()))
+        time = part.time - delay
+        inside = (time >= window[0]) & (time <= window[1])
+        if inside.any():
+            rows = part.first + np.flatnonzero(inside)
+            kept.append((time[inside], part.values[inside] * factor, rows))
+        samples += len(part.values)
+    if samples and smallest == largest:
+        advice = "is the charge amplifier on, and this its channel?"
+        raise RecordError(str(path), "never changes", advice, column=file.heading.text, value=f"{largest:g}")
+    if not kept:
+        reason = f"has no samples from {window[0]:g} to {window[1]:g} s, where the angle is known"
+        raise RecordError(str(path), reason, "are both clocks zero at one instant? If not, give the delay")
+    time, acceleration, rows = (np.concatenate(series) for series in zip(*kept, strict=True))
+    return AccelerometerRecord(
+        source=str(path),
+        time=time,
+        acceleration=acceleration,
+        rows=rows,
+        samples=samples,
+        rate=_even_rate(str(path), time, rows),
+        smallest=smallest * factor,
+        largest=largest * factor,
+        notes=_saturation_notes(file.heading.text, watch),
+    )
+
+
+def _factor(source: str, in_file: str, given: str | None, sensitivity: float | None, column: str) -> float:
+    """m/s2 in the unit of the file."""
+    unit = in_file or given or ""
+    known = ", ".join([*UNITS, *VOLTAGES])
+    if in_file and given and in_file != given:
+        reason = f"has the unit {in_file} in its heading, but {given} is asked for"
+        raise RecordError(source, reason, "leave one of the two out", column=column)
+    if unit in UNITS:
+        return UNITS[unit]
+    if unit not in VOLTAGES:
+        reason = "has an unknown unit" if unit else "has no unit"
+        advice = f"write it in the heading or give it as an option: {known}"
+        raise RecordError(source, reason, advice, column=column, value=repr(unit) if unit else None)
+    if sensitivity is None:
+        advice = "give the sensitivity of accelerometer and amplifier in V/(m/s2)"
+        raise RecordError(source, "is a voltage", advice, column=column, value=unit)
+    return VOLTAGES[unit] / positive("sensitivity", sensitivity, "V/(m/s2)")
+
+
+def _even_rate(source: str, time: FloatArray, rows: NDArray[np.int64]) -> float:
+    if len(time) < 3:
+        raise RecordError(source, f"has {len(time)} samples in the window", "give a longer record")
+    steps = np.diff(time)
+    usual = float(np.median(steps))
+    uneven = np.flatnonzero(np.abs(steps / usual - 1.0) > _UNEVEN)
+    if uneven.size:
+        raise RecordError(
+            source,
+            f"the step in time is not the usual {usual:.6g} s",
+            "an accelerometer's samples are even: were some lost, or are the times rounded?",
+            column="time",
+            rows=[rows[uneven[0] + 1]],
+            value=f"{steps[uneven[0]]:.6g} s",
+        )
+    return 1.0 / usual
+
+
+def _saturation_notes(column: str, watch: SaturationWatch) -> tuple[str, ...]:
+    runs = watch.found()
+    if not runs:
+        return ()
+    rows = [row for first, last in runs[:100] for row in range(first, min(last, first + 1000) + 1)]
+    count = sum(last - first + 1 for first, last in runs)
+    return (
+        f"column {column!r}, {rows_in_words(rows)}: saturated, {count} samples in {len(runs)} stretches stay "
+        "at an extreme value: lower the amplifier's gain; peaks and mean are too small there",
+    )
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class AngularAcceleration:
+    """The angular acceleration from an accelerometer beside the differentiated angle.
+
+    Arrays have the shape (n,) of the accelerometer's samples or (k,) of the motion's instants.
+
+    Attributes:
+        time: instants of the samples (s), shape (n,)
+        alpha: less gravity, unfiltered (rad/s2), shape (n,); NaN where the angle is not known
+        zero: what was taken off the readings so that there is no acceleration at rest (m/s2)
+        gravity_share: largest of gravity's component in parts of the largest |L alpha| after the filter
+        filtered: `alpha` through the low-pass filter of the motion, at its instants, shape (k,)
+        differences: rms difference (rad/s2) to the differentiated angle: ``with gravity`` left in, ``less
+            gravity``, and the rms of the latter itself, ``differentiated``
+        peaks: largest magnitudes (rad/s2) of the same
+        lag: by how much the clock should be moved for the least difference (s), to be added to the delay
+        correlation: of `filtered` and the differentiated angle
+    """
+
+    time: FloatArray
+    alpha: FloatArray
+    zero: float
+    gravity_share: float
+    filtered: FloatArray
+    differences: dict[str, float]
+    peaks: dict[str, float]
+    lag: float
+    correlation: float
+
+
+def angular_acceleration(
+    record: AccelerometerRecord,
+    motion: Motion,
+    *,
+    distance: float,
+    rest: tuple[float, float],
+    low_pass: LowPass | None = None,
+    gravity: float = GRAVITY,
+    backward: bool = False,
+) -> AngularAcceleration:
+    """Angular acceleration from an accelerometer and the measured angle.
+
+    Args:
+        record: the accelerometer's samples, on the clock of the motion
+        motion: the measured angle, through the chain
+        distance: from the pivot to the accelerometer (m)
+        rest: first and last instant (s) of a stretch at rest in the middle, which sets the zero
+        low_pass: the filter of the chain that the motion went through
+        gravity: g (m/s2)
+        backward: whether the accelerometer's positive direction is backward
+
+    Raises:
+        ParameterError: the distance is not above zero
+        RecordError: there are no samples at rest, or too few where the angle is known
+    """
+    length = positive("distance", distance, "m")
+    sign = -1.0 if backward else 1.0
+    weight = gravity * np.sin(np.interp(record.time, motion.time, motion.theta, left=np.nan, right=np.nan))
+    still = (record.time >= rest[0]) & (record.time <= rest[1]) & np.isfinite(weight)
+    if not still.any():
+        reason = f"has no samples with a known angle from {rest[0]:g} to {rest[1]:g} s, called at rest"
+        raise RecordError(record.source, reason, "name a stretch at rest inside the record")
+    reading = sign * record.acceleration
+    zero = float((reading + weight)[still].mean())
+    reading = reading - zero
+    smooth = (low_pass or LowPass()).filter(reading, record.rate)
+    known = np.isfinite(motion.alpha) & (motion.time >= record.time[0]) & (motion.time <= record.time[-1])
+    if np.count_nonzero(known) < 3:
+        raise RecordError(record.source, "has too few samples where the angle is known", "check both clocks")
+    time, alpha = motion.time[known], motion.alpha[known]
+    level = gravity * np.sin(motion.theta[known])
+    raw = np.interp(time, record.time, smooth) / length
+    filtered = np.full(len(motion.time), np.nan)
+    filtered[known] = raw + level / length
+    found = {"with gravity": raw, "less gravity": filtered[known]}
+    return AngularAcceleration(
+        time=record.time,
+        alpha=(reading + weight) / length,
+        zero=zero,
+        gravity_share=float(np.max(np.abs(level)) / (length * np.max(np.abs(filtered[known])))),
+        filtered=filtered,
+        differences={name: _rms(series - alpha) for name, series in found.items()}
+        | {"differentiated": _rms(alpha)},
+        peaks={
+            name: float(np.max(np.abs(series)))
+            for name, series in (found | {"differentiated": alpha}).items()
+        },
+        lag=_lag(record.time, smooth / length, time, alpha - level / length),
+        correlation=float(np.corrcoef(filtered[known], alpha)[0, 1]),
+    )
+
+
+def _rms(values: FloatArray) -> float:
+    return float(np.sqrt(np.mean(values**2)))
+
+
+def _lag(clock: FloatArray, series: FloatArray, time: FloatArray, wanted: FloatArray) -> float:
+    """The delay of a series on its clock behind what it should be, by the least rms difference."""
+    lags = np.arange(-LARGEST_LAG, LARGEST_LAG + _LAG_STEP / 2.0, _LAG_STEP)
+    return float(lags[np.argmin([_rms(np.interp(time + lag, clock, series) - wanted) for lag in lags])])

@@ -1,0 +1,294 @@
+"""The joystick's angle from three markers: one on top of it, two on its base (section 2 of the paper).
+
+The vectors from the pivot to the top, projected on the plane of motion, give the angle from the rest position
+by their dot product and, for the sign, their cross product: ``atan2(cross, dot)`` is as accurate near zero,
+where the dot product alone is flat. The plane is that of the top marker's path. The pivot is the center of
+this path's arc, which is far more certain where the arc's radius was measured; with the middle of the base
+markers in its place the angle is wrong by a factor of about L/(L + d), where d is how far the middle lies
+below the pivot and L the distance to the top.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pyjoystick.laboratory.measurements.circle import Circle, fit_circle
+from pyjoystick.laboratory.measurements.markers import Markers, unseen
+from pyjoystick.laboratory.measurements.motion_plane import MotionPlane, motion_plane
+from pyjoystick.motion import Record, RecordError
+from pyjoystick.support import FloatArray, angle, positive
+
+Origin = Literal["arc", "middle"]
+Base = Literal["still", "moving"]
+
+#: Directions of the laboratory by name.
+AXES: Final = {
+    f"{sign}{name}": np.array([(-1.0 if sign else 1.0) * (name == other) for other in "xyz"])
+    for name in "xyz"
+    for sign in ("", "-")
+}
+#: The rest position is the mean of this long at the end of a record (s).
+REST_TIME: Final = 0.25
+#: What is noted: motion in the rest position (rad), the share out of the plane, the base's motion and the
+#: standard error of the radius, both in parts of the radius.
+_RESTLESS: Final = math.radians(0.5)
+_OUT_OF_PLANE: Final = 0.05
+_BASE_MOVES: Final = 0.005
+_RADIUS_UNCERTAIN: Final = 0.01
+#: So many standard errors between the arc's radius and the measured one are noted.
+_RADII_DIFFER: Final = 3.0
+#: Above this relative standard error of the radius the pivot is refused.
+_RADIUS_UNKNOWN: Final = 0.05
+_FEWEST: Final = 10
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class AngleMeasurement:
+    """The angle over the frames, and what it was found with.
+
+    Attributes:
+        source: where the markers are from
+        time: instants of the frames (s), shape (n,)
+        theta: angle from the rest position (rad), shape (n,), positive forward, NaN where a marker is missing
+        rows: rows of the frames in the source, shape (n,)
+        rate: frames a second (Hz)
+        plane: the plane of motion
+        arc: the circle of the top marker's path in the plane, in the plane's coordinates
+        pivot: the center of the angle, from the middle of the base markers, in the plane's coordinates (m),
+            shape (2,)
+        rest_radius: from the pivot to the top at rest (m), in the plane's coordinates, shape (2,)
+        noise: standard deviation of the angle's noise (rad), from the distances to the arc
+        notes: what is doubtful, a sentence each
+    """
+
+    source: str
+    time: FloatArray
+    theta: FloatArray
+    rows: NDArray[np.int64]
+    rate: float
+    plane: MotionPlane
+    arc: Circle
+    pivot: FloatArray
+    rest_radius: FloatArray
+    noise: float
+    notes: tuple[str, ...]
+
+    def record(self, name: str) -> Record:
+        """The frames in which the angle is known, as measured: neither filtered nor interpolated.
+
+        Raises:
+            RecordError: fewer than three, or an angle of pi/2 or more
+        """
+        seen = np.isfinite(self.theta)
+        return Record(
+            name,
+            self.time[seen],
+            self.theta[seen],
+            source=self.source,
+            notes=self.notes,
+            rows=self.rows[seen],
+        )
+
+
+def measure_angle(
+    markers: Markers,
+    *,
+    top: str,
+    base: Sequence[str],
+    forward: str,
+    origin: Origin = "arc",
+    radius: float | None = None,
+    base_motion: Base = "still",
+    up: str | None = None,
+    rest: tuple[float, float] | None = None,
+    rest_angle: float = 0.0,
+) -> AngleMeasurement:
+    """The angle of the joystick from its markers.
+
+    Args:
+        markers: where the markers were
+        top: name of the marker on top of the joystick
+        base: names of the two markers on the base
+        forward: axis of the laboratory that points forward, as far as any does: a name of `AXES`
+        origin: the center of the angle: that of the top marker's arc, or the middle of the base markers
+        radius: from the pivot to the top marker (m), where it was measured; the arc's own where not given;
+            without effect on the middle
+        base_motion: ``still`` takes the mean position of the base markers, which averages their noise;
+            ``moving`` takes the angle and the pivot in each frame relative to the base, whose two markers
+            must then be apart in the plane of motion
+        up: axis of the laboratory that lies in the plane of motion (the paper's z), a name of `AXES`; where
+            not given the plane is found from the motion alone
+        rest: first and last instant (s) of a stretch at rest, on the clock of the markers; the
+            last `REST_TIME` with the markers in sight where not given
+        rest_angle: the angle there (rad): a joystick leans to one end of its clearance
+
+    Raises:
+        ParameterError: the radius is not above zero, or `rest_angle` no angle
+        RecordError: a marker is not there or never seen, the rest position is empty, the plane or the pivot
+            is uncertain, or forward is no axis along the motion
+    """
+    for axis in (forward, up or forward):
+        if axis not in AXES:
+            raise RecordError(markers.source, f"{axis!r} is no axis", f"known are {', '.join(AXES)}")
+    first, second = _two(markers, base)
+    seen = ~unseen(markers.of(top))
+    middle, span = (first + second) / 2.0, second - first
+    if base_motion == "moving":
+        seen &= ~unseen(span)
+    else:
+        middle, span = (np.broadcast_to(_mean(value), middle.shape) for value in (middle, span))
+    if np.count_nonzero(seen) < _FEWEST:
+        reason = f"are in sight together in {np.count_nonzero(seen)} frames, at least {_FEWEST} are needed"
+        column = ", ".join([top, *base])
+        raise RecordError(markers.source, reason, "choose other markers or another record", column=column)
+    path = (markers.of(top) - middle)[seen]
+    still = _rest(markers, seen, rest)[seen]
+    center = path[still].mean(axis=0)
+    plane = motion_plane(path, center, AXES[forward], markers.source, up=AXES[up] if up else None)
+    flat = plane.project(path)
+    if base_motion == "moving":
+        flat = _turned_back(flat, plane.project(span[seen]), still, markers.source)
+    arc = fit_circle(flat)
+    pivot = _pivot(flat, arc, origin, radius, markers.source, top)
+    theta = np.full(len(seen), np.nan)
+    rest_radius = (flat[still] - pivot).mean(axis=0)
+    theta[seen] = angle("rest_angle", rest_angle) + _angle(flat - pivot, rest_radius)
+    notes = [
+        *_rest_notes(np.degrees(theta[seen][still])),
+        *_plane_notes(plane),
+        *(_base_notes(markers.time, (first + second) / 2.0, arc.radius) if base_motion == "still" else ()),
+        *(_arc_notes(arc) if radius is None else _radius_notes(arc, radius)),
+    ]
+    return AngleMeasurement(
+        source=markers.source,
+        time=markers.time,
+        theta=theta,
+        rows=markers.rows,
+        rate=markers.rate,
+        plane=plane,
+        arc=arc,
+        pivot=pivot,
+        rest_radius=rest_radius,
+        noise=arc.noise / arc.radius,
+        notes=tuple(notes),
+    )
+
+
+def _pivot(
+    flat: FloatArray, arc: Circle, origin: Origin, radius: float | None, source: str, top: str
+) -> FloatArray:
+    """Where the pivot is in the plane, shape (2,), from the middle of the base markers."""
+    if origin == "middle":
+        return np.zeros(2)
+    if radius is not None:
+        return fit_circle(flat, positive("radius", radius, "m")).center
+    if not arc.radius_error < _RADIUS_UNKNOWN * arc.radius:
+        raise RecordError(
+            source,
+            f"the pivot is uncertain: the arc's radius is {1e3 * arc.radius:.0f} mm with a standard error of "
+            f"{1e3 * arc.radius_error:.0f} mm",
+            "measure the radius, use a record of larger motion, or take the middle of the base markers",
+            column=top,
+        )
+    return arc.center
+
+
+def _two(markers: Markers, base: Sequence[str]) -> tuple[FloatArray, FloatArray]:
+    if len(base) != 2 or markers.index(base[0]) == markers.index(base[1]):
+        reason = f"names {', '.join(base) or 'nothing'} as markers of the base"
+        raise RecordError(markers.source, reason, "name two different ones")
+    for name in base:
+        if markers.missing(name).all():
+            raise RecordError(markers.source, "is never in sight", "choose another marker", column=name)
+    first, second = (markers.of(name) for name in base)
+    return first, second
+
+
+def _mean(values: FloatArray) -> FloatArray:
+    """The mean position over the frames in which it is known."""
+    known = ~unseen(values)
+    return np.asarray(values[known].mean(axis=0)) if known.any() else np.full(3, np.nan)
+
+
+def _rest(markers: Markers, seen: NDArray[np.bool_], rest: tuple[float, float] | None) -> NDArray[np.bool_]:
+    """The frames at rest."""
+    last = markers.time[seen][-1]
+    start, end = (last - REST_TIME, last) if rest is None else rest
+    still = seen & (markers.time >= start) & (markers.time <= end)
+    if not still.any():
+        reason = f"no frame with the markers in sight between {start:g} and {end:g} s, called at rest"
+        advice = f"the record goes from {markers.time[0]:g} to {markers.time[-1]:g} s"
+        raise RecordError(markers.source, reason, advice)
+    return still
+
+
+def _turned_back(flat: FloatArray, span: FloatArray, still: NDArray[np.bool_], source: str) -> FloatArray:
+    """Positions relative to the base with the base's rotation in the plane taken out."""
+    length = np.hypot(*span.T)
+    if np.min(length) < 0.2 * np.max(length) or np.max(length) < 1e-2:
+        raise RecordError(
+            source,
+            f"the base markers are only {1e3 * np.min(length):.1f} mm apart in the plane of motion",
+            "for a moving base place them one behind the other along the motion; else call the base still",
+        )
+    turned = _signed(span, span[still].mean(axis=0))
+    cos, sin = np.cos(turned), np.sin(turned)
+    x, y = flat.T
+    return np.column_stack((cos * x + sin * y, -sin * x + cos * y))
+
+
+def _signed(vectors: FloatArray, start: FloatArray) -> FloatArray:
+    """Angles from a vector to others in a plane (rad), by the cross and the dot product, shape (n,)."""
+    cross = start[0] * vectors[:, 1] - start[1] * vectors[:, 0]
+    return np.asarray(np.arctan2(cross, vectors @ start), dtype=np.float64)
+
+
+def _angle(radii: FloatArray, rest: FloatArray) -> FloatArray:
+    """Angles from the rest position, positive along the first axis, to whichever side the pivot lies."""
+    return _signed(radii, rest) * (-1.0 if rest[1] > 0.0 else 1.0)
+
+
+def _rest_notes(theta: FloatArray) -> list[str]:
+    moved = float(np.ptp(theta))
+    if moved > math.degrees(_RESTLESS):
+        return [f"the angle moves by {moved:.2f} degrees in the rest position: zero is its mean there"]
+    return []
+
+
+def _plane_notes(plane: MotionPlane) -> list[str]:
+    if plane.out_of_plane > _OUT_OF_PLANE:
+        share = 100.0 * plane.out_of_plane
+        return [f"the motion is not planar: the top leaves the plane by {share:.1f} % of its excursion"]
+    return []
+
+
+def _base_notes(time: FloatArray, middle: FloatArray, radius: float) -> list[str]:
+    """A note where the base moves: by the means of stretches, which the markers' noise hardly reaches."""
+    stretches = np.floor((time - time[0]) / REST_TIME)
+    means = [_mean(middle[stretches == k]) for k in np.unique(stretches)]
+    moved = float(np.max(np.nanmax(means, axis=0) - np.nanmin(means, axis=0)))
+    if moved > _BASE_MOVES * radius:
+        return [f"the base moves by {1e3 * moved:.1f} mm: is it a moving base?"]
+    return []
+
+
+def _arc_notes(arc: Circle) -> list[str]:
+    if arc.radius_error > _RADIUS_UNCERTAIN * arc.radius:
+        share = 100.0 * arc.radius_error / arc.radius
+        return [f"the arc's radius has a standard error of {share:.1f} %, and so has the scale of the angle"]
+    return []
+
+
+def _radius_notes(arc: Circle, radius: float) -> list[str]:
+    if abs(arc.radius - radius) > _RADII_DIFFER * arc.radius_error:
+        return [
+            f"the arc's radius is {1e3 * arc.radius:.1f} +- {1e3 * arc.radius_error:.1f} mm, "
+            f"{1e3 * radius:.1f} mm were given: is it measured from the pivot to the middle of the marker?"
+        ]
+    return []

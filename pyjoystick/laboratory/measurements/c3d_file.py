@@ -1,0 +1,121 @@
+"""Markers from C3D files: frames of reals or of scaled integers, with the points that were not seen."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Final
+
+import numpy as np
+
+from pyjoystick.laboratory.measurements.c3d_parameters import BLOCK, C3dHead, read_c3d_head
+from pyjoystick.laboratory.measurements.markers import Markers, length_factor
+from pyjoystick.motion import RecordError
+from pyjoystick.support import FloatArray
+
+#: The largest frame number in one word.
+_LAST_FRAME: Final = 0xFFFF
+#: The lower byte of a point's fourth word is its residual, the upper one tells the cameras.
+_RESIDUAL: Final = 0xFF
+
+
+def read_c3d(path: Path, *, unit: str | None = None) -> Markers:
+    """Read the marker trajectories of a C3D file; analog channels are left alone.
+
+    Args:
+        path: the file
+        unit: unit of the coordinates, instead of POINT:UNITS
+
+    Returns:
+        the markers; a point is NaN where its residual is below zero, which is how the format says that it was
+        not seen. `rows` are the frame numbers, the time is zero at the first frame.
+
+    Raises:
+        RecordError: the file cannot be read, is no C3D file or is damaged, has fewer frames than it says or
+            more than it can say, no points, no rate or no known unit
+    """
+    source = str(path)
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        reason = f"cannot be read: {error.strerror}"
+        raise RecordError(source, reason, "check the path and its permissions") from error
+    head = read_c3d_head(source, data)
+    points = int(head.value("POINT:USED", head.header[1]))
+    labels = _labels(head, points)
+    column = "POINT:UNITS"
+    factor = length_factor(source, unit or " ".join(head.texts(column)[:1]), column)
+    rate = _rate(head)
+    frames = head.frame_count()
+    first = head.header[3]
+    values = _frames(head, data, points, frames, first)
+    scale = abs(_scale(head))
+    fourth = np.clip(np.nan_to_num(values[:, :, 3], nan=-1.0), -1.0, 0x7FFF).astype(np.int32)
+    unseen = (fourth < 0) | np.isnan(values[:, :, :3]).any(axis=2)
+    positions = values[:, :, :3] * (factor if _scale(head) < 0.0 else factor * scale)
+    positions[unseen] = np.nan
+    residuals = np.where(unseen, np.nan, (fourth & _RESIDUAL) * scale * factor)
+    rows = np.arange(first, first + frames, dtype=np.int64)
+    return Markers(source, labels, np.arange(frames) / rate, positions, residuals, rows)
+
+
+def _labels(head: C3dHead, points: int) -> tuple[str, ...]:
+    """Names of the points that are in the frames; there may be more labels than these, not fewer."""
+    labels = head.texts("POINT:LABELS")
+    if points < 1:
+        advice = "reconstruct and label the markers before the export"
+        raise RecordError(head.source, "has no points", advice, column="POINT:USED", value=points)
+    if len(labels) < points:
+        reason = f"has {len(labels)} labels for {points} points"
+        raise RecordError(head.source, reason, "label every marker", column="POINT:LABELS")
+    return tuple(labels[:points])
+
+
+def _rate(head: C3dHead) -> float:
+    rate = head.value("POINT:RATE", head.header_rate)
+    if not (math.isfinite(rate) and rate > 0.0):
+        advice = "a rate in Hz is needed: export the file again"
+        raise RecordError(head.source, "has no frame rate", advice, column="POINT:RATE", value=rate)
+    return rate
+
+
+def _scale(head: C3dHead) -> float:
+    """What an integer stands for, in the file's unit; below zero the frames hold reals."""
+    scale = head.value("POINT:SCALE", head.header_scale)
+    if not math.isfinite(scale) or scale == 0.0:
+        advice = "is the file damaged? Export it again"
+        raise RecordError(head.source, "has no scale of points", advice, column="POINT:SCALE", value=scale)
+    return scale
+
+
+def _frames(head: C3dHead, data: bytes, points: int, frames: int, first: int) -> FloatArray:
+    """The four words of every point, shape (frames, points, 4)."""
+    real = _scale(head) < 0.0
+    size = 4 if real else 2
+    words = 4 * points + head.header[2]
+    start = (int(head.value("POINT:DATA_START", head.header[8])) - 1) * BLOCK
+    if frames < 1 or start < BLOCK:
+        reason = f"says {frames} frames from byte {start}, which cannot be"
+        raise RecordError(head.source, reason, "is the file damaged? Export it again")
+    present = max(len(data) - start, 0) // (words * size)
+    if present < frames:
+        raise RecordError(
+            head.source,
+            f"is cut off: it says {frames} frames and holds {present}",
+            "copy or export the file again",
+            rows=range(first + present, first + frames),
+            value=f"{len(data)} bytes, {start + frames * words * size} needed",
+        )
+    end = start + frames * words * size
+    clipped = _LAST_FRAME in (frames, first + frames - 1) and head.value("ROTATION:USED", 0.0) == 0.0
+    if clipped and len(data) - end >= BLOCK:
+        raise RecordError(
+            head.source,
+            f"goes on after the {frames} frames that it says: their number ends at {_LAST_FRAME}",
+            "export a shorter record, or one with its last frame in TRIAL:ACTUAL_END_FIELD",
+            column="POINT:FRAMES",
+            rows=[first + frames],
+        )
+    body = data[start:end]
+    numbers = head.numbers.reals(body) if real else head.numbers.integers(body).astype(np.float64)
+    return numbers.reshape(frames, words)[:, : 4 * points].reshape(frames, points, 4)

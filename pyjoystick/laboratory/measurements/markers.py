@@ -1,0 +1,120 @@
+"""Trajectories of markers, as a motion capture system saw them, in SI units."""
+
+from __future__ import annotations
+
+import dataclasses
+import difflib
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pyjoystick.motion import RecordError
+from pyjoystick.support import FloatArray
+
+#: Metres in a unit of length that motion capture files use.
+LENGTH_UNITS: Final = {"m": 1.0, "cm": 1e-2, "mm": 1e-3}
+#: An angle over time cannot do with fewer frames than these.
+_FEWEST_FRAMES: Final = 3
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Markers:
+    """Where markers were at the instants of the frames; nothing is filled in.
+
+    Attributes:
+        source: the file, or a word on what made them
+        names: names of the k markers; a subject may stand before a colon (``Joystick:TOP``)
+        time: instants of the frames (s), shape (n,), increasing
+        positions: coordinates (m), shape (n, k, 3), NaN where a marker was not seen
+        residuals: how well the cameras agree on each point (m), shape (n, k); None where the file has none
+        rows: row of each frame, shape (n,): line numbers of a text file, frame numbers of a C3D file
+
+    Raises:
+        RecordError: fewer than three frames, the time does not increase, or two markers have one name
+    """
+
+    source: str
+    names: tuple[str, ...]
+    time: FloatArray
+    positions: FloatArray
+    residuals: FloatArray | None = None
+    rows: NDArray[np.int64] = dataclasses.field(default_factory=lambda: np.empty(0, dtype=np.int64))
+
+    def __post_init__(self) -> None:
+        rows = self.rows if len(self.rows) else np.arange(len(self.time), dtype=np.int64)
+        object.__setattr__(self, "rows", rows)
+        if len(self.time) < _FEWEST_FRAMES:
+            reason = f"has {len(self.time)} frames, at least {_FEWEST_FRAMES} are needed"
+            raise RecordError(self.source, reason, "export the whole motion")
+        for name in self.names:
+            if self.names.count(name) > 1:
+                raise RecordError(self.source, "two markers have one name", "rename one", column=name)
+        backward = np.flatnonzero(~(np.diff(self.time) > 0.0)) + 1
+        if backward.size:
+            raise RecordError(
+                self.source,
+                "the time does not increase from the frame before",
+                "export the frames of one recording in order, with enough digits of the time",
+                column="time",
+                rows=rows[backward],
+                value=f"{self.time[backward[0]]:.9g} s",
+            )
+
+    @property
+    def rate(self) -> float:
+        """Frames a second (Hz), from the median of the time between two: gaps do not count."""
+        return 1.0 / float(np.median(np.diff(self.time)))
+
+    def index(self, name: str) -> int:
+        """Position of a marker in `names`; the subject may be left out where that is unambiguous.
+
+        Raises:
+            RecordError: there is no such marker, or more than one
+        """
+        if name in self.names:
+            return self.names.index(name)
+        wanted = name.casefold()
+        found = [i for i, one in enumerate(self.names) if wanted in _short_forms(one)]
+        if len(found) == 1:
+            return found[0]
+        if found:
+            advice = f"write one with its subject: {', '.join(self.names[i] for i in found)}"
+            raise RecordError(self.source, f"has {len(found)} markers {name!r}", advice)
+        near = difflib.get_close_matches(name, self.names, n=3, cutoff=0.5)
+        advice = f"did you mean {' or '.join(near)}?" if near else f"there are {', '.join(self.names)}"
+        raise RecordError(self.source, f"has no marker {name!r}", advice)
+
+    def of(self, name: str) -> FloatArray:
+        """Coordinates of a marker (m), shape (n, 3); raises as `index` does."""
+        return self.positions[:, self.index(name)]
+
+    def missing(self, name: str) -> NDArray[np.bool_]:
+        """Frames in which a marker was not seen, shape (n,)."""
+        return unseen(self.of(name))
+
+
+def unseen(positions: FloatArray) -> NDArray[np.bool_]:
+    """Where a coordinate is NaN, for positions of shape (n, 3); shape (n,)."""
+    return np.asarray(np.isnan(positions).any(axis=1), dtype=np.bool_)
+
+
+def length_factor(source: str, unit: str, column: str) -> float:
+    """Metres in a unit.
+
+    Raises:
+        RecordError: the unit is not known
+    """
+    factor = LENGTH_UNITS.get(unit.strip().casefold())
+    if factor is None:
+        advice = f"known are {', '.join(LENGTH_UNITS)}: correct the file, or give the unit as an option"
+        reason = "has an unknown unit" if unit.strip() else "has no unit"
+        raise RecordError(source, reason, advice, column=column, value=repr(unit) if unit.strip() else None)
+    return factor
+
+
+def _short_forms(name: str) -> tuple[str, ...]:
+    """A name in small letters, with and without the subject before it."""
+    folded = name.casefold()
+    return folded, folded.rpartition(":")[2]

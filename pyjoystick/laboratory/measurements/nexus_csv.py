@@ -1,0 +1,197 @@
+"""Markers from the CSV export of Vicon Nexus.
+
+Such a file has sections, each under a line with its name and one with its rate. That of the trajectories is:
+
+    Trajectories
+    60
+    ,,Joystick:TOP,,,Joystick:BASE1,,
+    Frame,Sub Frame,X,Y,Z,X,Y,Z
+    ,,mm,mm,mm,mm,mm,mm
+    1,0,12.5,-3.1,266.0,,,
+
+and ends with an empty line. Empty cells are markers that were not seen.
+"""
+
+from __future__ import annotations
+
+import io
+import math
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+import numpy as np
+import pandas as pd
+
+from pyjoystick.laboratory.measurements.markers import Markers, length_factor
+from pyjoystick.motion import RecordError
+from pyjoystick.support import FloatArray
+
+_SECTION: Final = "trajectories"
+_AXES: Final = ["X", "Y", "Z"]
+#: Lines from the name of the section to the first frame.
+_HEAD: Final = 5
+_DELIMITERS: Final = ",;\t"
+
+
+@dataclass(frozen=True, slots=True)
+class _Section:
+    """The lines of the trajectories; `start` is the number of the first one in the file, from 1."""
+
+    source: str
+    lines: list[str]
+    start: int
+    delimiter: str
+
+    def cells(self, i: int) -> list[str]:
+        return [cell.strip().strip('"') for cell in self.lines[i].split(self.delimiter)]
+
+
+def is_nexus_csv(text: str) -> bool:
+    """Whether a text has a section of trajectories."""
+    return _find(text.splitlines()) is not None
+
+
+def read_nexus_csv(path: Path, text: str, *, unit: str | None = None) -> Markers:
+    """The trajectories in the text of an export.
+
+    Args:
+        path: the file that the text is from
+        text: the whole of it
+        unit: unit of the coordinates, instead of the one in the file
+
+    Returns:
+        the markers; `rows` are line numbers, the time is zero at the first frame
+
+    Raises:
+        RecordError: the section is not as above, a cell holds no number, a unit is unknown, or frames are
+            missing or out of order
+    """
+    section = _section(str(path), text)
+    names, columns = _markers(section)
+    units = section.cells(4)
+    factors = [
+        length_factor(section.source, unit or _cell(units, column), f"{name} {axis}")
+        for name, first in zip(names, columns, strict=True)
+        for axis, column in zip(_AXES, range(first, first + 3), strict=True)
+    ]
+    rate = _rate(section)
+    values = _numbers(section)
+    rows = np.arange(section.start + _HEAD, section.start + len(section.lines), dtype=np.int64)
+    frames = values[:, 0]
+    _require_consecutive(section, frames, rows)
+    wanted = [column for first in columns for column in range(first, first + 3)]
+    positions = (values[:, wanted] * np.array(factors)).reshape(len(values), len(names), 3)
+    positions[np.isnan(positions).any(axis=2)] = np.nan
+    return Markers(section.source, names, (frames - frames[0]) / rate, positions, rows=rows)
+
+
+def _find(lines: list[str]) -> int | None:
+    for i, line in enumerate(lines):
+        if line.strip(_DELIMITERS + ' "').casefold() == _SECTION:
+            return i
+    return None
+
+
+def _section(source: str, text: str) -> _Section:
+    lines = text.splitlines()
+    start = _find(lines)
+    assert start is not None, "is_nexus_csv() was not asked"
+    end = start
+    while end < len(lines) and lines[end].strip(_DELIMITERS + " "):
+        end += 1
+    if end - start <= _HEAD:
+        reason = f"has no frames under {lines[start].strip()!r}"
+        raise RecordError(source, reason, "was it cut off? Export it again", rows=[start + 1])
+    titles = lines[start + 3]
+    return _Section(source, lines[start:end], start + 1, max(_DELIMITERS, key=titles.count))
+
+
+def _markers(section: _Section) -> tuple[tuple[str, ...], tuple[int, ...]]:
+    """Names of the markers and the columns of their X."""
+    axes, names = section.cells(3), section.cells(2)
+    columns = tuple(i for i in range(2, len(axes)) if axes[i : i + 3] == _AXES)
+    if axes[:1] != ["Frame"] or not columns:
+        raise RecordError(
+            section.source,
+            "has no columns Frame and X, Y, Z",
+            "export trajectories from Nexus as ASCII, with commas between the columns",
+            rows=[section.start + 3],
+            value=repr(section.lines[3][:40]),
+        )
+    found = tuple(_cell(names, column) for column in columns)
+    if not all(found):
+        nameless = columns[found.index("")]
+        reason = f"has no name above column {nameless + 1}"
+        raise RecordError(section.source, reason, "label every marker", rows=[section.start + 2])
+    return found, columns
+
+
+def _cell(cells: list[str], column: int) -> str:
+    return cells[column] if column < len(cells) else ""
+
+
+def _rate(section: _Section) -> float:
+    text = section.cells(1)[0]
+    try:
+        rate = float(text)
+    except ValueError:
+        rate = math.nan
+    if not (math.isfinite(rate) and rate > 0.0):
+        advice = "the line under the name of the section is the rate in Hz"
+        raise RecordError(section.source, "has no rate", advice, rows=[section.start + 1], value=repr(text))
+    return rate
+
+
+def _numbers(section: _Section) -> FloatArray:
+    """All cells of the frames, shape (frames, columns), NaN where empty."""
+    width = len(section.cells(3))
+    lines = [line.rstrip(f"{section.delimiter} ") for line in section.lines[_HEAD:]]
+    for i, (line, whole) in enumerate(zip(lines, section.lines[_HEAD:], strict=True), start=_HEAD):
+        fewest, most = whole.count(section.delimiter) + 1, line.count(section.delimiter) + 1
+        if fewest < width or most > width:
+            reason = f"has {max(most, min(fewest, width))} cells, its head has {width}"
+            advice = "was the file cut off, or are the decimal marks commas? Export it with decimal points"
+            raise RecordError(section.source, reason, advice, rows=[section.start + i])
+    try:
+        body = io.StringIO("\n".join(lines))
+        table = pd.read_csv(body, sep=section.delimiter, header=None, names=range(width), dtype=np.float64)
+    except ValueError:
+        raise _no_number(section) from None
+    return table.to_numpy(dtype=np.float64)
+
+
+def _no_number(section: _Section) -> RecordError:
+    """Which cell is not a number."""
+    names, axes = section.cells(2), section.cells(3)
+    for i in range(_HEAD, len(section.lines)):
+        for column, cell in enumerate(section.cells(i)):
+            try:
+                float(cell or "nan")
+            except ValueError:
+                above = max((k for k in range(column + 1) if _cell(names, k)), default=0)
+                decimal = "," in cell
+                return RecordError(
+                    section.source,
+                    "is no number",
+                    "export with decimal points, not commas"
+                    if decimal
+                    else "write a number or leave it empty",
+                    column=f"{_cell(names, above)} {_cell(axes, column)}".strip(),
+                    rows=[section.start + i],
+                    value=repr(cell),
+                )
+    return RecordError(section.source, "holds cells that are no numbers", "export it again")
+
+
+def _require_consecutive(section: _Section, frames: FloatArray, rows: np.ndarray) -> None:
+    wrong = np.flatnonzero(~(np.diff(frames) >= 1.0)) + 1
+    if wrong.size:
+        raise RecordError(
+            section.source,
+            "the frame does not come after the one before",
+            "export the frames of one recording in order",
+            column="Frame",
+            rows=rows[wrong],
+            value=f"{frames[wrong[0]]:g}",
+        )

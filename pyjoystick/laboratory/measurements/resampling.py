@@ -1,0 +1,100 @@
+"""Even samples from a camera's, by cubic splines; gaps are marked, and bridged only up to a limit."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pyjoystick.support import FloatArray, SeriesError, not_negative, positive
+
+#: A step of more than this many usual ones is a gap.
+GAP: Final = 1.5
+#: A stretch of fewer samples makes no spline worth having.
+FEWEST: Final = 4
+#: Instants this much of an interval beyond the last sample still count as its own.
+_ROUNDING: Final = 1e-9
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Resampled:
+    """A series on even instants.
+
+    Attributes:
+        time: instants (s), shape (n,), evenly spaced from the first sample on
+        values: shape (n,); NaN in gaps that are not bridged
+        bridged: instants that lie in a gap that is, shape (n,)
+        gaps: first and last instant (s) of every gap that is not bridged, or that bounds a stretch too short
+    """
+
+    time: FloatArray
+    values: FloatArray
+    bridged: NDArray[np.bool_]
+    gaps: tuple[tuple[float, float], ...]
+
+    def stretches(self) -> Iterator[slice]:
+        """The stretches without NaN."""
+        known = np.isfinite(self.values)
+        edges = np.flatnonzero(np.diff(np.concatenate(([False], known, [False])).astype(np.int8)))
+        for start, end in edges.reshape(-1, 2).tolist():
+            yield slice(start, end)
+
+
+def resample(time: FloatArray, values: FloatArray, rate: float, *, longest_gap: float) -> Resampled:
+    """Interpolate samples to even instants, stretch by stretch: no spline goes over a gap that stays.
+
+    Args:
+        time: instants of the samples (s), shape (n,), increasing
+        values: the samples, shape (n,), NaN where one is missing
+        rate: wanted samples a second (Hz)
+        longest_gap: longest time (s) between two neighboring samples that is bridged; a step of the usual
+            length is no gap
+
+    Raises:
+        ParameterError: the rate or the gap is outside its range
+        SeriesError: no stretch has the samples for a spline
+    """
+    # SciPy takes a while to load, and the settings of a chain alone do without it.
+    from scipy.interpolate import CubicSpline
+
+    interval = 1.0 / positive("rate", rate, "Hz")
+    limit = not_negative("longest_gap", longest_gap, "s")
+    known = np.isfinite(values)
+    found = time[known]
+    if len(found) < FEWEST:
+        raise SeriesError("values", f"has {len(found)} samples, at least {FEWEST} are needed")
+    usual = float(np.median(np.diff(time)))
+    steps = np.diff(found)
+    # The limit is met by steps that are equal to it but for the rounding of the times.
+    cuts = np.flatnonzero(steps > max(GAP * usual, limit * (1.0 + _ROUNDING)))
+    even = found[0] + interval * np.arange(int((found[-1] - found[0]) / interval + _ROUNDING) + 1)
+    result = np.full(len(even), np.nan)
+    starts, ends = np.append(0, cuts + 1), np.append(cuts + 1, len(found))
+    for start, end in zip(starts, ends, strict=True):
+        if end - start >= FEWEST:
+            slack = _ROUNDING * interval
+            inside = (even >= found[start] - slack) & (even <= found[end - 1] + slack)
+            result[inside] = CubicSpline(found[start:end], values[known][start:end])(even[inside])
+    if not np.isfinite(result).any():
+        reason = f"no stretch between gaps of more than {limit:g} s has {FEWEST} samples"
+        raise SeriesError("values", reason)
+    return Resampled(
+        even, result, _in_gaps(even, found, steps, usual) & np.isfinite(result), _gaps(even, result)
+    )
+
+
+def _in_gaps(even: FloatArray, found: FloatArray, steps: FloatArray, usual: float) -> NDArray[np.bool_]:
+    inside = np.zeros(len(even), dtype=bool)
+    for i in np.flatnonzero(steps > GAP * usual):
+        slack = _ROUNDING * usual
+        inside |= (even > found[i] + slack) & (even < found[i + 1] - slack)
+    return inside
+
+
+def _gaps(even: FloatArray, values: FloatArray) -> tuple[tuple[float, float], ...]:
+    missing = np.isnan(values)
+    edges = np.flatnonzero(np.diff(np.concatenate(([False], missing, [False])).astype(np.int8)))
+    return tuple((float(even[start]), float(even[end - 1])) for start, end in edges.reshape(-1, 2).tolist())

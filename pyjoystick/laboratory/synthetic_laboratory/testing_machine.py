@@ -1,0 +1,58 @@
+"""What a testing machine would have recorded of a load-deflection curve that is known."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from pyjoystick.model import SegmentTable, table_force
+from pyjoystick.support import FloatArray
+
+
+@dataclass(frozen=True, slots=True)
+class MachineErrors:
+    """What the machine adds to the curve.
+
+    Attributes:
+        friction: half the force between loading and unloading (N)
+        zero: what the load cell shows without load (N)
+        travel_noise, force_noise: standard deviations of one sample's independent normal noise (m, N)
+        slack: travel of the machine (m) at which the fixture slips while loading, and by how much (m)
+    """
+
+    friction: float = 0.3
+    zero: float = 0.1
+    travel_noise: float = 1e-6
+    force_noise: float = 0.05
+    slack: tuple[float, float] = (0.0, 0.0)
+
+
+def synthetic_load_cycle(
+    table: SegmentTable,
+    *,
+    random: np.random.Generator,
+    errors: MachineErrors | None = None,
+    step: float = 3e-6,
+    end: float = 3.6e-3,
+) -> tuple[FloatArray, FloatArray]:
+    """Travel (m) and force (N) of loading and unloading, each of shape (n,), in the order of the record.
+
+    Args:
+        table: the curve
+        random: where the noise comes from
+        errors: of the machine; the default of `MachineErrors` where not given
+        step: between two samples (m)
+        end: where the machine turns (m)
+    """
+    machine = errors or MachineErrors()
+    up = np.arange(0.0, end, step)
+    down = up[::-1]
+    at, by = machine.slack
+    loading = table_force(table, up - np.where(up > at, by, 0.0))
+    loading = loading + machine.friction * (loading > 0.0)
+    unloading = np.maximum(table_force(table, down - by) - machine.friction, 0.0)
+    travel, force = np.concatenate((up, down)), np.concatenate((loading, unloading)) + machine.zero
+    travel += machine.travel_noise * random.standard_normal(travel.size)
+    force += machine.force_noise * random.standard_normal(force.size)
+    return travel, force

@@ -1,0 +1,83 @@
+"""Tables 1 and 2 and the other numbers of a joystick as rows of text."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from pyjoystick.model.parameters.damping import ConstantDamping, PowerLawDamping
+from pyjoystick.model.parameters.joystick import JoystickParameters
+from pyjoystick.model.reference.moments import swing_frequency
+
+_MM = 1e3
+
+
+class TextTable(NamedTuple):
+    """Headings and rows, all text; for `markdown_table`, or as HTML."""
+
+    header: tuple[str, ...]
+    rows: list[list[str]]
+
+
+def segment_table(parameters: JoystickParameters) -> TextTable:
+    """Table 1: displacements (mm) and stiffnesses (N/m) of the segments on both sides."""
+    sides = parameters.forward.to_table(), parameters.backward.to_table()
+    rows = []
+    for i in range(len(sides[0].x)):
+        cells = [text for side in sides for text in (f"{side.x[i] * _MM:.6g}", f"{side.k[i]:.7g}")]
+        rows.append([str(i), *cells])
+    header = ("i", "forward x_i (mm)", "forward k_i (N/m)", "backward x_i (mm)", "backward k_i (N/m)")
+    return TextTable(header, rows)
+
+
+def body_table(parameters: JoystickParameters, pivot_to_top: float | None = None) -> TextTable:
+    """Table 2, with the acceleration of gravity, which it lacks, and the frequency of the swing test.
+
+    Args:
+        parameters: the joystick
+        pivot_to_top: pivot to the top of the handle (m), where it is known
+    """
+    rows = [
+        ["mass", f"{parameters.m:.6g}", "kg"],
+        ["moment of inertia about the pivot", f"{parameters.J:.6g}", "kg m2"],
+        ["pivot to center of mass", f"{parameters.h:.6g}", "m"],
+        *([] if pivot_to_top is None else [["pivot to top", f"{pivot_to_top:.6g}", "m"]]),
+        ["pivot to plunger contact (a)", f"{parameters.a * _MM:.6g}", "mm"],
+        ["pivot to cam surface (b)", f"{parameters.b * _MM:.6g}", "mm"],
+        ["acceleration of gravity", f"{parameters.g:.7g}", "m/s2"],
+        ["frequency of the swing test", f"{swing_frequency(parameters):.4g}", "Hz"],
+    ]
+    return TextTable(("", "value", "unit"), rows)
+
+
+def spring_table(parameters: JoystickParameters) -> TextTable:
+    """The restrained springs that make up the segments."""
+    rows = []
+    for side, assembly in (("forward", parameters.forward), ("backward", parameters.backward)):
+        for name, spring in (("return", assembly.return_spring), ("balance", assembly.balance_spring)):
+            numbers = (spring.k_s, spring.k_h, spring.F_0, spring.x_0 * _MM)
+            rows.append([f"{side} {name} spring", *(f"{number:.7g}" for number in numbers)])
+    return TextTable(("", "k_s (N/m)", "k_h (N/m)", "preload F_0 (N)", "engages at x_0 (mm)"), rows)
+
+
+def damping_table(*laws: ConstantDamping | PowerLawDamping) -> TextTable:
+    """The numbers of damping laws."""
+    return TextTable(("", "value", "unit"), [row for law in laws for row in _damping_rows(law)])
+
+
+def _damping_rows(law: ConstantDamping | PowerLawDamping) -> Iterator[list[str]]:
+    coefficient = "N m s/rad"
+    if isinstance(law, ConstantDamping):
+        yield ["constant C", f"{law.C:.6g}", coefficient]
+        return
+    yield ["alpha, weight of the displacement term", f"{law.alpha:.6g}", "1"]
+    yield ["beta = 1 - alpha, weight of the velocity term", f"{law.beta:.6g}", "1"]
+    for name, size, exponent, power in (
+        ("A_pos", law.A_pos, "n_pos", law.n_pos),
+        ("A_neg", law.A_neg, "n_neg", law.n_neg),
+        ("B", law.B, "m", law.m),
+    ):
+        yield [name, f"{size:.6g}", coefficient]
+        yield [exponent, f"{power:.6g}", "1"]
+    yield ["eps_theta, rounds the angle off near 0", f"{law.eps_theta:.4g}", "rad"]
+    yield ["eps_omega, rounds the velocity off near 0", f"{law.eps_omega:.4g}", "rad/s"]

@@ -1,0 +1,220 @@
+"""Reading a parameter file: one joystick in TOML, with the uncertainty and the source of its numbers.
+
+``paper.toml`` beside this module is such a file, and holds the paper's numbers for the whole package.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
+from typing import Final, Literal, get_args
+
+from pyjoystick.model.parameters.damping import ConstantDamping, Damping, PowerLawDamping
+from pyjoystick.model.parameters.joystick import JoystickParameters
+from pyjoystick.model.parameters.springs import ActuatorAssembly, SegmentTable
+from pyjoystick.support import ParameterError, SettingsError, Table, not_negative, positive, read_toml
+
+LawName = Literal["constant", "power-law"]
+Side = Literal["forward", "backward"]
+
+LAWS: Final[Mapping[LawName, type[ConstantDamping] | type[PowerLawDamping]]] = {
+    "constant": ConstantDamping,
+    "power-law": PowerLawDamping,
+}
+SIDES: Final[tuple[Side, ...]] = get_args(Side)
+#: Keys of the tables that hold single numbers, and those of them that may be left out.
+PLAIN_TABLES: Final[Mapping[str, tuple[str, ...]]] = {
+    "body": ("m", "h", "J"),
+    "gravity": ("g",),
+    "geometry": ("a", "b", "pivot_to_top"),
+}
+_OPTIONAL: Final = ("pivot_to_top", "eps_theta", "eps_omega")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ParameterFile:
+    """What a parameter file says, in SI units.
+
+    Attributes:
+        path: the file
+        joystick: all parameters, with the damping law that the file chooses
+        title: what the file is called in reports; may be empty
+        laws: the damping laws that the file has numbers of
+        curves: the load-deflection curves as they stand in the file
+        pivot_to_top: pivot to the top of the handle (m), where the accelerometer sits; None where not given
+        uncertainties: standard uncertainties by place: ``body.m``, ``forward.x[0]``, ``damping.constant.C``
+        sources: where the numbers of a table come from, by name of the table
+    """
+
+    path: Path
+    joystick: JoystickParameters
+    title: str
+    laws: Mapping[LawName, Damping]
+    curves: Mapping[Side, SegmentTable]
+    pivot_to_top: float | None
+    uncertainties: Mapping[str, float]
+    sources: Mapping[str, str]
+
+    @property
+    def law(self) -> LawName:
+        """The damping law that the file chooses."""
+        return law_name(self.joystick.damping)
+
+    def with_law(self, law: LawName) -> JoystickParameters:
+        """The joystick with one of the damping laws of the file.
+
+        Raises:
+            SettingsError: the file has no numbers of that law
+        """
+        if law not in self.laws:
+            hint = f"it has those of the law {' and '.join(self.laws)}"
+            raise SettingsError(self.path, f"damping.{law}", "", None, "is missing", hint)
+        return dataclasses.replace(self.joystick, damping=self.laws[law])
+
+
+def law_name(damping: Damping) -> LawName:
+    """The name of a damping law in parameter files and on the command line."""
+    return next(name for name, law in LAWS.items() if isinstance(damping, law))
+
+
+def read_parameters(path: str | PathLike[str]) -> JoystickParameters:
+    """The joystick of a parameter file, with the damping law that the file chooses.
+
+    Raises:
+        InputFileError, SettingsError: as `read_parameter_file`
+    """
+    return read_parameter_file(path).joystick
+
+
+def read_parameter_file(path: str | PathLike[str]) -> ParameterFile:
+    """Read a parameter file; docs/parameters.md describes it.
+
+    Raises:
+        InputFileError: the file cannot be read
+        SettingsError: it is no TOML, or a table, key or value in it is missing, unknown or not allowed
+    """
+    root = read_toml(Path(path))
+    found = _Found(root)
+    numbers = {
+        name: found.numbers(root.table(name, required=True), keys) for name, keys in PLAIN_TABLES.items()
+    }
+    curves = {side: found.curve(root.table(side, required=True)) for side in SIDES}
+    damping = root.table("damping", required=True)
+    chosen = _known_law(damping.choice("law", tuple(LAWS)))
+    laws = {law: found.damping(damping.table(law), LAWS[law]) for law in LAWS if law in damping}
+    if chosen not in laws:
+        raise SettingsError(root.path, damping.name, "law", chosen, f"needs a table [damping.{chosen}]")
+    title = root.text("title", "")
+    damping.finish()
+    root.finish()
+    pivot_to_top = numbers["geometry"].pop("pivot_to_top", None)
+    try:
+        joystick = JoystickParameters(
+            **{key: value for table in numbers.values() for key, value in table.items()},
+            forward=_assembly(root, "forward", curves["forward"]),
+            backward=_assembly(root, "backward", curves["backward"]),
+            damping=laws[chosen],
+        )
+        if pivot_to_top is not None:
+            positive("pivot_to_top", pivot_to_top, "m")
+    except ParameterError as error:
+        table = next(name for name, keys in PLAIN_TABLES.items() if error.field in keys)
+        raise root.table(table).refused(error.field, error) from None
+    _require_travels_in_reach(root, curves, joystick.a)
+    return ParameterFile(
+        path=root.path,
+        joystick=joystick,
+        title=title,
+        laws=laws,
+        curves=curves,
+        pivot_to_top=pivot_to_top,
+        uncertainties=found.uncertainties,
+        sources=found.sources,
+    )
+
+
+class _Found:
+    """Collects what stands beside the numbers: their uncertainties, and the sources of the tables."""
+
+    def __init__(self, root: Table) -> None:
+        self.root = root
+        self.uncertainties: dict[str, float] = {}
+        self.sources: dict[str, str] = {}
+
+    def numbers(self, table: Table, keys: Iterable[str]) -> dict[str, float]:
+        """The single numbers of a table; those that may be left out are left out."""
+        found = {}
+        for key in keys:
+            if key in _OPTIONAL and key not in table:
+                table.optional(key)
+            else:
+                found[key] = table.number(key)
+            if self._beside(table, key) is not None:
+                self._keep(table, key, f"u_{key}", table.number(f"u_{key}"))
+        self._close(table)
+        return found
+
+    def curve(self, table: Table) -> SegmentTable:
+        """The load-deflection curve of one side."""
+        lists = {key: table.entries(key) for key in ("x", "k")}
+        for key in lists:
+            uncertain = self._beside(table, key)
+            if uncertain is None:
+                continue
+            if not isinstance(uncertain, list) or len(uncertain) != len(lists[key]):
+                raise table.error(f"u_{key}", f"must be a list of {len(lists[key])} numbers, as {key} is")
+            for i, value in enumerate(uncertain):
+                self._keep(table, f"{key}[{i}]", f"u_{key}[{i}]", value)
+        self._close(table)
+        try:
+            return SegmentTable(tuple(lists["x"]), tuple(lists["k"]))
+        except ParameterError as error:
+            raise table.refused(error.field, error) from None
+
+    def damping(self, table: Table, law: type[ConstantDamping] | type[PowerLawDamping]) -> Damping:
+        """A damping law."""
+        numbers = self.numbers(table, [field.name for field in dataclasses.fields(law)])
+        try:
+            return law(**numbers)
+        except ParameterError as error:
+            raise table.refused(error.field, error) from None
+
+    def _beside(self, table: Table, key: str) -> object:
+        return table.optional(f"u_{key}")
+
+    def _keep(self, table: Table, place: str, key: str, value: object) -> None:
+        try:
+            self.uncertainties[f"{table.name}.{place}"] = not_negative(key, value)
+        except ParameterError as error:
+            raise table.refused(key, error) from None
+
+    def _close(self, table: Table) -> None:
+        source = table.text("source", "")
+        if source:
+            self.sources[table.name] = source
+        table.finish()
+
+
+def _known_law(text: str) -> LawName:
+    return next(law for law in LAWS if law == text)
+
+
+def _assembly(root: Table, side: Side, curve: SegmentTable) -> ActuatorAssembly:
+    """The two springs whose curve that is."""
+    try:
+        return ActuatorAssembly.from_table(curve.x, curve.k)
+    except ParameterError as error:
+        raise root.table(side).refused(error.field, error) from None
+
+
+def _require_travels_in_reach(root: Table, curves: Mapping[Side, SegmentTable], a: float) -> None:
+    """Refuse a kink beyond x = a, which the contact reaches past 45 degrees only: most likely it is in mm."""
+    for side, curve in curves.items():
+        for i, travel in enumerate(curve.x):
+            if travel >= a:
+                allowed = f"must be below a = {a:.9g} m"
+                hint = f"in mm? {travel:g} mm are {travel * 1e-3:g} m"
+                raise SettingsError(root.path, side, f"x[{i}]", travel, allowed, hint)

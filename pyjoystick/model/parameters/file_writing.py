@@ -1,0 +1,184 @@
+"""Writing a parameter file: what changes is changed, and comments and all else stay as they are."""
+
+from __future__ import annotations
+
+import dataclasses
+import re
+from collections.abc import Mapping
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Final
+
+from pyjoystick.model.parameters.file import PLAIN_TABLES, SIDES, ParameterFile, law_name, read_parameter_file
+from pyjoystick.model.parameters.joystick import JoystickParameters
+from pyjoystick.model.parameters.paper import PAPER
+from pyjoystick.support import SettingsError, UnknownParameterError, not_negative, replacing
+
+if TYPE_CHECKING:
+    from tomlkit.items import Table
+    from tomlkit.toml_document import TOMLDocument
+
+_ELEMENT: Final = re.compile(r"(?P<place>.*)\[(?P<index>\d+)\]")
+
+#: Values by table and key; a list for the keys x and k.
+_Values = Mapping[tuple[str, str], float | list[float]]
+
+
+def write_parameters(
+    path: str | PathLike[str],
+    joystick: JoystickParameters,
+    *,
+    pivot_to_top: float | None = None,
+    title: str | None = None,
+    uncertainties: Mapping[str, float] | None = None,
+    sources: Mapping[str, str] | None = None,
+) -> None:
+    """Write a joystick into a parameter file.
+
+    An existing file is updated: its comments stay, so do the numbers of the damping law that the joystick
+    does not have, and whatever does not change. A new file begins as the paper's. Where a number changes,
+    the old uncertainty of it and the old source of its table go, unless new ones are given.
+
+    Args:
+        path: the file
+        joystick: what it will say; the curves are equal to rounding, all else to the last digit
+        pivot_to_top: pivot to the top of the handle (m); if not given, it stays
+        title: what the file is called in reports; if not given, it stays, or for a new file is its name
+        uncertainties: standard uncertainties (SI units) by place, as in `ParameterFile.uncertainties`; those
+            of a list must be given for all of its numbers
+        sources: where the numbers come from, by table, as in `ParameterFile.sources`
+
+    Raises:
+        UnknownParameterError: an uncertainty or a source of something that is not in the file
+        ParameterError: an uncertainty is not finite or below 0
+        InputFileError, SettingsError: the existing file is broken, or would be; it stays as it is
+        OutputFileError: the file cannot be written
+    """
+    target = Path(path)
+    exists = target.exists()
+    text = updated_text(
+        read_parameter_file(target) if exists else PAPER,
+        joystick,
+        pivot_to_top=pivot_to_top,
+        title=target.stem if title is None and not exists else title,
+        uncertainties=uncertainties,
+        sources=sources,
+    )
+    with replacing(target) as temporary:
+        temporary.write_text(text, encoding="utf-8", newline="\n")
+        try:
+            read_parameter_file(temporary)
+        except SettingsError as error:
+            raise SettingsError(
+                target, error.table, error.key, error.value, error.allowed, error.hint
+            ) from None
+
+
+def updated_text(
+    before: ParameterFile,
+    joystick: JoystickParameters,
+    *,
+    pivot_to_top: float | None = None,
+    title: str | None = None,
+    uncertainties: Mapping[str, float] | None = None,
+    sources: Mapping[str, str] | None = None,
+) -> str:
+    """The text of a parameter file after a change, as `write_parameters` describes it.
+
+    Raises:
+        UnknownParameterError: an uncertainty or a source of something that is not in the file
+        ParameterError: an uncertainty is not finite or below 0
+    """
+    # Loading it takes longer than everything else that this package imports.
+    import tomlkit
+
+    document = tomlkit.parse(before.path.read_text(encoding="utf-8"))
+    if title is not None:
+        document["title"] = title
+    law = law_name(joystick.damping)
+    damping = _table(document, "damping")
+    if damping["law"] != law:
+        damping["law"] = law
+    if law not in before.laws:
+        damping[law] = tomlkit.table()
+    wanted = _values(joystick, before)
+    top = before.pivot_to_top if pivot_to_top is None else float(pivot_to_top)
+    if top is not None:
+        wanted["geometry", "pivot_to_top"] = top
+    changed = _set_values(document, wanted, _grouped(uncertainties or {}, wanted))
+    _set_sources(document, changed, sources or {})
+    return tomlkit.dumps(document)
+
+
+def _values(
+    joystick: JoystickParameters, before: ParameterFile
+) -> dict[tuple[str, str], float | list[float]]:
+    """What the file will say, with a curve that is unchanged as it is written there."""
+    values: dict[tuple[str, str], float | list[float]] = {}
+    for table, keys in PLAIN_TABLES.items():
+        values |= {(table, key): getattr(joystick, key) for key in keys if key != "pivot_to_top"}
+    for side in SIDES:
+        same = getattr(joystick, side) == getattr(before.joystick, side)
+        curve = before.curves[side] if same else getattr(joystick, side).to_table()
+        values |= {(side, "x"): list(curve.x), (side, "k"): list(curve.k)}
+    name = f"damping.{law_name(joystick.damping)}"
+    return values | {(name, key): value for key, value in dataclasses.asdict(joystick.damping).items()}
+
+
+def _grouped(uncertainties: Mapping[str, float], values: _Values) -> dict[tuple[str, str], Any]:
+    """Uncertainties by table and key, those of a list together."""
+    grouped: dict[tuple[str, str], Any] = {}
+    places = {f"{table}.{key}": (table, key) for table, key in values}
+    for name, value in uncertainties.items():
+        element = _ELEMENT.fullmatch(name)
+        place = places.get(element["place"] if element else name)
+        size = len(found) if place and isinstance(found := values[place], list) else 0
+        if place is None or bool(element) != bool(size) or (element and int(element["index"]) >= size):
+            raise UnknownParameterError(name, places)
+        number = not_negative(f"uncertainty of {name}", value)
+        if element:
+            grouped.setdefault(place, {})[int(element["index"])] = number
+        else:
+            grouped[place] = number
+    for place, numbers in grouped.items():
+        if isinstance(numbers, dict):
+            for i in range(len(values[place])):  # type: ignore[arg-type]  # only lists have elements
+                if i not in numbers:
+                    raise UnknownParameterError(f"{'.'.join(place)}[{i}]", uncertainties)
+            grouped[place] = [numbers[i] for i in sorted(numbers)]
+    return grouped
+
+
+def _set_values(
+    document: TOMLDocument, values: _Values, uncertain: Mapping[tuple[str, str], Any]
+) -> set[str]:
+    """Set what differs; returns the names of the tables in which a number changed."""
+    changed = set()
+    for (name, key), value in values.items():
+        table = _table(document, name)
+        if key not in table or table[key].unwrap() != value:
+            table[key] = value
+            changed.add(name)
+            if f"u_{key}" in table:
+                del table[f"u_{key}"]
+        if (name, key) in uncertain:
+            table[f"u_{key}"] = uncertain[name, key]
+    return changed
+
+
+def _set_sources(document: TOMLDocument, changed: set[str], sources: Mapping[str, str]) -> None:
+    for name in changed - set(sources):
+        if "source" in _table(document, name):
+            del _table(document, name)["source"]
+    for name, source in sources.items():
+        _table(document, name)["source"] = source
+
+
+def _table(document: TOMLDocument, name: str) -> Table:
+    """The table [name] of the document, such as [damping.constant]."""
+    found: Any = document
+    for part in name.split("."):
+        if part not in found:
+            raise UnknownParameterError(name, document)
+        found = found[part]
+    return found  # type: ignore[no-any-return]  # documents are not annotated below their tables

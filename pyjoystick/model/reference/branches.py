@@ -1,0 +1,143 @@
+"""The equation of motion cut into smooth branches at every kink of the contact force and at theta = 0.
+
+The contact travel grows with |theta|, so each kink x = x_i on either side is one fixed angle, and the
+branches are the intervals between these angles. Inside a branch the spring segment and the sign of theta
+are frozen: its acceleration is smooth and is continued smoothly a little beyond both ends, which lets an
+    integrator step over an
+end and then go back to it.
+"""
+
+from __future__ import annotations
+
+import math
+from bisect import bisect_left, bisect_right
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import pairwise
+
+from pyjoystick.model.parameters.damping import ConstantDamping, Damping
+from pyjoystick.model.parameters.joystick import JoystickParameters
+from pyjoystick.model.parameters.springs import RestrainedSpring
+from pyjoystick.model.reference.cam import angle_of_travel, contact_travel
+from pyjoystick.support import SimulationError, Torque
+
+#: Angular acceleration (rad/s2) from time (s), angle (rad) and angular velocity (rad/s).
+Acceleration = Callable[[float, float, float], float]
+
+
+@dataclass(frozen=True, slots=True)
+class Boundary:
+    """An angle (rad) where two branches meet, and the kinks that lie there, such as ``forward x_0``."""
+
+    theta: float
+    kinks: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Branch:
+    """The equation of motion between two neighboring boundaries.
+
+    Attributes:
+        lower, upper: ends (rad), infinite for the first and the last branch
+        steep: a spring is engaged whose restraint is still in tension
+        acceleration: (T + m*g*h*sin(theta) - M_s - C*omega)/J
+    """
+
+    lower: float
+    upper: float
+    steep: bool
+    acceleration: Acceleration
+
+
+class PiecewiseEquation:
+    """The branches of eq. (1) with the torque of eq. (13), ordered by theta, and the boundaries between."""
+
+    def __init__(self, parameters: JoystickParameters, torque: Torque | None) -> None:
+        self.boundaries = _boundaries(parameters)
+        self._angles = [boundary.theta for boundary in self.boundaries]
+        ends = [-math.inf, *self._angles, math.inf]
+        self.branches = [_branch(parameters, torque, lower, upper) for lower, upper in pairwise(ends)]
+
+    def index(self, theta: float, heading: float) -> int:
+        """Position of the branch that holds theta; on a boundary, of the one that the motion heads into."""
+        return (bisect_right if heading >= 0.0 else bisect_left)(self._angles, theta)
+
+
+def _boundaries(parameters: JoystickParameters) -> list[Boundary]:
+    """Kinks at the same angle share one boundary and are named there in the order of rising theta."""
+    kinks_at: dict[float, list[str]] = {}
+    for i, x in reversed(list(enumerate(parameters.backward.kinks))):
+        kinks_at.setdefault(0.0 - angle_of_travel(parameters, x), []).append(f"backward x_{i}")
+    kinks_at.setdefault(0.0, []).append("theta = 0")
+    for i, x in enumerate(parameters.forward.kinks):
+        kinks_at.setdefault(angle_of_travel(parameters, x), []).append(f"forward x_{i}")
+    return [Boundary(theta, tuple(kinks)) for theta, kinks in kinks_at.items()]
+
+
+def _branch(parameters: JoystickParameters, torque: Torque | None, lower: float, upper: float) -> Branch:
+    assembly = parameters.backward if upper <= 0.0 else parameters.forward
+    nearer, farther = sorted((abs(lower), abs(upper)))
+    # Kinks of enormous travel round to pi/2, where the travel is infinite.
+    inside = min(nearer + 0.5 * (min(farther, 0.5 * math.pi) - nearer), math.nextafter(0.5 * math.pi, 0.0))
+    x = float(contact_travel(parameters, inside))
+    segments = [_segment(spring, x) for spring in (assembly.return_spring, assembly.balance_spring)]
+    force = sum(segment[0] for segment in segments), sum(segment[1] for segment in segments)
+    side = -1.0 if upper <= 0.0 else 1.0
+    steep = any(segment[2] for segment in segments)
+    return Branch(lower, upper, steep, _acceleration(parameters, torque, side, force))
+
+
+def _segment(spring: RestrainedSpring, x: float) -> tuple[float, float, bool]:
+    """The line offset + stiffness*x of eqs. (6)-(8) around travel x, and whether it is the steep one."""
+    if x <= spring.x_0:
+        return 0.0, 0.0, False
+    if x <= spring.x_release:
+        stiffness = spring.k_h + spring.k_s
+        return -stiffness * spring.x_0, stiffness, True
+    return spring.F_0 - spring.k_s * spring.x_0, spring.k_s, False
+
+
+def _acceleration(
+    parameters: JoystickParameters, torque: Torque | None, side: float, force: tuple[float, float]
+) -> Acceleration:
+    """The physics of `moments` for a frozen branch and plain numbers: called some 20,000 times a run."""
+    a, b, inertia = parameters.a, parameters.b, parameters.J
+    weight_moment = parameters.m * parameters.g * parameters.h
+    offset, stiffness = force
+    damping = _damping(parameters.damping, side)
+    tan = math.tan
+
+    def free(_: float, theta: float, omega: float) -> float:
+        t = tan(0.5 * side * theta)
+        tangent = 2.0 * t / (1.0 - t * t)
+        x = tangent * (a - b * t)
+        contact = (offset + stiffness * x) * (a + (x - b) * tangent)
+        weight = weight_moment * 2.0 * t / (1.0 + t * t)
+        return (side * (weight - contact) - damping(theta, omega) * omega) / inertia
+
+    if torque is None:
+        return free
+
+    def driven(time: float, theta: float, omega: float) -> float:
+        driving = float(torque(time))
+        if not math.isfinite(driving):
+            raise SimulationError(time, f"the torque is {driving} N m")
+        return free(time, theta, omega) + driving / inertia
+
+    return driven
+
+
+def _damping(law: Damping, side: float) -> Callable[[float, float], float]:
+    if isinstance(law, ConstantDamping):
+        constant = law.C
+        return lambda theta, omega: constant
+    coefficient, exponent = (law.A_pos, law.n_pos) if side > 0.0 else (law.A_neg, law.n_neg)
+    of_angle, half_n, eps_theta_squared = law.alpha * coefficient, 0.5 * exponent, law.eps_theta**2
+    of_rate, half_m, eps_omega_squared = law.beta * law.B, 0.5 * law.m, law.eps_omega**2
+
+    def power_law(theta: float, omega: float) -> float:
+        angle_term = of_angle * (theta * theta + eps_theta_squared) ** half_n
+        rate_term = of_rate * (omega * omega + eps_omega_squared) ** half_m
+        return float(angle_term + rate_term)
+
+    return power_law

@@ -1,0 +1,232 @@
+"""Integration along smooth branches; every passage from one to the next is located and restarted from."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from pyjoystick.model.reference.branches import Branch, PiecewiseEquation
+from pyjoystick.model.reference.dormand_prince import ERROR_ORDER, Step
+from pyjoystick.model.reference.location import first_zero
+from pyjoystick.support import SimulationError
+
+_FIRST_LENGTH = 1e-6
+#: Smooth torques and sensible parameters need no steps this short (s); a jump of the torque does.
+_SHORTEST_LENGTH = 1e-12
+_SAFETY, _SMALLEST_FACTOR, _LARGEST_FACTOR = 0.9, 0.2, 6.0
+#: Dips of omega shorter than this (s) are not searched for sign changes.
+_SHORTEST_DIP = 1e-6
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """The motion passes a kink of the contact force or the middle.
+
+    Attributes:
+        time: instant (s)
+        kind: ``forward x_0`` .. ``forward x_3``, ``backward x_0`` .. ``backward x_3`` or ``theta = 0``
+        direction: 1 where theta rises, -1 where it falls
+        theta: angle of the kink (rad)
+        omega: angular velocity (rad/s)
+    """
+
+    time: float
+    kind: str
+    direction: int
+    theta: float
+    omega: float
+
+
+@dataclass(frozen=True, slots=True)
+class TurningPoint:
+    """An instant (s) at which omega changes its sign, and the angle there (rad)."""
+
+    time: float
+    theta: float
+
+
+class Integration:
+    """A motion that is carried forward step by step.
+
+    A step ends early where the motion passes a boundary of its branch or turns. Between two ends theta is
+    monotone, so no boundary can be passed twice within a step.
+
+    Attributes:
+        events: passages so far, in order
+        turning_points: sign changes of omega so far, in order
+        accepted, rejected: number of steps
+    """
+
+    def __init__(
+        self, equation: PiecewiseEquation, time: float, theta: float, omega: float, tolerance: float
+    ) -> None:
+        self.events: list[Event] = []
+        self.turning_points: list[TurningPoint] = []
+        self.accepted = 0
+        self.rejected = 0
+        self._equation = equation
+        self._tolerance = tolerance
+        self._time, self._theta, self._omega = time, theta, omega
+        self._length = _FIRST_LENGTH
+        self._switched_at = -math.inf
+        self._index = equation.index(theta, omega)
+        if omega == 0.0:
+            self._index = equation.index(theta, self._branch.acceleration(time, theta, omega))
+
+    def steps(self, end: float) -> Iterator[tuple[Step, float]]:
+        """Carry the motion to time `end` (s); yields each step with the time (s) it was used up to.
+
+        Raises:
+            SimulationError: the angle reaches pi/2, the torque is not finite, or steps become too short
+        """
+        latest = math.nextafter(end, -math.inf)
+        while self._time < end:
+            taken = self._advance(end, latest)
+            if taken is not None:
+                self.accepted += 1
+                yield taken
+
+    @property
+    def _branch(self) -> Branch:
+        return self._equation.branches[self._index]
+
+    def _advance(self, end: float, latest: float) -> tuple[Step, float] | None:
+        """One step, or none where the motion stands on a boundary and only the branch has to be changed."""
+        time = self._time
+        alpha = self._branch.acceleration(time, self._theta, self._omega)
+        step = Step(self._branch.acceleration, time, self._theta, self._omega, alpha, latest)
+        heading = _sign(step.omega) or _sign(alpha)
+        if self._leaves(heading):
+            self._switch(heading, recorded=True)
+            return None
+        length, theta, omega = _without_hidden_turn(step, heading, *self._controlled(step, end))
+        if step.omega == 0.0 and omega * heading <= 0.0:
+            # At rest, with an acceleration that is zero but for rounding: the step itself tells the heading.
+            heading = _sign(omega)
+            if self._leaves(heading):
+                self._switch(heading, recorded=False)
+                return None
+        self._take(step, heading, length, theta, omega, end)
+        return step, self._time
+
+    def _take(self, step: Step, heading: int, length: float, theta: float, omega: float, end: float) -> None:
+        """Go to the end of the step, or to where it turns or passes the boundary ahead."""
+        time = end if step.time + length >= end else step.time + length
+        turns = omega * heading < 0.0
+        if turns:
+            length = _until_turn(step, length, omega)
+            time, theta, omega = step.time + length, step.at(length)[0], 0.0
+        boundary = self._branch.upper if heading > 0 else self._branch.lower
+        passes = (theta - boundary) * heading >= 0.0 and step.theta != boundary
+        if passes:
+            length = _until_angle(step, length, theta, boundary)
+            # Where the motion only touches the boundary, rounding may give omega the other sign.
+            omega = max(0.0, step.at(length)[1] * heading) * heading
+            time, theta = step.time + length, boundary
+        if abs(theta) >= 0.5 * math.pi:
+            raise SimulationError(time, "the angle has reached pi/2")
+        self._time, self._theta, self._omega = time, theta, omega
+        if passes:
+            self._enter_next(heading, recorded=True)
+        elif turns:
+            self.turning_points.append(TurningPoint(time, theta))
+
+    def _controlled(self, step: Step, end: float) -> tuple[float, float, float]:
+        """Length (s) of a step whose error is within the tolerance, with theta and omega at its end."""
+        length = min(self._length, end - step.time)
+        cause = None
+        while True:
+            try:
+                theta, omega, error = step.with_error(length)
+            except ArithmeticError as overflow:  # a trial step that overshoots pi/2 by far
+                error, cause = math.inf, overflow
+            ratio = error / self._tolerance
+            if ratio <= 1.0:
+                break
+            self.rejected += 1
+            length *= max(_SMALLEST_FACTOR, _factor(ratio)) if math.isfinite(ratio) else _SMALLEST_FACTOR
+            if length < _SHORTEST_LENGTH:
+                reason = "the steps have become too short; does the torque jump here, where no breakpoint is?"
+                raise SimulationError(step.time, reason) from cause
+        self._length = length * min(_LARGEST_FACTOR, _factor(ratio))
+        return length, theta, omega
+
+    def _leaves(self, heading: int) -> bool:
+        """The motion stands on a boundary of its branch and heads out of it.
+
+        At rest on a kink rounding may send either branch's motion into the other: one change an instant is
+        enough.
+        """
+        if heading == 0 or self._switched_at == self._time:
+            return False
+        return self._theta >= self._branch.upper if heading > 0 else self._theta <= self._branch.lower
+
+    def _switch(self, heading: int, *, recorded: bool) -> None:
+        self._switched_at = self._time
+        self._enter_next(heading, recorded=recorded)
+
+    def _enter_next(self, heading: int, *, recorded: bool) -> None:
+        boundary = self._equation.boundaries[self._index if heading > 0 else self._index - 1]
+        self._index += heading
+        if recorded:
+            self.events.extend(
+                Event(self._time, kind, heading, boundary.theta, self._omega)
+                for kind in boundary.kinks[::heading]
+            )
+
+
+def _without_hidden_turn(
+    step: Step, heading: int, length: float, theta: float, omega: float
+) -> tuple[float, float, float]:
+    """A step halved until omega can change its sign at most once in it."""
+    while length > _SHORTEST_DIP and _may_turn_twice(step, heading, length, theta, omega):
+        length *= 0.5
+        theta, omega = step.at(length)
+    return length, theta, omega
+
+
+def _may_turn_twice(step: Step, heading: int, length: float, theta: float, omega: float) -> bool:
+    """Whether omega leaves zero and comes back beyond it, or dips so low that its cubic passes zero."""
+    start, end = step.omega * heading, omega * heading
+    if end < 0.0:
+        return start == 0.0
+    start_slope = step.alpha * heading * length
+    end_slope = step.alpha_at(length, theta, omega) * heading * length
+    if start_slope >= 0.0 or end_slope <= 0.0:
+        return False
+    # The cubic start + start_slope*s + b*s^2 + a*s^3 through both ends is least where its slope is zero.
+    a = 2.0 * (start - end) + start_slope + end_slope
+    b = 3.0 * (end - start) - 2.0 * start_slope - end_slope
+    s = -start_slope / (b + math.sqrt(b * b - 3.0 * a * start_slope))
+    return start + s * (start_slope + s * (b + s * a)) <= 0.0
+
+
+def _until_turn(step: Step, length: float, end_omega: float) -> float:
+    """The part (s) of a step of `length` after which omega is zero."""
+
+    def omega_and_slope(part: float) -> tuple[float, float]:
+        theta, omega = step.at(part)
+        return omega, step.alpha_at(part, theta, omega)
+
+    return first_zero(omega_and_slope, step.omega, length, end_omega, 4.0 * math.ulp(step.omega))
+
+
+def _until_angle(step: Step, length: float, end_theta: float, boundary: float) -> float:
+    """The part (s) of a step of `length` after which theta is at `boundary`."""
+
+    def distance_and_slope(part: float) -> tuple[float, float]:
+        theta, omega = step.at(part)
+        return theta - boundary, omega
+
+    resolution = 4.0 * math.ulp(max(abs(step.theta), abs(boundary)))
+    return first_zero(distance_and_slope, step.theta - boundary, length, end_theta - boundary, resolution)
+
+
+def _factor(ratio: float) -> float:
+    """By how much a step whose error is `ratio` times the tolerance is to be changed."""
+    return float(_SAFETY * ratio ** (-1.0 / ERROR_ORDER)) if ratio > 0.0 else math.inf
+
+
+def _sign(value: float) -> int:
+    return (value > 0.0) - (value < 0.0)

@@ -1,0 +1,52 @@
+"""Torque that a given motion needs, eq. (13)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from pyjoystick.model.parameters.joystick import JoystickParameters
+from pyjoystick.model.reference.moments import contact_moment, damping_coefficient, gravity_moment
+from pyjoystick.support import FloatArray
+
+
+@dataclass(frozen=True, slots=True)
+class InverseTorque:
+    """The driving torque about the pivot and its parts (N m), arrays of one shape; T is their sum.
+
+    Attributes:
+        T: driving torque, eq. (13)
+        T_inertia: J*alpha
+        T_damping: C(theta, omega)*omega
+        T_stiffness: M_s - m*g*h*sin(theta)
+    """
+
+    T: FloatArray
+    T_inertia: FloatArray
+    T_damping: FloatArray
+    T_stiffness: FloatArray
+
+
+def inverse_torque(
+    parameters: JoystickParameters, theta: ArrayLike, omega: ArrayLike, alpha: ArrayLike
+) -> InverseTorque:
+    """Eq. (13): T = J*alpha + C*omega + M_s - m*g*h*sin(theta).
+
+    Args:
+        parameters: the joystick
+        theta: angle (rad), |theta| < pi/2
+        omega: angular velocity (rad/s)
+        alpha: angular acceleration (rad/s2); the three may have any broadcastable shapes, NaN gives NaN
+
+    Raises:
+        ParameterError: some |theta| >= pi/2
+    """
+    angle, rate, acceleration = np.broadcast_arrays(
+        *(np.asarray(series, np.float64) for series in (theta, omega, alpha))
+    )
+    inertia = parameters.J * acceleration
+    damping = damping_coefficient(parameters.damping, angle, rate) * rate
+    stiffness = contact_moment(parameters, angle) - gravity_moment(parameters, angle)
+    return InverseTorque(inertia + damping + stiffness, inertia, damping, stiffness)

@@ -1,0 +1,96 @@
+"""The result of a run: the motion at the requested instants and everything that follows from it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from pyjoystick.model.parameters.joystick import JoystickParameters
+from pyjoystick.model.reference.cam import contact_travel
+from pyjoystick.model.reference.integration import Event, TurningPoint
+from pyjoystick.model.reference.moments import (
+    contact_force,
+    contact_moment,
+    damping_coefficient,
+    energy,
+    gravity_moment,
+)
+from pyjoystick.support import FloatArray, Torque
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Trajectory:
+    """A motion of the joystick; every array has the shape (n,) of `time`.
+
+    Attributes:
+        time: instants (s)
+        theta: angle (rad), positive forward
+        omega: angular velocity (rad/s)
+        alpha: angular acceleration (rad/s2), from eq. (1)
+        x: contact travel (m)
+        f_x: contact force (N)
+        M_s: contact moment (N m)
+        M_d: damping moment C*omega (N m)
+        M_g: gravity moment m*g*h*sin(theta) (N m)
+        C: damping coefficient (N m s/rad)
+        E: energy (J)
+        T: driving torque (N m)
+        events: passages of kinks and of the middle, in order (none where the method does not locate them)
+        turning_points: sign changes of omega, in order (likewise)
+        accepted, rejected: number of integration steps
+    """
+
+    time: FloatArray
+    theta: FloatArray
+    omega: FloatArray
+    alpha: FloatArray
+    x: FloatArray
+    f_x: FloatArray
+    M_s: FloatArray
+    M_d: FloatArray
+    M_g: FloatArray
+    C: FloatArray
+    E: FloatArray
+    T: FloatArray
+    events: tuple[Event, ...] = ()
+    turning_points: tuple[TurningPoint, ...] = ()
+    accepted: int = 0
+    rejected: int = 0
+
+
+def trajectory(
+    parameters: JoystickParameters,
+    time: FloatArray,
+    theta: FloatArray,
+    omega: FloatArray,
+    torque: Torque | None,
+    *,
+    events: tuple[Event, ...] = (),
+    turning_points: tuple[TurningPoint, ...] = (),
+    accepted: int = 0,
+    rejected: int = 0,
+) -> Trajectory:
+    """The trajectory of a computed motion: time (s), theta (rad) and omega (rad/s) of one shape (n,)."""
+    driving = np.zeros_like(time) if torque is None else np.array([torque(float(t)) for t in time])
+    coefficient = damping_coefficient(parameters.damping, theta, omega)
+    contact, weight = contact_moment(parameters, theta), gravity_moment(parameters, theta)
+    damping = coefficient * omega
+    return Trajectory(
+        time=time,
+        theta=theta,
+        omega=omega,
+        alpha=(driving + weight - contact - damping) / parameters.J,
+        x=contact_travel(parameters, theta),
+        f_x=contact_force(parameters, theta),
+        M_s=contact,
+        M_d=damping,
+        M_g=weight,
+        C=coefficient,
+        E=energy(parameters, theta, omega),
+        T=driving,
+        events=events,
+        turning_points=turning_points,
+        accepted=accepted,
+        rejected=rejected,
+    )

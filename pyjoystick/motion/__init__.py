@@ -1,0 +1,5 @@
+"""A sampled motion: tables of runs, measured records, extrema, peaks, periods, differences."""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

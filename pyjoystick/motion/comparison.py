@@ -1,0 +1,112 @@
+"""How far two tables of the same experiment lie apart."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import pandas as pd
+
+from pyjoystick.motion.tables import unit_of
+from pyjoystick.support import ParameterError, SeriesError, UnknownVariableError, positive
+
+
+@dataclass(frozen=True, slots=True)
+class Difference:
+    """The largest difference of one variable over a run.
+
+    Attributes:
+        variable: name of the column
+        unit: its unit
+        largest: largest absolute difference, in that unit; NaN where one of the tables holds NaN
+        relative: the same in parts of the reference's largest magnitude over the run (0 where both are zero)
+        time: where it occurs (s)
+        limit: largest allowed difference, in the unit; None where there is none
+        parted_at: when the limit is first exceeded, or NaN is first met (s); None where it is kept
+    """
+
+    variable: str
+    unit: str
+    largest: float
+    relative: float
+    time: float
+    limit: float | None = None
+    parted_at: float | None = None
+
+    @property
+    def within_limit(self) -> bool:
+        """False where the limit is exceeded or the difference is NaN."""
+        return self.limit is None or self.largest <= self.limit
+
+
+def compare(
+    table: pd.DataFrame, against: pd.DataFrame, *, limits: Mapping[str, float] | None = None
+) -> list[Difference]:
+    """The largest difference of every variable that both tables have, in the order of the first.
+
+    Args:
+        table: a run, indexed by time (s)
+        against: the reference at the same instants
+        limits: largest allowed absolute difference by name of the variable, in its unit
+
+    Raises:
+        SeriesError: the instants of the tables differ by more than rounding
+        UnknownVariableError: a limit is on a variable that the tables do not share
+        ParameterError: a limit is not above zero, the units of a variable differ, or no variable is shared
+    """
+    limits = dict(limits or {})
+    shared = [str(name) for name in table.columns if name in against.columns]
+    for name, limit in limits.items():
+        if name not in shared:
+            raise UnknownVariableError(name, shared)
+        positive(f"limit of {name}", limit, unit_of(table, name))
+    if not shared:
+        raise ParameterError(
+            "columns", list(table.columns), f"some of {', '.join(map(str, against.columns))}"
+        )
+    time = table.index.to_numpy(dtype=np.float64)
+    other = against.index.to_numpy(dtype=np.float64)
+    if len(time) != len(other):
+        raise SeriesError("time", f"has {len(time)} instants in one table and {len(other)} in the other")
+    for i in np.flatnonzero(np.abs(time - other) > 1e-9 * np.maximum(1e-3, np.abs(other)))[:1]:
+        raise SeriesError("time", f"is {time[i]} s in one table and {other[i]} s in the other at row {i}")
+    return [_difference(table, against, name, limits.get(name)) for name in shared]
+
+
+def within_limits(differences: Sequence[Difference]) -> bool:
+    """Every limit is kept."""
+    return all(difference.within_limit for difference in differences)
+
+
+def difference_table(differences: Sequence[Difference]) -> pd.DataFrame:
+    """The differences as a table, one row a variable."""
+    return pd.DataFrame(
+        {
+            "unit": [one.unit for one in differences],
+            "largest": [one.largest for one in differences],
+            "relative": [one.relative for one in differences],
+            "time": [one.time for one in differences],
+            "limit": [one.limit for one in differences],
+            "parted_at": [one.parted_at for one in differences],
+        },
+        index=pd.Index([one.variable for one in differences], name="variable"),
+    )
+
+
+def _difference(table: pd.DataFrame, against: pd.DataFrame, name: str, limit: float | None) -> Difference:
+    unit, other_unit = unit_of(table, name), unit_of(against, name)
+    if unit and other_unit and unit != other_unit:
+        raise ParameterError(f"unit of {name}", unit, other_unit)
+    values = table[name].to_numpy(dtype=np.float64)
+    expected = against[name].to_numpy(dtype=np.float64)
+    distance = np.abs(values - expected)
+    place = int(np.argmax(distance))  # the first NaN where there is one
+    largest = float(distance[place])
+    magnitude = float(np.max(np.abs(expected)))
+    relative = largest / magnitude if magnitude > 0.0 else (0.0 if largest == 0.0 else np.inf)
+    beyond = np.zeros(len(distance), dtype=np.bool_) if limit is None else ~(distance <= limit)
+    parted_at = float(table.index[int(np.argmax(beyond))]) if beyond.any() else None
+    return Difference(
+        name, unit or other_unit, largest, relative, float(table.index[place]), limit, parted_at
+    )

@@ -1,0 +1,107 @@
+"""Peaks of a sampled oscillation, located between the samples.
+
+A peak is a maximum above zero or a minimum below zero, as eqs. (9)-(12) use them. The ends of a series are no
+peaks: the release of a free oscillation is its start, not one of its peaks.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import pandas as pd
+from numpy.typing import ArrayLike
+
+from pyjoystick.motion.extrema import extrema_of_derivative, extrema_of_samples, peaks_among
+from pyjoystick.support import FloatArray, SeriesError, not_negative
+
+
+def find_peaks(
+    time: ArrayLike,
+    value: ArrayLike,
+    derivative: ArrayLike | None = None,
+    *,
+    minimum_height: float = 0.0,
+    minimum_prominence: float = 0.0,
+) -> pd.DataFrame:
+    """Peaks of both signs.
+
+    With the derivative (omega for theta, alpha for omega) a peak is where the cubic that has the values and
+    derivatives of the two samples around it is extreme. For smooth series its error falls with the sample
+    spacing h as h^4 in value and h^3 in time. Without the derivative a quartic through five samples takes the
+    place of the cubic: h^5 and h^4. The velocity of the joystick peaks between kinks that lie closer together
+    than most samples do; there neither order holds and the time is good to about a sample.
+
+    Three or more equal samples at the top (a clipped or resting signal) count as one peak in their middle.
+    Nothing is smoothed: in noise every ripple is a peak unless `minimum_prominence` is larger than its swing.
+
+    Args:
+        time: instants (s), shape (n,), strictly increasing
+        value: the series, shape (n,), n >= 3
+        derivative: its derivative with respect to time, shape (n,)
+        minimum_height: peaks with |value| below this are left out
+        minimum_prominence: a peak counts only if the series comes back by this much on either side before it
+            goes beyond the peak
+
+    Returns:
+        one row a peak in order of time, with the columns ``time`` (s), ``value`` (the unit of the series) and
+        ``sign`` (1 for a maximum, -1 for a minimum); empty where there is no peak
+
+    Raises:
+        SeriesError: a series is not one-dimensional, not of the length of the others, too short, holds NaN or
+            infinity, or the time does not increase
+        ParameterError: a limit is negative or not finite
+    """
+    instants, values = _series("time", time), _series("value", value)
+    slopes = None if derivative is None else _series("derivative", derivative)
+    _check_lengths(instants, values, slopes)
+    height = not_negative("minimum_height", minimum_height)
+    prominence = not_negative("minimum_prominence", minimum_prominence)
+    extrema = (
+        extrema_of_samples(instants, values)
+        if slopes is None
+        else extrema_of_derivative(instants, values, slopes)
+    )
+    peaks = peaks_among(extrema, values[0], values[-1], height, prominence)
+    return pd.DataFrame({"time": peaks[:, 0], "value": peaks[:, 1], "sign": peaks[:, 2].astype(np.int64)})
+
+
+def periods(peaks: pd.DataFrame, *, release_time: float | None = None) -> pd.DataFrame:
+    """The period around each peak: the time from the peak before it, on the other side, to the peak after it.
+
+    Args:
+        peaks: alternating peaks as `find_peaks` gives them
+        release_time: instant (s) at which the oscillation was released from rest, which then stands for the
+            peak before the first one
+
+    Returns:
+        one row a peak that has neighbors on both sides: ``time`` (s) and ``amplitude`` (magnitude of the
+        peak), ``period`` (s)
+    """
+    times, values = peaks["time"].to_numpy(), np.abs(peaks["value"].to_numpy())
+    if release_time is None:
+        middle = slice(1, -1)
+    else:
+        times, middle = np.insert(times, 0, release_time), slice(0, -1)
+    spans = times[2:] - times[:-2]
+    return pd.DataFrame({"time": times[1:-1], "amplitude": values[middle][: len(spans)], "period": spans})
+
+
+def _series(name: str, series: ArrayLike) -> FloatArray:
+    try:
+        array = np.array(series, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise SeriesError(name, "must hold numbers only") from error
+    if array.ndim != 1:
+        raise SeriesError(name, f"must be one-dimensional, has the shape {array.shape}")
+    for i in np.flatnonzero(~np.isfinite(array))[:1]:
+        raise SeriesError(name, f"is {array[i]} at index {i}; must be finite")
+    return array
+
+
+def _check_lengths(instants: FloatArray, values: FloatArray, slopes: FloatArray | None) -> None:
+    for name, series in (("value", values), ("derivative", slopes)):
+        if series is not None and len(series) != len(instants):
+            raise SeriesError(name, f"has {len(series)} samples, time has {len(instants)}")
+    if len(instants) < 3:
+        raise SeriesError("time", f"has {len(instants)} samples; at least 3 are needed")
+    for i in np.flatnonzero(np.diff(instants) <= 0.0)[:1]:
+        raise SeriesError("time", f"must increase; index {i + 1} is {instants[i + 1]} after {instants[i]}")

@@ -1,0 +1,143 @@
+"""Peaks of displacement and velocity from a noisy record of few samples, with their standard errors."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Final
+
+import numpy as np
+import pandas as pd
+
+from pyjoystick.motion.peaks import find_peaks
+from pyjoystick.motion.records.errors import RecordError
+from pyjoystick.motion.records.record import Record
+from pyjoystick.motion.records.swings import THRESHOLD, Swing, find_swings
+from pyjoystick.motion.release_peaks import ReleasePeaks
+from pyjoystick.motion.spline import MotionSpline, fit_spline
+from pyjoystick.support import FloatArray
+
+#: A swing of fewer samples has less to say than the spline asks of it.
+FEWEST_SAMPLES_IN_SWING: Final = 2.0
+#: A peak counts while it is this many of its standard errors high.
+SIGNIFICANT: Final = 2.5
+#: No swing lasts longer than the one before it by more than this factor: the period falls with the amplitude.
+_LONGER: Final = 1.5
+#: Swings are followed down to this many standard deviations of the noise.
+_ABOVE_NOISE: Final = 4.0
+#: And, in a clean record, down to this part of the largest angle.
+_SMALLEST: Final = 0.01
+#: Instants between two samples at which the spline is looked at; `find_peaks` refines between them.
+_FINENESS: Final = 40
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class MeasuredPeaks(ReleasePeaks):
+    """The peaks of one record, on its own clock, and how sure they are.
+
+    The tables of peaks have two more columns, ``time_error`` and ``value_error``: standard errors from the
+    noise alone. What the method itself does to the peaks is in docs/damping-from-peaks.md.
+
+    Attributes:
+        release_time_error: standard error of the instant of release (s)
+        release_angle_error: standard error of the angle at the release (rad)
+        noise: standard deviation of the samples about the fitted motion (rad)
+    """
+
+    release_time_error: float
+    release_angle_error: float
+    noise: float
+
+
+def measured_peaks(record: Record) -> MeasuredPeaks:
+    """Release and peaks of a free oscillation, between the samples and robust against noise.
+
+    A spline with a corner in every passage of the middle is fitted by least squares (`fit_spline`), and its
+    peaks are found by `find_peaks`. Swings are followed until they drown in the noise, have fewer than two
+    samples, or their peaks are not significant. At 60 Hz and 0.1 degree of noise peaks of the displacement
+    come out without visible bias; peaks of the velocity are 1 % too high at first and 6 % at the tenth,
+    because the real corner is rounded within less than a sample. docs/damping-from-peaks.md has the table.
+
+    Raises:
+        RecordError: the samples do not determine a motion with a release and two swings
+    """
+    largest = float(np.max(np.abs(record.theta)))
+    fitted = _fit(record, THRESHOLD * largest)
+    finer = max(_ABOVE_NOISE * fitted.noise, _SMALLEST * largest)
+    if finer < THRESHOLD * largest:
+        fitted = _fit(record, finer)
+    angle_error = math.sqrt(float(fitted.variance(np.array([fitted.release]))[0]))
+    return MeasuredPeaks(
+        name=record.name,
+        release_time=fitted.release,
+        release_time_error=math.sqrt(fitted.release_variance),
+        release_angle=float(fitted.spline(fitted.release)),
+        release_angle_error=angle_error,
+        displacement=_peaks(fitted, record.interval, 0),
+        velocity=_peaks(fitted, record.interval, 1),
+        noise=fitted.noise,
+    )
+
+
+def _fit(record: Record, threshold: float) -> MotionSpline:
+    """The spline over as many swings as the samples determine."""
+    passages = _passages(record, find_swings(record.theta, threshold))
+    for count in range(len(passages), 1, -1):
+        fitted = fit_spline(record.time, record.theta, passages[:count])
+        if fitted is not None:
+            return fitted
+    raise RecordError(
+        record.source,
+        "the samples do not determine a release and the swings after it",
+        "sample faster, and begin the record before the release",
+        column="theta",
+        rows=record.rows[[0, -1]],
+    )
+
+
+def _passages(record: Record, swings: list[Swing]) -> FloatArray:
+    """Instants (s) of the passages of the middle after the release, by straight lines between samples.
+
+    They end before the first swing of too few samples, or that lasts longer than the one before it by so much
+    that swings too small to be seen must lie in it.
+    """
+    passages: list[float] = []
+    last = [swing.last for swing in swings if swing.last + 1 < len(record)]
+    for swing_end in last:
+        before, after = record.theta[swing_end : swing_end + 2]
+        start, end = record.time[swing_end : swing_end + 2]
+        passage = float(start + (end - start) * before / (before - after))
+        if passages and passage - passages[-1] < FEWEST_SAMPLES_IN_SWING * record.interval:
+            break
+        if len(passages) > 1 and passage - passages[-1] > _LONGER * (passages[-1] - passages[-2]):
+            break
+        passages.append(passage)
+    return np.array(passages)
+
+
+def _peaks(fitted: MotionSpline, interval: float, derivative: int) -> pd.DataFrame:
+    """Peaks of the angle or of the velocity with standard errors, up to the first that is not significant."""
+    edges = [fitted.release, *fitted.passages.tolist()]
+    spans = [np.linspace(a, b, max(int(_FINENESS * (b - a) / interval), 8)) for a, b in pairwise(edges)]
+    grid = np.unique(np.concatenate(spans))
+    value = fitted.spline(grid, nu=derivative)
+    slope = fitted.spline(grid, nu=derivative + 1)
+    peaks = find_peaks(grid, value, slope, minimum_prominence=_SMALLEST * float(np.max(np.abs(value))))
+    times = peaks["time"].to_numpy()
+    peaks["value_error"] = np.sqrt(fitted.variance(times, derivative))
+    peaks["time_error"] = _time_errors(fitted, times, derivative)
+    significant = np.abs(peaks["value"]) > SIGNIFICANT * peaks["value_error"]
+    count = len(peaks) if significant.all() else int(np.argmin(significant))
+    return peaks.iloc[:count][["time", "value", "sign", "time_error", "value_error"]]
+
+
+def _time_errors(fitted: MotionSpline, times: FloatArray, derivative: int) -> FloatArray:
+    """Standard errors (s) of the instants of peaks.
+
+    A peak of the angle is where the velocity is zero; a peak of the velocity is in the corner, which lies in
+    the passage, where the angle is zero.
+    """
+    crossing = 1 - derivative
+    slope = fitted.spline(times, nu=crossing + 1)
+    return np.asarray(np.sqrt(fitted.variance(times, crossing)) / np.abs(slope))

@@ -1,0 +1,239 @@
+"""Whether a record is what section 3.3 of the paper needs: one release, and a motion that dies away freely.
+
+Refused (`RecordError`) is what would make every later number wrong or meaningless: no oscillation, too few
+peaks for a line through them, a motion that does not die away, one that grows again (a second release), a
+gap in which a peak may hide (all later peaks would be counted wrongly), the wrong side of release, a velocity
+that is not that of the angle. Flagged, as a sentence in the notes of the record, is what a reader should know
+but can live with: shorter gaps, uneven times, fewer peaks than eq. (12) judges, swings of few samples, angles
+beyond the stops, a zero of the angle that is not where the joystick rests. Nothing is repaired.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+from typing import Final, Literal
+
+import numpy as np
+
+from pyjoystick.motion.records.errors import RecordError, rows_in_words
+from pyjoystick.motion.records.record import Record
+from pyjoystick.motion.records.swings import THRESHOLD, Swing, find_swings
+
+Side = Literal["forward", "backward"]
+
+#: Two on either side: fewer leave no line to be drawn through the peaks of a side.
+FEWEST_PEAKS: Final = 4
+#: Eq. (12) judges this many peaks of the displacement.
+WANTED_PEAKS: Final = 9
+#: A swing that goes further than the one before on its side by this part of the largest angle is not free.
+GROWTH: Final = 0.1
+#: The last swing on the side of release must stay below this part of the release angle.
+DECAYED: Final = 0.9
+#: A gap is a step of more than this many usual ones; between the two the times are uneven.
+GAP: Final = 1.5
+UNEVEN: Final = 0.02
+#: A gap of less than this part of a neighboring swing cannot hide a swing, even one that is shorter by a bit.
+HIDING: Final = 0.75
+#: Above this part of the release angle the joystick is still held: free, it never comes back there.
+HELD: Final = 0.95
+#: Samples at the end of a record that are looked at for the rest position.
+_REST_SAMPLES: Final = 10
+#: A rest farther from zero than this part of the largest angle is noted. A joystick leans to an end of its
+#: clearance, 0.2 degrees, which is 1 % of a release from 20.
+_OFF_ZERO: Final = 0.02
+#: Half as far again as a joystick's stops: such an angle is likely in another unit.
+_FAR_BEYOND_STOPS: Final = math.radians(30.0)
+
+
+def check_free_oscillation(record: Record, *, released: Side | None = None) -> Record:
+    """The record with its notes, if it is a free oscillation after one release.
+
+    Args:
+        record: what was measured
+        released: the side from which the joystick was let go, where it is known; forward is positive
+
+    Returns:
+        the same samples, with what was flagged added to the notes
+
+    Raises:
+        RecordError: the record is no such motion, or was released on the other side; see the module
+    """
+    largest = float(np.max(np.abs(record.theta)))
+    swings = find_swings(record.theta, THRESHOLD * largest) if largest > 0.0 else []
+    _require_oscillation(record, swings)
+    _require_no_growth(record, swings, largest)
+    _require_decay(record, swings)
+    _require_side(record, swings[0], released)
+    notes = [
+        *_gaps(record, swings),
+        *_unevenness(record),
+        *_velocity(record),
+        *_peak_count(record, swings),
+        *_stops(record, largest),
+        *_rest(record, largest),
+    ]
+    return record.with_notes(*notes)
+
+
+def _require_oscillation(record: Record, swings: Sequence[Swing]) -> None:
+    peaks = max(len(swings) - 1, 0)
+    if peaks == 0:
+        raise RecordError(
+            record.source,
+            "there is no free oscillation in it: the angle never swings from one side to the other",
+            "is this the right file and column, and is zero the middle position?",
+            column="theta",
+            rows=record.rows[[0, -1]],
+        )
+    if peaks < FEWEST_PEAKS:
+        raise RecordError(
+            record.source,
+            f"too few peaks after the release, {FEWEST_PEAKS} are needed",
+            "record until the joystick has come to rest, and begin before the release",
+            column="theta",
+            rows=[record.rows[swing.extreme] for swing in swings[1:]],
+            value=peaks,
+        )
+
+
+def _require_no_growth(record: Record, swings: Sequence[Swing], largest: float) -> None:
+    for before, swing in zip(swings, swings[2:], strict=False):
+        if abs(swing.value) > abs(before.value) + GROWTH * largest:
+            raise RecordError(
+                record.source,
+                f"the motion grows again, from {math.degrees(before.value):+.2f} degrees on the same side "
+                f"(row {record.rows[before.extreme]}): a second release, or a hand on the joystick",
+                "cut the file so that it holds one release and what follows it",
+                column="theta",
+                rows=[record.rows[swing.extreme]],
+                value=f"{math.degrees(swing.value):+.2f} degrees",
+            )
+
+
+def _require_decay(record: Record, swings: Sequence[Swing]) -> None:
+    last = max(swings[-2:], key=lambda swing: abs(swing.value))
+    if abs(last.value) > DECAYED * abs(swings[0].value):
+        raise RecordError(
+            record.source,
+            f"the motion does not die away from {math.degrees(swings[0].value):+.2f} degrees "
+            f"(row {record.rows[swings[0].extreme]}): this is no free oscillation",
+            "use a record of a release; for driven motion read it without this check",
+            column="theta",
+            rows=[record.rows[last.extreme]],
+            value=f"{math.degrees(last.value):+.2f} degrees",
+        )
+
+
+def _require_side(record: Record, release: Swing, released: Side | None) -> None:
+    found = "forward" if release.sign > 0 else "backward"
+    if released is not None and found != released:
+        raise RecordError(
+            record.source,
+            f"the joystick is released {found} instead of {released}: wrong sign?",
+            "the angle is positive forward: turn its sign, for markers by the other --forward, or correct "
+            "the side of release",
+            column="theta",
+            rows=[record.rows[release.extreme]],
+            value=f"{math.degrees(release.value):+.2f} degrees",
+        )
+
+
+def _gaps(record: Record, swings: Sequence[Swing]) -> Iterator[str]:
+    """A note on the gaps; refuses those in which a swing may hide."""
+    steps = np.diff(record.time)
+    gaps = np.flatnonzero(steps > GAP * record.interval)
+    for i in gaps:
+        allowed = HIDING * _shortest_beside(record, swings, int(i))
+        if steps[i] > allowed:
+            raise RecordError(
+                record.source,
+                f"a gap of {steps[i]:.4g} s in which a peak may hide: {allowed:.3g} s is allowed here",
+                "all peaks after it would be counted wrongly: use another record, or cut it before the gap",
+                column="time",
+                rows=record.rows[[i, i + 1]],
+            )
+    if gaps.size:
+        missing = round(float(np.sum(steps[gaps] / record.interval - 1.0)))
+        beside = rows_in_words(record.rows[np.concatenate((gaps, gaps + 1))].tolist())
+        yield f"gaps: about {missing} samples are missing between {beside}"
+
+
+def _shortest_beside(record: Record, swings: Sequence[Swing], i: int) -> float:
+    """Duration (s) of the shortest whole swing beside the step after sample i; infinite where none is near.
+
+    The hold before the release and the rest after the last swing that counts may have gaps of any length.
+    """
+    time = record.time
+    if i >= swings[-1].last or record.theta[i + 1] / swings[0].value > HELD:
+        return math.inf
+    edges = [0.5 * float(time[a.last] + time[b.first]) for a, b in pairwise(swings)]
+    inside = sum(edge < time[i] for edge in edges)
+    durations = np.diff(edges)
+    # Swing k lasts from edge k-1 to edge k; the swing of the gap itself may be two with one hidden between.
+    beside = [durations[k - 1] for k in (inside - 1, inside + 1, inside + 2) if 1 <= k <= len(durations)]
+    return float(min(beside))
+
+
+def _unevenness(record: Record) -> Iterator[str]:
+    steps = np.diff(record.time)
+    usual = steps[steps <= GAP * record.interval]
+    spread = float(np.ptp(usual)) / record.interval
+    if spread > UNEVEN:
+        yield (
+            f"uneven times: steps from {usual.min():.6g} to {usual.max():.6g} s; if the times are rounded, "
+            "export them with more digits"
+        )
+
+
+def _velocity(record: Record) -> Iterator[str]:
+    """A note on a measured velocity that is off; refuses one that is not that of the angle."""
+    if record.omega is None:
+        return
+    # The trapezoidal rule: the change of the angle over a step against the mean velocity in it.
+    turned = np.diff(record.theta)
+    mean = 0.5 * (record.omega[1:] + record.omega[:-1]) * np.diff(record.time)
+    square = float(np.sum(mean * mean))
+    ratio = float(np.sum(turned * mean)) / square if square > 0.0 else math.inf
+    if 0.5 < ratio < 2.0:
+        if abs(ratio - 1.0) > 0.1:
+            yield f"the angle changes {ratio:.3f} times as fast as the velocity says"
+        return
+    advice = {
+        ratio < 0.0: "turn the sign of one of the two",
+        abs(ratio * math.degrees(1.0) - 1.0) < 0.5: "name the column omega (deg/s)",
+        abs(ratio / math.degrees(1.0) - 1.0) < 0.5: "name the column omega (rad/s)",
+    }.get(True, "leave the column out")
+    reason = f"this is not the velocity of the angle, which changes {ratio:.3g} times as fast"
+    raise RecordError(record.source, reason, advice, column="omega", rows=record.rows[[0, -1]])
+
+
+def _peak_count(record: Record, swings: Sequence[Swing]) -> Iterator[str]:
+    peaks = len(swings) - 1
+    if peaks < WANTED_PEAKS:
+        yield f"few peaks: {peaks} stand out after the release; eq. (12) judges {WANTED_PEAKS}"
+    short = [swing for swing in swings[1 : WANTED_PEAKS + 1] if swing.last - swing.first < 2]
+    if short:
+        rows = rows_in_words([int(record.rows[swing.extreme]) for swing in short])
+        yield f"coarse sampling: {len(short)} swings of fewer than three samples, at {rows}"
+
+
+def _stops(record: Record, largest: float) -> Iterator[str]:
+    if largest > _FAR_BEYOND_STOPS:
+        beyond = int(np.argmax(np.abs(record.theta)))
+        yield (
+            f"the angle goes to {math.degrees(largest):.1f} degrees (row {record.rows[beyond]}), far beyond "
+            "a joystick's stops at about 20 degrees: is its unit right?"
+        )
+
+
+def _rest(record: Record, largest: float) -> Iterator[str]:
+    tail = record.theta[-_REST_SAMPLES:]
+    offset = float(np.mean(tail))
+    error = float(np.std(tail)) / math.sqrt(len(tail))
+    if float(np.ptp(tail)) < THRESHOLD * largest and abs(offset) > max(_OFF_ZERO * largest, 4.0 * error):
+        yield (
+            f"the record ends at rest at {math.degrees(offset):+.3f} degrees "
+            f"({rows_in_words(record.rows[-len(tail) :].tolist())}): is zero the middle position?"
+        )

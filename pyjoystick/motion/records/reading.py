@@ -1,0 +1,157 @@
+"""From a laboratory's files to records."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from os import PathLike
+from pathlib import Path
+from typing import Final
+
+import numpy as np
+
+from pyjoystick.motion.records.columns import find_column, finite_numbers, unit_factor
+from pyjoystick.motion.records.csv_file import CsvFile, Heading, read_csv_file
+from pyjoystick.motion.records.errors import RecordError
+from pyjoystick.motion.records.free_oscillation import Side, check_free_oscillation
+from pyjoystick.motion.records.record import MISSING_ADVICE, Record
+from pyjoystick.support import FloatArray
+
+_RAD: Final = math.radians(1.0)
+#: Factors to SI units by quantity and unit.
+UNITS: Final[Mapping[str, Mapping[str, float]]] = {
+    "time": {"s": 1.0, "ms": 1e-3},
+    "theta": {"rad": 1.0, "deg": _RAD, "°": _RAD, "mrad": 1e-3},
+    "omega": {"rad/s": 1.0, "deg/s": _RAD, "°/s": _RAD},
+}
+_REQUIRED: Final = ("time", "theta")
+
+
+def read_record(
+    path: str | PathLike[str],
+    *,
+    columns: Mapping[str, str] | None = None,
+    units: Mapping[str, str] | None = None,
+    released: Side | None = None,
+    free_oscillation: bool = True,
+    name: str | None = None,
+) -> Record:
+    """Read one motion from a CSV file.
+
+    The file has one line of headings, ``time (s)``, ``theta (deg)`` or ``theta (rad)`` and perhaps ``omega
+    (rad/s)`` or ``omega (deg/s)``, then one sample a row; lines that begin with # are comments, other columns
+    are left alone. Columns are separated by commas, semicolons or tabs.
+
+    Args:
+        path: the file
+        columns: headings of the columns where they have other names: ``{"theta": "Angle X"}``; a heading may
+            be given with its unit or without
+        units: units of the columns whose headings have none: ``{"time": "s", "theta": "deg"}``; see `UNITS`
+        released: side of release, where it is known; a record of the other side is refused
+        free_oscillation: whether the record is checked to be one release and what follows (see
+            `check_free_oscillation`); without it only the samples themselves are
+        name: name of the record; that of the file without its suffix where not given
+
+    Returns:
+        the record in SI units; what is doubtful in it is in its notes
+
+    Raises:
+        RecordError: the file cannot be read; a column is missing, has no unit or an unknown one; a cell is
+            empty or no finite number; times are repeated or out of order; degrees stand under the name of
+            radians; or it is not a free oscillation. The message names the file, the column and the rows.
+    """
+    file = read_csv_file(Path(path))
+    found = {quantity: _column(file, quantity, columns or {}) for quantity in UNITS}
+    series: dict[str, FloatArray | None] = {}
+    for quantity, heading in found.items():
+        if heading is None:
+            series[quantity] = None
+            continue
+        factor = unit_factor(file, heading, UNITS[quantity], (units or {}).get(quantity, ""))
+        numbers = finite_numbers(file, heading, MISSING_ADVICE)
+        series[quantity] = numbers * factor
+    time, theta = series["time"], series["theta"]
+    assert time is not None
+    assert theta is not None
+    record = Record(
+        name=Path(path).stem if name is None else name,
+        time=time,
+        theta=theta,
+        omega=series["omega"],
+        source=str(path),
+        notes=_small_degrees(found["theta"], units or {}, theta),
+        rows=file.lines,
+    )
+    return check_free_oscillation(record, released=released) if free_oscillation else record
+
+
+def read_repeats(
+    paths: Iterable[str | PathLike[str]],
+    *,
+    columns: Mapping[str, str] | None = None,
+    units: Mapping[str, str] | None = None,
+    released: Side | None = None,
+) -> tuple[Record, ...]:
+    """Read the records of one experiment that was repeated: free oscillations from the same side.
+
+    Args:
+        paths: one file a repeat
+        columns: headings of the columns, as for `read_record`
+        units: units of columns without one, as for `read_record`
+        released: side of release, where it is known
+
+    Raises:
+        RecordError: a file is refused; two hold the same samples (a repeat counted twice would make every
+            interval too narrow); or they are released from different sides (the wrong sign in one?)
+    """
+    records: list[Record] = []
+    for path in paths:
+        record = read_record(path, columns=columns, units=units, released=released)
+        for other in records:
+            _require_another(record, other)
+            _require_same_side(record, other)
+        records.append(record)
+    if not records:
+        raise RecordError("records", "no file is given", "give one file a repeat")
+    return tuple(records)
+
+
+def _require_another(record: Record, other: Record) -> None:
+    if np.array_equal(record.theta, other.theta):
+        advice = "give every repeat once"
+        raise RecordError(record.source, f"holds the same angles as {other.source}", advice, column="theta")
+
+
+def _require_same_side(record: Record, other: Record) -> None:
+    signs = [np.sign(one.theta[np.argmax(np.abs(one.theta))]) for one in (record, other)]
+    if signs[0] != signs[1]:
+        furthest = int(np.argmax(np.abs(record.theta)))
+        raise RecordError(
+            record.source,
+            f"is released from the other side than {other.source}: wrong sign?",
+            "repeats are of one experiment, with the angle positive forward",
+            column="theta",
+            rows=[record.rows[furthest]],
+            value=f"{math.degrees(record.theta[furthest]):+.2f} degrees",
+        )
+
+
+def _column(file: CsvFile, quantity: str, columns: Mapping[str, str]) -> Heading | None:
+    """The heading of a quantity; None where there is none and it is not required."""
+    for given in columns:
+        if given not in UNITS:
+            raise RecordError("columns", f"{given!r} is no quantity", f"known are {', '.join(UNITS)}")
+    required = quantity in _REQUIRED or quantity in columns
+    return find_column(file, quantity, columns.get(quantity, quantity), required=required)
+
+
+def _small_degrees(heading: Heading | None, units: Mapping[str, str], theta: FloatArray) -> tuple[str, ...]:
+    """A note where angles under the name of degrees look like radians.
+
+    They cannot be refused: a motion of a degree is possible, one of 90 degrees or more is not.
+    """
+    unit = (heading.unit if heading else "") or units.get("theta", "")
+    largest = math.degrees(float(np.max(np.abs(theta))))
+    if UNITS["theta"].get(unit) == _RAD and largest < math.pi / 2.0:
+        return (f"the largest angle is {largest:.3g} degrees: are these radians under the name of degrees?",)
+    return ()

@@ -1,0 +1,160 @@
+"""A record: the measured motion of one release, in SI units."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pyjoystick.motion.records.errors import RecordError
+from pyjoystick.support import FloatArray
+
+#: A record cannot do with fewer samples than these.
+FEWEST_SAMPLES = 3
+#: What to do about samples without a number.
+MISSING_ADVICE: Final = (
+    "a lost marker? Leave these rows out; what is missing then counts as a gap, which is allowed where "
+    "no peak can hide in it"
+)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Record:
+    """One measured motion. The arrays are copies that cannot be written to.
+
+    Nothing is repaired: samples are as measured, and times as recorded, with zero wherever the clock had it.
+
+    Attributes:
+        name: what the record is called in tables and figures
+        time: instants (s), shape (n,), n >= 3, increasing; gaps are allowed here
+        theta: angle (rad), shape (n,), positive forward, |theta| < pi/2
+        omega: angular velocity (rad/s) where it was measured, shape (n,), else None
+        source: where the record comes from: the path of the file, or a word on what made it
+        notes: what was found doubtful but not refused, a sentence each
+        rows: row of each sample in its source, shape (n,): line numbers of a file; indices from 0 where not
+            given
+
+    Raises:
+        RecordError: an array is not one-dimensional, not of the length of `time`, too short, or holds NaN or
+            infinity; the time does not increase; an angle of pi/2 or more (degrees taken for radians?)
+    """
+
+    name: str
+    time: FloatArray
+    theta: FloatArray
+    omega: FloatArray | None = None
+    source: str = "arrays"
+    notes: tuple[str, ...] = ()
+    rows: NDArray[np.int64] = dataclasses.field(default_factory=lambda: np.empty(0, dtype=np.int64))
+
+    def __post_init__(self) -> None:
+        time = self._checked("time", self.time)
+        rows = np.array(self.rows if len(self.rows) else np.arange(len(time)), dtype=np.int64)
+        rows.setflags(write=False)
+        object.__setattr__(self, "rows", rows)
+        if len(time) < FEWEST_SAMPLES or len(rows) != len(time):
+            reason = f"has {len(time)} samples in {len(rows)} rows; at least {FEWEST_SAMPLES} are needed"
+            raise RecordError(self.source, reason, "record the whole motion, one sample a row")
+        for name in ("time", "theta", "omega"):
+            if getattr(self, name) is not None:
+                series = self._checked(name, getattr(self, name))
+                self._require_samples(name, series)
+                object.__setattr__(self, name, series)
+        self._require_increasing_time()
+        self._require_angles()
+
+    def __len__(self) -> int:
+        return len(self.time)
+
+    @property
+    def interval(self) -> float:
+        """Time between two samples (s): the median, so that gaps do not count."""
+        return float(np.median(np.diff(self.time)))
+
+    def with_notes(self, *notes: str) -> Record:
+        """The same record with further notes."""
+        return dataclasses.replace(self, notes=(*self.notes, *notes))
+
+    def between(self, start: float, end: float = math.inf) -> Record:
+        """The samples with start <= time <= end (s).
+
+        Raises:
+            RecordError: fewer than three are left
+        """
+        inside = (self.time >= start) & (self.time <= end)
+        omega = None if self.omega is None else self.omega[inside]
+        return dataclasses.replace(
+            self, time=self.time[inside], theta=self.theta[inside], omega=omega, rows=self.rows[inside]
+        )
+
+    def _checked(self, name: str, values: ArrayLike) -> FloatArray:
+        try:
+            series = np.array(values, dtype=np.float64)
+        except (TypeError, ValueError):
+            raise RecordError(self.source, "is no array of numbers", "give numbers", column=name) from None
+        if series.ndim != 1:
+            reason = f"has the shape {series.shape}, must have one dimension"
+            raise RecordError(self.source, reason, "give one number a sample", column=name)
+        series.setflags(write=False)
+        return series
+
+    def _require_samples(self, name: str, series: FloatArray) -> None:
+        if len(series) != len(self.rows):
+            reason = f"has {len(series)} samples, time has {len(self.rows)}"
+            raise RecordError(self.source, reason, "give one number a sample", column=name)
+        bad = np.flatnonzero(~np.isfinite(series))
+        if bad.size:
+            raise not_finite(self.source, name, self.rows[bad], series[bad[0]])
+
+    def _require_increasing_time(self) -> None:
+        steps = np.diff(self.time)
+        repeated = np.flatnonzero(steps == 0.0)
+        if repeated.size:
+            raise RecordError(
+                self.source,
+                "times are repeated",
+                "which sample of an instant is right cannot be told from here: if the times are rounded, "
+                "export them with more digits, else delete the rows that are too many",
+                column="time",
+                rows=self.rows[repeated + 1],
+                value=self.time[repeated[0] + 1],
+            )
+        backward = np.flatnonzero(steps < 0.0)
+        if backward.size:
+            raise RecordError(
+                self.source,
+                "time runs backward",
+                "the rows are out of order, or the file holds more than one record: export them in order, "
+                "one record a file",
+                column="time",
+                rows=self.rows[backward + 1],
+                value=self.time[backward[0] + 1],
+            )
+
+    def _require_angles(self) -> None:
+        beyond = np.flatnonzero(np.abs(self.theta) >= math.pi / 2.0)
+        if beyond.size:
+            raise RecordError(
+                self.source,
+                "an angle of 90 degrees or more, where the geometry of the joystick ends",
+                "are these degrees under the name of radians? Name the column theta (deg)",
+                column="theta",
+                rows=self.rows[beyond],
+                value=f"{self.theta[beyond[0]]:g} rad",
+            )
+
+
+def not_finite(source: str, column: str, rows: ArrayLike, value: object) -> RecordError:
+    """The error of samples that are missing, NaN or infinite."""
+    return RecordError(
+        source,
+        "samples without a finite number",
+        MISSING_ADVICE,
+        column=column,
+        rows=np.asarray(rows).tolist(),
+        value=value,
+    )

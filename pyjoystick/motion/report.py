@@ -1,0 +1,100 @@
+"""Short reports in Markdown."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import zip_longest
+
+import pandas as pd
+
+from pyjoystick.motion.comparison import Difference
+from pyjoystick.motion.peaks import find_peaks, periods
+from pyjoystick.support import versions
+
+#: Eqs. (12a, b) judge this many peaks of the displacement.
+_PEAKS = 9
+
+
+@dataclass(frozen=True, slots=True)
+class Case:
+    """A free oscillation on an FMU, and how far it lies from the reference.
+
+    Attributes:
+        run: the table of the FMU
+        differences: against the reference
+        events: passages of kinks and of the middle in the reference
+    """
+
+    run: pd.DataFrame
+    differences: Sequence[Difference]
+    events: int
+
+
+def free_oscillation_report(title: str, cases: Mapping[str, Case]) -> str:
+    """Peaks, the period around each peak, and the largest differences to the reference, by label."""
+    legend = "; ".join(cases)
+    names = ", ".join(f"{name} {version}" for name, version in versions().items())
+    return "\n".join(
+        (
+            f"# {title}",
+            "",
+            f"Side by side: {legend}.",
+            "",
+            peak_table([case.run for case in cases.values()]),
+            "",
+            _difference_table(cases),
+            "",
+            f"Made with {names}.",
+            "",
+        )
+    )
+
+
+def markdown_table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """A Markdown table aligned as text too: the first column to the left, the others to the right."""
+    widths = [max(map(len, column)) for column in zip(header, *rows, strict=True)]
+
+    def line(cells: Sequence[str]) -> str:
+        first, *others = zip(cells, widths, strict=True)
+        texts = [first[0].ljust(first[1]), *(cell.rjust(width) for cell, width in others)]
+        return f"| {' | '.join(texts)} |"
+
+    rule = ["-" * widths[0], *("-" * (width - 1) + ":" for width in widths[1:])]
+    return "\n".join((line(header), line(rule), *(line(row) for row in rows)))
+
+
+def peak_table(runs: Sequence[pd.DataFrame]) -> str:
+    """The first peaks of runs that start with the release, side by side: time, angle, period around each.
+
+    Args:
+        runs: tables over ``time`` (s) with ``theta`` (rad) and ``omega`` (rad/s)
+    """
+    columns = [_peak_cells(run) for run in runs]
+    rows = [
+        [str(number), *(cell for cells in row for cell in cells)]
+        for number, row in enumerate(zip_longest(*columns, fillvalue=("", "", "")), start=1)
+    ]
+    return markdown_table(["no.", *(["t (s)", "peak (deg)", "period (s)"] * len(runs))], rows)
+
+
+def _peak_cells(run: pd.DataFrame) -> list[tuple[str, str, str]]:
+    """Time, displacement and period of the first peaks as text."""
+    peaks = find_peaks(run.index, run["theta"], run["omega"])
+    spans = periods(peaks, release_time=float(run.index[0]))["period"]
+    return [
+        (f"{time:.5f}", f"{math.degrees(value):+.4f}", "" if math.isnan(span) else f"{span:.5f}")
+        for time, value, span in zip_longest(
+            peaks["time"][:_PEAKS], peaks["value"][:_PEAKS], spans[:_PEAKS], fillvalue=math.nan
+        )
+    ]
+
+
+def _difference_table(cases: Mapping[str, Case]) -> str:
+    by_name = [{one.variable: one for one in case.differences} for case in cases.values()]
+    rows = []
+    for name, unit in (("theta", "rad"), ("omega", "rad/s"), ("alpha", "rad/s2")):
+        rows.append([f"{name} ({unit})", *(f"{differences[name].largest:.1e}" for differences in by_name)])
+    rows.append(["state events of the reference", *(str(case.events) for case in cases.values())])
+    return markdown_table(["largest difference to the reference", *cases], rows)

@@ -1,0 +1,193 @@
+"""A spline made for motions that swing between stiff stops: smooth in a swing, a corner in every passage.
+
+Between two passages of the middle the preloads keep the acceleration nearly constant; in the passage it turns
+about within a millisecond or two, far less than the time between two camera frames. So the angle is fitted by
+cubic pieces with double knots at the passages: the angle and the velocity are continuous there, the
+acceleration jumps. A filter of any cutoff would round these corners, and with them every velocity peak.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Final
+
+import numpy as np
+from scipy.interpolate import BSpline
+from scipy.optimize import minimize_scalar
+
+from pyjoystick.support import FloatArray
+
+_DEGREE: Final = 3
+#: Swings of so many samples have a knot in their middle, where its noise costs less than the bias without.
+_SAMPLES_FOR_INNER_KNOT: Final = 5
+#: The first swing leaves rest at an instant that is sought too: it can do without a further knot for longer.
+_FIRST_SWING_SAMPLES: Final = 8
+#: The release is sought by these first swings.
+_SWINGS_FOR_RELEASE: Final = 3
+#: It is guessed as the last instant at which the angle is above this part of the largest.
+_HELD: Final = 0.97
+#: The guess is late by up to this part of the time from there to the first passage, where a parabola starts.
+_LATE: Final = 0.3
+#: Smallest singular value of the model, in parts of the largest, with which it counts as determined.
+_WORST_CONDITION: Final = 1e-3
+#: Rounds of fitting and finding the passages anew.
+_ROUNDS: Final = 4
+#: Largest move of a passage in a round (parts of a sample interval).
+_LARGEST_MOVE: Final = 0.3
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class MotionSpline:
+    """A fitted motion from the release on.
+
+    Attributes:
+        spline: the angle (rad) over time (s), from `release` to the last of `passages`
+        release: instant (s) at which the joystick leaves rest
+        passages: instants (s) of the passages of the middle, then the end of the fit, shape (swings,)
+        noise: standard deviation of the samples about the spline (rad)
+        covariance: of the coefficients of the spline, then of the release, in rad and s
+    """
+
+    spline: BSpline
+    release: float
+    passages: FloatArray
+    noise: float
+    covariance: FloatArray
+
+    def variance(self, time: FloatArray, derivative: int = 0) -> FloatArray:
+        """Variance of the angle or a derivative of it (rad2 and seconds) at instants within the fit."""
+        rows = _basis(self.spline.t, time, derivative)
+        inner = self.covariance[:-1, :-1]
+        return np.asarray(np.einsum("ij,jk,ik->i", rows, inner, rows))
+
+    @property
+    def release_variance(self) -> float:
+        """Variance of the instant of release (s2)."""
+        return float(self.covariance[-1, -1])
+
+
+def fit_spline(time: FloatArray, theta: FloatArray, passages: FloatArray) -> MotionSpline | None:
+    """Fit a motion that is held, released and swings; None where the samples do not determine it.
+
+    The angle is constant up to the release and leaves it with no velocity; the instant of release is found
+    with the rest, between samples. Without samples of the hold it is where the velocity vanishes.
+
+    Args:
+        time: instants (s), shape (n,), from the hold to the last passage or beyond
+        theta: angles (rad), shape (n,)
+        passages: first guess of the passages of the middle (s), shape (swings,), the last one the end
+    """
+    interval = float(np.median(np.diff(time)))
+    inside = time <= passages[-1]
+    time, theta = time[inside], theta[inside]
+    candidates = _guesses(time, theta, float(passages[0]), interval)
+    for _ in range(_ROUNDS):
+        release = _best_release(time, theta, candidates, passages)
+        candidates = release + interval * np.array([-0.1, 0.0, 0.1])
+        fitted = _least_squares(time, theta, release, passages)
+        if fitted is None:
+            return None
+        passages = _passages(_spline(fitted[0], release, passages, time), passages, interval)
+    return _with_covariance(time, theta, release, passages)
+
+
+def _guesses(time: FloatArray, theta: FloatArray, first_passage: float, interval: float) -> FloatArray:
+    """Instants about the last one before the first passage at which the joystick seems held."""
+    before = time < first_passage
+    held = np.flatnonzero(np.abs(theta[before]) >= _HELD * np.max(np.abs(theta[before])))
+    last = float(time[held[-1]])
+    return np.linspace(last - _LATE * (first_passage - last) - interval, last + 0.75 * interval, 12)
+
+
+def _best_release(time: FloatArray, theta: FloatArray, candidates: FloatArray, passages: FloatArray) -> float:
+    """The instant of release with the least squares over the first swings, near the best candidate."""
+    few = passages[:_SWINGS_FOR_RELEASE]
+    inside = time <= few[-1]
+    time, theta = time[inside], theta[inside]
+    nothing_explained = float(theta @ theta)
+
+    def squares(release: float) -> float:
+        fitted = _least_squares(time, theta, release, few)
+        return nothing_explained if fitted is None else fitted[1]
+
+    best = float(candidates[np.argmin([squares(candidate) for candidate in candidates])])
+    step = float(candidates[1] - candidates[0])
+    bounds = (best - step, best + step)
+    return float(minimize_scalar(squares, bounds=bounds, method="bounded", options={"xatol": 1e-5}).x)
+
+
+def _knots(release: float, passages: FloatArray, time: FloatArray) -> FloatArray:
+    knots = [release] * (_DEGREE + 1)
+    edges = [release, *passages.tolist()]
+    for start, end in pairwise(edges):
+        samples = int(np.count_nonzero((time >= start) & (time < end)))
+        if samples >= (_FIRST_SWING_SAMPLES if start == release else _SAMPLES_FOR_INNER_KNOT):
+            knots.append(0.5 * (start + end))
+        knots += [end] * 2
+    return np.array([*knots[:-2], *[edges[-1]] * (_DEGREE + 1)])
+
+
+def _basis(knots: FloatArray, time: FloatArray, derivative: int = 0) -> FloatArray:
+    """Values of the basis functions at instants, shape (n, coefficients)."""
+    count = len(knots) - _DEGREE - 1
+    functions = BSpline(knots, np.eye(count), _DEGREE)
+    return np.asarray(functions(np.clip(time, knots[0], knots[-1]), nu=derivative))
+
+
+def _design(knots: FloatArray, time: FloatArray) -> FloatArray:
+    """The model of the samples: constant before the release, no velocity at it.
+
+    The first two coefficients are one number, so that the velocity vanishes at the first knot.
+    """
+    rows = _basis(knots, time)
+    rows[:, 1] += rows[:, 0]
+    return rows[:, 1:]
+
+
+def _least_squares(
+    time: FloatArray, theta: FloatArray, release: float, passages: FloatArray
+) -> tuple[FloatArray, float] | None:
+    """Coefficients and the sum of squares; None where the samples do not determine them."""
+    design = _design(_knots(release, passages, time), time)
+    coefficients, _, rank, _ = np.linalg.lstsq(design, theta, rcond=_WORST_CONDITION)
+    if rank < design.shape[1]:
+        return None
+    residual = theta - design @ coefficients
+    return np.asarray(coefficients, dtype=np.float64), float(residual @ residual)
+
+
+def _spline(coefficients: FloatArray, release: float, passages: FloatArray, time: FloatArray) -> BSpline:
+    knots = _knots(release, passages, time)
+    return BSpline(knots, np.insert(coefficients, 0, coefficients[0]), _DEGREE)
+
+
+def _passages(spline: BSpline, passages: FloatArray, interval: float) -> FloatArray:
+    """A step of Newton's method from each passage to where the spline is zero; the end stays."""
+    inner = passages[:-1]
+    largest = _LARGEST_MOVE * interval
+    moves = np.clip(spline(inner) / spline(inner, nu=1), -largest, largest)
+    return np.append(inner - moves, passages[-1])
+
+
+def _with_covariance(
+    time: FloatArray, theta: FloatArray, release: float, passages: FloatArray
+) -> MotionSpline | None:
+    fitted = _least_squares(time, theta, release, passages)
+    if fitted is None:
+        return None
+    coefficients, squares = fitted
+    spline = _spline(coefficients, release, passages, time)
+    design = _design(spline.t, time)
+    # How the samples would change with the instant of release, the swing after it moving along.
+    after = np.clip(time, release, passages[0])
+    share = np.where(time <= passages[0], (passages[0] - after) / (passages[0] - release), 0.0)
+    slope = np.where(time >= release, -share * spline(np.clip(time, release, None), nu=1), 0.0)
+    jacobian = np.column_stack((design, slope))
+    freedom = max(len(time) - jacobian.shape[1], 1)
+    variance = squares / freedom
+    inverse = np.linalg.inv(np.linalg.qr(jacobian, mode="r"))
+    reduced = variance * (inverse @ inverse.T)
+    order = [0, *range(jacobian.shape[1])]
+    return MotionSpline(spline, release, passages, math.sqrt(variance), reduced[np.ix_(order, order)])

@@ -1,0 +1,65 @@
+"""The claims as a page in Markdown."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from typing import Final
+
+from pyjoystick.reports.claims import damping, energy, oscillation, springs, torque
+from pyjoystick.reports.claims.claim import Claim, Finding, Verdict
+from pyjoystick.reports.claims.workbench import Workbench
+
+CHAPTERS: Final[Mapping[str, Sequence[Claim]]] = {
+    "Free oscillation": oscillation.CLAIMS,
+    "Geometry and springs": springs.CLAIMS,
+    "Damping": damping.CLAIMS,
+    "Energy and measuring chain": energy.CLAIMS,
+    "Torque": torque.CLAIMS,
+}
+_INTRODUCTION: Final = """\
+# What the paper says, and what comes out here
+
+<!-- Made by `make claims`; a test compares it with what the program gives today. Edit its source. -->
+
+Every statement of Rogers, Garland and Oliver (J. Sound Vib. 274 (2004) 73-89) that the model can check, in
+our words, with what we get for the joystick of Tables 1 and 2. This page is made by `make claims` from
+`pyjoystick/reports/claims/`, a small function for each line: it computes the numbers and decides the verdict
+by them. It is kept with the sources, though it is generated, because it is here to be read; a test keeps it
+true.
+The release is from rest at -20 degrees, the damping function is eq. (11) at alpha = 0.9, the constant is
+C = 0.045 N m s/rad, unless a line says more.
+"""
+
+
+def findings(bench: Workbench | None = None) -> dict[str, list[tuple[Claim, Finding]]]:
+    """Check every claim; by chapter, in order."""
+    used = Workbench() if bench is None else bench
+    return {chapter: [(one, one.check(used)) for one in claims] for chapter, claims in CHAPTERS.items()}
+
+
+def claims_page(found: Mapping[str, Sequence[tuple[Claim, Finding]]]) -> str:
+    """The page: an introduction, how many claims fare how, and a table a chapter."""
+    counted = Counter(finding.verdict for chapter in found.values() for _, finding in chapter)
+    total = ", ".join(f"{one} {counted[one]}" for one in Verdict if counted[one])
+    parts = [_INTRODUCTION, f"Of {counted.total()} statements: {total}.\n"]
+    for chapter, rows in found.items():
+        lines = [f"## {chapter}", "", "| where | the paper | here | verdict |", "|---|---|---|---|"]
+        lines += [
+            f"| {claim.where} | {_cell(claim.statement)} | {text_of(finding)} | **{finding.verdict}** |"
+            for claim, finding in rows
+        ]
+        parts.append("\n".join(lines) + "\n")
+    return "\n".join(parts)
+
+
+def text_of(finding: Finding) -> str:
+    """What we get, with the remark behind it."""
+    text = f"{finding.here}; {finding.remark}" if finding.remark else finding.here
+    return _cell(text)
+
+
+def _cell(text: str) -> str:
+    """Text as it is written in a cell: a bar would end it, two products would be an emphasis."""
+    return re.sub(r"[|*]", r"\\\g<0>", text)

@@ -1,0 +1,105 @@
+"""Sections 2 and 4: the energy, and what the measuring chain makes of a motion."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pyjoystick.laboratory import Chain, ChainEffect, LowPass, chain_effect, derivative
+from pyjoystick.model import NOMINAL_POWER_LAW, plateaus
+from pyjoystick.reports.claims.claim import Finding, Verdict, claim, verdict
+from pyjoystick.reports.claims.workbench import PEAKS, RELEASE, Workbench
+
+
+@claim("4, Fig. 12", "the energy falls gradually and never rises")
+def energy_falls(bench: Workbench) -> Finding:
+    """The largest rise between samples of either run, of the energy at the release."""
+    rises = [
+        float(np.max(np.diff(run["E"]))) / float(run["E"].iloc[0])
+        for run in (bench.constant, bench.power_law)
+    ]
+    largest = max(rises)
+    size = (
+        "no rise above rounding"
+        if largest < 1e-13
+        else f"rises by {largest:.0e} of the energy at the release"
+    )
+    return Finding(verdict(largest < 1e-12), f"{size}, with either damping law")
+
+
+@claim("4, Fig. 12", "it falls in steps, with plateaus near zero velocity")
+def energy_steps(bench: Workbench) -> Finding:
+    """What the plateaus around the first turning points take, beside the swings."""
+    rests = plateaus(bench.trajectory).head(PEAKS)
+    part = 100.0 * float((rests["lost"] / rests["swing_lost"]).max())
+    lengths = 1e3 * (rests["end"] - rests["start"])
+    here = (
+        f"around the first {len(rests)} turning points the energy rests for {lengths.min():.0f} to "
+        f"{lengths.max():.0f} ms "
+        f"and loses at most {part:.1f} % of what the swing before has taken"
+    )
+    return Finding(verdict(part < 5.0), here)
+
+
+@claim("4, Fig. 12", "the energy computed from the measured motion rises")
+def measured_energy_rises(bench: Workbench) -> Finding:
+    """The paper's chain on a simulated motion."""
+    effect = _through(Chain())
+    part = 100.0 * effect.energy_rise / effect.energy_start
+    here = f"through the paper's chain the energy of a simulation seems to rise by {part:.1f} % of its start"
+    return Finding(verdict(part > 1.0), here)
+
+
+@claim("4, Fig. 12", "the cause is that numerical differentiation underestimates the peak velocities")
+def cause_of_the_rise(bench: Workbench) -> Finding:
+    """The chain as it is, and the rule of differentiation alone."""
+    chain = Chain()
+    effect = _through(chain)
+    run = effect.run
+    even = np.arange(0.0, float(run.time[-1] - run.time[0]), 1.0 / chain.rate)
+    theta = np.interp(even, run.time - run.time[0], run.theta)
+    alone = derivative(theta, 1.0 / chain.rate, order=1, points=chain.velocity_points)
+    lost = 100.0 * (1.0 - float(np.max(np.abs(alone))) / float(np.max(np.abs(run.omega))))
+    wide = _through(Chain(low_pass=LowPass(cutoff=100.0)), camera_rate=240.0)
+    here = (
+        f"the first {PEAKS} peaks of the velocity lose {100.0 * effect.shortfall[0]:.0f} to "
+        f"{100.0 * effect.shortfall[:PEAKS].max():.0f} %; the 5-point rule alone takes {lost:.1f} "
+        "% of the largest"
+    )
+    remark = (
+        "the velocities are underestimated, but by the 13 Hz low-pass filter: at 100 Hz (and 240 "
+        "frames a second) the "
+        f"energy rises by {100.0 * wide.energy_rise / wide.energy_start:.1f} % only"
+    )
+    return Finding(verdict(lost > 3.0, effect.shortfall[0] > 0.03), here, remark)
+
+
+@claim("4, Fig. 10b", "simulated velocities have sharper peaks than measured ones")
+def sharper_peaks(bench: Workbench) -> Finding:
+    """What the chain leaves of the peaks."""
+    shortfall = _through(Chain()).shortfall[:PEAKS]
+    here = (
+        f"the chain takes {100.0 * shortfall.min():.0f} to {100.0 * shortfall.max():.0f} % off the "
+        f"first {PEAKS} peaks"
+    )
+    return Finding(verdict(bool(np.all(shortfall > 0.0))), here)
+
+
+@claim("2", "low-pass at 13 Hz, a fourth-order Butterworth filter run forward and reverse")
+def cutoff(bench: Workbench) -> Finding:
+    """The response of both runs together at 13 Hz."""
+    chain = Chain()
+    response = float(chain.low_pass.response(np.array([chain.low_pass.cutoff]), chain.rate)[0])
+    half_power = chain.low_pass.half_power_frequency(chain.rate)
+    here = (
+        f"if 13 Hz is that of one run, both together leave {response:.2f} there and have -3 dB at "
+        f"{half_power:.1f} Hz"
+    )
+    remark = "the paper does not say of which it is; one run is taken here"
+    return Finding(Verdict.SILENT, here, remark)
+
+
+def _through(chain: Chain, camera_rate: float = 60.0) -> ChainEffect:
+    return chain_effect(NOMINAL_POWER_LAW, chain, release_angle=RELEASE, camera_rate=camera_rate)
+
+
+CLAIMS = (energy_falls, energy_steps, measured_energy_rises, cause_of_the_rise, sharper_peaks, cutoff)

@@ -1,0 +1,250 @@
+"""Abstract and sections 1, 2 and 3.1: period, peaks and acceleration of the free oscillation."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+
+import numpy as np
+
+from pyjoystick.laboratory import GRAVITY
+from pyjoystick.model import (
+    NOMINAL,
+    PAPER_STEP,
+    PIVOT_TO_TOP,
+    STOP_ANGLE,
+    decaying_periods,
+    exponent,
+    simulate,
+    simulate_rk4,
+    swing_frequency,
+    undamped_oscillation,
+)
+from pyjoystick.reports.claims.claim import Finding, Verdict, claim, verdict
+from pyjoystick.reports.claims.workbench import PEAKS, RELEASE, Workbench
+
+_SPRINGS = [f"{side}.{name}Spring" for side in ("forward", "backward") for name in ("return", "balance")]
+
+
+@claim("abstract, 2, 3.1, 6", "the period falls steadily as the amplitude falls")
+def falling_period(bench: Workbench) -> Finding:
+    """The undamped period over the amplitude, and the periods of the first peaks with damping."""
+    table = bench.periods
+    shortest = table.iloc[int(np.argmin(table["period"]))]
+    above = table[table["amplitude"] > shortest["amplitude"]]
+    steps = np.diff(above["period"])
+    drop = float(1.0 - shortest["period"] / above["period"].iloc[-1])
+    damped = [
+        np.diff(decaying_periods(release.displacement.head(PEAKS))["period"])
+        for release in (bench.constant_release, bench.power_law_release)
+    ]
+    here = (
+        f"falls by {100.0 * drop:.0f} % from 20 to {math.degrees(shortest['amplitude']):.2f} "
+        "degrees, without "
+        f"exception over the nine peaks with either damping law"
+    )
+    exception = float(np.degrees(above["amplitude"].to_numpy()[1:][steps < 0.0]).mean())
+    remark = (
+        f"there are two exceptions that Fig. 4 does not show: a dent near {exception:.1f} degrees, where the "
+        "balance springs come in, and below "
+        f"{math.degrees(shortest['amplitude']):.2f} degrees the clearance makes the period grow "
+        "again (docs/period.md)"
+    )
+    return Finding(verdict(bool(np.all(steps > 0.0)), all(np.all(one < 0.0) for one in damped)), here, remark)
+
+
+@claim("abstract, 3.1", "the restrained preload is what makes the period fall")
+def preload_is_the_cause(bench: Workbench) -> Finding:
+    """The same joystick without any preload, both without weight."""
+    weightless = NOMINAL.replace({"g": 0.0})
+    ratios = []
+    for joystick in (weightless, weightless.replace({f"{spring}.F_0": 0.0 for spring in _SPRINGS})):
+        large, small = (undamped_oscillation(joystick, math.radians(-angle)) for angle in (20.0, 2.0))
+        ratios.append(small.period / large.period)
+    here = (
+        f"from 20 to 2 degrees the period changes to {ratios[0]:.2f} of its value; without preload it would "
+        f"to {ratios[1]:.2f}"
+    )
+    remark = "both without weight, for without preload the joystick would fall over backward"
+    return Finding(verdict(ratios[0] < 0.7 and ratios[1] >= 1.0), here, remark)
+
+
+@claim("1", "the effect of the clearance is minor")
+def clearance(bench: Workbench) -> Finding:
+    """Periods with and without the clearance of 0.075 mm."""
+    changes = {}
+    for angle in (20.0, 5.0, 1.0, 0.5):
+        without = NOMINAL.replace({f"{side}.returnSpring.x_0": 0.0 for side in ("forward", "backward")})
+        ratio = (
+            undamped_oscillation(NOMINAL, math.radians(-angle)).period
+            / undamped_oscillation(without, math.radians(-angle)).period
+        )
+        changes[angle] = 100.0 * (ratio - 1.0)
+    longer = ", ".join(f"{value:.1f} % at {angle:g}" for angle, value in changes.items())
+    here = f"it makes the period longer by {longer} degrees of amplitude"
+    remark = "minor but for the last swings"
+    return Finding(verdict(changes[0.5] < 5.0, changes[5.0] < 5.0), here, remark)
+
+
+@claim("2", "the falling period is more typical of bouncing balls")
+def bouncing_ball(bench: Workbench) -> Finding:
+    """The exponent of the period over the amplitude, which a constant force makes 1/2."""
+    between = bench.periods["amplitude"].between(math.radians(1.0), math.radians(5.0)).to_numpy()
+    slopes = exponent(bench.periods)[between]
+    here = (
+        f"from 1 to 5 degrees the period goes with the power {slopes.min():.2f} to {slopes.max():.2f} of the "
+        "amplitude; under a constant force, as the preload nearly is, it would be 0.5, for a linear spring 0"
+    )
+    return Finding(verdict(bool(np.all(np.abs(slopes - 0.5) < 0.1))), here)
+
+
+@claim("2", "the natural frequency depends highly on the amplitude")
+def frequency(bench: Workbench) -> Finding:
+    """The frequency at 1 degree over that at 20 degrees."""
+    frequencies = [1.0 / undamped_oscillation(NOMINAL, math.radians(-angle)).period for angle in (20.0, 1.0)]
+    here = f"{frequencies[0]:.1f} Hz at 20 degrees, {frequencies[1]:.1f} Hz at 1 degree"
+    return Finding(verdict(frequencies[1] > 1.5 * frequencies[0]), here)
+
+
+@claim("3.1", "the average stiffness rises as the amplitude falls")
+def average_stiffness(bench: Workbench) -> Finding:
+    """The linear stiffness with the same period, J*(2*pi/T)^2."""
+    stiffness = {
+        angle: NOMINAL.J * (2.0 * math.pi / undamped_oscillation(NOMINAL, math.radians(-angle)).period) ** 2
+        for angle in (20.0, 5.0, 1.0)
+    }
+    values = list(stiffness.values())
+    rises = ", ".join(f"{value:.1f} at {angle:g}" for angle, value in stiffness.items())
+    here = f"the linear stiffness of the same period is, in N m/rad: {rises} degrees"
+    return Finding(verdict(values == sorted(values)), here)
+
+
+@claim("2, Fig. 4a", "the first positive and the first negative peak are nearly equal, and so on in pairs")
+def pairs_of_peaks(bench: Workbench) -> Finding:
+    """The ratios of neighboring peaks: positive to negative beside negative to positive."""
+    found = {}
+    for law, run in (("constant C", bench.constant), ("eq. (11)", bench.power_law)):
+        heights = bench.heights(run)
+        ratios = heights[1:] / heights[:-1]
+        found[law] = ratios[1::2], ratios[0::2]
+    here = "; ".join(
+        f"{law}: negative over positive before {np.mean(pair):.2f}, positive over negative before "
+        f"{np.mean(rest):.2f}"
+        for law, (pair, rest) in found.items()
+    )
+    remark = (
+        "with the printed stiffnesses and dampings there are no such pairs: from peak to peak about the same "
+        "part is lost on either side"
+    )
+    equal = all(np.all(pair > 0.9) for pair, _ in found.values())
+    pattern = all(np.mean(pair) > np.mean(rest) + 0.05 for pair, rest in found.values())
+    return Finding(verdict(equal, pattern), here, remark)
+
+
+@claim("3.1", "the softer backward side makes the negative peaks larger")
+def softer_side(bench: Workbench) -> Finding:
+    """Turning angles of equal energy."""
+    ratios = {
+        angle: undamped_oscillation(NOMINAL, math.radians(angle)).backward / math.radians(angle)
+        for angle in (20.0, 10.0, 5.0, 2.0)
+    }
+    larger = ", ".join(f"{ratio:.3f} at {angle:g}" for angle, ratio in ratios.items())
+    here = f"backward over forward amplitude at equal energy: {larger} degrees forward"
+    remark = "at small amplitudes it is the other way round, as the preload is larger backward"
+    values = np.array(list(ratios.values()))
+    return Finding(verdict(bool(np.all(values > 1.0)), bool(values[0] > 1.0)), here, remark)
+
+
+@claim("2, Fig. 4c", "the acceleration is nearly constant over portions of each period")
+def constant_acceleration(bench: Workbench) -> Finding:
+    """How long the acceleration stays within 15 % of its mean in each half swing with constant damping."""
+    run = bench.constant
+    turns = bench.constant_release.displacement["time"].to_numpy()[:PEAKS]
+    shares = []
+    for start, end in pairwise(turns):
+        inside = run["alpha"][(run.index > start) & (run.index < end)].to_numpy()
+        for half in (inside[inside > 0.0], inside[inside < 0.0]):
+            level = np.median(half)
+            shares.append(np.count_nonzero(np.abs(half / level - 1.0) < 0.15) / len(half))
+    mean = float(np.mean(shares))
+    here = (
+        f"within 15 % of its level for {100.0 * mean:.0f} % of the time on average, "
+        f"{100.0 * min(shares):.0f} % "
+        "in the half swing where it is least"
+    )
+    return Finding(verdict(mean > 0.7), here)
+
+
+@claim("2, Fig. 4d", "the accelerometer shows spikes and ringing where the joystick passes the middle")
+def spikes(bench: Workbench) -> Finding:
+    """What the model has there: how far the acceleration changes within 2 ms of the first passage."""
+    run, alpha = bench.trajectory, bench.trajectory.alpha
+    first = next(event.time for event in run.events if event.kind == "theta = 0")
+    near = np.abs(run.time - first) < 10e-3
+    change = float(np.ptp(alpha[near]) / np.max(np.abs(alpha)))
+    overshoot = float(np.max(np.abs(alpha[near])) / np.max(np.abs(alpha)))
+    here = (
+        f"a step of {change:.2f} of the peak acceleration within 20 ms, and no spike: there it stays below "
+        f"{overshoot:.2f} of the peak"
+    )
+    remark = "the steps are there; impact and ringing of the parts are no part of the model, eq. (1)"
+    return Finding(verdict(overshoot > 1.0, change > 0.5), here, remark)
+
+
+@claim("2", "gravity's part of the accelerometer's signal is about 6 % of the peak at the extremes")
+def gravity_in_the_signal(bench: Workbench) -> Finding:
+    """g*sin(20 degrees) over the peak acceleration at the top of the handle."""
+    peak = PIVOT_TO_TOP * float(np.max(np.abs(bench.trajectory.alpha)))
+    part = 100.0 * GRAVITY * math.sin(STOP_ANGLE) / peak
+    return Finding(
+        verdict(abs(part - 6.0) < 1.5), f"{part:.1f} %, for an accelerometer at the top of the handle"
+    )
+
+
+@claim("3.2", "the swing test gives J = m*g*h/(2*pi*f_n)^2")
+def swing_test(bench: Workbench) -> Finding:
+    """The frequency of Table 2 by that formula, and that of a simulated small swing out of contact."""
+    formula = swing_frequency(NOMINAL)
+    far = {f"{spring}.x_0": 1.0 + spring.endswith("balanceSpring") for spring in _SPRINGS}
+    pendulum = NOMINAL.replace(far | {"g": -NOMINAL.g, "damping.C": 0.0})
+    run = simulate(pendulum, time=[0.0, 1.0], theta_start=1e-3)
+    simulated = 1.0 / run.turning_points[1].time
+    here = f"f_n = {formula:.3f} Hz for Table 2; a simulated swing of 1 mrad has {simulated:.3f} Hz"
+    return Finding(verdict(abs(simulated / formula - 1.0) < 1e-6), here)
+
+
+@claim("4", "fourth-order Runge-Kutta steps of 1 ms, a tenth of it near the steep slopes, do")
+def paper_integrator(bench: Workbench) -> Finding:
+    """The paper's integrator against the reference."""
+    run = simulate_rk4(NOMINAL, duration=1.5, theta_start=RELEASE)
+    exact = simulate(NOMINAL, time=run.time, theta_start=RELEASE)
+    error = math.degrees(float(np.max(np.abs(run.theta - exact.theta))))
+    here = f"largest error in 1.5 s: {error:.1g} degrees, with steps of {1e3 * PAPER_STEP:g} ms"
+    return Finding(verdict(error < 0.1), here)
+
+
+@claim("3, Table 2", "(nothing is said of the acceleration of gravity)")
+def unknown_gravity(bench: Workbench) -> Finding:
+    """What a different g would change."""
+    local = NOMINAL.replace({"g": 9.78})
+    change = undamped_oscillation(local, RELEASE).period / undamped_oscillation(NOMINAL, RELEASE).period - 1.0
+    here = f"9.80665 m/s2 is used; 9.78 would change the period at 20 degrees by {100.0 * change:.3f} %"
+    return Finding(Verdict.SILENT, here)
+
+
+CLAIMS = (
+    falling_period,
+    preload_is_the_cause,
+    average_stiffness,
+    bouncing_ball,
+    frequency,
+    clearance,
+    pairs_of_peaks,
+    softer_side,
+    constant_acceleration,
+    spikes,
+    gravity_in_the_signal,
+    swing_test,
+    paper_integrator,
+    unknown_gravity,
+)

@@ -1,0 +1,169 @@
+"""Sections 1 and 3 to 3.1: geometry, contact moment, springs and Table 1."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from pyjoystick.laboratory import cubic_fits
+from pyjoystick.model import (
+    BACKWARD_TABLE,
+    FORWARD_TABLE,
+    NOMINAL,
+    STOP_ANGLE,
+    assembly_force,
+    contact_force,
+    contact_moment,
+    contact_travel,
+    contact_travel_slope,
+    spring_force,
+    table_force,
+)
+from pyjoystick.reports.claims.claim import Finding, Verdict, claim, verdict
+from pyjoystick.reports.claims.workbench import Workbench
+
+_ANGLES = np.radians(np.linspace(0.25, 20.0, 80))
+_ASSEMBLIES = (NOMINAL.forward, NOMINAL.backward)
+_SPRINGS = [spring for one in _ASSEMBLIES for spring in (one.return_spring, one.balance_spring)]
+
+
+@claim("1", "the plunger is depressed by a distance about proportional to the angle")
+def proportional_travel(_: Workbench) -> Finding:
+    """Of the line through zero that fits the travel best, up to the stops."""
+    travel = contact_travel(NOMINAL, _ANGLES)
+    slope = float(travel @ _ANGLES / (_ANGLES @ _ANGLES))
+    largest = float(np.max(np.abs(travel - slope * _ANGLES))) / float(travel[-1])
+    here = f"the best line is off by at most {100.0 * largest:.2f} % of the full travel"
+    return Finding(verdict(largest < 0.02), here)
+
+
+@claim("1", "small forces hardly move it; it moves far only when the preload is overcome")
+def preload_holds(_: Workbench) -> Finding:
+    """Travel of the forward return spring at 0.9 and at 1.1 times its preload."""
+    spring = NOMINAL.forward.return_spring
+    below = 0.9 * spring.F_0 / (spring.k_h + spring.k_s)
+    above = 0.1 * spring.F_0 / spring.k_s
+    check = float(spring_force(spring, spring.x_0 + above)) / spring.F_0
+    here = (
+        f"forward: {1e3 * below:.3f} mm of spring travel at 0.9 of the preload, {1e3 * above:.1f} "
+        f"mm at {check:.2f} of it"
+    )
+    return Finding(verdict(above > 10.0 * below), here)
+
+
+@claim("eqs. (2), (3)", "the travel x follows from the position of the contact point")
+def travel_from_contact_point(_: Workbench) -> Finding:
+    """Eq. (3) put into eqs. (2a, b), with r eliminated."""
+    x = contact_travel(NOMINAL, _ANGLES)
+    a, b = NOMINAL.a, NOMINAL.b
+    left = (x - b + b * np.cos(_ANGLES)) * np.cos(_ANGLES)
+    right = (a - b * np.sin(_ANGLES)) * np.sin(_ANGLES)
+    off = float(np.max(np.abs(left - right)))
+    return Finding(verdict(off < 1e-15), f"(2a) and (2b) meet to {_power_of_ten(off)} m")
+
+
+@claim("eq. (5)", "M_s = {a*(sign(theta) + d*tan(theta))}*f_x, as printed")
+def contact_moment_as_printed(_: Workbench) -> Finding:
+    """The printed lever against the slope of the travel, which is what keeps the energy."""
+    d = float(contact_travel(NOMINAL, STOP_ANGLE)) - NOMINAL.b
+    printed = NOMINAL.a * (1.0 + d * math.tan(STOP_ANGLE))
+    right = float(contact_travel_slope(NOMINAL, STOP_ANGLE))
+    moment = contact_moment(NOMINAL, _ANGLES)
+    power = contact_force(NOMINAL, _ANGLES) * contact_travel_slope(NOMINAL, _ANGLES)
+    off = float(np.max(np.abs(moment / power - 1.0)))
+    here = (
+        f"at 20 degrees its number is {100.0 * (printed / right - 1.0):+.1f} % off, and its units do not fit"
+    )
+    remark = (
+        "misprint: the sum of moments, eq. (4), gives (a*sign(theta) + d*tan(theta))*f_x, used "
+        "here; it equals "
+        f"f_x*dx/dtheta to {_power_of_ten(off)}, so that the contact moment keeps the energy"
+    )
+    return Finding(verdict(abs(printed / right - 1.0) < 1e-12), here, remark)
+
+
+@claim("eqs. (6)-(8), Table 1", "each curve is made of two restrained preloaded springs side by side")
+def springs_are_the_table(_: Workbench) -> Finding:
+    """The springs against the table's straight lines."""
+    travel = np.linspace(0.0, 9e-3, 9001)
+    off = max(
+        float(np.max(np.abs(assembly_force(springs, travel) - table_force(table, travel))))
+        for springs, table in zip(_ASSEMBLIES, (FORWARD_TABLE, BACKWARD_TABLE), strict=True)
+    )
+    return Finding(verdict(off < 1e-9), f"up to 9 mm the forces differ by {_power_of_ten(off)} N")
+
+
+@claim("3.1", "the restraint is much stiffer than its spring, so that it stretches much less")
+def stiff_restraints(_: Workbench) -> Finding:
+    """k_h over k_s, which is also the ratio of the two deflections under the preload."""
+    ratios = [spring.k_h / spring.k_s for spring in _SPRINGS]
+    here = f"k_h/k_s from {min(ratios):.0f} to {max(ratios):.0f}"
+    return Finding(verdict(min(ratios) > 10.0), here)
+
+
+@claim("3.1, Fig. 7b", "the rod bottoms out after about 3 mm")
+def bottoming_out(_: Workbench) -> Finding:
+    """Where the balance springs engage, and at what angle."""
+    travels = [1e3 * one.balance_spring.x_0 for one in _ASSEMBLIES]
+    here = f"forward {travels[0]:.2f} mm, backward {travels[1]:.2f} mm"
+    return Finding(verdict(all(abs(travel - 3.0) < 0.1 for travel in travels)), here)
+
+
+@claim("3.1, Fig. 7b", "two steep portions and two that rise gradually")
+def steep_and_gradual(_: Workbench) -> Finding:
+    """The least steep of the steep segments over the steepest of the gradual ones."""
+    tables = [one.to_table() for one in _ASSEMBLIES]
+    ratio = min(min(t.k[0], t.k[2]) / max(t.k[1], t.k[3]) for t in tables)
+    return Finding(verdict(ratio > 10.0), f"at least {ratio:.0f} times as steep")
+
+
+@claim("3.1, Fig. 7b", "the overall stiffness falls as the compression grows")
+def falling_stiffness(_: Workbench) -> Finding:
+    """Force over travel from the first release of a restraint on."""
+    end = float(contact_travel(NOMINAL, STOP_ANGLE))
+    falls, rises = [], []
+    for one in _ASSEMBLIES:
+        x_1, x_2, x_3 = one.kinks[1:]
+        first, second, third, last = (float(assembly_force(one, x)) / x for x in (x_1, x_2, x_3, end))
+        falls.append(first / last)
+        rises.append(third / second - 1.0)
+    here = f"force over travel falls to 1/{min(falls):.0f} or less between the first release and the stop"
+    remark = (
+        "with an exception: over the second steep portion it rises again, by "
+        f"{100.0 * max(rises):.0f} % at most"
+    )
+    return Finding(verdict(max(rises) <= 0.0, min(falls) > 2.0), here, remark)
+
+
+@claim("Fig. 7b", "a cubic polynomial illustrates the curve")
+def cubic(_: Workbench) -> Finding:
+    """How well a cubic does as a model."""
+    fits = cubic_fits(NOMINAL, STOP_ANGLE)
+    missed = max(fit.rms for fit in fits.values())
+    at_contact = min(float(fit.cubic(fit.travel[0])) for fit in fits.values())
+    here = (
+        f"misses the force by up to {missed:.1f} N (rms); at first contact it has {at_contact:.0f} N or more"
+    )
+    return Finding(
+        Verdict.AGREES if missed < 10.0 else Verdict.IN_PART, here, "no model of the kinks, nor meant as one"
+    )
+
+
+def _power_of_ten(number: float) -> str:
+    """The order of magnitude, for what is rounding and differs between machines."""
+    return "less than 1e-12" if abs(number) < 1e-12 else f"{number:.0e}"
+
+
+CLAIMS = (
+    proportional_travel,
+    preload_holds,
+    travel_from_contact_point,
+    contact_moment_as_printed,
+    bottoming_out,
+    steep_and_gradual,
+    falling_stiffness,
+    cubic,
+    springs_are_the_table,
+    stiff_restraints,
+)

@@ -1,0 +1,112 @@
+"""A page of HTML that stands alone: figures and style are inside, nothing is fetched."""
+
+from __future__ import annotations
+
+import base64
+import io
+from collections.abc import Sequence
+from dataclasses import dataclass
+from html import escape
+from importlib import resources
+
+import matplotlib as mpl
+from matplotlib.figure import Figure
+
+from pyjoystick.model import TextTable
+
+
+@dataclass(frozen=True, slots=True)
+class Section:
+    """A part of the page.
+
+    Attributes:
+        title: its heading, text
+        parts: pieces of HTML, as the functions of this module make them
+    """
+
+    title: str
+    parts: Sequence[str]
+
+
+def paragraph(text: str) -> str:
+    """A paragraph of text."""
+    return f"<p>{escape(text)}</p>"
+
+
+def table(content: TextTable, caption: str, *, prose: bool = False) -> str:
+    """A table with its caption; the first column names the row, the others are numbers unless `prose`."""
+    head = "".join(f'<th scope="col">{escape(cell)}</th>' for cell in content.header)
+    rows = "".join(f"<tr>{_row(row, prose=prose)}</tr>\n" for row in content.rows)
+    kind = ' class="prose"' if prose else ""
+    return (
+        f'<div class="wide"><table{kind}><caption>{escape(caption)}</caption>\n'
+        f"<thead><tr>{head}</tr></thead>\n<tbody>\n{rows}</tbody></table></div>"
+    )
+
+
+def figure(content: Figure, caption: str, *, alt: str) -> str:
+    """A figure as vector graphics inside the page.
+
+    Args:
+        content: the figure
+        caption: stands below it
+        alt: what it shows, for those who cannot see it
+    """
+    buffer = io.BytesIO()
+    # Without a date and with a fixed salt the same figure is the same text.
+    with mpl.rc_context({"svg.hashsalt": "pyjoystick"}):
+        content.savefig(buffer, format="svg", metadata={"Date": None})
+    data = base64.b64encode(buffer.getvalue()).decode("ascii")
+    return (
+        f'<figure><img src="data:image/svg+xml;base64,{data}" alt="{escape(alt)}">\n'
+        f"<figcaption>{escape(caption)}</figcaption></figure>"
+    )
+
+
+def page(title: str, introduction: str, sections: Sequence[Section], *, footer: str) -> str:
+    """The whole page, with a table of contents.
+
+    Args:
+        title: heading of the page, text
+        introduction: HTML below the heading
+        sections: in order
+        footer: text at the end
+    """
+    style = (
+        resources.files("pyjoystick.reports.html_report").joinpath("report.css").read_text(encoding="utf-8")
+    )
+    contents = "\n".join(
+        f'<li><a href="#part-{i}">{escape(one.title)}</a></li>' for i, one in enumerate(sections, start=1)
+    )
+    body = "\n".join(
+        "\n".join((f'<section id="part-{i}"><h2>{escape(one.title)}</h2>', *one.parts, "</section>"))
+        for i, one in enumerate(sections, start=1)
+    )
+    return f"""<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>{escape(title)}</title>
+<style>
+{style}</style>
+</head>
+<body>
+<header><h1>{escape(title)}</h1>
+{introduction}</header>
+<nav aria-label="Contents"><ol>
+{contents}
+</ol></nav>
+<main>
+{body}
+</main>
+<footer><p>{escape(footer)}</p></footer>
+</body>
+</html>
+"""
+
+
+def _row(cells: Sequence[str], *, prose: bool) -> str:
+    first, *others = (escape(cell) for cell in cells)
+    kind = "" if prose else ' class="number"'
+    return f'<th scope="row">{first}</th>' + "".join(f"<td{kind}>{cell}</td>" for cell in others)

@@ -1,0 +1,263 @@
+"""The sections of a report on a joystick: each a function from the study to figures, tables and words."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from typing import Final
+
+import numpy as np
+import pandas as pd
+
+from pyjoystick.forced_motion import (
+    ForwardAndReturn,
+    Samples,
+    measure,
+    plot_torque,
+    torque_by_reference,
+    torque_table,
+)
+from pyjoystick.laboratory import cubic_fits, plot_load_deflection
+from pyjoystick.model import (
+    NOMINAL,
+    PIVOT_TO_TOP,
+    STOP_ANGLE,
+    JoystickParameters,
+    NoOscillationError,
+    PowerLawDamping,
+    TextTable,
+    body_table,
+    damping_jumps,
+    damping_table,
+    decaying_periods,
+    equivalent_damping,
+    exponent,
+    mean_damping,
+    period_table,
+    plateaus,
+    plot_damping_function,
+    plot_energy,
+    plot_periods,
+    segment_table,
+    spring_table,
+)
+from pyjoystick.motion import periods
+from pyjoystick.reports.html_report.page import Section, figure, paragraph, table
+from pyjoystick.reports.html_report.study import Study
+from pyjoystick.support import LAWS, plot_motion
+
+_DEG: Final = math.degrees(1.0)
+_PEAKS: Final = 10
+_SHOWN: Final = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0)  # deg
+_DRAWN: Final = np.geomspace(0.2, 20.8, 160)  # deg
+_STROKES: Final = (0.12, 0.3, 0.5)  # s
+
+
+def parameter_section(study: Study) -> Section:
+    """All numbers of the joystick."""
+    joystick = study.joystick
+    return Section(
+        "Parameters",
+        [
+            table(body_table(joystick, study.pivot_to_top), "Inertia and geometry."),
+            table(segment_table(joystick), "Load-deflection curves: stiffness k_i from travel x_i on."),
+            table(spring_table(joystick), "The restrained preloaded springs that give these curves."),
+            table(damping_table(joystick.damping), f"Damping law: {study.law}."),
+        ],
+    )
+
+
+def spring_section(study: Study) -> Section:
+    """The load-deflection curves."""
+    fits = cubic_fits(study.joystick, STOP_ANGLE)
+    ends = ", ".join(f"{side} {fit.force[-1]:.0f} N" for side, fit in fits.items())
+    alt = (
+        "Force over travel on both sides: steep up to the preload of the return spring, then gradual, steep "
+        f"again where the balance spring comes in; at 20 degrees {ends}."
+    )
+    caption = "Force of the actuators over their travel up to 20 degrees, and cubic polynomials fitted to it."
+    return Section("Springs", [figure(plot_load_deflection(fits), caption, alt=alt)])
+
+
+def oscillation_section(study: Study) -> Section:
+    """The free oscillation and its peaks."""
+    angle = math.degrees(study.release_angle)
+    shown = study.peaks.head(_PEAKS)
+    spans = periods(study.peaks, release_time=0.0)["period"]
+    rows = [
+        [str(i + 1), f"{time:.4f}", f"{value * _DEG:+.3f}", f"{1e3 * spans[i]:.1f}" if i < len(spans) else ""]
+        for i, (time, value) in enumerate(zip(shown["time"], shown["value"], strict=True))
+    ]
+    off = float(np.max(np.abs(study.run["theta"].to_numpy() - study.trajectory.theta)))
+    label = f"{study.law} damping"
+    drawn = plot_motion({label: study.run}, styles={label: LAWS[study.law] | {"linestyle": "-"}})
+    alt = (
+        f"Displacement, velocity and acceleration over time after a release at {angle:g} degrees; "
+        f"{len(study.peaks)} peaks."
+    )
+    header = ("peak", "time (s)", "displacement (deg)", "period around it (ms)")
+    return Section(
+        "Free oscillation",
+        [
+            figure(drawn, f"Released from rest at {angle:g} degrees.", alt=alt),
+            paragraph(
+                f"Simulated by the FMU; the reference in plain Python differs by at most {off:.0e} rad."
+            ),
+            table(TextTable(header, rows), "The first peaks of the displacement."),
+        ],
+    )
+
+
+def period_section(study: Study) -> Section:
+    """Undamped periods over amplitudes, beside those of the free oscillation."""
+    side = math.copysign(1.0, study.release_angle)
+    numbers = _periods(study.joystick, side * np.radians(_SHOWN))
+    curve = _periods(study.joystick, side * np.radians(_DRAWN))
+    if len(curve) < 3:
+        return Section(
+            "Period and amplitude", [paragraph("This joystick does not oscillate through the middle.")]
+        )
+    rows = [
+        [
+            f"{release * _DEG:g}",
+            f"{1e3 * period:.2f}",
+            *(f"{100.0 * part:.0f}" for part in parts),
+            f"{np.interp(amplitude, curve['amplitude'], exponent(curve)):+.2f}",
+        ]
+        for release, amplitude, period, *parts in _rows(
+            numbers, "release", "amplitude", "period", "clearance", "steep", "soft"
+        )
+    ]
+    header = ("release (deg)", "period (ms)", "in clearance (%)", "in steep (%)", "in soft (%)", "power")
+    decaying = {"this free oscillation": (decaying_periods(study.peaks), LAWS[study.law]["color"])}
+    shortest = curve.iloc[int(np.argmin(curve["period"]))]
+    words = (
+        "Without damping, from the energy: where the preload is nearly all of the force the period "
+        "goes with the "
+        "square root of the amplitude, the power 0.5; a linear spring would have the power 0. The shortest "
+        f"period, {1e3 * shortest['period']:.1f} ms, is that of {shortest['amplitude'] * _DEG:.2f} degrees."
+    )
+    alt = (
+        f"Period over amplitude: shortest {1e3 * shortest['period']:.0f} ms; below it the parts of "
+        "the period by segment."
+    )
+    return Section(
+        "Period and amplitude",
+        [
+            paragraph(words),
+            figure(plot_periods(curve, decaying), "Undamped period, and where its time goes.", alt=alt),
+            table(TextTable(header, rows), "Undamped periods, and parts of the period by kind of segment."),
+        ],
+    )
+
+
+def energy_section(study: Study) -> Section:
+    """Energy over time with its plateaus."""
+    run = study.trajectory
+    rests = plateaus(run).head(_PEAKS)
+    rows = [
+        [f"{time:.4f}", f"{theta * _DEG:+.2f}", f"{1e3 * energy:.1f}", f"{1e3 * lost:.1f}"]
+        for time, theta, energy, lost in _rows(rests, "time", "theta", "energy", "swing_lost")
+    ]
+    header = ("turns at (s)", "angle (deg)", "energy (mJ)", "lost in the swing before (mJ)")
+    alt = (
+        f"The energy falls in steps from {1e3 * run.E[0]:.0f} mJ to {1e3 * run.E[-1]:.1f} mJ; "
+        "plateaus around the turning points."
+    )
+    caption = "Energy of the free oscillation, and the power that the damping takes."
+    return Section(
+        "Energy",
+        [
+            figure(plot_energy(run, rests), caption, alt=alt),
+            table(TextTable(header, rows), "The steps of the energy."),
+        ],
+    )
+
+
+def damping_section(study: Study) -> Section:
+    """The damping coefficient over time, and the constants that stand for it."""
+    run = study.trajectory
+    if not isinstance(study.joystick.damping, PowerLawDamping):
+        return Section("Damping over time", [paragraph(f"Constant: {run.C[0]:g} N m s/rad.")])
+    mean, equivalent = mean_damping(run), equivalent_damping(run)
+    largest = damping_jumps(run)["jump"].max()
+    constant = NOMINAL.to_names()["damping.C"]
+    words = (
+        f"The mean over time is {mean:.4f} N m s/rad; a constant {equivalent:.4f} takes as much "
+        "energy along this "
+        f"motion. The largest jump between samples is {largest:.3f} N m s/rad."
+    )
+    drawn = plot_damping_function(run, constant=constant, equivalent=equivalent)
+    alt = f"The damping coefficient over time, with spikes where angle or velocity is zero; mean {mean:.3f}."
+    return Section(
+        "Damping over time", [paragraph(words), figure(drawn, "Damping function, eq. (11).", alt=alt)]
+    )
+
+
+def torque_section(study: Study) -> Section:
+    """The torque of a motion forward and back, and how it depends on the time of a stroke."""
+    joystick, arm = study.joystick, study.pivot_to_top or PIVOT_TO_TOP
+    rows = []
+    for rise in _STROKES:
+        samples = Samples.of(_stroke(rise), joystick)
+        found = measure(joystick, samples, torque_by_reference(joystick, samples), pivot_to_handle=arm)
+        shares = (100.0 * found.peak_ratio(part) for part in ("stiffness", "inertia", "damping"))
+        cells = (f"{found.total.peak:.2f}", f"{found.peak_force:.1f}", *(f"{share:.0f}" for share in shares))
+        rows.append([f"{rise:g}", *cells, f"{1e3 * found.loss:.0f}"])
+    samples = Samples.evenly(_stroke(_STROKES[0]), 5e-4)
+    shown = torque_table(samples, torque_by_reference(joystick, samples), pivot_to_handle=arm)
+    header = (
+        "stroke (s)",
+        "torque (N m)",
+        "force (N)",
+        "stiffness (%)",
+        "inertia (%)",
+        "damping (%)",
+        "loss (mJ)",
+    )
+    caption = f"Torque, eq. (13), for a minimum-jerk motion to 18 degrees in {_STROKES[0]:g} s and back."
+    alt = f"Stiffness, damping, inertia and total torque over time; the total has a peak of {rows[0][1]} N m."
+    return Section(
+        "Torque",
+        [
+            figure(plot_torque({study.law: shown}), caption, alt=alt),
+            table(
+                TextTable(header, rows),
+                "Peaks over a motion to 18 degrees and back, force at the top of the handle "
+                f"({arm:g} m), peaks of the parts over the peak of the torque, and energy lost.",
+            ),
+        ],
+    )
+
+
+#: In the order of the page.
+SECTIONS: Final[Mapping[str, Callable[[Study], Section]]] = {
+    "parameters": parameter_section,
+    "springs": spring_section,
+    "free oscillation": oscillation_section,
+    "periods": period_section,
+    "energy": energy_section,
+    "damping": damping_section,
+    "torque": torque_section,
+}
+
+
+def _periods(joystick: JoystickParameters, releases: np.ndarray) -> pd.DataFrame:
+    """The table of those releases from which the joystick oscillates."""
+    tables = []
+    for release in releases:
+        try:
+            tables.append(period_table(joystick, [float(release)]))
+        except NoOscillationError:
+            continue
+    return pd.concat(tables, ignore_index=True) if tables else pd.DataFrame()
+
+
+def _rows(content: pd.DataFrame, *columns: str) -> list[list[float]]:
+    """Some columns, row by row."""
+    found: list[list[float]] = content[list(columns)].to_numpy(dtype=np.float64).tolist()
+    return found
+
+
+def _stroke(rise: float) -> ForwardAndReturn:
+    return ForwardAndReturn(amplitude=math.radians(18.0), rise=rise, rest=0.1)

@@ -1,0 +1,125 @@
+"""The participants of a run and what flows between them."""
+
+from __future__ import annotations
+
+from contextlib import ExitStack
+from typing import Any, Self
+
+import numpy as np
+
+from pyjoystick.runs.coupling.errors import CouplingError
+from pyjoystick.runs.coupling.participant import Participant
+from pyjoystick.runs.coupling.system import CoupledSystem
+from pyjoystick.support import FloatArray
+
+
+class Network:
+    """The FMUs of a system, loaded and initialized; a context manager that unloads them.
+
+    A signal is an input that is fed: arrays of signals are in the order of the system's connections.
+
+    Attributes:
+        system: what they are
+        participants: by name of the component
+    """
+
+    def __init__(self, system: CoupledSystem, tolerance: float) -> None:
+        """Load the FMUs; raises as `CoupledSystem.describe` and `Participant`."""
+        described = system.describe()
+        self.system = system
+        self.participants: dict[str, Participant] = {}
+        sources = [connection.source.split(".", 1) for connection in system.connections]
+        targets = [connection.target.split(".", 1) for connection in system.connections]
+        outputs = {
+            c.name: list(dict.fromkeys(variable for name, variable in sources if name == c.name))
+            for c in system.components
+        }
+        self._fed_by = [(name, outputs[name].index(variable)) for name, variable in sources]
+        self._signals = {
+            c.name: [i for i, (name, _) in enumerate(targets) if name == c.name] for c in system.components
+        }
+        with ExitStack() as stack:
+            for component in system.components:
+                inputs = [variable for name, variable in targets if name == component.name]
+                participant = Participant(
+                    described[component.name],
+                    component.parameters,
+                    inputs,
+                    outputs[component.name],
+                    tolerance,
+                )
+                stack.callback(participant.close)
+                self.participants[component.name] = participant
+            self._stack = stack.pop_all()
+
+    def copy(self) -> FloatArray:
+        """Copy the outputs, as they are at the present communication point, to the inputs.
+
+        Returns:
+            the signals, shape (n,)
+        """
+        signals = self._outputs()
+        self.set(signals)
+        return signals
+
+    def exchange(self) -> FloatArray:
+        """Copy outputs to inputs until nothing changes.
+
+        An output may depend on inputs at once, as a torque does on an angle; one pass for each component is
+        enough unless such dependencies form a loop.
+
+        Returns:
+            the signals, shape (n,)
+
+        Raises:
+            CouplingError: the outputs depend on each other in a loop without a state in it
+        """
+        signals = self._outputs()
+        for _ in self.participants:
+            self.set(signals)
+            before, signals = signals, self._outputs()
+            if np.array_equal(before, signals):
+                return signals
+        changing = zip(self.system.connections, before != signals, strict=True)
+        loop = ", ".join(str(connection) for connection, changes in changing if changes)
+        reason = "an algebraic loop, which this master does not solve"
+        raise CouplingError(self.system.name, loop, reason)
+
+    def _outputs(self) -> FloatArray:
+        values = {name: participant.get() for name, participant in self.participants.items()}
+        return np.array([values[name][i] for name, i in self._fed_by])
+
+    def set(self, signals: FloatArray) -> None:
+        """Give every input its value."""
+        for name, participant in self.participants.items():
+            participant.set(signals[self._signals[name]].tolist())
+
+    def set_rates(self, rates: FloatArray) -> None:
+        """Give every input its rate of change within the next step (unit of the input per s)."""
+        for name, participant in self.participants.items():
+            participant.set_rates(rates[self._signals[name]].tolist())
+
+    def step(self, end: float) -> None:
+        """Let every FMU go on to the communication point `end` (s), for itself."""
+        for participant in self.participants.values():
+            participant.step(end)
+
+    def save(self) -> dict[str, Any]:
+        """The states of all FMUs, for `restore` and `forget`."""
+        return {name: participant.save() for name, participant in self.participants.items()}
+
+    def restore(self, saved: dict[str, Any]) -> None:
+        """Put every FMU back to its saved state."""
+        for name, participant in self.participants.items():
+            participant.restore(saved[name])
+
+    def forget(self, saved: dict[str, Any]) -> None:
+        """Free the saved states."""
+        for name, participant in self.participants.items():
+            participant.forget(saved[name])
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._stack.close()

@@ -1,0 +1,121 @@
+"""How a master lets its FMUs pass from one communication point to the next.
+
+Within a step an FMU knows its inputs by what the master tells it beforehand. What that is decides the order
+of the coupling error in the step's length H.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Final
+
+import numpy as np
+
+from pyjoystick.runs.coupling.errors import CouplingError
+from pyjoystick.runs.coupling.network import Network
+from pyjoystick.support import FloatArray
+
+#: The end of an iterated step agrees with the one before it to so much of itself, or absolutely.
+_RELATIVE, _ABSOLUTE = 1e-9, 1e-12
+_MOST_ITERATIONS: Final = 50
+
+
+@dataclass(slots=True)
+class Past:
+    """What a scheme remembers of the step before: its length (s) and the signals at its beginning."""
+
+    length: float
+    signals: FloatArray
+
+
+#: Lets the FMUs go from a communication point to another (s), with the signals at the first.
+Advance = Callable[[Network, float, float, FloatArray, Past | None], None]
+
+
+@dataclass(frozen=True, slots=True)
+class Scheme:
+    """A way of coupling.
+
+    Attributes:
+        advance: makes one step
+        exchange: copies outputs to inputs before a step and returns the signals
+        needs_rates: the FMUs must follow input derivatives
+        description: a line on it
+    """
+
+    advance: Advance
+    exchange: Callable[[Network], FloatArray]
+    needs_rates: bool
+    description: str
+
+
+def _hold(network: Network, begin: float, end: float, signals: FloatArray, past: Past | None) -> None:
+    network.step(end)
+
+
+def _extrapolate(network: Network, begin: float, end: float, signals: FloatArray, past: Past | None) -> None:
+    network.set_rates(_rates(signals, past))
+    network.step(end)
+
+
+def _iterate(network: Network, begin: float, end: float, signals: FloatArray, past: Past | None) -> None:
+    length = end - begin
+    at_end = signals + length * _rates(signals, past)
+    saved = network.save()
+    try:
+        # Broyden's method for: what the FMUs answer at the end = what was assumed there. The first correction
+        # takes the answer as it is.
+        jacobian: FloatArray = -np.eye(len(signals))
+        correction: FloatArray = np.zeros_like(signals)
+        residual: FloatArray = np.zeros_like(signals)
+        for _ in range(_MOST_ITERATIONS):
+            network.set(signals)
+            network.set_rates((at_end - signals) / length)
+            network.step(end)
+            before, residual = residual, network.exchange() - at_end
+            if np.all(np.abs(residual) <= _RELATIVE * np.abs(at_end) + _ABSOLUTE):
+                return
+            network.restore(saved)
+            if correction.any():
+                miss = residual - before - jacobian @ correction
+                jacobian += np.outer(miss, correction) / (correction @ correction)
+            correction = np.asarray(np.linalg.solve(jacobian, -residual), dtype=np.float64)
+            at_end = at_end + correction
+    finally:
+        network.forget(saved)
+    reason = f"no convergence in {_MOST_ITERATIONS} iterations; take shorter steps"
+    raise CouplingError(network.system.name, f"the step from {begin:g} s to {end:g} s", reason)
+
+
+def _rates(signals: FloatArray, past: Past | None) -> FloatArray:
+    """Rates of the signals over the step before; none at the beginning."""
+    return np.zeros_like(signals) if past is None else (signals - past.signals) / past.length
+
+
+#: The schemes by name.
+SCHEMES: Final = MappingProxyType(
+    {
+        "delay": Scheme(
+            _hold,
+            Network.copy,
+            False,
+            "outputs are copied once: what answers an input at once is late by a step; order H",
+        ),
+        "hold": Scheme(_hold, Network.exchange, False, "inputs keep their value during a step; order H"),
+        "extrapolate": Scheme(
+            _extrapolate,
+            Network.exchange,
+            True,
+            "inputs go on in line with the step before, by input derivatives; order H^2",
+        ),
+        "iterate": Scheme(
+            _iterate,
+            Network.exchange,
+            True,
+            "steps are repeated from saved states until the inputs lead straight to what the FMUs answer at "
+            "their end; order H^2, and stable at longer steps",
+        ),
+    }
+)

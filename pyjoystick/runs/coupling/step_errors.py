@@ -1,0 +1,67 @@
+"""How far a coupled run is from the same system as one model, over communication steps and schemes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+
+import numpy as np
+import pandas as pd
+
+from pyjoystick.fmu import Fmu
+from pyjoystick.runs.coupling.master import run_coupled
+from pyjoystick.runs.coupling.schemes import SCHEMES
+from pyjoystick.runs.coupling.system import CoupledSystem
+from pyjoystick.support import FloatArray
+
+#: Of the FMUs in such runs, so that their own errors do not count.
+_TOLERANCE = 1e-10
+
+
+def coupling_errors(
+    system: CoupledSystem,
+    variable: str,
+    *,
+    monolithic: Fmu,
+    name: str | None = None,
+    steps: Sequence[float] = (2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4),
+    schemes: Iterable[str] = tuple(SCHEMES),
+    on_run: Callable[[str, float], None] | None = None,
+) -> pd.DataFrame:
+    """The largest coupling error of a variable at the communication points.
+
+    Args:
+        system: as FMUs
+        variable: what is compared, ``component.variable``
+        monolithic: the FMU of the same system as one model
+        name: of the variable in it; the same by default
+        steps: communication steps (s)
+        schemes: names in `SCHEMES`
+        on_run: called with scheme and step before each run
+
+    Returns:
+        a row for each scheme and step with ``scheme``, ``step`` (s), ``error`` (unit of the variable) and
+        ``fmu_steps``, how often FMUs were stepped in all
+
+    Raises:
+        as `run_coupled` and `Fmu.run`
+    """
+    rows = []
+    for scheme in schemes:
+        for step in steps:
+            if on_run is not None:
+                on_run(scheme, step)
+            run = run_coupled(system, step=step, scheme=scheme, outputs=[variable], tolerance=_TOLERANCE)
+            exact = monolithic.run(np.asarray(run.index), outputs=[name or variable], tolerance=_TOLERANCE)
+            error = float(np.abs(run[variable] - exact[name or variable]).max())
+            rows.append((scheme, step, error, run.attrs["steps"]))
+    return pd.DataFrame(rows, columns=["scheme", "step", "error", "fmu_steps"])
+
+
+def orders(errors: pd.DataFrame) -> dict[str, float]:
+    """The order of each scheme: slope of the error over the two shortest steps, logarithmically."""
+    found = {}
+    for scheme, rows in errors.groupby("scheme", sort=False):
+        short: FloatArray = rows.nsmallest(2, "step")[["step", "error"]].to_numpy()
+        (step, error), (longer, larger) = short
+        found[str(scheme)] = float(np.log(larger / error) / np.log(longer / step))
+    return found

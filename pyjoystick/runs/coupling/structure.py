@@ -1,0 +1,203 @@
+"""SystemStructure.ssd: a system of FMUs as XML, and back."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from pathlib import Path, PurePosixPath
+from typing import Final, Literal
+from xml.etree import ElementTree
+from xml.etree.ElementTree import Element, SubElement
+
+from fmpy import read_model_description
+
+from pyjoystick.fmu import INTEGERS, FmuDescription, Value, Variable, find_fmu
+from pyjoystick.runs.coupling.system import Component, Connection, CoupledSystem
+from pyjoystick.support import InputFileError, version_of
+
+SspVersion = Literal["1.0", "2.0"]
+
+#: The namespaces of both versions of the standard.
+_NAMESPACES: Final = {
+    "ssc": "http://ssp-standard.org/SSP1/SystemStructureCommon",
+    "ssd": "http://ssp-standard.org/SSP1/SystemStructureDescription",
+    "ssv": "http://ssp-standard.org/SSP1/SystemStructureParameterValues",
+}
+_FMU_TYPE: Final = "application/x-fmu-sharedlibrary"
+_BASE_UNITS: Final = ("kg", "m", "s", "A", "K", "mol", "cd", "rad", "factor", "offset")
+
+
+def structure_xml(system: CoupledSystem, version: SspVersion) -> bytes:
+    """The content of SystemStructure.ssd; raises as `CoupledSystem.describe`."""
+    described = system.describe()
+    for prefix, uri in _NAMESPACES.items():
+        ElementTree.register_namespace(prefix, uri)
+    root = Element(
+        _tag("ssd:SystemStructureDescription"),
+        version=version,
+        name=system.name,
+        generationTool=f"pyjoystick {version_of('pyjoystick')}",
+    )
+    top = SubElement(root, _tag("ssd:System"), name=system.name, description=system.description)
+    elements = SubElement(top, _tag("ssd:Elements"))
+    for component in system.components:
+        _add_component(elements, component, described[component.name], version)
+    connections = SubElement(top, _tag("ssd:Connections"))
+    for connection in system.connections:
+        (start, output), (end, target) = (
+            path.split(".", 1) for path in (connection.source, connection.target)
+        )
+        SubElement(
+            connections,
+            _tag("ssd:Connection"),
+            startElement=start,
+            startConnector=output,
+            endElement=end,
+            endConnector=target,
+        )
+    _add_units(root, described.values())
+    SubElement(root, _tag("ssd:DefaultExperiment"), startTime="0.0", stopTime=repr(float(system.stop_time)))
+    ElementTree.indent(root)
+    content: bytes = ElementTree.tostring(root, encoding="UTF-8", xml_declaration=True)
+    return content + b"\n"
+
+
+def _add_component(
+    elements: Element, component: Component, description: FmuDescription, version: SspVersion
+) -> None:
+    element = SubElement(
+        elements,
+        _tag("ssd:Component"),
+        name=component.name,
+        description=description.description,
+        type=_FMU_TYPE,
+        source=f"resources/{find_fmu(component.fmu).name}",
+        implementation="CoSimulation",
+    )
+    connectors = SubElement(element, _tag("ssd:Connectors"))
+    for kind in ("input", "output"):
+        for name in description.names(kind):
+            variable = description.variables[name]
+            connector = SubElement(connectors, _tag("ssd:Connector"), name=name, kind=kind)
+            _add_type(connector, "ssc", variable)
+    if component.parameters:
+        bindings = SubElement(element, _tag("ssd:ParameterBindings"))
+        values = SubElement(SubElement(bindings, _tag("ssd:ParameterBinding")), _tag("ssd:ParameterValues"))
+        parameters = SubElement(values, _tag("ssv:ParameterSet"), version=version, name=component.name)
+        parameters = SubElement(parameters, _tag("ssv:Parameters"))
+        for name, value in component.parameters.items():
+            parameter = SubElement(parameters, _tag("ssv:Parameter"), name=name)
+            _add_type(parameter, "ssv", description.variables[name]).set("value", _text(value))
+
+
+def _add_type(parent: Element, prefix: str, variable: Variable) -> Element:
+    kind = "Integer" if variable.type == "Enumeration" else variable.type
+    element = SubElement(parent, _tag(f"{prefix}:{kind}"))
+    if kind == "Real" and variable.unit:
+        element.set("unit", variable.unit)
+    return element
+
+
+def _text(value: Value) -> str:
+    return str(value).lower() if isinstance(value, bool) else str(value)
+
+
+def _add_units(root: Element, descriptions: Iterable[FmuDescription]) -> None:
+    """Every unit that an FMU declares, by its exponents of the SI base units."""
+    declared = {
+        unit.name: unit.baseUnit
+        for description in descriptions
+        for unit in read_model_description(str(description.path), validate=False).unitDefinitions
+    }
+    units = SubElement(root, _tag("ssd:Units"))
+    for name, base in sorted(declared.items()):
+        unit = SubElement(units, _tag("ssc:Unit"), name=name)
+        exponents = {key: str(getattr(base, key)) for key in _BASE_UNITS if base is not None}
+        SubElement(
+            unit, _tag("ssc:BaseUnit"), {k: v for k, v in exponents.items() if float(v) != (k == "factor")}
+        )
+
+
+def system_of(path: Path, root: Element, folder: Path) -> CoupledSystem:
+    """The system of a SystemStructure.ssd, its FMUs as files under `folder`.
+
+    Raises:
+        InputFileError: the XML of the archive `path` has something that is not understood
+    """
+    top = root.find("ssd:System", _NAMESPACES)
+    if top is None:
+        raise InputFileError(path, f"there is no system in its {root.tag.rpartition('}')[2]}")
+    _refuse(path, top, "ssd:ParameterBindings", "ssd:SignalDictionaries")
+    elements = top.findall("ssd:Elements/*", _NAMESPACES)
+    experiment = root.find("ssd:DefaultExperiment", _NAMESPACES)
+    return CoupledSystem(
+        name=top.get("name", root.get("name", path.stem)),
+        description=top.get("description", ""),
+        components=tuple(
+            _component(path, element, folder) for element in ([] if elements is None else elements)
+        ),
+        connections=tuple(_connections(path, top)),
+        stop_time=float(experiment.get("stopTime", "1.0")) if experiment is not None else 1.0,
+    )
+
+
+def _component(path: Path, element: Element, folder: Path) -> Component:
+    name = element.get("name", "")
+    kind = element.get("type", _FMU_TYPE)
+    source = PurePosixPath(element.get("source", ""))
+    if element.tag != _tag("ssd:Component") or kind != _FMU_TYPE:
+        raise InputFileError(path, f"element {name!r} is not an FMU; no other elements are understood")
+    if source.is_absolute() or ".." in source.parts or source.suffix != ".fmu" or ":" in str(source):
+        raise InputFileError(
+            path, f"component {name!r}: its source {str(source)!r} is not an FMU in the archive"
+        )
+    return Component(name, folder / source, dict(_parameters(path, element)))
+
+
+def _parameters(path: Path, element: Element) -> Iterator[tuple[str, Value]]:
+    for binding in element.iterfind("ssd:ParameterBindings/ssd:ParameterBinding", _NAMESPACES):
+        if binding.get("source") or binding.get("prefix") or len(binding) != 1:
+            reason = "parameters from a file, with a prefix or a mapping are not understood"
+            raise InputFileError(path, f"component {element.get('name')!r}: {reason}")
+        for parameter in binding.iterfind(".//ssv:Parameter", _NAMESPACES):
+            yield parameter.get("name", ""), _value(path, parameter)
+
+
+def _value(path: Path, parameter: Element) -> Value:
+    typed = next(iter(parameter), Element("}no type"))
+    kind, text = typed.tag.rpartition("}")[2], typed.get("value", "")
+    try:
+        if kind in ("Real", "Float64", "Float32"):
+            return float(text)
+        if kind in INTEGERS:
+            return int(text)
+        if kind == "Boolean":
+            return {"true": True, "1": True, "false": False, "0": False}[text]
+    except (KeyError, ValueError):
+        kind = f"{kind} {text!r}"
+    if kind == "String":
+        return text
+    raise InputFileError(path, f"parameter {parameter.get('name')!r}: a value of {kind} is not understood")
+
+
+def _connections(path: Path, top: Element) -> Iterator[Connection]:
+    for element in top.iterfind("ssd:Connections/ssd:Connection", _NAMESPACES):
+        ends = [element.get(key) for key in ("startElement", "startConnector", "endElement", "endConnector")]
+        if None in ends:
+            raise InputFileError(
+                path, f"connection {element.attrib}: only those between components are understood"
+            )
+        transformations = [child for child in element if child.tag.endswith("Transformation")]
+        if transformations:
+            raise InputFileError(path, f"connection {element.attrib}: transformations are not understood")
+        yield Connection(f"{ends[0]}.{ends[1]}", f"{ends[2]}.{ends[3]}")
+
+
+def _refuse(path: Path, element: Element, *tags: str) -> None:
+    for tag in tags:
+        if element.find(tag, _NAMESPACES) is not None:
+            raise InputFileError(path, f"{tag.partition(':')[2]} of a system are not understood")
+
+
+def _tag(name: str) -> str:
+    prefix, _, local = name.partition(":")
+    return f"{{{_NAMESPACES[prefix]}}}{local}"

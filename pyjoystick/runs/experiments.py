@@ -1,0 +1,158 @@
+"""Experiments on the joystick: plain functions from settings to a table.
+
+Every table is indexed by ``time`` (s) and has the outputs of the joystick's FMU as columns, in SI units; see
+`pyjoystick.motion.tables` for the units it carries.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Mapping
+from contextlib import nullcontext
+from os import PathLike
+from typing import Final
+
+import numpy as np
+import pandas as pd
+
+from pyjoystick.fmu import Fmu, FmuDescription, UnsupportedFmuError
+from pyjoystick.model import NOMINAL, ConstantDamping, Damping, JoystickParameters, simulate
+from pyjoystick.motion import DisplayUnit, Quantity, make_table
+from pyjoystick.support import (
+    DEFAULT_DURATION,
+    DEFAULT_OUTPUT_INTERVAL,
+    DEFAULT_TOLERANCE,
+    FloatArray,
+    ParameterError,
+    angle,
+    positive,
+)
+
+_MOST_ROWS: Final = 10_000_000
+_DEG: Final = math.degrees(1.0)
+_QUANTITIES: Final = (
+    Quantity("theta", "rad", DisplayUnit("deg", _DEG), "Angle, positive forward"),
+    Quantity("omega", "rad/s", DisplayUnit("deg/s", _DEG), "Angular velocity"),
+    Quantity("alpha", "rad/s2", DisplayUnit("deg/s2", _DEG), "Angular acceleration"),
+    Quantity("x", "m", DisplayUnit("mm", 1e3), "Travel of the contact, positive for any angle"),
+    Quantity("f_x", "N", None, "Contact force"),
+    Quantity("M_s", "N.m", None, "Moment of the contact force"),
+    Quantity("M_d", "N.m", None, "Damping moment"),
+    Quantity("M_g", "N.m", None, "Moment of the weight"),
+    Quantity("C", "N.m.s/rad", None, "Damping coefficient"),
+    Quantity("E", "J", DisplayUnit("mJ", 1e3), "Energy, zero at rest in the middle"),
+)
+
+#: The columns of every table of the joystick.
+COLUMNS: Final = tuple(quantity.name for quantity in _QUANTITIES)
+
+
+def free_oscillation(
+    release_angle: float,
+    *,
+    fmu: str | PathLike[str] | Fmu | None = None,
+    parameters: JoystickParameters | Mapping[str, float] | None = None,
+    duration: float = DEFAULT_DURATION,
+    output_interval: float = DEFAULT_OUTPUT_INTERVAL,
+    tolerance: float = DEFAULT_TOLERANCE,
+) -> pd.DataFrame:
+    """Release the joystick from rest at an angle and let it oscillate: section 3.3 of the paper, on an FMU.
+
+    Args:
+        release_angle: angle at the start (rad), positive forward, between -pi/2 and pi/2
+        fmu: name or path of an FMU with the interface of ``Joystick``, or an open `Fmu`, which is quicker
+            where many runs follow one another; if not given, the FMU with the damping law of `parameters`
+        parameters: the joystick, or some values by the FMU's names (SI units); what is not given keeps the
+            FMU's own value
+        duration: length of the run (s)
+        output_interval: time between two rows (s), see `time_grid`
+        tolerance: what the FMU's integrator is asked to keep
+
+    Returns:
+        a table with the columns `COLUMNS`
+
+    Raises:
+        ParameterError: an angle of pi/2 or more, a duration or a value that is not allowed
+        UnknownParameterError: the FMU has no parameter of that name
+        FmuNotFoundError, FmuFileError, UnsupportedFmuError: the FMU cannot be opened, or is no joystick
+        FmuRunError: the FMU refuses the parameters or fails
+    """
+    start = angle("release_angle", release_angle)
+    time = time_grid(duration, output_interval)
+    values = parameters.to_names() if isinstance(parameters, JoystickParameters) else dict(parameters or {})
+    for name in ("theta_start", "omega_start"):
+        if name in values:
+            raise ParameterError(name, values[name], "left out", "a free oscillation starts at rest")
+    if fmu is None:
+        law = parameters.damping if isinstance(parameters, JoystickParameters) else NOMINAL.damping
+        fmu = fmu_of_damping(law)
+    with nullcontext(fmu) if isinstance(fmu, Fmu) else Fmu(fmu) as opened:
+        require_joystick(opened.description)
+        return opened.run(
+            time, parameters=values | {"theta_start": start}, outputs=COLUMNS, tolerance=tolerance
+        )
+
+
+def require_joystick(description: FmuDescription) -> None:
+    """Raise `UnsupportedFmuError` unless the FMU has what a free oscillation sets and reads."""
+    missing = [name for name in ("theta_start", *COLUMNS) if name not in description.variables]
+    if missing:
+        reason = f"does not have the interface of Joystick: it lacks {', '.join(missing)}"
+        raise UnsupportedFmuError(description.path, reason)
+
+
+def reference_free_oscillation(
+    release_angle: float,
+    *,
+    parameters: JoystickParameters = NOMINAL,
+    duration: float = DEFAULT_DURATION,
+    output_interval: float = DEFAULT_OUTPUT_INTERVAL,
+) -> pd.DataFrame:
+    """The same experiment as `free_oscillation` on the pure-Python reference, accurate to 1e-10 rad.
+
+    Args:
+        release_angle: angle at the start (rad), between -pi/2 and pi/2
+        parameters: the joystick
+        duration: length of the run (s)
+        output_interval: time between two rows (s), see `time_grid`
+
+    Returns:
+        a table with the columns `COLUMNS`; ``attrs["events"]`` lists the passages of kinks and of the middle
+        as dictionaries (time, kind, direction, theta, omega)
+
+    Raises:
+        ParameterError: an angle of pi/2 or more, or a duration that is not allowed
+        SimulationError: the motion reaches pi/2
+    """
+    start = angle("release_angle", release_angle)
+    time = time_grid(duration, output_interval)
+    motion = simulate(parameters, time=time, theta_start=start)
+    table = make_table(motion.time, {name: getattr(motion, name) for name in COLUMNS}, _QUANTITIES)
+    table.attrs["events"] = [dataclasses.asdict(event) for event in motion.events]
+    return table
+
+
+def fmu_of_damping(damping: Damping) -> str:
+    """Name of the FMU that has the damping law: ``Joystick`` or ``JoystickPowerLaw``."""
+    return "Joystick" if isinstance(damping, ConstantDamping) else "JoystickPowerLaw"
+
+
+def time_grid(duration: float, interval: float) -> FloatArray:
+    """Instants from 0 to `duration` (s), `interval` (s) apart; the last step is shorter where it must be.
+
+    Raises:
+        ParameterError: a value is not finite or not above zero, the interval is longer than the duration, or
+            there would be more than ten million rows
+    """
+    end = positive("duration", duration, "s")
+    step = positive("output_interval", interval, "s")
+    if step > end:
+        raise ParameterError("output_interval", interval, f"at most the duration, {end:g} s")
+    count = end / step
+    if count > _MOST_ROWS:
+        raise ParameterError("output_interval", interval, f"at least {end / _MOST_ROWS:.3g} s for {end:g} s")
+    whole = round(count)
+    if abs(count - whole) <= 1e-9 * count:
+        return np.arange(whole + 1) * end / whole
+    return np.append(np.arange(math.floor(count) + 1) * step, end)

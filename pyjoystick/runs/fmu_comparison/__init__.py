@@ -1,0 +1,1 @@
+"""Two FMUs of the same model compared, as when they come from different compilers."""

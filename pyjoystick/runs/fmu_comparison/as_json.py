@@ -1,0 +1,74 @@
+"""A comparison as JSON, for programs that act on it."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict
+from typing import Any
+
+from pyjoystick.fmu import FmuDescription
+from pyjoystick.runs.fmu_comparison.compare import RunComparison
+from pyjoystick.runs.fmu_comparison.declarations import Declarations
+from pyjoystick.runs.fmu_comparison.runs import Tolerances
+
+
+def as_json(
+    fmus: Sequence[FmuDescription],
+    runs: Sequence[RunComparison],
+    tolerances: Tolerances,
+    *,
+    declarations: Declarations | None = None,
+    versions: Mapping[str, str],
+) -> str:
+    """Everything that is known of a comparison, as text.
+
+    A difference that is no finite number is null; ``parted_at`` is null where the limit is kept.
+
+    Args:
+        fmus: two FMUs, or one that was compared with the reference
+        runs: what came of it
+        tolerances: what the integrators were asked to keep
+        declarations: what the FMUs declare, where there are two
+        versions: what it was made with, by name
+    """
+    content: dict[str, Any] = {
+        "fmus": [_fmu(one) for one in fmus],
+        "tolerances": asdict(tolerances),
+        "within_limits": all(run.within_limits for run in runs),
+        "runs": [_run(run) for run in runs],
+        "made_with": dict(versions),
+    }
+    if declarations is not None:
+        content["declarations"] = asdict(declarations)
+    return json.dumps(content, indent=2, allow_nan=False) + "\n"
+
+
+def _fmu(fmu: FmuDescription) -> dict[str, str]:
+    return {
+        "path": str(fmu.path),
+        "model": fmu.model_name,
+        "made_by": fmu.generation_tool,
+        "made_at": fmu.generation_date,
+        "guid": fmu.guid,
+    }
+
+
+def _run(run: RunComparison) -> dict[str, Any]:
+    differences = [
+        {name: _number(value) for name, value in asdict(one).items()}
+        | {"judged": one.variable in run.judged, "within_limit": one.within_limit}
+        for one in run.differences
+    ]
+    return {
+        "interface": run.interface,
+        "experiment": run.experiment,
+        "within_limits": run.within_limits,
+        "failures": list(run.failures),
+        "differences": differences,
+    }
+
+
+def _number(value: object) -> object:
+    return None if isinstance(value, float) and not math.isfinite(value) else value

@@ -1,0 +1,187 @@
+"""Experiments that two FMUs are put through alike."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Final
+
+import numpy as np
+import pandas as pd
+
+from pyjoystick.fmu import DefaultExperiment, FmuDescription, Inputs, Value, Variable
+from pyjoystick.runs.experiments import COLUMNS
+from pyjoystick.support import (
+    DEFAULT_DURATION,
+    DEFAULT_OUTPUT_INTERVAL,
+    FloatArray,
+    ParameterError,
+    angle,
+    finite,
+    positive,
+)
+
+#: Angles (rad) at which joysticks are let go, small and large ones on both sides.
+RELEASE_ANGLES: Final = tuple(math.radians(degrees) for degrees in (-20.0, -10.0, 5.0, 15.0))
+
+# Hz. Its passages of the middle, where C may jump, fall between the instants of usual output intervals.
+_FREQUENCY: Final = 2.1
+_TORQUE: Final = 2.0
+_MOTION: Final = ("theta", "omega", "alpha")
+_DEFAULT_STEPS: Final = 500
+_MOST_STEPS: Final = 10_000_000
+
+
+@dataclass(frozen=True, slots=True)
+class Experiment:
+    """What both FMUs are to do.
+
+    Attributes:
+        label: a few words on it
+        time: instants to compare at (s), equally spaced, shape (n,), n >= 2
+        parameters: values by name; those not given keep each FMU's own
+        inputs: see `pyjoystick.fmu.Inputs`; those not given keep each FMU's own
+    """
+
+    label: str
+    time: FloatArray
+    parameters: Mapping[str, Value] = field(default_factory=dict)
+    inputs: Inputs = field(default_factory=dict)
+
+
+def is_joystick(fmu: FmuDescription) -> bool:
+    """It has what a free oscillation sets and reads."""
+    return {"theta_start", *COLUMNS} <= set(fmu.variables)
+
+
+def is_inverse(fmu: FmuDescription) -> bool:
+    """Its inputs are a motion, as those of ``JoystickInverse``."""
+    return set(fmu.names("input")) == set(_MOTION)
+
+
+def experiments_for(
+    first: FmuDescription,
+    second: FmuDescription,
+    *,
+    angles: Iterable[float] | None = None,
+    duration: float | None = None,
+    output_interval: float | None = None,
+    settings: Mapping[str, float] | None = None,
+    inputs: pd.DataFrame | None = None,
+) -> list[Experiment]:
+    """What two FMUs are compared over where nobody says otherwise.
+
+    Joysticks are let go at several angles, and driven from the middle by a torque that is a sine.
+    ``JoystickInverse`` is led through a sine of several amplitudes. Any other FMU is run as the first one's
+    default experiment says, or the second one's, or for 1 s.
+
+    Args:
+        first: one FMU
+        second: the other
+        angles: angles of release, or amplitudes (rad); `RELEASE_ANGLES` if not given
+        duration: length of each run (s)
+        output_interval: time between two instants (s); rounded so that it divides the duration
+        settings: parameters by name and inputs that are to be held, the same in all experiments
+        inputs: a table of inputs over time (s), which takes the place of the sines; joysticks are then let
+            go in the middle unless `angles` says where
+
+    Raises:
+        ParameterError: a value is not allowed, or `angles` are given for FMUs that are no joysticks
+    """
+    given = _typed(first, settings or {})
+    held = {name: value for name, value in given.items() if _is_input(first, name)}
+    parameters = {name: value for name, value in given.items() if name not in held}
+    driven = held if inputs is None else inputs.assign(**held)
+    driveable = set(first.names("input")) & set(second.names("input"))
+    checked = None if angles is None else [angle("release_angle", value) for value in angles]
+    if is_joystick(first) and is_joystick(second):
+        time = _joystick_instants(duration, output_interval)
+        start = checked or (RELEASE_ANGLES if inputs is None else [0.0])
+        releases = [_release(value, time, parameters, driven) for value in start]
+        by_torque = checked is None and inputs is None and "T" in driveable and "T" not in held
+        return [*releases, *([_driven(time, parameters, held)] if by_torque else [])]
+    if inputs is None and is_inverse(first) and is_inverse(second):
+        time = _joystick_instants(duration, output_interval)
+        return [_motion(value, time, parameters) for value in checked or RELEASE_ANGLES]
+    if checked is not None:
+        raise ParameterError(
+            "release_angle", f"{checked[0]:.6g} rad", "left out for FMUs that are no joystick"
+        )
+    time = _default_instants(first.experiment, second.experiment, duration, output_interval)
+    label = f"{time[0]:g} to {time[-1]:g} s" + ("" if inputs is None else ", driven")
+    return [Experiment(label, time, parameters, driven)]
+
+
+def _release(start: float, time: FloatArray, parameters: Mapping[str, Value], inputs: Inputs) -> Experiment:
+    for name in ("theta_start", "omega_start"):
+        if name in parameters:
+            raise ParameterError(name, parameters[name], "left out", "the angle of release takes its place")
+    label = f"{math.degrees(start):.6g} deg" + (", driven" if len(inputs) else "")
+    return Experiment(label, time, {**parameters, "theta_start": start}, inputs)
+
+
+def _driven(time: FloatArray, parameters: Mapping[str, Value], held: Mapping[str, Value]) -> Experiment:
+    torque = _TORQUE * np.sin(2.0 * math.pi * _FREQUENCY * time)
+    inputs = pd.DataFrame({"T": torque}, index=time).assign(**held)
+    return Experiment(f"T of {_TORQUE:g} N.m", time, parameters, inputs)
+
+
+def _motion(amplitude: float, time: FloatArray, parameters: Mapping[str, Value]) -> Experiment:
+    """The imposed motion theta = amplitude * cos(2 pi f t) with its two derivatives."""
+    rate = 2.0 * math.pi * _FREQUENCY
+    theta = amplitude * np.cos(rate * time)
+    omega = -amplitude * rate * np.sin(rate * time)
+    motion = pd.DataFrame({"theta": theta, "omega": omega, "alpha": -(rate**2) * theta}, index=time)
+    return Experiment(f"sine of {math.degrees(amplitude):.6g} deg", time, parameters, motion)
+
+
+def _joystick_instants(duration: float | None, interval: float | None) -> FloatArray:
+    return _instants(
+        0.0,
+        DEFAULT_DURATION if duration is None else duration,
+        DEFAULT_OUTPUT_INTERVAL if interval is None else interval,
+    )
+
+
+def _default_instants(
+    first: DefaultExperiment, second: DefaultExperiment, duration: float | None, interval: float | None
+) -> FloatArray:
+    proposed = first if first.stop_time is not None else second
+    start = proposed.start_time or 0.0
+    if duration is None:
+        duration = 1.0 if proposed.stop_time is None else proposed.stop_time - start
+    if interval is None:
+        interval = proposed.step_size or duration / _DEFAULT_STEPS
+    return _instants(start, duration, interval)
+
+
+def _instants(start: float, duration: float, interval: float) -> FloatArray:
+    length = positive("duration", duration, "s")
+    step = positive("output_interval", interval, "s")
+    if not length / _MOST_STEPS <= step <= length:
+        allowed = f"from {length / _MOST_STEPS:.3g} s to the duration, {length:g} s"
+        raise ParameterError("output_interval", interval, allowed)
+    steps = round(length / step)
+    return start + length * np.arange(steps + 1) / steps
+
+
+def _is_input(fmu: FmuDescription, name: str) -> bool:
+    return name in fmu.variables and fmu.variables[name].causality == "input"
+
+
+def _typed(fmu: FmuDescription, settings: Mapping[str, float]) -> dict[str, Value]:
+    """Numbers in the types of the variables: whole ones for integers, 0 and 1 for Booleans."""
+    return {
+        name: _in_type(fmu.variables[name], value) if name in fmu.variables else value
+        for name, value in settings.items()
+    }
+
+
+def _in_type(variable: Variable, value: float) -> Value:
+    number = finite(variable.name, value, variable.unit)
+    if variable.type == "Boolean" and number in (0.0, 1.0):
+        return bool(number)
+    if variable.type != "Real" and number.is_integer():
+        return int(number)
+    return number

@@ -1,0 +1,83 @@
+"""An FMU of the joystick compared with the pure-Python reference."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Mapping
+from os import PathLike
+
+from pyjoystick.fmu import Interface, find_fmu, read_description
+from pyjoystick.model import ConstantDamping, JoystickParameters
+from pyjoystick.motion import compare
+from pyjoystick.runs.experiments import COLUMNS, reference_free_oscillation, require_joystick
+from pyjoystick.runs.fmu_comparison.compare import RunComparison
+from pyjoystick.runs.fmu_comparison.experiments import Experiment
+from pyjoystick.runs.fmu_comparison.limits import (
+    CO_SIMULATION_CONSTANT,
+    CO_SIMULATION_POWER_LAW,
+    MODEL_EXCHANGE,
+    angle_limit,
+)
+from pyjoystick.runs.fmu_comparison.runs import Tolerances, run
+from pyjoystick.support import DEFAULT_DURATION, DEFAULT_OUTPUT_INTERVAL
+
+
+def compare_with_reference(
+    fmu: str | PathLike[str],
+    joystick: JoystickParameters,
+    angles: Iterable[float],
+    *,
+    duration: float = DEFAULT_DURATION,
+    output_interval: float = DEFAULT_OUTPUT_INTERVAL,
+    interface: Interface = "CoSimulation",
+    limits: Mapping[str, float] | None = None,
+    tolerances: Tolerances | None = None,
+    on_run: Callable[[str], None] = lambda _: None,
+) -> list[RunComparison]:
+    """Free oscillations on an FMU against the reference.
+
+    Args:
+        fmu: name or path of an FMU with the interface of ``Joystick`` and the damping law of `joystick`
+        joystick: the parameters of both
+        angles: where to let go (rad)
+        duration: length of each run (s)
+        output_interval: time between two instants (s)
+        interface: how the FMU is run
+        limits: largest difference allowed by name of the variable, in its unit. Where ``theta`` is not among
+            them, it has the one that the errors of the integrator explain, see `angle_limit`.
+        tolerances: what the integrators are asked to keep
+        on_run: is told what is run next
+
+    Raises:
+        FmuNotFoundError, FmuFileError, UnsupportedFmuError: the FMU cannot be opened, or is no joystick
+        ParameterError, UnknownNameError: a setting is not allowed, or a limit is on no variable
+        SimulationError: the FMU refuses the parameters or fails, or the reference reaches 90 degrees
+    """
+    description = read_description(find_fmu(fmu))
+    require_joystick(description)
+    tolerances = tolerances or Tolerances()
+    runs = []
+    for angle in angles:
+        label = f"{math.degrees(angle):.6g} deg"
+        on_run(f"{description.path.name}: {label}")
+        expected = reference_free_oscillation(
+            angle, parameters=joystick, duration=duration, output_interval=output_interval
+        )
+        values = {**joystick.to_names(), "theta_start": angle}
+        experiment = Experiment(label, expected.index.to_numpy(), values)
+        table = run(description.path, interface, experiment, COLUMNS, tolerances)
+        tolerance, factor = _accuracy(interface, joystick, tolerances)
+        allowed = {"theta": angle_limit(expected["theta"], tolerance, factor)} | dict(limits or {})
+        differences = compare(table, expected, limits=allowed)
+        runs.append(RunComparison(interface, label, tuple(differences), frozenset(allowed)))
+    return runs
+
+
+def _accuracy(
+    interface: Interface, joystick: JoystickParameters, tolerances: Tolerances
+) -> tuple[float, float]:
+    """Tolerance of the integrator, and its largest error in parts of tolerance times angle."""
+    if interface == "ModelExchange":
+        return tolerances.model_exchange, MODEL_EXCHANGE
+    constant = isinstance(joystick.damping, ConstantDamping)
+    return tolerances.co_simulation, CO_SIMULATION_CONSTANT if constant else CO_SIMULATION_POWER_LAW

@@ -1,0 +1,96 @@
+"""Peaks of simulated releases, on FMUs that stay open."""
+
+from __future__ import annotations
+
+from contextlib import ExitStack
+from types import TracebackType
+from typing import Final, Self
+
+import numpy as np
+import pandas as pd
+
+from pyjoystick.fmu import Fmu
+from pyjoystick.model import JoystickParameters
+from pyjoystick.motion import ReleasePeaks, peaks_of_run
+from pyjoystick.runs.experiments import fmu_of_damping, time_grid
+from pyjoystick.support import FloatArray, angle
+
+#: Length of a run (s) and distance of its samples, between which the peaks are located (s).
+DURATION: Final = 1.5
+INTERVAL: Final = 0.5e-3
+_OUTPUTS: Final = ("theta", "omega", "alpha")
+
+
+class SimulatedReleases:
+    """Releases from rest on the FMUs of both damping laws, opened when first needed.
+
+    To be used by `with`, which closes them. A call gives the peaks of one release:
+
+    >>> with SimulatedReleases() as simulate:  # doctest: +SKIP
+    ...     peaks = simulate(NOMINAL, math.radians(-20))
+    """
+
+    def __init__(self, *, duration: float = DURATION, interval: float = INTERVAL) -> None:
+        """Set the length of the runs and the distance of their samples (s)."""
+        self._time: FloatArray = time_grid(duration, interval)
+        self._stack = ExitStack()
+        self._fmus: dict[str, Fmu] = {}
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self._stack.close()
+
+    def __call__(self, parameters: JoystickParameters, release_angle: float) -> ReleasePeaks:
+        """The peaks of one release.
+
+        Args:
+            parameters: the joystick; its damping law says which FMU is run
+            release_angle: angle of release (rad)
+
+        Raises:
+            ParameterError: the angle is pi/2 or more
+            FmuNotFoundError, FmuRunError: the FMU is not there, or fails
+        """
+        law = fmu_of_damping(parameters.damping)
+        values = parameters.to_names() | {"theta_start": angle("release_angle", release_angle)}
+        run = self._fmu(law).run(self._time, parameters=values, outputs=_OUTPUTS)
+        return peaks_of_run(run, name=f"{law} from {np.degrees(release_angle):g} degrees")
+
+    def vary(
+        self, parameters: JoystickParameters, release_angle: float, name: str, values: FloatArray
+    ) -> dict[float, ReleasePeaks]:
+        """The peaks of releases that differ in one parameter; everything else is prepared once.
+
+        Args:
+            parameters: the joystick
+            release_angle: angle of release (rad)
+            name: FMU name of the parameter that varies, such as ``damping.C``
+            values: its values, shape (runs,)
+
+        Returns:
+            the peaks by value
+
+        Raises:
+            UnknownParameterError, ParameterError: the name or a value is not allowed
+            FmuRunError: a run fails
+        """
+        checked = [parameters.replace({name: float(value)}) for value in values]
+        fixed = parameters.to_names() | {"theta_start": angle("release_angle", release_angle)}
+        del fixed[name]
+        plan = self._fmu(fmu_of_damping(parameters.damping)).plan(
+            self._time, varied=[name], parameters=fixed, outputs=_OUTPUTS
+        )
+        found = {}
+        for value in (float(one.to_names()[name]) for one in checked):
+            run = pd.DataFrame(plan.run([value]), index=self._time, columns=list(_OUTPUTS))
+            found[value] = peaks_of_run(run, name=f"{name} = {value:g}")
+        return found
+
+    def _fmu(self, law: str) -> Fmu:
+        if law not in self._fmus:
+            self._fmus[law] = self._stack.enter_context(Fmu(law))
+        return self._fmus[law]

@@ -1,0 +1,59 @@
+"""Values of FMU variables as settings give them: numbers in the FMU's unit, or text with a unit."""
+
+from __future__ import annotations
+
+import re
+from typing import Any, Final
+
+from pyjoystick.fmu import Value, Variable, checked_value
+from pyjoystick.support import ParameterError
+
+_AMOUNT: Final = re.compile(r"\s*(?P<number>[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?)\s*(?P<unit>\S+)\s*")
+
+#: Types of real numbers, of FMI 2 and 3.
+REALS: Final = ("Real", "Float32", "Float64")
+
+
+def value_of(variable: Variable, given: Any) -> Value:
+    """The value of a variable: `given` as it is, or from text such as ``-20deg`` in the variable's unit.
+
+    The unit is the one that the FMU works in or the one that it proposes for display.
+
+    Raises:
+        ParameterError: another type or unit, or outside the range that the FMU allows
+    """
+    if isinstance(given, str) and variable.type in REALS:
+        return checked_value(variable, _converted(variable, given, is_difference=False))
+    return checked_value(variable, given)
+
+
+def number_of(variable: Variable, given: Any) -> float:
+    """As `value_of`, for a real variable."""
+    return float(value_of(variable, given))
+
+
+def difference_of(variable: Variable, given: Any) -> float:
+    """A difference of two values of a real variable, such as a standard deviation, above zero.
+
+    Raises:
+        ParameterError: another type or unit, or not above zero
+    """
+    number = _converted(variable, given, is_difference=True) if isinstance(given, str) else given
+    if isinstance(number, bool) or not isinstance(number, int | float) or not 0.0 < number < float("inf"):
+        raise ParameterError(variable.name, given, f"a finite number above 0 {variable.unit}".rstrip())
+    return float(number)
+
+
+def _converted(variable: Variable, text: str, *, is_difference: bool) -> float:
+    match = _AMOUNT.fullmatch(text)
+    display = variable.display_unit
+    if match and match["unit"] == variable.unit:
+        return float(match["number"])
+    if match and display and match["unit"] == display.unit:
+        offset = 0.0 if is_difference else display.offset
+        return (float(match["number"]) - offset) / display.factor
+    units = [unit for unit in (variable.unit, display.unit if display else "") if unit]
+    if not units:
+        raise ParameterError(variable.name, f'"{text}"', "a number: the FMU gives no unit")
+    allowed = f"a number in {variable.unit}" if variable.unit else "a number"
+    raise ParameterError(variable.name, f'"{text}"', f"{allowed}, or text with the unit {' or '.join(units)}")

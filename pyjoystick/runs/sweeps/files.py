@@ -1,0 +1,111 @@
+"""Results of sweeps as Parquet or CSV files that carry their settings."""
+
+from __future__ import annotations
+
+import csv
+import json
+from importlib.util import find_spec
+from os import PathLike
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+import pandas as pd
+
+from pyjoystick.runs.sweeps.errors import MissingPackageError, SweepFileError
+from pyjoystick.runs.sweeps.sweep import ATTRIBUTE
+from pyjoystick.support import OutputFileError, replacing
+
+_SUFFIXES: Final = (".parquet", ".csv")
+
+
+def check_target(path: Path) -> None:
+    """Raise unless the name says a format that can be written.
+
+    Raises:
+        OutputFileError: another suffix than .parquet or .csv
+        MissingPackageError: Parquet without pyarrow
+    """
+    if path.suffix.lower() not in _SUFFIXES:
+        raise OutputFileError(path, f"the name must end in {' or '.join(_SUFFIXES)}")
+    if _is_parquet(path) and find_spec("pyarrow") is None:
+        raise MissingPackageError("Parquet files", "parquet")
+
+
+def write_sweep(path: Path, table: pd.DataFrame) -> None:
+    """Write the results of a sweep with its settings, whole or not at all.
+
+    Parquet keeps the settings as JSON in its metadata, where pandas keeps ``DataFrame.attrs``; CSV in lines
+    that begin with ``#``.
+
+    Args:
+        path: the file, .parquet or .csv
+        table: as `Sweep.table` makes it
+
+    Raises:
+        OutputFileError: the file cannot be written
+    """
+    check_target(path)
+    with replacing(path) as temporary:
+        if _is_parquet(path):
+            table.to_parquet(temporary, engine="pyarrow")
+        else:
+            with temporary.open("w", encoding="utf-8", newline="") as file:
+                document = json.dumps(table.attrs[ATTRIBUTE], indent=2)
+                file.writelines(f"# {line}\n" for line in document.splitlines())
+                # Quoted text may hold a "#" without beginning a comment.
+                table.to_csv(file, quoting=csv.QUOTE_NONNUMERIC, lineterminator="\n")
+
+
+def read_sweep(path: str | PathLike[str]) -> pd.DataFrame:
+    """The results of a sweep, one row a run; ``attrs["sweep"]`` has its settings, FMU, versions and units.
+
+    The columns are the varied parameters, the results, ``failed`` and ``message``; the index is ``run``.
+
+    Raises:
+        SweepFileError: there is no such file, or it is no result of a sweep
+        MissingPackageError: Parquet without pyarrow
+    """
+    path = Path(path)
+    check_target(path)
+    try:
+        table = _read_parquet(path) if _is_parquet(path) else _read_csv(path)
+    except FileNotFoundError as error:
+        raise SweepFileError(path, "the file does not exist") from error
+    except (OSError, ValueError, KeyError) as error:
+        raise SweepFileError(path, f"is no result of a sweep: {error}") from error
+    if ATTRIBUTE not in table.attrs:
+        raise SweepFileError(path, "is no result of a sweep: it carries no settings")
+    return table
+
+
+def _is_parquet(path: Path) -> bool:
+    return path.suffix.lower() == ".parquet"
+
+
+def _read_parquet(path: Path) -> pd.DataFrame:
+    return pd.read_parquet(path, engine="pyarrow")
+
+
+def _read_csv(path: Path) -> pd.DataFrame:
+    with path.open(encoding="utf-8") as file:
+        header = []
+        for line in file:
+            if not line.startswith("#"):
+                break
+            header.append(line.removeprefix("#"))
+    # As text first: Python's own conversion gives back every digit, whatever the version of pandas.
+    text = pd.read_csv(path, comment="#", index_col="run", dtype=str, keep_default_na=False)
+    table = text.apply(_converted).set_axis(text.index.astype(np.int64), axis=0).rename_axis("run")
+    if header:
+        table.attrs[ATTRIBUTE] = json.loads("".join(header))
+    return table
+
+
+def _converted(column: pd.Series[str]) -> pd.Series[Any]:
+    """A column of text as numbers or Booleans, but for the messages."""
+    if column.name == "message":
+        return column
+    if column.isin(["True", "False"]).all():
+        return column == "True"
+    return column.map(lambda cell: float(cell) if cell else np.nan)

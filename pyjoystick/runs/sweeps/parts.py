@@ -1,0 +1,140 @@
+"""The finished runs of an unfinished sweep, in a folder beside the file that they will become."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import zipfile
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+
+from pyjoystick.runs.sweeps.errors import ChangedSweepError, SweepFileError
+from pyjoystick.runs.sweeps.lock import locked
+from pyjoystick.runs.sweeps.sweep import Document, Part
+from pyjoystick.support import OutputFileError, replacing, write_text
+
+_IDENTITY: Final = "sweep.json"
+_LOCK: Final = "lock"
+_PARTS: Final = "from-*.npz"
+
+
+class Parts:
+    """The folder of parts; each part appears whole or not at all, so that a kill loses only unfinished runs.
+
+    Attributes:
+        target: the file of the finished sweep
+        folder: ``TARGET.parts``
+    """
+
+    def __init__(self, target: Path) -> None:
+        self.target = target
+        self.folder = target.with_name(f"{target.name}.parts")
+
+    @property
+    def begun(self) -> bool:
+        """There are parts of some sweep."""
+        return (self.folder / _IDENTITY).exists()
+
+    @contextmanager
+    def opened(self, identity: Document, *, anew: bool = False) -> Iterator[None]:
+        """Make or take up the folder for one sweep, and keep other processes out meanwhile.
+
+        Args:
+            identity: see `Sweep.identity`
+            anew: drop the parts that are there
+
+        Raises:
+            ChangedSweepError: the parts are those of another sweep
+            SweepFileError: another process is at work on it, or the folder cannot be read
+            OutputFileError: the folder cannot be made
+        """
+        try:
+            self.folder.mkdir(parents=True, exist_ok=True)
+            lock = (self.folder / _LOCK).open("w")
+        except OSError as error:
+            raise OutputFileError(self.target, f"its folder cannot be made: {error.strerror}") from error
+        with lock:
+            if not locked(lock):
+                raise SweepFileError(self.folder, "another process is working on this sweep")
+            if anew:
+                self._drop()
+            self._identify(identity)
+            yield
+
+    def _drop(self) -> None:
+        for file in (self.folder / _IDENTITY, *self.folder.glob(_PARTS)):
+            file.unlink(missing_ok=True)
+
+    def _identify(self, identity: Document) -> None:
+        file = self.folder / _IDENTITY
+        if not file.exists():
+            write_text(file, json.dumps(identity, indent=2))
+            return
+        try:
+            kept = json.loads(file.read_text(encoding="utf-8"))
+        except (OSError, ValueError) as error:
+            raise SweepFileError(file, f"cannot be read: {error}") from error
+        require_same(self.target, kept, identity)
+
+    def save(self, part: Part) -> None:
+        """Keep finished runs; raises OutputFileError where they cannot be written."""
+        if not part.runs.size:
+            return
+        said = np.array([message for message in part.messages if message], dtype=np.str_)
+        with replacing(self.folder / f"from-{part.runs[0]:09d}.npz") as temporary:
+            np.savez(temporary, runs=part.runs, values=part.values, failed=part.failed, said=said)
+
+    def whole(self, runs: int, columns: int) -> tuple[Part, np.ndarray[Any, np.dtype[np.bool_]]]:
+        """All `runs` runs with what is kept of them, and which of them are kept, shape (runs,).
+
+        A part that cannot be read counts as not done.
+        """
+        done = np.zeros(runs, dtype=np.bool_)
+        values = np.full((runs, columns), np.nan)
+        failed = np.zeros(runs, dtype=np.bool_)
+        messages = [""] * runs
+        for part in self._load():
+            done[part.runs] = True
+            values[part.runs] = part.values
+            failed[part.runs] = part.failed
+            for run, message in zip(part.runs[part.failed], part.messages, strict=True):
+                messages[run] = message
+        return Part(np.arange(runs), values, failed, messages), done
+
+    def _load(self) -> Iterator[Part]:
+        """Every part, with the messages of its failed runs alone."""
+        for file in sorted(self.folder.glob(_PARTS)):
+            try:
+                with file.open("rb") as stream, np.load(stream) as kept:
+                    yield Part(kept["runs"], kept["values"], kept["failed"], kept["said"].tolist())
+            except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile):
+                file.unlink(missing_ok=True)
+
+    def remove(self) -> None:
+        """Forget what is kept."""
+        shutil.rmtree(self.folder, ignore_errors=True)
+
+
+def require_same(target: Path, kept: Mapping[str, Any], identity: Mapping[str, Any]) -> None:
+    """Raise ChangedSweepError where `kept` differs from `identity` in one of the latter's keys."""
+    differences = list(_differences({key: kept.get(key) for key in identity}, identity, ""))
+    if any(one.startswith("settings ") for one in differences):
+        # Then it needs no saying that the runs are others.
+        differences = [one for one in differences if not one.startswith("runs ")]
+    if differences:
+        raise ChangedSweepError(target, differences[:5])
+
+
+def _differences(old: Any, new: Any, place: str) -> Iterator[str]:
+    if isinstance(old, Mapping) or isinstance(new, Mapping):
+        old, new = (one if isinstance(one, Mapping) else {} for one in (old, new))
+        for key in dict.fromkeys((*old, *new)):
+            yield from _differences(old.get(key), new.get(key), f"{place} {key}".strip())
+    elif old != new and place.endswith("sha256"):
+        yield f"{place.removesuffix('_sha256').removesuffix(' sha256')} has other contents"
+    elif old != new:
+        yield f"{place} was {json.dumps(old)} and is {json.dumps(new)}"

@@ -1,0 +1,81 @@
+"""What is kept of a run, as the settings file says it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from typing import Final
+
+from pyjoystick import fmu
+from pyjoystick.fmu import FmuDescription, Peaks, Reduction, checked_outputs
+from pyjoystick.runs.sweeps.amounts import difference_of
+from pyjoystick.support import ParameterError, PyJoystickError, Table
+
+_KINDS: Final[dict[str, Callable[[str], Reduction]]] = {
+    "final": fmu.Final,
+    "extremes": fmu.Extremes,
+    "loss": fmu.Loss,
+}
+_DEFAULT_PEAKS: Final = 5
+_LIMITS: Final = ("minimum_height", "minimum_prominence")
+
+
+def read_results(tables: Iterable[Table], description: FmuDescription) -> tuple[Reduction, ...]:
+    """The tables [[results]].
+
+    Raises:
+        SettingsError: an unknown kind or variable, or the same result twice
+    """
+    results: list[Reduction] = []
+    for table in tables:
+        result = _result(table, description)
+        table.finish()
+        if set(result.columns) & set(columns_of(results)):
+            raise table.error("variable", "has a result of this kind already")
+        results.append(result)
+    return tuple(results)
+
+
+def columns_of(results: Sequence[Reduction]) -> list[str]:
+    """Names of all numbers that are kept of a run."""
+    return [column for result in results for column in result.columns]
+
+
+def variables_of(results: Sequence[Reduction]) -> list[str]:
+    """Names of the variables that the results are taken from."""
+    names = [name for one in results for name in (one.variable, getattr(one, "derivative", None)) if name]
+    return list(dict.fromkeys(names))
+
+
+def units_of(results: Sequence[Reduction], description: FmuDescription) -> dict[str, str]:
+    """The unit of every column; empty for a pure number."""
+    return {
+        column: "s" if column.endswith("_time") else description.variables[one.variable].unit
+        for one in results
+        for column in one.columns
+    }
+
+
+def _result(table: Table, description: FmuDescription) -> Reduction:
+    kind = table.choice("kind", ("peaks", *_KINDS))
+    variable = _variable(table, "variable", description)
+    if kind != "peaks":
+        return _KINDS[kind](variable)
+    derivative = _variable(table, "derivative", description) if "derivative" in table else None
+    limits = {key: _limit(table, key, description, variable) for key in _LIMITS if key in table}
+    return Peaks(variable, table.integer("count", 1, _DEFAULT_PEAKS), derivative, **limits)
+
+
+def _variable(table: Table, key: str, description: FmuDescription) -> str:
+    name = table.text(key)
+    try:
+        checked_outputs(description, [name])
+    except PyJoystickError as error:
+        raise table.refused(key, error) from error
+    return name
+
+
+def _limit(table: Table, key: str, description: FmuDescription, variable: str) -> float:
+    try:
+        return difference_of(description.variables[variable], table.value(key))
+    except ParameterError as error:
+        raise table.refused(key, error) from error

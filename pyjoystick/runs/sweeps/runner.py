@@ -1,0 +1,160 @@
+"""Carrying out a sweep: what is done is kept, what is left is done, and the file is written."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from contextlib import closing
+from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+from numpy.typing import NDArray
+
+from pyjoystick.runs.sweeps.errors import ChangedSweepError, SweepFileError
+from pyjoystick.runs.sweeps.files import check_target, read_sweep, write_sweep
+from pyjoystick.runs.sweeps.local import run_locally
+from pyjoystick.runs.sweeps.parts import Parts, require_same
+from pyjoystick.runs.sweeps.sweep import Part, Sweep
+
+#: Called with the number of runs that are done, those of an earlier session included.
+OnProgress = Callable[[int], None]
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """How far a sweep has come.
+
+    Attributes:
+        path: file of the results; there unless `interrupted`
+        table: the results, see `read_sweep`; None where `interrupted`
+        done: number of runs done, failed ones included
+        failed: number of failed runs among them
+        messages: messages of failed runs, by the number of the run
+        interrupted: stopped by Ctrl-C; the same call goes on where it stopped
+        found: number of runs that were done before this call
+    """
+
+    path: Path
+    table: pd.DataFrame | None
+    done: int
+    failed: int
+    messages: dict[int, str]
+    interrupted: bool
+    found: int
+
+
+def run_sweep(
+    sweep: Sweep,
+    target: str | PathLike[str],
+    *,
+    threads: int | None = None,
+    scheduler: str | None = None,
+    overwrite: bool = False,
+    on_progress: OnProgress = lambda _: None,
+    on_note: Callable[[str], None] = lambda _: None,
+) -> Outcome:
+    """Carry out a sweep, or what is left of it, and write its file.
+
+    Finished runs are kept in the folder ``TARGET.parts`` until the file is written. The numbers do not depend
+    on where and how often the sweep was interrupted, nor on what it ran on.
+
+    Args:
+        sweep: the sweep
+        target: the file, .parquet or .csv
+        threads: number of threads on this machine; all cores where not given
+        scheduler: address of a Dask scheduler (``tcp://...``) whose workers do the runs instead
+        overwrite: begin anew, whatever has been kept and written
+        on_progress: told how many runs are done
+        on_note: told what else there is to say
+
+    Raises:
+        OutputFileError, SweepFileError: a file cannot be written or read
+        ChangedSweepError: what is kept or written belongs to other settings or another FMU
+        MissingPackageError: Parquet without pyarrow, or a scheduler without distributed
+        ClusterError: the cluster cannot be used or was lost; what was finished is kept
+        FmuFileError, UnsupportedFmuError, ParameterError: the FMU cannot be run with these settings
+    """
+    target = Path(target)
+    check_target(target)
+    parts = Parts(target)
+    if not overwrite and (finished := _finished(sweep, parts)) is not None:
+        parts.remove()
+        return _outcome(target, finished, found=len(finished))
+    with parts.opened(sweep.identity, anew=overwrite):
+        whole, done = parts.whole(len(sweep.design), len(sweep.columns))
+        found = int(done.sum())
+        on_progress(found)
+        interrupted = _carry_out(
+            sweep,
+            parts,
+            np.flatnonzero(~done),
+            threads,
+            scheduler,
+            lambda count: on_progress(found + count),
+            on_note,
+        )
+        whole, done = parts.whole(len(sweep.design), len(sweep.columns))
+        if not done.all():
+            return _unfinished(target, whole, int(done.sum()), found, interrupted)
+        table = sweep.table(whole)
+        write_sweep(target, table)
+    # After the lock: not every system deletes a file that is open.
+    parts.remove()
+    return _outcome(target, table, found)
+
+
+def _carry_out(
+    sweep: Sweep,
+    parts: Parts,
+    pending: NDArray[np.int64],
+    threads: int | None,
+    scheduler: str | None,
+    on_progress: OnProgress,
+    on_note: Callable[[str], None],
+) -> bool:
+    """Do the pending runs and keep them; returns whether Ctrl-C stopped it."""
+    if scheduler is None:
+        finished = run_locally(sweep, pending, threads, on_progress)
+    else:
+        from pyjoystick.runs.sweeps.cluster import run_on_cluster
+
+        finished = run_on_cluster(sweep, pending, scheduler, on_progress, on_note)
+    try:
+        with closing(finished):
+            for part in finished:
+                parts.save(part)
+    except KeyboardInterrupt:
+        return True
+    return False
+
+
+def _finished(sweep: Sweep, parts: Parts) -> pd.DataFrame | None:
+    """The results of this sweep that are there already, or None.
+
+    Those of another sweep are refused, unless there are parts: then it was said before that they are to be
+    replaced.
+    """
+    if not parts.target.exists():
+        return None
+    table = read_sweep(parts.target)
+    try:
+        require_same(parts.target, table.attrs["sweep"], sweep.identity)
+    except ChangedSweepError:
+        if parts.begun:
+            return None
+        raise
+    return table
+
+
+def _outcome(path: Path, table: pd.DataFrame, found: int) -> Outcome:
+    messages = table.loc[table["failed"], "message"].to_dict()
+    return Outcome(path, table, len(table), len(messages), messages, interrupted=False, found=found)
+
+
+def _unfinished(path: Path, whole: Part, done: int, found: int, interrupted: bool) -> Outcome:
+    if not interrupted:
+        raise SweepFileError(path, "runs are missing although all were carried out")
+    messages = {int(run): whole.messages[run] for run in np.flatnonzero(whole.failed)}
+    return Outcome(path, None, done, len(messages), messages, interrupted=True, found=found)

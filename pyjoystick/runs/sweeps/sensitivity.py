@@ -1,0 +1,127 @@
+"""Sobol indices: which parameters the variance of a result comes from."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Final, Literal
+
+import numpy as np
+import pandas as pd
+from numpy.typing import NDArray
+from scipy.stats import bootstrap, sobol_indices
+
+from pyjoystick.runs.sweeps.errors import SensitivityError
+from pyjoystick.support import FloatArray, UnknownVariableError
+
+#: Resamples of the bootstrap, and the seed that makes its intervals repeatable.
+_RESAMPLES: Final = 999
+_SEED: Final = 20040701
+_Matrix = Literal["f_A", "f_B", "f_AB"]
+_NOT_RESULTS: Final = ("failed", "message")
+
+
+def sensitivity(
+    table: pd.DataFrame, results: Sequence[str] | None = None, *, confidence: float = 0.95
+) -> pd.DataFrame:
+    """First-order and total Sobol indices of the results of a ``saltelli`` sweep, with confidence intervals.
+
+    The first-order index is the part of the variance that a parameter explains by itself, the total index the
+    part that it has a share in. The estimators are those of Saltelli et al. (Comput. Phys. Commun. 181 (2010)
+    259-270), as SciPy has them; the intervals are percentiles of a bootstrap over the samples, always with
+    the same seed. Indices below 0 or above 1 by less than their interval are chance.
+
+    Args:
+        table: as `read_sweep` returns it
+        results: names of result columns; all that have an index where not given
+        confidence: of the intervals, between 0 and 1
+
+    Returns:
+        a table with the columns ``result``, ``parameter``, ``first``, ``first_low``, ``first_high``,
+        ``total``, ``total_low``, ``total_high``; ``attrs["left_out"]`` says by name why a result has none
+
+    Raises:
+        SensitivityError: the design is another, a run failed, or a result that was asked for has no indices
+            because it is missing in some run or the same in all
+        UnknownVariableError: there is no result of that name
+    """
+    parameters, found = _columns(table)
+    samples = _samples(table, len(parameters))
+    for name in results or ():
+        if name not in found:
+            raise UnknownVariableError(name, found)
+    frames, left_out = [], {}
+    for name in results or found:
+        values = table[name].to_numpy(dtype=np.float64)
+        reason = _why_not(values)
+        if reason:
+            left_out[name] = reason
+            continue
+        indices = _indices(values.reshape(len(parameters) + 2, samples), confidence)
+        frames.append(indices.assign(result=name, parameter=parameters))
+    if not frames or (results and left_out):
+        raise SensitivityError("; ".join(f"{name} {reason}" for name, reason in left_out.items()))
+    whole = pd.concat(frames, ignore_index=True)
+    whole = whole[["result", "parameter", *(one for one in whole if one not in ("result", "parameter"))]]
+    whole.attrs["left_out"] = left_out
+    return whole
+
+
+def _columns(table: pd.DataFrame) -> tuple[list[str], list[str]]:
+    """Names of the varied parameters and of the results."""
+    settings = table.attrs["sweep"]["settings"]
+    parameters = list(settings["vary"])
+    return parameters, [str(name) for name in table if name not in (*parameters, *_NOT_RESULTS)]
+
+
+def _samples(table: pd.DataFrame, parameters: int) -> int:
+    method = table.attrs["sweep"]["settings"]["sampling"]["method"]
+    if method != "saltelli":
+        raise SensitivityError(f"Sobol indices need a sweep with method saltelli, this one has {method}")
+    failed = int(table["failed"].sum())
+    if failed:
+        raise SensitivityError(
+            f"{failed} of {len(table)} runs failed; indices without them would be of another distribution. "
+            "Choose narrower ranges of the parameters"
+        )
+    return len(table) // (parameters + 2)
+
+
+def _why_not(values: FloatArray) -> str:
+    missing = int(np.isnan(values).sum())
+    if missing:
+        return f"is missing in {missing} of {values.size} runs"
+    return "is the same in all runs" if np.ptp(values) == 0.0 else ""
+
+
+def _indices(values: FloatArray, confidence: float) -> pd.DataFrame:
+    """Indices of one result; `values` has the rows A, B and one a parameter, shape (parameters + 2, n)."""
+
+    def estimate(chosen: NDArray[np.intp]) -> FloatArray:
+        """Shape (2, parameters): first order and total."""
+        drawn = values[:, chosen]
+        func: dict[_Matrix, FloatArray] = {"f_A": drawn[:1], "f_B": drawn[1:2], "f_AB": drawn[2:, np.newaxis]}
+        found = sobol_indices(func=func, n=chosen.size)
+        return np.stack([found.first_order, found.total_order])
+
+    everything = np.arange(values.shape[1])
+    first, total = estimate(everything)
+    spread = bootstrap(
+        (everything,),
+        estimate,
+        vectorized=False,
+        n_resamples=_RESAMPLES,
+        confidence_level=confidence,
+        method="percentile",
+        rng=_SEED,
+    ).confidence_interval
+    low, high = np.asarray(spread.low), np.asarray(spread.high)
+    return pd.DataFrame(
+        {
+            "first": first,
+            "first_low": low[0],
+            "first_high": high[0],
+            "total": total,
+            "total_low": low[1],
+            "total_high": high[1],
+        }
+    )

@@ -1,0 +1,5 @@
+"""What every room uses: errors, checks of values, settings from TOML, writing files, the look of figures."""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -1,0 +1,55 @@
+from .checks import (
+    angle as angle,
+    finite as finite,
+    increasing_times as increasing_times,
+    not_negative as not_negative,
+    positive as positive,
+)
+from .defaults import (
+    DEFAULT_DURATION as DEFAULT_DURATION,
+    DEFAULT_OUTPUT_INTERVAL as DEFAULT_OUTPUT_INTERVAL,
+    DEFAULT_TOLERANCE as DEFAULT_TOLERANCE,
+)
+from .errors import (
+    InputFileError as InputFileError,
+    OutputFileError as OutputFileError,
+    ParameterError as ParameterError,
+    PyJoystickError as PyJoystickError,
+    SeriesError as SeriesError,
+    SettingsError as SettingsError,
+    SimulationError as SimulationError,
+    UnknownInputError as UnknownInputError,
+    UnknownNameError as UnknownNameError,
+    UnknownParameterError as UnknownParameterError,
+    UnknownVariableError as UnknownVariableError,
+)
+from .figure_style import (
+    AMBER as AMBER,
+    BACKWARD as BACKWARD,
+    BAND as BAND,
+    BLACK as BLACK,
+    BLUE as BLUE,
+    FITTED as FITTED,
+    FORWARD as FORWARD,
+    GRAY as GRAY,
+    GREEN as GREEN,
+    LAWS as LAWS,
+    LONG_DASHES as LONG_DASHES,
+    MEASURED as MEASURED,
+    SERIES as SERIES,
+    SKY as SKY,
+    SOLID as SOLID,
+    VERMILION as VERMILION,
+    dress as dress,
+    legend_above as legend_above,
+)
+from .output import check_outputs as check_outputs, replacing as replacing, write_text as write_text
+from .plots import (
+    check_figure_path as check_figure_path,
+    plot_motion as plot_motion,
+    save_figure as save_figure,
+)
+from .provenance import version_of as version_of, versions as versions
+from .results import save_results as save_results
+from .toml_table import Table as Table, read_toml as read_toml
+from .types import FloatArray as FloatArray, Torque as Torque

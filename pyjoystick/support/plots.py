@@ -1,0 +1,98 @@
+"""Figures of runs. They are Matplotlib `Figure` objects apart from pyplot, so nothing is kept or shown."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Final, Literal
+
+import pandas as pd
+from matplotlib.figure import Figure
+
+from pyjoystick.support.errors import OutputFileError, ParameterError, UnknownVariableError
+from pyjoystick.support.figure_style import SERIES, LineStyle, dress, legend_above
+from pyjoystick.support.output import replacing
+
+AngleUnit = Literal["deg", "rad"]
+
+_PANELS: Final = (
+    ("theta", "Displacement", ""),
+    ("omega", "Velocity", "/s"),
+    ("alpha", "Acceleration", "/s²"),
+)
+_SUFFIXES: Final = (".png", ".pdf", ".svg")
+
+
+def plot_motion(
+    runs: Mapping[str, pd.DataFrame],
+    *,
+    styles: Mapping[str, LineStyle] | None = None,
+    angle_unit: AngleUnit = "deg",
+    title: str = "",
+    size: tuple[float, float] = (7.0, 6.4),
+) -> Figure:
+    """Displacement, velocity and acceleration over time, one above the other, as in Fig. 10 of the paper.
+
+    Args:
+        runs: tables with the columns ``theta`` (rad), ``omega`` (rad/s), ``alpha`` (rad/s2), by label
+        styles: how each run is drawn, by label; in the order of `SERIES` where not given
+        angle_unit: ``deg`` or ``rad``
+        title: a line above the figure
+        size: width and height (inch)
+
+    Raises:
+        ParameterError: no run, more runs than there are line styles, or an unknown unit
+        UnknownVariableError: a table lacks a column
+    """
+    if not 1 <= len(runs) <= len(SERIES):
+        raise ParameterError("runs", f"{len(runs)} runs", f"1 to {len(SERIES)} runs")
+    if angle_unit not in ("deg", "rad"):
+        raise ParameterError("angle_unit", angle_unit, "'deg' or 'rad'")
+    factor = math.degrees(1.0) if angle_unit == "deg" else 1.0
+    drawn = dict(zip(runs, SERIES, strict=False)) if styles is None else styles
+    figure = Figure(figsize=size, layout="constrained")
+    axes = figure.subplots(len(_PANELS), 1, sharex=True)
+    for panel, (column, name, per) in zip(axes, _PANELS, strict=True):
+        for label, table in runs.items():
+            if column not in table.columns:
+                raise UnknownVariableError(column, map(str, table.columns))
+            panel.plot(table.index, table[column] * factor, label=label, **drawn[label])
+        panel.set_ylabel(f"{name} ({angle_unit}{per})")
+        panel.margins(y=0.08)
+        dress(panel, zero=True)
+    axes[-1].set_xlabel("Time (s)")
+    axes[-1].set_xlim(
+        min(float(table.index[0]) for table in runs.values()),
+        max(float(table.index[-1]) for table in runs.values()),
+    )
+    figure.align_ylabels(axes)
+    if len(runs) > 1:
+        legend_above(figure, axes[0], title=title)
+    elif title:
+        figure.suptitle(title, fontsize="medium")
+    return figure
+
+
+def save_figure(figure: Figure, path: Path, *, resolution: float = 200.0) -> None:
+    """Write a figure, whole or not at all; the suffix of the path says the format: .png, .pdf or .svg.
+
+    Args:
+        figure: the figure
+        path: where to
+        resolution: dots per inch of a .png
+
+    Raises:
+        OutputFileError: another suffix, or the file cannot be written
+    """
+    check_figure_path(path)
+    # Without a date the same figure is the same file.
+    metadata = {".pdf": {"CreationDate": None}, ".svg": {"Date": None}}.get(path.suffix.lower(), {})
+    with replacing(path) as temporary:
+        figure.savefig(temporary, dpi=resolution, metadata=metadata)
+
+
+def check_figure_path(path: Path) -> None:
+    """Raise OutputFileError unless the suffix is one that `save_figure` knows."""
+    if path.suffix.lower() not in _SUFFIXES:
+        raise OutputFileError(path, f"the name must end in {', '.join(_SUFFIXES)}")

@@ -1,0 +1,192 @@
+"""The fit as a whole: progress, Ctrl-C, several noise levels, what it counts."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+
+from pyjoystick.fmu import Fmu, Plan
+from pyjoystick.identification import (
+    CONSTANT_DAMPING,
+    RELEASE,
+    Fit,
+    FitInterruptedError,
+    FitSettings,
+    Free,
+    Measurement,
+    Noise,
+    Uncertainty,
+    as_json,
+    fit,
+    report,
+    summary,
+)
+from pyjoystick.model import NOMINAL
+from tests.pyjoystick.identification.fitting.made import releases
+
+NOISE = math.radians(0.1)
+QUICK = dataclasses.replace(CONSTANT_DAMPING, uncertainty=Uncertainty(profiles=()))
+
+
+@pytest.fixture
+def with_bootstrap(fmus_by_name: Path) -> Fit:
+    settings = dataclasses.replace(QUICK, uncertainty=Uncertainty(bootstrap=3))
+    return fit(releases(NOMINAL, 2, noise=NOISE), settings)
+
+
+def test_what_is_done_is_told(fmus_by_name: Path) -> None:
+    told: list[tuple[str, int, int]] = []
+    settings = dataclasses.replace(QUICK, uncertainty=Uncertainty(bootstrap=2))
+    fit(releases(NOMINAL, noise=NOISE), settings, on_progress=lambda *news: told.append(news))
+    assert told == [
+        ("searching", 0, 1),
+        ("searching", 1, 1),
+        ("profiles", 0, 1),
+        ("profiles", 1, 1),
+        ("bootstrap", 1, 2),
+        ("bootstrap", 2, 2),
+    ]
+
+
+def test_runs_are_counted(fmus_by_name: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    counted = 0
+    run, batch = Plan.run, Plan.run_batch
+
+    def counting(self: Plan, row: object) -> object:
+        nonlocal counted
+        counted += 1
+        return run(self, row)  # type: ignore[arg-type]
+
+    def counting_batch(self: Plan, rows: list[object], **options: object) -> object:
+        nonlocal counted
+        counted += len(rows)
+        return batch(self, rows, **options)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(Plan, "run", counting)
+    monkeypatch.setattr(Plan, "run_batch", counting_batch)
+    found = fit(releases(NOMINAL, 2, noise=NOISE), CONSTANT_DAMPING)
+    assert found.runs == counted > 0
+
+
+def test_ctrl_c_before_there_is_a_result(fmus_by_name: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def stopped(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(Plan, "run", stopped)
+    with pytest.raises(FitInterruptedError, match="stopped before there was a result"):
+        fit(releases(NOMINAL), QUICK)
+
+
+def test_ctrl_c_after_the_search_keeps_what_was_found(
+    fmus_by_name: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    run = Plan.run
+    stage = ""
+
+    def stopped(self: Plan, row: object) -> object:
+        if stage == "profiles":
+            raise KeyboardInterrupt
+        return run(self, row)  # type: ignore[arg-type]
+
+    def tell(name: str, _done: int, _total: int) -> None:
+        nonlocal stage
+        stage = name
+
+    monkeypatch.setattr(Plan, "run", stopped)
+    found = fit(releases(NOMINAL, noise=NOISE), CONSTANT_DAMPING, on_progress=tell)
+    assert found.interrupted
+    assert not found.profiles
+    assert found.value("damping.C") == pytest.approx(0.045, rel=0.01)
+    assert "Stopped before everything was done." in summary(found)
+    assert json.loads(as_json(found))["interrupted"] is True
+
+
+def test_each_record_may_have_a_noise_of_its_own(fmus_by_name: Path) -> None:
+    """The quieter record counts for more, so that the answer is better than with one level for both."""
+    records = [releases(NOMINAL, 1, noise=NOISE)[0], releases(NOMINAL, 2, noise=5.0 * NOISE, seed=2)[1]]
+    together, apart = (
+        fit(records, dataclasses.replace(QUICK, noise=Noise(per_record=per_record)))
+        for per_record in (False, True)
+    )
+    levels = [one.sigma["theta"] for one in apart.records]
+    assert levels == pytest.approx([NOISE, 5.0 * NOISE], rel=0.2)
+    assert together.records[0].sigma == together.records[1].sigma
+    assert apart.error("damping.C") < 0.5 * together.error("damping.C")
+
+
+def test_two_outputs_have_a_noise_each(fmus_by_name: Path) -> None:
+    """The velocity is measured too, in its own unit."""
+    (record,) = releases(NOMINAL, noise=NOISE)
+    clean = releases(NOMINAL)[0]
+    omega = np.gradient(clean.theta, clean.time)
+    measured = Measurement("both", record.time, {"theta": record.theta, "omega": omega})
+    settings = dataclasses.replace(QUICK, outputs=("theta", "omega"), free=(QUICK.free[0], RELEASE[0]))
+    settings = dataclasses.replace(settings, fixed={"release_time": 0.1})
+    sigma = fit([measured], settings).records[0].sigma
+    assert sigma["theta"] == pytest.approx(NOISE, rel=0.25)
+    # Differences over two frames round off the corners of the velocity.
+    assert sigma["omega"] > 10.0 * sigma["theta"]
+
+
+def test_a_column_drives_an_input(fmus_by_name: Path) -> None:
+    time = np.linspace(0.0, 1.0, 41)
+    with Fmu("Joystick") as joystick:
+        drive = 0.5 * np.sin(9.0 * time)
+        inputs = pd.DataFrame({"T": drive}, index=time)
+        table = joystick.run(time, inputs=inputs, outputs=["theta"])
+    measured = Measurement("driven", time, {"theta": table["theta"].to_numpy(), "T": drive})
+    settings = FitSettings(
+        fmu="Joystick", free=(Free("J", start=0.013),), inputs=("T",), uncertainty=Uncertainty(profiles=())
+    )
+    found = fit([measured], settings)
+    assert found.value("J") == pytest.approx(NOMINAL.J, rel=1e-6)
+
+
+def test_values_by_their_label(with_bootstrap: Fit) -> None:
+    assert with_bootstrap.shared() == {"damping.C": with_bootstrap.value("damping.C")}
+    low, high = with_bootstrap.interval("damping.C")
+    assert (low, high) == with_bootstrap.profiles[0].interval
+    low, high = with_bootstrap.interval("theta_start [run 0]")
+    assert low < with_bootstrap.value("theta_start [run 0]") < high
+    with pytest.raises(KeyError, match=r"'C' is not among damping\.C"):
+        with_bootstrap.value("C")
+
+
+def test_the_report_has_everything(with_bootstrap: Fit) -> None:
+    text = report(with_bootstrap, "Two records")
+    assert text.startswith("# Two records\n\nEvery check passed.\n")
+    header = next(line for line in text.splitlines() if line.startswith("| parameter"))
+    for column in (
+        "unit",
+        "value",
+        "standard error",
+        "95 % interval",
+        "95 % by profile",
+        "95 % by bootstrap",
+    ):
+        assert column in header
+    for words in ("Standard deviation of the noise (estimated", "AICc ", "BIC ", "Bootstrap over records: 3"):
+        assert words in text
+    assert f"{with_bootstrap.runs} runs of the FMU in {with_bootstrap.seconds:.2f} s." in text
+
+
+def test_json_has_every_number_and_no_nan(with_bootstrap: Fit) -> None:
+    found = json.loads(as_json(with_bootstrap), parse_constant=lambda name: pytest.fail(name))
+    damping = found["parameters"][0]
+    assert damping["value"] == with_bootstrap.value("damping.C")
+    assert len(damping["bootstrap_interval"]) == 2
+    assert damping["bootstrap_error"] > 0.0
+    assert damping["profile"]["at_bound"] == [False, False]
+    assert len(found["records"][0]["data"]) == len(with_bootstrap.records[0].data)
+    open_one = fit(
+        releases(NOMINAL),
+        dataclasses.replace(QUICK, free=(Free("m"), Free("h"), *QUICK.free)),
+    )
+    assert json.loads(as_json(open_one))["parameters"][0]["standard_error"] is None
+    assert "not determined" in summary(open_one)

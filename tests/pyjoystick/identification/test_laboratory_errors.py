@@ -1,0 +1,81 @@
+"""What single uncertainties make of a run and of a fit."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from pyjoystick.fmu import Fmu
+from pyjoystick.identification import Bench, combined, contribution_table, fit_contributions
+from pyjoystick.identification.laboratory_errors import Contribution, curve_axes, refit, run_contribution
+from pyjoystick.laboratory import fit_load_curve, mean_period
+from pyjoystick.laboratory.synthetic_records import synthetic_record
+from pyjoystick.model import FORWARD_TABLE, NOMINAL, simulate
+from tests.pyjoystick.laboratory.load_curve.machine import curve
+
+RELEASE = math.radians(-20.0)
+
+
+def test_the_mean_period_is_that_between_passages_of_zero() -> None:
+    time = np.arange(0.0, 3.0, 1e-3)
+    assert mean_period(time, -np.cos(2.0 * np.pi * time / 0.7)) == pytest.approx(0.7, rel=1e-6)
+
+
+def test_axes_of_a_curve_span_its_covariance() -> None:
+    fit = fit_load_curve(curve(FORWARD_TABLE, 1))
+    moved = curve_axes(NOMINAL, "forward", fit)
+    tables = [one.forward.to_table() for one in moved]
+    steps = np.array([(*one.x, *one.k) for one in tables]) - np.array((*fit.table.x, *fit.table.k))
+    errors = np.concatenate((fit.x_errors, fit.k_errors))
+    np.testing.assert_allclose(
+        steps.T @ steps / np.outer(errors, errors),
+        fit.covariance[:8, :8] / np.outer(errors, errors),
+        atol=1e-5,
+    )
+    assert all(one.backward == NOMINAL.backward for one in moved)
+
+
+def test_several_axes_add_up_by_their_squares() -> None:
+    undamped = NOMINAL.replace({"damping.C": 0.0})
+    moved = [undamped.replace({"J": NOMINAL.J * 1.001})]
+    one = run_contribution("J", undamped, moved, release_angle=RELEASE)
+    two = run_contribution("J", undamped, 2 * moved, release_angle=RELEASE)
+    assert two.theta == pytest.approx(math.sqrt(2.0) * one.theta, rel=1e-12)
+    # Without damping time is stretched by the root of J, and nothing else happens.
+    assert one.period == pytest.approx(5e-4, rel=0.02)
+    run, other = (simulate(j, time=np.arange(901) / 600.0, theta_start=RELEASE) for j in (undamped, *moved))
+    assert one.theta == pytest.approx(float(np.sqrt(np.mean((run.theta - other.theta) ** 2))), rel=1e-9)
+
+
+@pytest.mark.usefixtures("fmus_by_name")
+def test_what_is_measured_before_reaches_the_fitted_values() -> None:
+    random = np.random.default_rng(3)
+    records = [synthetic_record(NOMINAL, release_angle=RELEASE, random=random, noise=1e-3)]
+    bench = Bench(joystick=NOMINAL, curves={}, uncertainties={"m": 0.01, "J": 1e-4}, scale=2e-3)
+    with Fmu("Joystick") as fmu:
+        found, contributions = fit_contributions(records, bench, fmu, release_angle=RELEASE)
+        joystick = NOMINAL.replace(found.shared())
+        heavier = refit(records, joystick.replace({"m": joystick.m + 0.01}), fmu)
+    scale, zero, mass, inertia, noise = contributions
+    assert pytest.approx(abs(heavier.value("J") / found.value("J") - 1.0), rel=1e-6) == mass.J
+    assert pytest.approx(abs(heavier.value("damping.C") / found.value("damping.C") - 1.0), rel=1e-6) == mass.C
+    run = simulate(joystick, time=np.arange(901) / 600.0, theta_start=RELEASE)
+    assert scale.theta == pytest.approx(2e-3 * float(np.sqrt(np.mean(run.theta**2))), rel=1e-9)
+    assert zero.theta == pytest.approx(1e-3 / math.sqrt(15.0), rel=0.2)
+    # J is fitted: what was measured of it before says nothing more, but a run with it would be off.
+    assert math.isnan(inertia.J)
+    assert inertia.period > 3e-3
+    assert found.error("J") / found.value("J") == noise.J
+    assert combined(contributions)[0] == pytest.approx(
+        math.sqrt(sum(one.J**2 for one in (scale, zero, mass, noise)))
+    )
+
+
+def test_the_table_leaves_out_what_has_no_part_and_adds_up() -> None:
+    rows = [Contribution("a", theta=math.radians(0.5), J=0.003), Contribution("b", J=0.004, C=0.01)]
+    table = contribution_table(rows).splitlines()
+    cells = [[cell.strip() for cell in line.split("|")[1:-1]] for line in table[2:]]
+    assert cells[0] == ["a", "0.500", "", "", "0.300", ""]
+    assert cells[-1] == ["all", "", "", "", "0.500", "1.000"]

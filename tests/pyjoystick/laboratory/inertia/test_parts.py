@@ -1,0 +1,110 @@
+"""Inertia from parts, against bodies whose inertia is known."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import pytest
+
+from pyjoystick.laboratory import Measured, from_parts, read_parts
+from pyjoystick.laboratory.inertia.parts import Part
+from pyjoystick.motion import RecordError
+from pyjoystick.support import ParameterError
+
+FILE = """# synthetic
+part;mass (g);u_mass (g);height (mm);u_height (mm);offset (mm);inertia (g.cm2)
+shaft;300;1;100;0.5;0;10000
+grip;500;2;220;1;5;9000
+cam;70;0.5;-10;0.2;0;120
+"""
+
+
+def rod(name: str, mass: float, low: float, high: float) -> Part:
+    """A thin rod along the axis."""
+    own = mass * (high - low) ** 2 / 12.0
+    return Part(name=name, mass=Measured(mass), height=Measured((low + high) / 2.0), inertia=Measured(own))
+
+
+def test_a_rod_in_pieces_is_the_whole_rod() -> None:
+    """J = m*l^2/3 about its end."""
+    pieces = [rod(str(i), 0.2, 0.1 * i, 0.1 * (i + 1)) for i in range(4)]
+    found = from_parts(pieces)
+    assert found.m.value == pytest.approx(0.8, rel=1e-14)
+    assert found.h.value == pytest.approx(0.2, rel=1e-14)
+    assert found.J.value == pytest.approx(0.8 * 0.4**2 / 3.0, rel=1e-14)
+    assert found.notes == ()
+
+
+def test_a_part_beside_the_axis() -> None:
+    side = Part(
+        name="side", mass=Measured(1.0), height=Measured(0.3), offset=Measured(0.4), inertia=Measured(0.01)
+    )
+    found = from_parts([side])
+    assert found.J.value == pytest.approx(0.01 + 0.25, rel=1e-14)
+    assert found.notes[0].startswith("the center of mass lies 400 mm off the axis")
+
+
+def test_uncertainties_by_hand() -> None:
+    part = Part(
+        name="ball", mass=Measured(2.0, 0.01), height=Measured(0.5, 0.002), inertia=Measured(0.1, 0.005)
+    )
+    found = from_parts([part])
+    by_part = {"mass": 0.25 * 0.01, "height": 2.0 * 2.0 * 0.5 * 0.002, "inertia": 0.005}
+    for what, expected in by_part.items():
+        assert found.J.budget[f"ball: {what}"] == pytest.approx(expected, rel=1e-9)
+    assert found.J.uncertainty == pytest.approx(math.hypot(*by_part.values()), rel=1e-9)
+    assert found.h.uncertainty == pytest.approx(0.002, rel=1e-9)
+
+
+def test_a_file(tmp_path: Path) -> None:
+    path = tmp_path / "parts.csv"
+    path.write_text(FILE, encoding="utf-8")
+    parts = read_parts(path)
+    assert [part.name for part in parts] == ["shaft", "grip", "cam"]
+    assert parts[1].mass == Measured(0.5, 0.002)
+    assert parts[2].height == Measured(-0.01, pytest.approx(0.0002))
+    assert parts[0].inertia == Measured(pytest.approx(1e-3))
+    found = from_parts(parts)
+    assert found.m.value == pytest.approx(0.87)
+    expected = 1e-3 + 9e-4 + 1.2e-5 + 0.3 * 0.1**2 + 0.5 * (0.22**2 + 0.005**2) + 0.07 * 0.01**2
+    assert found.J.value == pytest.approx(expected, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        (
+            "grip;500",
+            "grip;-500",
+            "column 'mass', row 4: is not allowed (found -0.5); must be a finite number above 0",
+        ),
+        ("grip;500", "shaft;500", "row 4: a part occurs twice (found shaft); give each its own name"),
+        ("mass (g);u", "mass;u", "column 'mass': has no unit; write it in the heading"),
+        (
+            "(mm);u_h",
+            "(inch);u_h",
+            "column 'height (inch)': has an unknown unit (found inch); known are m, cm, mm",
+        ),
+        (
+            "grip;500",
+            "grip;0,5",
+            "column 'mass (g)', row 4: is no number (found '0,5'); write numbers with a decimal",
+        ),
+        ("70;0.5", ";0.5", "column 'mass (g)', row 5: samples without a finite number"),
+        ("inertia (g.cm2)", "own (g.cm2)", "has no column 'inertia'"),
+    ],
+)
+def test_mistakes_in_a_file_are_named(tmp_path: Path, old: str, new: str, message: str) -> None:
+    path = tmp_path / "parts.csv"
+    path.write_text(FILE.replace(old, new, 1), encoding="utf-8")
+    with pytest.raises(RecordError) as refused:
+        read_parts(path)
+    assert message in str(refused.value)
+
+
+def test_no_parts_or_a_body_below_the_pivot() -> None:
+    with pytest.raises(ParameterError, match="one part or more"):
+        from_parts([])
+    with pytest.raises(ParameterError, match="heights count upward"):
+        from_parts([rod("hanging", 1.0, -0.3, 0.0)])

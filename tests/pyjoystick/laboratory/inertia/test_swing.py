@@ -1,0 +1,131 @@
+"""The swing test: what the amplitude and the damping do, and how sure the inertia is."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from scipy.integrate import quad
+
+from pyjoystick.laboratory import Measured, combined, inertia_of_swing, period_of_readings, period_of_record
+from pyjoystick.laboratory.inertia.swing import amplitude_factor, mean_amplitude_factor
+from pyjoystick.model import NOMINAL, swing_frequency
+from pyjoystick.motion import RecordError
+from pyjoystick.support import ParameterError
+from tests.pyjoystick.laboratory.inertia.pendulum import DAMPING, WEIGHT, swing
+
+EXACT = (Measured(NOMINAL.m), Measured(NOMINAL.h), Measured(NOMINAL.g))
+
+
+@pytest.mark.parametrize("degrees", [5.0, 20.0, 60.0])
+def test_the_amplitude_factor_is_the_integral_of_the_motion(degrees: float) -> None:
+    """Over a quarter swing, dt = dtheta/omega, with theta = A sin(u) so that the end is no singularity."""
+    top = math.radians(degrees)
+
+    def slowness(u: float) -> float:
+        speed_squared = 2.0 * (math.cos(top * math.sin(u)) - math.cos(top))
+        return top * math.cos(u) / math.sqrt(speed_squared)
+
+    quarter = quad(slowness, 0.0, math.pi / 2.0 - 1e-9)[0]
+    assert amplitude_factor(top) == pytest.approx(quarter / (math.pi / 2.0), rel=1e-7)
+
+
+def test_the_mean_factor_lies_between_those_of_the_ends() -> None:
+    first, last = math.radians(20.0), math.radians(5.0)
+    decay = np.exp(np.linspace(math.log(first), math.log(last), 20_001))
+    expected = float(np.trapezoid(amplitude_factor(decay)) / 20_000)
+    assert mean_amplitude_factor(first, last) == pytest.approx(expected, rel=1e-9)
+    assert mean_amplitude_factor(first, first) == pytest.approx(float(amplitude_factor(first)), rel=1e-14)
+    assert mean_amplitude_factor(0.0, 0.0) == 1.0
+
+
+def test_the_inertia_of_table_2_from_its_own_frequency() -> None:
+    period = combined(lambda T: T, {"T": Measured(1.0 / swing_frequency(NOMINAL), 1e-4)})  # noqa: N803
+    found = inertia_of_swing(period, *EXACT)
+    assert found.value == pytest.approx(NOMINAL.J, rel=1e-14)
+    assert found.uncertainty == pytest.approx(2.0 * 1e-4 * swing_frequency(NOMINAL) * NOMINAL.J, rel=1e-6)
+
+
+def test_a_recorded_swing_without_noise() -> None:
+    """What the method itself leaves: the amplitude makes 0.34 %, 0.7 % of J, and 1.6e-6 is left."""
+    period = period_of_record(swing(None))
+    assert inertia_of_swing(period.period, *EXACT).value == pytest.approx(NOMINAL.J, rel=4e-6)
+    assert period.amplitude_factor - 1.0 == pytest.approx(3.4e-3, rel=0.05)
+    assert period.damping_ratio is not None
+    expected = DAMPING / (2.0 * math.sqrt(NOMINAL.J * WEIGHT))
+    assert period.damping_ratio.value == pytest.approx(expected, rel=0.01)
+
+
+def test_stated_intervals_of_recorded_swings_cover_the_truth() -> None:
+    deviations = []
+    for seed in range(12):
+        period = period_of_record(swing(seed, offset=math.radians(0.3)))
+        found = inertia_of_swing(period.period, *EXACT)
+        deviations.append((found.value - NOMINAL.J) / found.uncertainty)
+    assert np.sum(np.abs(deviations) < 2.0) >= 10
+    assert np.max(np.abs(deviations)) < 4.0
+
+
+def test_stated_intervals_of_stopwatch_readings_cover_the_truth() -> None:
+    """Ten swings from 15 degrees; scatter of 0.1 s a reading and 0.05 s that all readings share."""
+    random = np.random.default_rng(1)
+    top = math.radians(15.0)
+    last = top * math.exp(-DAMPING / (2.0 * NOMINAL.J) * 10.0 / swing_frequency(NOMINAL))
+    true_time = 10.0 * mean_amplitude_factor(top, last) / swing_frequency(NOMINAL)
+    inside = 0
+    for _ in range(200):
+        shared = 0.05 * random.standard_normal()
+        readings = true_time + shared + 0.1 * random.standard_normal(5)
+        error = math.radians(1.0)
+        tops = (Measured(top + error * random.standard_normal(), error), Measured(last, error))
+        low, high = inertia_of_swing(period_of_readings(list(readings), 10, *tops).period, *EXACT).interval
+        inside += low <= NOMINAL.J <= high
+    # 95 % of 200, and three standard deviations of that number either way.
+    assert inside == pytest.approx(190, abs=9)
+
+
+def test_the_budget_adds_up() -> None:
+    period = period_of_readings([8.05, 8.1, 8.0], 10, Measured(0.2, 0.02))
+    known = (Measured(0.87, 0.001), Measured(0.082, 0.0005), Measured(9.80665))
+    found = inertia_of_swing(period.period, *known)
+    assert found.uncertainty == pytest.approx(math.hypot(*found.budget.values()))
+    assert found.budget["h"] == pytest.approx(found.value * 0.0005 / 0.082, rel=1e-9)
+    assert found.budget["g"] == 0.0
+    scatter = 0.05 / math.sqrt(3.0) / 10.0
+    factor = mean_amplitude_factor(0.2, 0.2)
+    assert period.period.budget["mean of the readings"] == pytest.approx(scatter / factor, rel=1e-9)
+    assert found.freedom > period.period.freedom > 2.0
+
+
+@pytest.mark.parametrize(
+    ("readings", "swings", "amplitude", "message"),
+    [
+        ([], 10, 0.1, "readings"),
+        ([8.0, -1.0], 10, 0.1, r"readings\[1\]"),
+        ([8.0], 0, 0.1, "swings"),
+        ([8.0], 10, 20.0, "first_amplitude"),
+        ([8.0], 10, -0.1, "first_amplitude"),
+    ],
+)
+def test_readings_that_are_refused(
+    readings: list[float], swings: int, amplitude: float, message: str
+) -> None:
+    with pytest.raises(ParameterError, match=f"^{message} = "):
+        period_of_readings(readings, swings, Measured(amplitude))
+
+
+def test_nothing_swings_without_weight() -> None:
+    period = period_of_readings([8.0], 10, Measured(0.1)).period
+    with pytest.raises(ParameterError, match=r"^h = "):
+        inertia_of_swing(period, Measured(0.87), Measured(0.0), Measured(9.81))
+
+
+def test_a_record_that_is_too_short_or_too_sparse() -> None:
+    record = swing(1)
+    with pytest.raises(RecordError, match=r"has \d whole half swings that count; at least 5 are needed"):
+        period_of_record(record.between(0.0, 2.0))
+    sparse = swing(1)
+    thinned = type(sparse)("sparse", sparse.time[::8], sparse.theta[::8])
+    with pytest.raises(RecordError, match="record with more samples a second"):
+        period_of_record(thinned)

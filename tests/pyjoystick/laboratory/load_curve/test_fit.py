@@ -1,0 +1,170 @@
+"""The fit finds Table 1 again in synthetic records, within the errors that it states."""
+
+from __future__ import annotations
+
+import dataclasses
+import re
+
+import numpy as np
+import pytest
+
+from pyjoystick.laboratory import LoadCurve, fit_load_curve, load_curve_report, plot_load_curve
+from pyjoystick.laboratory.load_curve.cubic import misses, segment_force
+from pyjoystick.laboratory.load_curve.report import hysteresis_work
+from pyjoystick.model import BACKWARD_TABLE, FORWARD_TABLE, NOMINAL, SegmentTable, table_force
+from pyjoystick.motion import RecordError
+from pyjoystick.support import ParameterError
+from tests.pyjoystick.laboratory.load_curve.coverage import deviations_of
+from tests.pyjoystick.laboratory.load_curve.machine import MACHINE, curve, cycle
+
+_RUNS = 6
+
+
+def test_stated_errors_cover_the_truth() -> None:
+    """Monte Carlo: of 17 quantities in 6 records, 95 % intervals hold 90 % or more, and 4 sigma hold all.
+
+    The quantities of one record are not independent; `coverage` as a script takes more
+    of them.
+    """
+    found = deviations_of(range(100, 100 + _RUNS))
+    assert found.pop("misfit") == pytest.approx(np.ones(_RUNS), abs=0.1)
+    sizes = np.abs(list(found.values()))
+    assert sizes.shape == (17, _RUNS)
+    assert np.mean(sizes < 1.96) >= 0.9
+    assert np.max(sizes) < 4.0
+
+
+def test_noise_friction_and_zero_are_found() -> None:
+    fit = fit_load_curve(curve(FORWARD_TABLE, 1))
+    assert fit.travel_noise == pytest.approx(MACHINE.travel_noise, rel=0.1)
+    assert fit.force_noise == pytest.approx(MACHINE.force_noise, rel=0.1)
+    assert fit.friction == pytest.approx(MACHINE.friction, abs=0.01)
+    assert fit.zero == pytest.approx(MACHINE.zero, abs=0.03)
+
+
+def test_a_curve_without_noise_comes_back() -> None:
+    travel = np.concatenate((up := np.arange(0.0, 3.6e-3, 2e-6), up[::-1]))
+    fit = fit_load_curve(LoadCurve.from_cycle(travel, table_force(FORWARD_TABLE, travel)))
+    assert fit.table.x == pytest.approx(FORWARD_TABLE.x, abs=1e-9)
+    assert fit.table.k == pytest.approx(FORWARD_TABLE.k, rel=1e-4)
+
+
+def test_other_numbers_of_segments() -> None:
+    table = SegmentTable((1e-3, 2e-3), (5e4, 1e4))
+    travel = np.concatenate((up := np.arange(0.0, 4e-3, 1e-5), up[::-1]))
+    force = table_force(table, travel) + 0.02 * np.random.default_rng(3).standard_normal(travel.size)
+    fit = fit_load_curve(LoadCurve.from_cycle(travel, force), segments=2)
+    assert np.all(np.abs(np.array(fit.table.x) - table.x) < 4.0 * fit.x_errors)
+    assert np.all(np.abs(np.array(fit.table.k) - table.k) < 4.0 * fit.k_errors)
+    with pytest.raises(ParameterError, match="four travels"):
+        fit.springs()
+    assert "returnSpring" not in load_curve_report(fit)
+
+
+def test_springs_and_segments_are_one_curve() -> None:
+    fit = fit_load_curve(curve(BACKWARD_TABLE, 2))
+    x = np.linspace(0.0, 4e-3, 4001)
+    np.testing.assert_allclose(segment_force(fit, x), table_force(fit.table, x), atol=1e-9)
+    values = {name: value for name, (value, _) in fit.springs().items()}
+    k_0, k_1, k_2, k_3 = fit.table.k
+    x_0, x_1, x_2, x_3 = fit.table.x
+    assert values["returnSpring.F_0"] == pytest.approx((k_0 - k_1) * (x_1 - x_0))
+    assert values["balanceSpring.F_0"] == pytest.approx((k_2 - k_3) * (x_3 - x_2))
+    assert values["balanceSpring.k_s"] == pytest.approx(k_3 - k_1)
+
+
+def test_errors_of_the_springs_follow_from_the_covariance() -> None:
+    """Against draws from the distribution that the covariance stands for."""
+    fit = fit_load_curve(curve(FORWARD_TABLE, 4))
+    mean = np.array([*fit.table.x, *fit.table.k])
+    draws = np.random.default_rng(0).multivariate_normal(
+        mean, fit.covariance[:8, :8], 20_000, method="cholesky"
+    )
+    preloads = (draws[:, 4] - draws[:, 5]) * (draws[:, 1] - draws[:, 0])
+    # 20000 draws give a standard deviation to 0.5 %.
+    assert fit.springs()["returnSpring.F_0"][1] == pytest.approx(np.std(preloads), rel=0.03)
+
+
+def test_the_cubic_is_no_match() -> None:
+    missed = misses(fit_load_curve(curve(FORWARD_TABLE, 1)))
+    assert missed["cubic"].rms > 10.0 * missed["segments"].rms
+    assert missed["cubic"].largest > 30.0
+
+
+def test_hysteresis() -> None:
+    fit = fit_load_curve(curve(FORWARD_TABLE, 1))
+    # Twice the friction over the travel in contact that is kept: the last 0.5 % are not.
+    expected = 2.0 * MACHINE.friction * (0.995 * 3.6e-3 - FORWARD_TABLE.x[0])
+    assert hysteresis_work(fit) == pytest.approx(expected, rel=0.02)
+    match = re.search(r"loading lies ([.\d]+) N above unloading", load_curve_report(fit))
+    assert match
+    assert float(match[1]) == pytest.approx(2.0 * MACHINE.friction, abs=0.02)
+
+
+def test_loading_alone_is_used_with_a_note() -> None:
+    travel, force = cycle(FORWARD_TABLE, 5)
+    half = len(travel) // 2
+    fit = fit_load_curve(LoadCurve.from_cycle(travel[:half], force[:half]))
+    assert fit.friction == 0.0
+    assert any("friction counts as force of the springs" in note for note in fit.notes)
+    # The force of friction is in the preload now, as the note says.
+    preload = fit.springs()["returnSpring.F_0"]
+    assert preload[0] == pytest.approx(NOMINAL.forward.return_spring.F_0 + MACHINE.friction, abs=0.1)
+    assert np.isnan(hysteresis_work(fit))
+
+
+def test_slack_within_the_curve_is_told_with_its_rows() -> None:
+    fit = fit_load_curve(curve(FORWARD_TABLE, 6, slack=(1.5e-3, 0.05e-3)))
+    (note,) = [note for note in fit.notes if "miss the record" in note]
+    assert "look there for slack" in note
+    assert fit.misfit > 1.5
+
+
+def test_clearance_is_told_with_its_row() -> None:
+    fit = fit_load_curve(curve(FORWARD_TABLE, 7))
+    (note,) = [note for note in fit.notes if "clearance" in note]
+    match = re.match(r"no force up to a travel of ([.\d]+) mm \(row (\d+)\)", note)
+    assert match
+    assert float(match[1]) == pytest.approx(0.075, abs=1e-3)
+    assert int(match[2]) == pytest.approx(25, abs=1)
+
+
+def test_a_segment_with_few_samples_is_told() -> None:
+    fit = fit_load_curve(curve(FORWARD_TABLE, 8, step=15e-6))
+    assert any(note.startswith("k_2 rests on") and "more slowly" in note for note in fit.notes)
+
+
+@pytest.mark.parametrize("first", [28, 40, 100])
+def test_a_record_that_begins_in_contact_is_refused(first: int) -> None:
+    travel, force = cycle(FORWARD_TABLE, 9)
+    cut = slice(first, len(travel) - first)
+    with pytest.raises(
+        RecordError, match=r"row 0: is in contact from the first rows on.*begin the record before"
+    ):
+        fit_load_curve(LoadCurve.from_cycle(travel[cut], force[cut]))
+
+
+def test_unloading_above_loading_is_refused() -> None:
+    travel, force = cycle(FORWARD_TABLE, 10)
+    swapped = np.concatenate((force[len(force) // 2 :][::-1] - 2.0, force[: len(force) // 2][::-1] + 2.0))
+    with pytest.raises(RecordError, match="N above loading"):
+        fit_load_curve(LoadCurve.from_cycle(travel, swapped))
+
+
+@pytest.mark.parametrize("name", ["travel_noise", "force_noise"])
+def test_noise_that_is_refused(name: str) -> None:
+    with pytest.raises(ParameterError, match=name):
+        fit_load_curve(curve(FORWARD_TABLE, 1), **{name: 0.0})
+
+
+def test_the_figure_shows_the_steep_segments() -> None:
+    fit = fit_load_curve(curve(FORWARD_TABLE, 1))
+    figure = plot_load_curve(fit, title="synthetic")
+    _, first, second = figure.axes
+    labels = [text.get_text() for text in figure.legends[0].get_texts()]
+    assert labels == ["loading", "unloading", "segments", "cubic"]
+    for axes, i in ((first, 0), (second, 2)):
+        low, high = axes.get_xlim()
+        assert low < 1e3 * fit.table.x[i] < 1e3 * fit.table.x[i + 1] < high
+    single = dataclasses.replace(fit, table=SegmentTable(fit.table.x[:1], fit.table.k[:1]))
+    assert len(plot_load_curve(single).axes) == 1

@@ -1,0 +1,101 @@
+"""Files of a testing machine, and how bad ones are named."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pyjoystick.laboratory import LoadCurve, read_load_curve
+from pyjoystick.model import FORWARD_TABLE
+from pyjoystick.motion import RecordError
+from tests.pyjoystick.laboratory.load_curve.machine import cycle, write
+
+
+def test_a_cycle_is_parted_at_the_turn(tmp_path: Path) -> None:
+    travel, force = cycle(FORWARD_TABLE, 1, step=20e-6)
+    curve = read_load_curve(write(tmp_path / "curve.csv", travel, force))
+    assert curve.unloading is not None
+    kept = travel < np.max(travel) - 0.005 * np.ptp(travel)
+    joined = np.concatenate([branch.travel for branch in curve.branches])
+    np.testing.assert_allclose(joined, travel[kept], atol=1e-9)
+    # Two lines stand before the first row.
+    assert curve.loading.rows[0] == 3
+    assert curve.notes == ()
+
+
+def test_headings_and_units_of_another_machine(tmp_path: Path) -> None:
+    travel, force = cycle(FORWARD_TABLE, 1, step=20e-6)
+    expected = LoadCurve.from_cycle(travel, force)
+    path = write(tmp_path / "curve.csv", travel * 1e3, force / 1e3, "Extension (um);Load")
+    columns = {"travel": "Extension", "force": "Load"}
+    found = read_load_curve(path, columns=columns, units={"force": "kN"})
+    np.testing.assert_allclose(found.loading.travel, expected.loading.travel, atol=1e-9)
+    np.testing.assert_allclose(found.loading.force, expected.loading.force, atol=0.06)
+
+
+def test_compression_counted_negative_is_turned_and_told() -> None:
+    travel, force = cycle(FORWARD_TABLE, 1, step=20e-6)
+    turned = LoadCurve.from_cycle(-travel, -force)
+    np.testing.assert_array_equal(turned.loading.force, LoadCurve.from_cycle(travel, force).loading.force)
+    assert [note.split(":")[0] for note in turned.notes] == [
+        "travel is mostly negative",
+        "force is mostly negative",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (lambda t: t.replace(";", " "), "separate the columns by commas, semicolons or tabs"),
+        (lambda t: t.replace("0.0", "0,0"), "row 3: is no number (found '0,0"),
+        (
+            lambda t: t.replace(".", ",").replace(";", ","),
+            "row 3: has 4 cells under 2 headings; was the file cut",
+        ),
+        (
+            lambda t: t.replace("(N)", "(lbf)"),
+            "column 'force (lbf)': has an unknown unit (found lbf); known are N",
+        ),
+        (
+            lambda t: t.replace(" (mm)", ""),
+            "column 'travel': has no unit; write it in the heading or give it",
+        ),
+        (lambda t: t.replace("force", "load"), "has no column 'force'; name the column of force; there are"),
+        (lambda t: t[: t.index("\n", 2000)] + "\n1.0;\n", "column 'force (N)', row "),
+        (lambda t: t + t[t.index("\n", 30) + 1 :], "travel turns back by"),
+    ],
+)
+def test_bad_files_are_named_with_row_and_remedy(tmp_path: Path, change: object, message: str) -> None:
+    path = write(tmp_path / "curve.csv", *cycle(FORWARD_TABLE, 1, step=20e-6))
+    path.write_text(change(path.read_text(encoding="utf-8")), encoding="utf-8")  # type: ignore[operator]
+    with pytest.raises(RecordError) as refused:
+        read_load_curve(path)
+    assert str(refused.value).startswith(str(path))
+    assert message in str(refused.value)
+
+
+def test_travel_that_turns_back_names_its_row(tmp_path: Path) -> None:
+    travel, force = cycle(FORWARD_TABLE, 1, step=20e-6)
+    travel[60:80] -= 0.1e-3
+    with pytest.raises(
+        RecordError, match=r"column 'travel', row 63: travel turns back by 0\.\d+ mm within loading"
+    ):
+        read_load_curve(write(tmp_path / "curve.csv", travel, force))
+
+
+def test_arrays_that_are_no_cycle() -> None:
+    travel, force = cycle(FORWARD_TABLE, 1, step=20e-6)
+    half = len(travel) // 2
+    with pytest.raises(RecordError, match="has no loading branch"):
+        LoadCurve.from_cycle(travel[half:], force[half:])
+    with pytest.raises(RecordError, match="column 'force': is zero throughout"):
+        LoadCurve.from_cycle(travel, 0.0 * force)
+    with pytest.raises(RecordError, match="samples in a branch"):
+        LoadCurve.from_cycle(np.linspace(0.0, 1e-3, 10), np.linspace(0.0, 1.0, 10))
+
+
+def test_an_unknown_quantity(tmp_path: Path) -> None:
+    with pytest.raises(RecordError, match="'stress' is no quantity; known are travel, force"):
+        read_load_curve(tmp_path / "curve.csv", units={"stress": "N"})

@@ -1,0 +1,62 @@
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from pyjoystick.motion import Record, RecordError, rows_in_words
+
+TIME = np.array([0.0, 0.1, 0.2, 0.3, 0.7])
+THETA = np.array([0.1, 0.0, -0.1, 0.0, 0.1])
+
+
+def test_arrays_are_copied_and_kept() -> None:
+    time = TIME.copy()
+    record = Record("one", time, THETA)
+    time[0] = 5.0
+    assert record.time[0] == 0.0
+    with pytest.raises(ValueError, match="read-only"):
+        record.theta[0] = 1.0
+    assert record.rows.tolist() == [0, 1, 2, 3, 4]
+    assert len(record) == 5
+    assert record.interval == pytest.approx(0.1)
+
+
+def test_a_part_keeps_its_rows() -> None:
+    part = Record("one", TIME, THETA, omega=2.0 * THETA, rows=np.arange(7, 12)).between(0.05, 0.35)
+    assert part.time.tolist() == [0.1, 0.2, 0.3]
+    assert part.rows.tolist() == [8, 9, 10]
+    assert part.omega is not None
+    assert part.omega.tolist() == [0.0, -0.2, 0.0]
+    with pytest.raises(RecordError, match="has 2 samples"):
+        part.between(0.15)
+
+
+def test_notes_are_added() -> None:
+    record = Record("one", TIME, THETA, notes=("first",))
+    assert record.with_notes("second").notes == ("first", "second")
+
+
+@pytest.mark.parametrize(
+    ("time", "theta", "column", "rows"),
+    [
+        (TIME, THETA[:4], "theta", ()),
+        (TIME, THETA.reshape(1, 5), "theta", ()),
+        (["a"], THETA, "time", ()),
+        (TIME, [0.0, 0.1, np.nan, np.inf, 0.0], "theta", (2, 3)),
+        ([0.0, np.nan, 0.2, 0.3, 0.7], THETA, "time", (1,)),
+        ([0.0, 0.1, 0.1, 0.3, 0.7], THETA, "time", (2,)),
+        ([0.0, 0.1, 0.05, 0.3, 0.7], THETA, "time", (2,)),
+        (TIME, [0.0, 0.1, 1.58, -1.58, 0.0], "theta", (2, 3)),
+        (TIME[:2], THETA[:2], "", ()),
+    ],
+)
+def test_bad_arrays_are_refused(time: object, theta: object, column: str, rows: tuple[int, ...]) -> None:
+    with pytest.raises(RecordError) as caught:
+        Record("one", time, theta, source="test")  # type: ignore[arg-type]
+    assert (caught.value.source, caught.value.column, caught.value.rows) == ("test", column, rows)
+
+
+def test_rows_in_words() -> None:
+    assert rows_in_words([7]) == "row 7"
+    assert rows_in_words([9, 3, 4, 5, 5]) == "rows 3-5, 9"
+    assert rows_in_words(range(1, 30, 2)) == "rows 1, 3, 5, 7, 9 and 10 more places"

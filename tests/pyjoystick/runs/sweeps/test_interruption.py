@@ -1,0 +1,60 @@
+"""Processes that are stopped in mid-sweep: by Ctrl-C and by a kill that leaves no time for anything."""
+
+from __future__ import annotations
+
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pandas as pd
+import pytest
+
+from pyjoystick.runs import Sweep, read_settings, read_sweep, run_sweep
+from tests.pyjoystick.runs.sweeps.conftest import LONG, Write
+
+_PATIENCE = 120.0  # s, for a machine with much else to do
+
+
+def _started(settings: Path, target: Path) -> subprocess.Popen[str]:
+    """A process that carries out the sweep."""
+    command = [sys.executable, "-m", "pyjoystick", "sweep", str(settings), "--output", str(target)]
+    return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+
+def _wait_for_parts(process: subprocess.Popen[str], target: Path, count: int) -> None:
+    folder = Path(f"{target}.parts")
+    end = time.monotonic() + _PATIENCE
+    while len(list(folder.glob("from-*.npz"))) < count:
+        assert process.poll() is None, "the sweep came to its end before it was stopped"
+        assert time.monotonic() < end, "the sweep did not begin"
+        time.sleep(0.01)
+
+
+@pytest.mark.parametrize("stop", [signal.SIGINT, signal.SIGKILL])
+def test_a_stopped_sweep_goes_on_from_there(written: Write, tmp_path: Path, stop: signal.Signals) -> None:
+    settings = written(LONG)
+    target = tmp_path / "a.parquet"
+    process = _started(settings, target)
+    try:
+        _wait_for_parts(process, target, 3)
+        process.send_signal(stop)
+        out, err = process.communicate(timeout=_PATIENCE)
+    finally:
+        process.kill()
+    if stop == signal.SIGINT:
+        assert process.returncode == 130
+        assert "of 4096 runs of Joystick.fmu done" in out
+        assert "the same command goes on from here" in err
+    else:
+        assert process.returncode == -signal.SIGKILL
+    assert not target.exists()
+    sweep = Sweep(read_settings(settings))
+    outcome = run_sweep(sweep, target)
+    assert 0 < outcome.found < 4096
+    assert (outcome.done, outcome.failed) == (4096, 0)
+    expected = run_sweep(sweep, tmp_path / "whole.parquet")
+    assert expected.found == 0
+    assert expected.table is not None
+    pd.testing.assert_frame_equal(read_sweep(target), expected.table, check_exact=True)

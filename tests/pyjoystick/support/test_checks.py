@@ -1,0 +1,41 @@
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from pyjoystick.support import ParameterError, checks
+
+
+@pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf, "1", None, True, 1j, [1.0]])
+def test_what_is_no_finite_number_is_refused(value: object) -> None:
+    for check in (checks.finite, checks.positive, checks.not_negative, checks.angle):
+        with pytest.raises(ParameterError) as caught:
+            check("k_s", value)
+        assert caught.value.field == "k_s"
+        assert caught.value.value is value
+
+
+@pytest.mark.parametrize("value", [3, 3.0, np.float32(3.0), np.int64(3)])
+def test_any_real_number_becomes_a_float(value: float) -> None:
+    for check in (checks.finite, checks.positive, checks.not_negative):
+        assert type(check("k_s", value)) is float
+        assert check("k_s", value) == 3.0
+
+
+def test_limits_of_positive_and_not_negative() -> None:
+    assert checks.not_negative("F_0", 0.0) == 0.0
+    assert checks.positive("k_s", 5e-324) > 0.0
+    with pytest.raises(ParameterError, match=r"^k_s = 0\.0: must be a finite number above 0 N/m$"):
+        checks.positive("k_s", 0.0, "N/m")
+    with pytest.raises(ParameterError, match=r"^F_0 = -1e-09: must be a finite number, 0 N or more$"):
+        checks.not_negative("F_0", -1e-9, "N")
+
+
+def test_degrees_given_for_radians_are_recognized() -> None:
+    assert checks.angle("theta_start", -1.5707) == -1.5707
+    with pytest.raises(ParameterError, match=r"theta_start = -20: .* -20 degrees are -0\.349066 rad"):
+        checks.angle("theta_start", -20)
+    with pytest.raises(ParameterError):
+        checks.angle("theta_start", math.pi / 2.0)

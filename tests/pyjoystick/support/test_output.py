@@ -1,0 +1,84 @@
+"""Files appear whole or not at all."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+
+from pyjoystick.support import OutputFileError, check_outputs, replacing, write_text
+
+
+def test_folders_are_made_and_files_replaced(tmp_path: Path) -> None:
+    path = tmp_path / "new" / "folder" / "file.txt"
+    write_text(path, "one\n")
+    write_text(path, "zwölf\n")
+    assert path.read_bytes() == "zwölf\n".encode()
+    assert list(path.parent.iterdir()) == [path]
+
+
+@pytest.mark.parametrize("error", [ValueError, KeyboardInterrupt])
+def test_what_was_there_stays_where_writing_fails(tmp_path: Path, error: type[BaseException]) -> None:
+    path = tmp_path / "file.csv"
+    path.write_text("old")
+
+    def fails_in_the_middle() -> None:
+        with replacing(path) as temporary:
+            temporary.write_text("half of it")
+            raise error
+
+    with pytest.raises(error):
+        fails_in_the_middle()
+    assert path.read_text() == "old"
+    assert list(tmp_path.iterdir()) == [path]
+
+
+def test_the_suffix_is_kept_for_those_who_go_by_it(tmp_path: Path) -> None:
+    with replacing(tmp_path / "a.b.png") as temporary:
+        assert temporary.suffix == ".png"
+        assert temporary.parent == tmp_path
+        temporary.touch()
+
+
+def test_a_path_that_cannot_be_written_is_named(tmp_path: Path) -> None:
+    (tmp_path / "file").touch()
+    (tmp_path / "folder").mkdir()
+    with pytest.raises(OutputFileError, match=r"cannot write .*file/x\.txt: its folder cannot be made"):
+        write_text(tmp_path / "file" / "x.txt", "text")
+    with pytest.raises(OutputFileError, match=r"cannot write .*folder: "):
+        write_text(tmp_path / "folder", "text")
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["file", "folder"]
+
+
+def test_outputs_that_can_be_written_are_not_made(tmp_path: Path) -> None:
+    (tmp_path / "old.csv").write_text("old")
+    check_outputs(None, tmp_path / "old.csv", tmp_path / "new" / "folder" / "new.csv", None)
+    assert [path.name for path in tmp_path.iterdir()] == ["old.csv"]
+    assert (tmp_path / "old.csv").read_text() == "old"
+
+
+def test_outputs_that_cannot_be_written_are_found_before(tmp_path: Path) -> None:
+    (tmp_path / "file").touch()
+    (tmp_path / "folder").mkdir()
+    for name, reason in (("file/a/x.csv", "file: "), ("folder", "it is a folder")):
+        with pytest.raises(OutputFileError, match=rf"cannot write .*{name}: .*{reason}"):
+            check_outputs(tmp_path / name)
+
+
+def test_a_folder_that_is_locked_is_found_before(tmp_path: Path) -> None:
+    folder = tmp_path / "locked"
+    folder.mkdir(mode=0o500)
+    if os.access(folder, os.W_OK):
+        pytest.skip("whoever runs this may write everywhere, as root does")
+    with pytest.raises(OutputFileError, match=r"locked/x\.csv: .*locked: Permission denied"):
+        check_outputs(folder / "x.csv")
+
+
+def test_two_outputs_in_one_file_are_refused(tmp_path: Path) -> None:
+    (tmp_path / "folder").mkdir()
+    (tmp_path / "link").symlink_to(tmp_path / "folder")
+    path = tmp_path / "folder" / "x.png"
+    for other in (path, tmp_path / "folder" / ".." / "folder" / "x.png", tmp_path / "link" / "x.png"):
+        with pytest.raises(OutputFileError, match=r"x\.png: another result is written there too"):
+            check_outputs(path, None, other)
