@@ -1,4 +1,8 @@
-"""The sources/ folder of an FMU: the runtime, the generated model, the FMI headers and the content token."""
+"""The sources/ folder of an FMU: the runtime, the generated model, the FMI headers and the content token.
+
+The runtime has a folder for each layer, but its files include each other by bare name and an FMU carries them
+side by side: any importer finds a header beside the file that includes it, without an include directory.
+"""
 
 from __future__ import annotations
 
@@ -22,11 +26,16 @@ FMI_HEADERS: Mapping[FmiVersion, tuple[str, ...]] = {
 
 def runtime_files(fmi_version: FmiVersion) -> list[Path]:
     """The runtime's files, those of the other versions of FMI left out; raises `BuildError` without any."""
-    others = tuple(f"fmi{version[0]}_" for version in FMI_HEADERS if version != fmi_version)
-    files = sorted(path for path in RUNTIME.glob("*.[ch]") if not path.name.startswith(others))
+    others = {f"fmi{version[0]}" for version in FMI_HEADERS if version != fmi_version}
+    files = sorted(path for path in RUNTIME.glob("*/*.[ch]") if path.parent.name not in others)
     if not any(path.suffix == ".c" for path in files):
         raise BuildError(f"the C runtime is missing: no C file in {RUNTIME}")
     return files
+
+
+def include_arguments() -> list[str]:
+    """Compiler arguments with which a C file that lies elsewhere finds the runtime's headers."""
+    return [f"-I{folder}" for folder in sorted({path.parent for path in RUNTIME.glob("*/*.h")})]
 
 
 def collect_sources(c_source: str, fmi_version: FmiVersion) -> dict[str, bytes]:

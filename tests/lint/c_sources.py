@@ -16,10 +16,10 @@ import rumoca
 
 from fmu_build.codegen import ModelSource, generate
 from fmu_build.compilers.library import default_library, entry_file
+from fmu_build.packaging.sources import RUNTIME, include_arguments
 from pyjoystick.fmu import MODELS
 
 STRICT = ("-std=c11", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-O2", "-c")
-RUNTIME = Path(__file__).parents[2] / "fmu_build" / "runtime"
 BENCHMARKS = Path(__file__).parents[2] / "benchmarks"
 
 
@@ -29,8 +29,9 @@ def main() -> int:
     if gcc := shutil.which("gcc"):
         compilers["gcc"] = [gcc]
     with tempfile.TemporaryDirectory() as folder:
-        files = [*sorted(RUNTIME.glob("*.c")), *sorted(BENCHMARKS.glob("*.c")), *_generated(Path(folder))]
-        headers = [f"-I{RUNTIME}", f"-I{folder}", "-isystem", str(Path(fmpy.__file__).parent / "c-code")]
+        files = [*sorted(RUNTIME.rglob("*.c")), *sorted(BENCHMARKS.glob("*.c")), *_generated(Path(folder))]
+        standard = Path(fmpy.__file__).parent / "c-code"
+        headers = [*include_arguments(), f"-I{folder}", "-isystem", str(standard)]
         return sum(
             _complains(name, [*command, *STRICT, *headers], files) for name, command in compilers.items()
         )

@@ -10,7 +10,7 @@ from importlib import resources
 from pathlib import Path
 
 from fmu_build.packaging.binaries import COMPILER_FLAGS
-from fmu_build.packaging.sources import FMI_HEADERS, RUNTIME, runtime_files
+from fmu_build.packaging.sources import FMI_HEADERS, include_arguments, runtime_files
 from fmu_build.support.request import FmiVersion
 
 MODELS = Path(__file__).parent / "models"
@@ -63,7 +63,7 @@ class Workshop:
         for name in FMI_HEADERS[fmi_version]:
             (standard / name).write_bytes((headers / name).read_bytes())
         (folder / "token.h").write_text(f'#define MODEL_TOKEN "{TOKEN}"\n', "utf-8")
-        own = ("-I", RUNTIME, "-I", MODELS, "-I", folder, "-isystem", standard)
+        own = (*include_arguments(), "-I", MODELS, "-I", folder, "-isystem", standard)
         self._flags = (*COMPILER_FLAGS, "-Wpedantic", "-Werror", "-fPIC", *own)
         sources = [file for file in runtime_files(fmi_version) if file.suffix == ".c"]
         _compile((*self._flags, "-c", *sources), folder)

@@ -16,7 +16,7 @@ from fmu_build.codegen import ModelSource, generate
 from fmu_build.codegen.equations import read_equations
 from fmu_build.codegen.functions import FunctionLibrary
 from fmu_build.codegen.lowered import lower
-from fmu_build.packaging.sources import RUNTIME
+from fmu_build.packaging.sources import include_arguments
 from fmu_build.support.errors import UnsupportedModelError
 from tests.fmu_build.codegen.functions.compiled import compile_c
 
@@ -169,7 +169,7 @@ def values(folder: Path) -> Callable[[float], dict[str, float]]:
     model = session.load(str(folder / "Sites.mo"), model="Sites.Main")
     source = generate(ModelSource(session, model)).c_source
     names = re.findall(r"^    Y_(\w+),$", source, re.MULTILINE)
-    library = compile_c(source + EVALUATION, folder / "sites.so", "-I", str(RUNTIME), "-I", str(folder))
+    library = compile_c(source + EVALUATION, folder / "sites.so", *include_arguments(), "-I", str(folder))
     library.evaluate.argtypes = (ctypes.c_double, ctypes.POINTER(ctypes.c_double))
 
     def at(time: float) -> dict[str, float]:

@@ -1,7 +1,7 @@
 /* model.h - the contract between one generated model and the runtime.
  *
- * The generator writes one C file that defines everything declared here; the rest of this
- * folder is the same for every model and knows the model through this header alone.
+ * The generator writes one C file that defines everything declared here; the rest of the
+ * runtime is the same for every model and knows the model through this header alone.
  *
  * All values of an instance live in two arrays of double:
  *   y   continuous variables: the states first, then the algebraic variables
