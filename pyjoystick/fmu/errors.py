@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 from pyjoystick.support import PyJoystickError, SimulationError
 
 
+@dataclass(eq=False)
 class FmuNotFoundError(PyJoystickError):
     """There is no such FMU.
 
@@ -16,15 +17,12 @@ class FmuNotFoundError(PyJoystickError):
         advice: how to get it
     """
 
-    def __init__(self, fmu: str, advice: str) -> None:
-        super().__init__(fmu, advice)
-        self.fmu = fmu
-        self.advice = advice
-
-    def __str__(self) -> str:
-        return f"there is no FMU {self.fmu}; {self.advice}"
+    fmu: str
+    advice: str
+    _message = "there is no FMU {fmu}; {advice}"
 
 
+@dataclass(eq=False)
 class FmuFileError(PyJoystickError):
     """The file is not an FMU, or a broken one.
 
@@ -33,34 +31,28 @@ class FmuFileError(PyJoystickError):
         reason: what is wrong with it
     """
 
-    def __init__(self, path: Path, reason: str) -> None:
-        super().__init__(path, reason)
-        self.path = path
-        self.reason = reason
-
-    def __str__(self) -> str:
-        return f"{self.path}: {self.reason}"
+    path: Path
+    reason: str
+    _message = "{path}: {reason}"
 
 
 class UnsupportedFmuError(FmuFileError):
     """The FMU is sound, but cannot be run here: another FMI version, interface or platform."""
 
 
+@dataclass(eq=False)
 class FmuRunError(SimulationError):
-    """The FMU refused its settings or failed during a run.
+    """The FMU rejected its settings or failed during a run.
 
     Attributes:
-        path: the FMU
         time: the last communication point (s) that was reached
         reason: the FMI function that failed, and how
-        messages: what the FMU itself said, oldest first
+        path: the FMU
+        messages: what the FMU itself reported, oldest first
     """
 
-    def __init__(self, path: Path, time: float, reason: str, messages: Sequence[str] = ()) -> None:
-        super().__init__(time, reason)
-        self.args = (path, time, reason, tuple(messages))
-        self.path = path
-        self.messages = tuple(messages)
+    path: Path
+    messages: tuple[str, ...] = ()
 
     def __str__(self) -> str:
         said = "; ".join(message.rstrip(".") for message in self.messages)

@@ -57,7 +57,8 @@ class Instance:
         except FMICallException as error:
             self.is_lost = self.is_lost or error.status == FATAL
             reason = str(error).rstrip(".")
-            raise FmuRunError(self.description.path, time, reason, self.log.messages()) from error
+            path, messages = self.description.path, tuple(self.log.messages())
+            raise FmuRunError(time, reason, path, messages) from error
 
     def free(self) -> None:
         """Free it for good, unless it is lost."""

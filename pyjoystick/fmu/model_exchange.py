@@ -106,6 +106,6 @@ def _simulate(instance: Instance, folder: str, **settings: Any) -> Any:
         with instance.reporting(reached[0]):
             return fmpy.simulate_fmu(folder, fmu_instance=instance.fmi, step_finished=remember, **settings)
     except FmuRunError as error:
-        raise FmuRunError(error.path, reached[0], error.reason, error.messages) from error
+        raise FmuRunError(reached[0], error.reason, error.path, error.messages) from error
     except RuntimeError as error:  # of FMPy, where CVode fails; it names a source file of CVode first
         raise SimulationError(reached[0], f"CVode: {str(error).rpartition('.c: ')[2]}") from error

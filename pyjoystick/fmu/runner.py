@@ -120,7 +120,7 @@ class Runner:
             label = _LABELS[status] if 0 <= status < len(_LABELS) else "not a status"
             reason = f"{function} failed with status {status} ({label})"
         reached = preparation.program.times[place[POINT]]
-        error = FmuRunError(instance.description.path, reached, reason, instance.log.messages())
+        error = FmuRunError(reached, reason, instance.description.path, tuple(instance.log.messages()))
         run = int(place[RUN])
         place[POINT] = BETWEEN_RUNS
         instance.log.clear()

@@ -1,10 +1,14 @@
+from .errors import (
+    DampingEstimateError as DampingEstimateError,
+    FitError as FitError,
+    FitInterruptedError as FitInterruptedError,
+)
 from .fitting.defaults import (
     CONSTANT_DAMPING as CONSTANT_DAMPING,
     DISPLACEMENT_DAMPING as DISPLACEMENT_DAMPING,
     POWER_LAW_DAMPING as POWER_LAW_DAMPING,
     RELEASE as RELEASE,
 )
-from .fitting.errors import FitError as FitError, FitInterruptedError as FitInterruptedError
 from .fitting.figures import PROFILES as PROFILES, save_figures as save_figures
 from .fitting.fit import OnProgress as OnProgress, fit as fit
 from .fitting.joystick_values import with_values as with_values
@@ -45,11 +49,7 @@ from .peak_method.estimate import (
     estimate_damping as estimate_damping,
 )
 from .peak_method.figures import plot_damping_estimate as plot_damping_estimate
-from .peak_method.line import (
-    DampingEstimateError as DampingEstimateError,
-    PowerLine as PowerLine,
-    fit_power_line as fit_power_line,
-)
+from .peak_method.line import PowerLine as PowerLine, fit_power_line as fit_power_line
 from .peak_method.points import (
     VelocityClock as VelocityClock,
     displacement_points as displacement_points,

@@ -9,7 +9,7 @@ from typing import Final
 
 import numpy as np
 
-from pyjoystick.identification.fitting.errors import FitError
+from pyjoystick.identification.errors import FitError
 from pyjoystick.identification.fitting.result import Fit
 from pyjoystick.identification.fitting.settings import FitSettings
 from pyjoystick.model import (

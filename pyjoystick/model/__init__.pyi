@@ -78,14 +78,17 @@ from .undamped_period.closed_form import (
     LineSide as LineSide,
     linearized_joystick as linearized_joystick,
 )
-from .undamped_period.errors import NoOscillationError as NoOscillationError
 from .undamped_period.figure import plot_periods as plot_periods
 from .undamped_period.geometry import (
     CamGeometry as CamGeometry,
     Geometry as Geometry,
     LinearGeometry as LinearGeometry,
 )
-from .undamped_period.oscillation import Span as Span, UndampedOscillation as UndampedOscillation
+from .undamped_period.oscillation import (
+    NoOscillationError as NoOscillationError,
+    Span as Span,
+    UndampedOscillation as UndampedOscillation,
+)
 from .undamped_period.quadrature import undamped_oscillation as undamped_oscillation
 from .undamped_period.table import (
     decaying_periods as decaying_periods,

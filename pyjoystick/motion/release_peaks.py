@@ -17,6 +17,7 @@ DISPLACEMENT_PEAKS: Final = 9
 VELOCITY_PEAKS: Final = 10
 
 
+@dataclass(eq=False)
 class PeakPairingError(PyJoystickError, ValueError):
     """Peaks of two motions cannot be paired by order and sign.
 
@@ -27,15 +28,11 @@ class PeakPairingError(PyJoystickError, ValueError):
         reason: what is wrong with it
     """
 
-    def __init__(self, name: str, series: str, number: int, reason: str) -> None:
-        super().__init__(name, series, number, reason)
-        self.name = name
-        self.series = series
-        self.number = number
-        self.reason = reason
-
-    def __str__(self) -> str:
-        return f"{self.name}: {self.series} peak {self.number} {self.reason}"
+    name: str
+    series: str
+    number: int
+    reason: str
+    _message = "{name}: {series} peak {number} {reason}"
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -1,10 +1,17 @@
 from .coupling.archive import read_ssp as read_ssp, write_ssp as write_ssp
-from .coupling.errors import CouplingError as CouplingError
 from .coupling.joystick import operator_and_joystick as operator_and_joystick
 from .coupling.master import run_coupled as run_coupled
 from .coupling.schemes import SCHEMES as SCHEMES
 from .coupling.step_errors import coupling_errors as coupling_errors, orders as orders
 from .coupling.system import Component as Component, Connection as Connection, CoupledSystem as CoupledSystem
+from .errors import (
+    ChangedSweepError as ChangedSweepError,
+    ClusterError as ClusterError,
+    CouplingError as CouplingError,
+    MissingPackageError as MissingPackageError,
+    SensitivityError as SensitivityError,
+    SweepFileError as SweepFileError,
+)
 from .experiments import (
     fmu_of_damping as fmu_of_damping,
     free_oscillation as free_oscillation,
@@ -29,13 +36,6 @@ from .fmu_comparison.runs import Tolerances as Tolerances
 from .simulated_releases import SimulatedReleases as SimulatedReleases
 from .sweeps.amounts import difference_of as difference_of, number_of as number_of, value_of as value_of
 from .sweeps.design import Sampling as Sampling, design as design
-from .sweeps.errors import (
-    ChangedSweepError as ChangedSweepError,
-    ClusterError as ClusterError,
-    MissingPackageError as MissingPackageError,
-    SensitivityError as SensitivityError,
-    SweepFileError as SweepFileError,
-)
 from .sweeps.files import read_sweep as read_sweep
 from .sweeps.joystick_file import values_from_joystick_file as values_from_joystick_file
 from .sweeps.plots import (

@@ -9,6 +9,7 @@ from contextlib import nullcontext
 import numpy as np
 
 from pyjoystick.fmu import Fmu
+from pyjoystick.identification.errors import FitInterruptedError
 from pyjoystick.identification.fitting.assessment import (
     all_checks,
     criteria_of,
@@ -16,7 +17,6 @@ from pyjoystick.identification.fitting.assessment import (
     record_fits,
 )
 from pyjoystick.identification.fitting.bootstrap import Bootstrap, bootstrap
-from pyjoystick.identification.fitting.errors import FitInterruptedError
 from pyjoystick.identification.fitting.identifiability import identifiability
 from pyjoystick.identification.fitting.measurement import Measurement
 from pyjoystick.identification.fitting.noise_model import estimated_sigmas, weights_of

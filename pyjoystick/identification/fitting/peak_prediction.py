@@ -7,7 +7,7 @@ from typing import Final
 import numpy as np
 
 from pyjoystick.fmu import Peaks
-from pyjoystick.identification.fitting.errors import FitError
+from pyjoystick.identification.errors import FitError
 from pyjoystick.identification.fitting.measurement import Measurement
 from pyjoystick.identification.fitting.prediction import FmuSettings, Prediction, run_rows
 from pyjoystick.motion import Record, measured_peaks

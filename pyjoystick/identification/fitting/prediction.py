@@ -10,7 +10,7 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from pyjoystick.fmu import Fmu, FmuRunError, Plan, Reduction, Value
-from pyjoystick.identification.fitting.errors import FitError, FitInterruptedError
+from pyjoystick.identification.errors import FitError, FitInterruptedError
 from pyjoystick.identification.fitting.measurement import Measurement
 from pyjoystick.support import FloatArray
 

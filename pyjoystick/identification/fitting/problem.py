@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pyjoystick.identification.fitting.errors import FitError
+from pyjoystick.identification.errors import FitError
 from pyjoystick.identification.fitting.prediction import Prediction, Predictor
 from pyjoystick.identification.fitting.variables import Variables
 from pyjoystick.support import FloatArray

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from pyjoystick.fmu import Fmu
-from pyjoystick.identification.fitting.errors import FitError
+from pyjoystick.identification.errors import FitError
 from pyjoystick.identification.fitting.measurement import Measurement, measurements
 from pyjoystick.identification.fitting.noise_model import first_weights
 from pyjoystick.identification.fitting.peak_prediction import PeakPredictor

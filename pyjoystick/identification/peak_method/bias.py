@@ -19,8 +19,8 @@ from typing import Final
 import pandas as pd
 from scipy.optimize import brentq
 
+from pyjoystick.identification.errors import DampingEstimateError
 from pyjoystick.identification.peak_method.estimate import CONSTANTS, LINES, DampingEstimate, estimate_damping
-from pyjoystick.identification.peak_method.line import DampingEstimateError
 from pyjoystick.model import ConstantDamping, JoystickParameters
 from pyjoystick.motion import ReleasePeaks
 

@@ -11,7 +11,8 @@ import numpy as np
 import pandas as pd
 from scipy.stats import t as student
 
-from pyjoystick.identification.peak_method.line import DampingEstimateError, PowerLine, fit_power_line
+from pyjoystick.identification.errors import DampingEstimateError
+from pyjoystick.identification.peak_method.line import PowerLine, fit_power_line
 from pyjoystick.identification.peak_method.points import VelocityClock, displacement_points, velocity_points
 from pyjoystick.model import PowerLawDamping
 from pyjoystick.motion import DISPLACEMENT_PEAKS, VELOCITY_PEAKS, ReleasePeaks

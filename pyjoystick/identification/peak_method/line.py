@@ -9,11 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.stats import t as student
 
-from pyjoystick.support import FloatArray, PyJoystickError
-
-
-class DampingEstimateError(PyJoystickError, ValueError):
-    """The peaks do not allow the estimate that is asked for."""
+from pyjoystick.identification.errors import DampingEstimateError
+from pyjoystick.support import FloatArray
 
 
 @dataclass(frozen=True, slots=True, eq=False)

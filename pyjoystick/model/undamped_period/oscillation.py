@@ -5,7 +5,23 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+from pyjoystick.support import PyJoystickError
+
 Side = Literal["forward", "backward"]
+
+
+@dataclass(eq=False)
+class NoOscillationError(PyJoystickError, ValueError):
+    """After this release the mechanism does not swing through the middle and back.
+
+    Attributes:
+        release: where it was released (rad, or m)
+        reason: why it does not oscillate
+    """
+
+    release: float
+    reason: str
+    _message = "no oscillation through the middle after a release at {release:.6g}: {reason}"
 
 
 @dataclass(frozen=True, slots=True)

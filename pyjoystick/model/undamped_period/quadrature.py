@@ -25,9 +25,15 @@ from scipy.optimize import brentq
 
 from pyjoystick.model.parameters.joystick import JoystickParameters
 from pyjoystick.model.parameters.springs import ActuatorAssembly
-from pyjoystick.model.undamped_period.errors import NoOscillationError
 from pyjoystick.model.undamped_period.geometry import CamGeometry, Geometry
-from pyjoystick.model.undamped_period.oscillation import Side, Span, UndampedOscillation, other_side, side_of
+from pyjoystick.model.undamped_period.oscillation import (
+    NoOscillationError,
+    Side,
+    Span,
+    UndampedOscillation,
+    other_side,
+    side_of,
+)
 from pyjoystick.support import ParameterError, angle
 
 _RELATIVE_TOLERANCE: Final = 1e-12

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import KW_ONLY, dataclass
 from itertools import groupby
 
 from pyjoystick.support import PyJoystickError
@@ -10,36 +11,31 @@ from pyjoystick.support import PyJoystickError
 _MOST_ROWS_SHOWN = 5
 
 
+@dataclass(eq=False)
 class RecordError(PyJoystickError, ValueError):
     """A record of a motion cannot be used as it is.
 
     Attributes:
-        source: the file, or what else the record comes from
-        column: heading of the column it is about, or an empty string
-        rows: the rows it is about: line numbers of the file as an editor shows them, or indices of samples
-            where the record comes from arrays; may be empty
-        value: the offending value, or None
+        source: the file or other source of the record
         reason: what is wrong
         advice: what to do about it
+        column: heading of the column concerned, or an empty string
+        rows: the rows concerned (a tuple): line numbers of the file as an editor shows them, or indices of
+            samples where the record comes from arrays; may be empty
+        value: the offending value, or None
     """
 
-    def __init__(
-        self,
-        source: str,
-        reason: str,
-        advice: str,
-        *,
-        column: str = "",
-        rows: Iterable[int] = (),
-        value: object = None,
-    ) -> None:
-        self.source = source
-        self.column = column
-        self.rows = tuple(int(row) for row in rows)
-        self.value = value
-        self.reason = reason
-        self.advice = advice
-        super().__init__(source, reason, advice, column, self.rows, value)
+    source: str
+    reason: str
+    advice: str
+    _: KW_ONLY
+    column: str = ""
+    rows: Iterable[int] = ()
+    value: object = None
+
+    def __post_init__(self) -> None:
+        self.rows = tuple(int(row) for row in self.rows)
+        super().__post_init__()
 
     def __str__(self) -> str:
         places = [self.source]

@@ -7,9 +7,9 @@ from typing import Any, Self
 
 import numpy as np
 
-from pyjoystick.runs.coupling.errors import CouplingError
 from pyjoystick.runs.coupling.participant import Participant
 from pyjoystick.runs.coupling.system import CoupledSystem
+from pyjoystick.runs.errors import CouplingError
 from pyjoystick.support import FloatArray
 
 

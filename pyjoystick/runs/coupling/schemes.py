@@ -13,8 +13,8 @@ from typing import Final
 
 import numpy as np
 
-from pyjoystick.runs.coupling.errors import CouplingError
 from pyjoystick.runs.coupling.network import Network
+from pyjoystick.runs.errors import CouplingError
 from pyjoystick.support import FloatArray
 
 #: The end of an iterated step agrees with the one before it to so much of itself, or absolutely.

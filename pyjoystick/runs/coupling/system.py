@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from pyjoystick.fmu import FmuDescription, Value, Variable, checked_parameters, find_fmu, read_description
-from pyjoystick.runs.coupling.errors import CouplingError
+from pyjoystick.runs.errors import CouplingError
 from pyjoystick.support import UnknownNameError
 
 
@@ -100,7 +100,6 @@ class CoupledSystem:
             )
         names = described[component].names(causality)
         if name not in names:
-            unknown = UnknownNameError(name, names)
-            unknown.kind = f"{causality} of {component}"
+            unknown = UnknownNameError(name, names, f"{causality} of {component}")
             raise CouplingError(self.name, str(connection), str(unknown))
         return described[component].variables[name]

@@ -12,7 +12,7 @@ from typing import Any, Final
 import numpy as np
 import pandas as pd
 
-from pyjoystick.runs.sweeps.errors import MissingPackageError, SweepFileError
+from pyjoystick.runs.errors import MissingPackageError, SweepFileError
 from pyjoystick.runs.sweeps.sweep import ATTRIBUTE
 from pyjoystick.support import OutputFileError, replacing
 

@@ -8,8 +8,8 @@ from typing import Final
 import pandas as pd
 
 from pyjoystick.fmu import FmuDescription, Inputs, Value, checked_inputs
+from pyjoystick.runs.errors import SweepFileError
 from pyjoystick.runs.sweeps.amounts import value_of
-from pyjoystick.runs.sweeps.errors import SweepFileError
 from pyjoystick.support import PyJoystickError, SettingsError, Table, UnknownInputError
 
 _UNIT: Final = re.compile(r"\s*\([^()]*\)$")

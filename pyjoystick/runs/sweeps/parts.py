@@ -12,7 +12,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from pyjoystick.runs.sweeps.errors import ChangedSweepError, SweepFileError
+from pyjoystick.runs.errors import ChangedSweepError, SweepFileError
 from pyjoystick.runs.sweeps.lock import locked
 from pyjoystick.runs.sweeps.sweep import Document, Part
 from pyjoystick.support import OutputFileError, replacing, write_text
@@ -126,7 +126,7 @@ def require_same(target: Path, kept: Mapping[str, Any], identity: Mapping[str, A
         # Then it needs no saying that the runs are others.
         differences = [one for one in differences if not one.startswith("runs ")]
     if differences:
-        raise ChangedSweepError(target, differences[:5])
+        raise ChangedSweepError(target, tuple(differences[:5]))
 
 
 def _differences(old: Any, new: Any, place: str) -> Iterator[str]:

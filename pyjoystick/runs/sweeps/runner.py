@@ -12,7 +12,7 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from pyjoystick.runs.sweeps.errors import ChangedSweepError, SweepFileError
+from pyjoystick.runs.errors import ChangedSweepError, SweepFileError
 from pyjoystick.runs.sweeps.files import check_target, read_sweep, write_sweep
 from pyjoystick.runs.sweeps.local import run_locally
 from pyjoystick.runs.sweeps.parts import Parts, require_same

@@ -10,7 +10,7 @@ import pandas as pd
 from numpy.typing import NDArray
 from scipy.stats import bootstrap, sobol_indices
 
-from pyjoystick.runs.sweeps.errors import SensitivityError
+from pyjoystick.runs.errors import SensitivityError
 from pyjoystick.support import FloatArray, UnknownVariableError
 
 #: Resamples of the bootstrap, and the seed that makes its intervals repeatable.

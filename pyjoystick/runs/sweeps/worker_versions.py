@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, Final
 
-from pyjoystick.runs.sweeps.errors import ClusterError
+from pyjoystick.runs.errors import ClusterError
 
 #: Where these differ, the last digits of results may.
 _NUMERICAL: Final = ("Python", "numpy", "scipy")

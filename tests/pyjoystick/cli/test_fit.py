@@ -191,7 +191,7 @@ def test_ctrl_c(
     assert outcome.code == 130, outcome.err
     assert joystick.read_bytes() == before
     if stage == "searching":
-        assert (outcome.out, outcome.message) == ("", "the fit was stopped before there was a result")
+        assert (outcome.out, outcome.message) == ("", "the fit was stopped before it had a result")
     else:
         assert "Stopped before everything was done." in outcome.out
         assert "is left as it was" in outcome.err

@@ -1,9 +1,14 @@
 from __future__ import annotations
 
 import pickle
+from pathlib import Path
 
 import pytest
 
+from pyjoystick.fmu import FmuRunError
+from pyjoystick.identification import DampingEstimateError, FitInterruptedError
+from pyjoystick.motion import RecordError
+from pyjoystick.runs import ChangedSweepError, ClusterError, MissingPackageError
 from pyjoystick.support import (
     ParameterError,
     PyJoystickError,
@@ -17,15 +22,34 @@ EXAMPLES = [
     UnknownParameterError("J0", ["J", "m"]),
     SimulationError(0.25, "the angle has reached pi/2"),
     SeriesError("value", "is nan at index 3; must be finite"),
+    FmuRunError(0.5, "fmi2DoStep failed", Path("a.fmu"), ("too steep.",)),
+    RecordError("a.csv", "is bad", "mend it", column="theta", rows=iter([3, 4]), value="x"),
+    ChangedSweepError(Path("a.csv"), ("m was 1 and is 2",)),
+    ClusterError("tcp://host:8786", "was lost"),
+    MissingPackageError("Parquet files", "parquet"),
+    DampingEstimateError("too few peaks"),
+    FitInterruptedError(),
 ]
 
 
 @pytest.mark.parametrize("error", EXAMPLES, ids=lambda error: type(error).__name__)
 def test_every_error_is_ours_and_survives_pickling(error: PyJoystickError) -> None:
     copy = pickle.loads(pickle.dumps(error))
+    assert type(copy) is type(error)
     assert isinstance(copy, PyJoystickError)
-    assert str(copy) == str(error)
-    assert vars(copy) == vars(error)
+    assert str(copy) == str(error) != ""
+    assert (vars(copy), copy.args) == (vars(error), error.args)
+
+
+def test_the_arguments_of_an_error_are_its_fields() -> None:
+    assert SimulationError(0.25, reason="why").args == (0.25, "why")
+    assert UnknownParameterError("J0", iter(["J", "m"])).args == ("J0", ("J", "m"), "parameter")
+    assert DampingEstimateError("too few peaks").args == ("too few peaks",)
+
+
+def test_errors_are_compared_by_identity() -> None:
+    assert SimulationError(0.25, "why") != SimulationError(0.25, "why")
+    assert len({*EXAMPLES, *EXAMPLES}) == len(EXAMPLES)
 
 
 def test_a_parameter_error_names_field_value_range_and_hint() -> None:

@@ -79,7 +79,7 @@ def test_ctrl_c_before_there_is_a_result(fmus_by_name: Path, monkeypatch: pytest
         raise KeyboardInterrupt
 
     monkeypatch.setattr(Plan, "run", stopped)
-    with pytest.raises(FitInterruptedError, match="stopped before there was a result"):
+    with pytest.raises(FitInterruptedError, match="stopped before it had a result"):
         fit(releases(NOMINAL), QUICK)
 
 

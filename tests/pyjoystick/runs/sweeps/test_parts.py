@@ -59,9 +59,9 @@ def test_other_settings_are_told_and_refused(tmp_path: Path) -> None:
     with pytest.raises(ChangedSweepError) as refused, parts.opened(changed):
         pytest.fail("must not be opened")
     assert refused.value.differences == ("settings experiment duration was 1.5 and is 2.0",)
-    with pytest.raises(ChangedSweepError, match=r"another sweep: settings seed was null and is 2\. Give"):
+    with pytest.raises(ChangedSweepError, match=r"another sweep: settings seed was null and is 2\. Choose"):
         require_same(parts.target, {"runs_sha256": "a"}, {"settings": {"seed": 2}, "runs_sha256": "b"})
-    with pytest.raises(ChangedSweepError, match=r"another sweep: fmu has other contents\. Give"):
+    with pytest.raises(ChangedSweepError, match=r"another sweep: fmu has other contents\. Choose"):
         require_same(parts.target, {"fmu": {"sha256": "a"}}, {"fmu": {"sha256": "b"}})
     with parts.opened(IDENTITY):
         assert parts.whole(6, 2)[1].sum() == 1
