@@ -28,6 +28,7 @@ from .reductions import (
 )
 from .values import (
     INTEGERS as INTEGERS,
+    REALS as REALS,
     Value as Value,
     checked_outputs as checked_outputs,
     checked_parameters as checked_parameters,

@@ -91,6 +91,7 @@ class FmuDescription:
         experiment: proposed settings
         interpolates_inputs: Co-Simulation follows input derivatives within a step
         variable_steps: Co-Simulation takes communication steps of different lengths
+        saves_states: Co-Simulation gives out its state and takes it back
         one_instance: Co-Simulation can be instantiated only once in a process
         log_categories: names of what the FMU tells of
     """
@@ -109,6 +110,7 @@ class FmuDescription:
     experiment: DefaultExperiment
     interpolates_inputs: bool
     variable_steps: bool
+    saves_states: bool
     one_instance: bool = False
     log_categories: tuple[str, ...] = ()
 
@@ -199,6 +201,8 @@ def _description(path: Path, files: list[str], model: Any) -> FmuDescription:
         ),
         interpolates_inputs=bool(getattr(model.coSimulation, "canInterpolateInputs", False)),
         variable_steps=bool(getattr(model.coSimulation, "canHandleVariableCommunicationStepSize", False)),
+        # FMPy has the name of FMI 2 for both versions.
+        saves_states=bool(getattr(model.coSimulation, "canGetAndSetFMUstate", False)),
         one_instance=bool(getattr(model.coSimulation, "canBeInstantiatedOnlyOncePerProcess", False)),
         log_categories=tuple(category.name for category in model.logCategories or ()),
     )

@@ -4,23 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Final
 
 import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
 from pyjoystick.fmu.description import FmuDescription, Variable
-from pyjoystick.fmu.values import Value, checked_value, require_scalar
+from pyjoystick.fmu.values import REALS, Value, checked_value, require_scalar
 from pyjoystick.support import FloatArray, ParameterError, SeriesError, UnknownInputError
 
 #: A constant by name of the input, or a table indexed by time (s) with one column an input. Between rows a
 #: continuous input is straight and any other keeps its value; before the first and after the last row both
 #: stay. Two rows of one time are a jump: the second holds from there on.
 Inputs = Mapping[str, Value] | pd.DataFrame
-
-#: Types of numbers that may change continuously, of FMI 2 and 3.
-_CONTINUOUS: Final = ("Real", "Float64", "Float32")
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,7 +86,7 @@ def input_series(description: FmuDescription, table: pd.DataFrame, points: Float
     for name in table:
         variable = description.variables[str(name)]
         samples = table[name].to_numpy(dtype=np.float64)
-        if variable.type in _CONTINUOUS and variable.variability == "continuous":
+        if variable.type in REALS and variable.variability == "continuous":
             after = _limit(time, samples, points, np.searchsorted(time, points, side="right"))
             before = _limit(time, samples, points, np.searchsorted(time, points, side="left"))
             slopes = (before[1:] - after[:-1]) / np.diff(points)

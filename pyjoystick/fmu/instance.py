@@ -1,8 +1,12 @@
-"""One instance of an FMU, and what its statuses mean."""
+"""One instance of an FMU: its memory for the compiled loop, and its functions called one by one.
+
+The methods are the same for FMI 2 and FMI 3 and take and return Python values. They serve what is not a run
+from start to end: linearizing at a point, or steps that a master repeats. Runs go through `stepping`.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import Any
@@ -10,10 +14,12 @@ from typing import Any
 import numpy as np
 from fmpy.fmi1 import FMICallException
 
-from pyjoystick.fmu.description import FmuDescription
+from pyjoystick.fmu.description import FmuDescription, Variable
 from pyjoystick.fmu.errors import FmuRunError
+from pyjoystick.fmu.interface import c_interface
 from pyjoystick.fmu.log import FmuLog
 from pyjoystick.fmu.stepping.program import BETWEEN_RUNS, FATAL, FLAGS_SIZE, POINT, Workspace
+from pyjoystick.fmu.values import INTEGERS, Value
 
 
 @dataclass(slots=True)
@@ -59,6 +65,69 @@ class Instance:
             reason = str(error).rstrip(".")
             path, messages = self.description.path, tuple(self.log.messages())
             raise FmuRunError(time, reason, path, messages) from error
+
+    def initialize(self, time: float, tolerance: float, values: Mapping[str, Value]) -> None:
+        """Go from any state to the first communication point, at `time` (s), with these values by name."""
+        if not self.is_new:
+            self.fmi.reset()
+        self.is_new = False
+        settings = {"tolerance": tolerance, "startTime": time}
+        if self._is_fmi2:
+            self.fmi.setupExperiment(**settings)
+        for name, value in values.items():
+            self.set([self.description.variables[name]], [value])
+        self.fmi.enterInitializationMode(**({} if self._is_fmi2 else settings))
+        self.fmi.exitInitializationMode()
+
+    def set(self, variables: Sequence[Variable], values: Sequence[Value]) -> None:
+        """Give variables their values, those of one type in one call."""
+        for name, places in self._by_type(variables).items():
+            given = [
+                int(values[i]) if variables[i].type in (*INTEGERS, "Boolean") else values[i] for i in places
+            ]
+            getattr(self.fmi, f"set{name}")([variables[i].value_reference for i in places], given)
+
+    def get(self, variables: Sequence[Variable]) -> list[float]:
+        """Values of numbers and Booleans."""
+        found = [0.0] * len(variables)
+        for name, places in self._by_type(variables).items():
+            values = getattr(self.fmi, f"get{name}")([variables[i].value_reference for i in places])
+            for i, value in zip(places, values, strict=True):
+                found[i] = float(value)
+        return found
+
+    def set_input_derivatives(self, variables: Sequence[Variable], rates: Sequence[float]) -> None:
+        """Let real inputs change at these rates (unit per s) in the next step; FMI 2 only."""
+        if variables:
+            references = [variable.value_reference for variable in variables]
+            self.fmi.setRealInputDerivatives(references, [1] * len(references), list(rates))
+
+    def step(self, time: float, length: float) -> None:
+        """From the communication point `time` (s) to the next, `length` (s) later.
+
+        Raises:
+            FmuRunError: the FMU ended the run, or came back early
+        """
+        flags = self.fmi.doStep(time, length)
+        if flags is None:  # FMI 2
+            return
+        _, has_ended, is_early, _ = flags
+        if has_ended or is_early:
+            early = "fmi3DoStep came back before the end of the step"
+            reason = "the FMU ended the run" if has_ended else early
+            raise FmuRunError(self.description.path, time, reason, self.log.messages())
+
+    @property
+    def _is_fmi2(self) -> bool:
+        return self.description.fmi_version.startswith("2.")
+
+    def _by_type(self, variables: Sequence[Variable]) -> dict[str, list[int]]:
+        """Places of the variables by the name that setters and getters have for their type."""
+        types = c_interface(self.description.fmi_version).types
+        places: dict[str, list[int]] = {}
+        for i, variable in enumerate(variables):
+            places.setdefault(types[variable.type].name, []).append(i)
+        return places
 
     def free(self) -> None:
         """Free it for good, unless it is lost."""

@@ -15,10 +15,8 @@ from pyjoystick.fmu.errors import UnsupportedFmuError
 from pyjoystick.fmu.inputs import checked_inputs
 from pyjoystick.fmu.instance import Instance
 from pyjoystick.fmu.library import FmuLibrary
-from pyjoystick.fmu.values import Value, checked_outputs, checked_parameters
+from pyjoystick.fmu.values import REALS, Value, checked_outputs, checked_parameters
 from pyjoystick.support import FloatArray, not_negative, positive
-
-_REAL = ("Real", "Float64")
 
 
 @dataclass(frozen=True)
@@ -75,16 +73,18 @@ def linearize(
     constants = checked_parameters(description, parameters)
     table = checked_inputs(description, inputs)
     given = {str(name): float(table[name].iloc[0]) for name in table}
-    recorded = [variable for variable in checked_outputs(description, outputs) if variable.type in _REAL]
+    recorded = [variable for variable in checked_outputs(description, outputs) if variable.type in REALS]
     rates = [unknown.variable for unknown in model.derivatives]
     states = [description.variables[rate.derivative.name] for rate in rates]
-    drives = [v for v in description.variables.values() if v.causality == "input" and v.type in _REAL]
+    drives = [v for v in description.variables.values() if v.causality == "input" and v.type in REALS]
     with instance.reporting(0.0):
-        _run_to(instance, instant, {**constants, **given}, positive("tolerance", tolerance))
+        instance.initialize(0.0, positive("tolerance", tolerance), {**constants, **given})
+        if instant > 0.0:
+            instance.step(0.0, instant)
         unknowns = [rate.valueReference for rate in rates] + [v.value_reference for v in recorded]
         knowns = [v.value_reference for v in (*states, *drives)]
         jacobian = _jacobian(instance.fmi, unknowns, knowns)
-        values = _get(instance, [*knowns, *(v.value_reference for v in recorded)])
+        values = instance.get([*states, *drives, *recorded])
     x, u, y = ([variable.name for variable in variables] for variables in (states, drives, recorded))
     n = len(x)
     # An output that is a state is there once.
@@ -104,30 +104,6 @@ def _require_derivatives(description: FmuDescription, model: Any) -> None:
     names = ("providesDirectionalDerivative", "providesDirectionalDerivatives")
     if not any(getattr(interface, name, False) for name in names):
         raise UnsupportedFmuError(description.path, "provides no directional derivatives")
-
-
-def _run_to(instance: Instance, time: float, values: Mapping[str, Value], tolerance: float) -> None:
-    fmi, is_fmi2 = instance.fmi, instance.description.fmi_version == "2.0"
-    if not instance.is_new:
-        fmi.reset()
-    instance.is_new = False
-    if is_fmi2:
-        fmi.setupExperiment(tolerance=tolerance, startTime=0.0)
-    for name, value in values.items():
-        variable = instance.description.variables[name]
-        getattr(fmi, f"set{variable.type}")([variable.value_reference], [value])
-    if is_fmi2:
-        fmi.enterInitializationMode()
-    else:
-        fmi.enterInitializationMode(tolerance=tolerance, startTime=0.0)
-    fmi.exitInitializationMode()
-    if time > 0.0:
-        fmi.doStep(0.0, time)
-
-
-def _get(instance: Instance, references: Sequence[int]) -> list[float]:
-    kind = "Real" if instance.description.fmi_version == "2.0" else "Float64"
-    return [float(value) for value in getattr(instance.fmi, f"get{kind}")(references)] if references else []
 
 
 def _jacobian(fmi: Any, unknowns: Sequence[int], knowns: Sequence[int]) -> FloatArray:

@@ -16,6 +16,8 @@ from pyjoystick.support import ParameterError, UnknownParameterError, UnknownVar
 #: What a variable of an FMU may be set to.
 Value = float | bool | str
 
+#: Types of real numbers, of FMI 2 and 3.
+REALS: Final = ("Real", "Float64", "Float32")
 #: Types with whole numbers, of FMI 2 and 3.
 INTEGERS: Final = (
     "Integer",

@@ -11,6 +11,7 @@ from xml.etree import ElementTree
 from pyjoystick.fmu import find_fmu
 from pyjoystick.runs.coupling.structure import SspVersion, structure_xml, system_of
 from pyjoystick.runs.coupling.system import CoupledSystem
+from pyjoystick.runs.errors import CouplingError
 from pyjoystick.support import InputFileError, replacing
 
 _STRUCTURE: Final = "SystemStructure.ssd"
@@ -28,10 +29,15 @@ def write_ssp(system: CoupledSystem, path: str | PathLike[str], *, version: SspV
 
     Raises:
         CouplingError, FmuNotFoundError, FmuFileError, ParameterError, UnknownParameterError: as
-            `CoupledSystem.describe`
+            `CoupledSystem.describe`, or two different FMUs have the same file name
         OutputFileError: the file cannot be written
     """
-    files = {find_fmu(component.fmu).name: find_fmu(component.fmu) for component in system.components}
+    files: dict[str, Path] = {}
+    for component in system.components:
+        file = find_fmu(component.fmu)
+        if not files.setdefault(file.name, file).samefile(file):
+            reason = f"another FMU of the system is called {file.name} too; rename one of the files"
+            raise CouplingError(system.name, component.name, reason)
     content = structure_xml(system, version)
     with replacing(Path(path)) as temporary, zipfile.ZipFile(temporary, "w") as archive:
         _add(archive, _STRUCTURE, content)

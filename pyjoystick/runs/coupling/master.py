@@ -8,7 +8,6 @@ from collections.abc import Iterable
 import numpy as np
 import pandas as pd
 
-from pyjoystick.fmu import UnsupportedFmuError
 from pyjoystick.motion import Quantity, make_table
 from pyjoystick.runs.coupling.network import Network
 from pyjoystick.runs.coupling.schemes import SCHEMES, Past
@@ -57,11 +56,11 @@ def run_coupled(
     positive("tolerance", tolerance)
     if scheme not in SCHEMES:
         raise ParameterError("scheme", scheme, f"one of {', '.join(SCHEMES)}")
+    way = SCHEMES[scheme]
     with Network(system, tolerance) as network:
-        _require_rates(network, scheme)
+        way.require(network)
         recorded = _recorded(network, outputs)
         rows = np.empty((len(points), len(recorded)))
-        way = SCHEMES[scheme]
         past: Past | None = None
         signals = way.exchange(network)
         for i, time in enumerate(points):
@@ -88,16 +87,6 @@ def communication_points(step: float, end: float) -> list[float]:
     if count > _MOST_STEPS:
         raise ParameterError("step", step, f"{end / _MOST_STEPS:g} s or more for a run of {end:g} s")
     return [i * step for i in range(count)] + [end]
-
-
-def _require_rates(network: Network, scheme: str) -> None:
-    for participant in network.participants.values():
-        description = participant.description
-        if SCHEMES[scheme].needs_rates and participant.inputs and not description.interpolates_inputs:
-            reason = (
-                f"does not follow input derivatives (canInterpolateInputs), which scheme {scheme!r} needs"
-            )
-            raise UnsupportedFmuError(description.path, reason)
 
 
 def _recorded(network: Network, outputs: Iterable[str] | None) -> list[tuple[str, str]]:

@@ -1,16 +1,100 @@
-"""The participants of a run and what flows between them."""
+"""The FMUs of a run, stepped from outside, and the signals between them."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from contextlib import ExitStack
 from typing import Any, Self
 
 import numpy as np
 
-from pyjoystick.runs.coupling.participant import Participant
+from pyjoystick.fmu import REALS, FmuDescription, FmuLibrary, Value, checked_parameters
 from pyjoystick.runs.coupling.system import CoupledSystem
 from pyjoystick.runs.errors import CouplingError
 from pyjoystick.support import FloatArray
+
+
+class Participant:
+    """An initialized instance of an FMU (FMI 2.0 or 3.0) at a communication point.
+
+    Attributes:
+        description: the FMU
+        inputs, outputs: the connected variables, in the order of `set` and `get`
+        time: the communication point (s)
+        steps: how often it was stepped
+    """
+
+    def __init__(
+        self,
+        description: FmuDescription,
+        parameters: Mapping[str, Value],
+        inputs: Sequence[str],
+        outputs: Sequence[str],
+        tolerance: float,
+    ) -> None:
+        """Load, instantiate and initialize the FMU at time 0.
+
+        Raises:
+            UnsupportedFmuError: no Co-Simulation, or no binary for this machine
+            FmuFileError: it is broken or cannot be instantiated
+            FmuRunError: it refuses the parameters
+        """
+        self.description = description
+        self.inputs = [description.variables[name] for name in inputs]
+        self.outputs = [description.variables[name] for name in outputs]
+        self.time = 0.0
+        self.steps = 0
+        with ExitStack() as stack:
+            library = FmuLibrary(description, "CoSimulation")
+            stack.callback(library.close)
+            self._instance = library.instantiate()
+            stack.callback(self._instance.free)
+            with self._instance.reporting(self.time):
+                self._instance.initialize(self.time, tolerance, checked_parameters(description, parameters))
+            self._stack = stack.pop_all()
+
+    def set(self, values: Sequence[float]) -> None:
+        """Give the inputs their values at the present communication point."""
+        with self._instance.reporting(self.time):
+            self._instance.set(self.inputs, values)
+
+    def set_rates(self, rates: Sequence[float]) -> None:
+        """Let the real inputs change within the next step at these rates (unit of the input per s)."""
+        moving = {i: variable for i, variable in enumerate(self.inputs) if variable.type in REALS}
+        with self._instance.reporting(self.time):
+            self._instance.set_input_derivatives(list(moving.values()), [rates[i] for i in moving])
+
+    def get(self, names: Sequence[str] | None = None) -> list[float]:
+        """Values of the connected outputs, or of any variables by name."""
+        variables = self.outputs if names is None else [self.description.variables[name] for name in names]
+        with self._instance.reporting(self.time):
+            return self._instance.get(variables)
+
+    def step(self, end: float) -> None:
+        """Go on to the communication point `end` (s); raises FmuRunError where the FMU cannot."""
+        with self._instance.reporting(self.time):
+            self._instance.step(self.time, end - self.time)
+        self.time = end
+        self.steps += 1
+
+    def save(self) -> tuple[Any, float]:
+        """The state of the FMU, for `restore`; to be given to `forget`."""
+        with self._instance.reporting(self.time):
+            return self._instance.fmi.getFMUState(), self.time
+
+    def restore(self, saved: tuple[Any, float]) -> None:
+        """Be again as when `saved` was made."""
+        with self._instance.reporting(self.time):
+            self._instance.fmi.setFMUState(saved[0])
+        self.time = saved[1]
+
+    def forget(self, saved: tuple[Any, float]) -> None:
+        """Free what `save` made."""
+        self._instance.fmi.freeFMUState(saved[0])
+
+    def close(self) -> None:
+        """Free the instance and unload the FMU."""
+        self._stack.close()
 
 
 class Network:

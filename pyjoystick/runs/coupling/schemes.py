@@ -13,6 +13,7 @@ from typing import Final
 
 import numpy as np
 
+from pyjoystick.fmu import REALS, UnsupportedFmuError
 from pyjoystick.runs.coupling.network import Network
 from pyjoystick.runs.errors import CouplingError
 from pyjoystick.support import FloatArray
@@ -39,16 +40,35 @@ class Scheme:
     """A way of coupling.
 
     Attributes:
+        name: in `SCHEMES`
+        description: a line on it
         advance: makes one step
         exchange: copies outputs to inputs before a step and returns the signals
-        needs_rates: the FMUs must follow input derivatives
-        description: a line on it
+        needs_rates: FMUs with real inputs must follow input derivatives, which FMI 3.0 does not have
+        needs_states: the FMUs must save and restore their state
     """
 
+    name: str
+    description: str
     advance: Advance
     exchange: Callable[[Network], FloatArray]
-    needs_rates: bool
-    description: str
+    needs_rates: bool = False
+    needs_states: bool = False
+
+    def require(self, network: Network) -> None:
+        """Raise `UnsupportedFmuError` where an FMU cannot do what the scheme needs."""
+        for participant in network.participants.values():
+            description = participant.description
+            has_real_inputs = any(variable.type in REALS for variable in participant.inputs)
+            if self.needs_rates and has_real_inputs and not description.interpolates_inputs:
+                lacking = "does not follow input derivatives (canInterpolateInputs of FMI 2.0)"
+            elif self.needs_states and not description.saves_states:
+                lacking = "cannot save and restore its state (canGetAndSetFMUState)"
+            else:
+                continue
+            simple = [one.name for one in SCHEMES.values() if not (one.needs_rates or one.needs_states)]
+            reason = f"{lacking}, which scheme {self.name!r} needs; {' and '.join(simple)} do not"
+            raise UnsupportedFmuError(description.path, reason)
 
 
 def _hold(network: Network, begin: float, end: float, signals: FloatArray, past: Past | None) -> None:
@@ -94,28 +114,30 @@ def _rates(signals: FloatArray, past: Past | None) -> FloatArray:
     return np.zeros_like(signals) if past is None else (signals - past.signals) / past.length
 
 
-#: The schemes by name.
-SCHEMES: Final = MappingProxyType(
-    {
-        "delay": Scheme(
-            _hold,
-            Network.copy,
-            False,
-            "outputs are copied once: what answers an input at once is late by a step; order H",
-        ),
-        "hold": Scheme(_hold, Network.exchange, False, "inputs keep their value during a step; order H"),
-        "extrapolate": Scheme(
-            _extrapolate,
-            Network.exchange,
-            True,
-            "inputs go on in line with the step before, by input derivatives; order H^2",
-        ),
-        "iterate": Scheme(
-            _iterate,
-            Network.exchange,
-            True,
-            "steps are repeated from saved states until the inputs lead straight to what the FMUs answer at "
-            "their end; order H^2, and stable at longer steps",
-        ),
-    }
+_SCHEMES: Final = (
+    Scheme(
+        "delay",
+        "outputs are copied once: what answers an input at once is late by a step; order H",
+        _hold,
+        Network.copy,
+    ),
+    Scheme("hold", "inputs keep their value during a step; order H", _hold, Network.exchange),
+    Scheme(
+        "extrapolate",
+        "inputs go on in line with the step before, by input derivatives; order H^2",
+        _extrapolate,
+        Network.exchange,
+        needs_rates=True,
+    ),
+    Scheme(
+        "iterate",
+        "steps are repeated from saved states until the inputs lead straight to what the FMUs answer at "
+        "their end; order H^2, and stable at longer steps",
+        _iterate,
+        Network.exchange,
+        needs_rates=True,
+        needs_states=True,
+    ),
 )
+#: The schemes by name.
+SCHEMES: Final = MappingProxyType({scheme.name: scheme for scheme in _SCHEMES})

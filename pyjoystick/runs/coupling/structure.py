@@ -10,7 +10,7 @@ from xml.etree.ElementTree import Element, SubElement
 
 from fmpy import read_model_description
 
-from pyjoystick.fmu import INTEGERS, FmuDescription, Value, Variable, find_fmu
+from pyjoystick.fmu import INTEGERS, REALS, FmuDescription, Value, Variable, find_fmu
 from pyjoystick.runs.coupling.system import Component, Connection, CoupledSystem
 from pyjoystick.support import InputFileError, version_of
 
@@ -90,7 +90,7 @@ def _add_component(
 
 
 def _add_type(parent: Element, prefix: str, variable: Variable) -> Element:
-    kind = "Integer" if variable.type == "Enumeration" else variable.type
+    kind = "Real" if variable.type in REALS else "Integer" if variable.type in INTEGERS else variable.type
     element = SubElement(parent, _tag(f"{prefix}:{kind}"))
     if kind == "Real" and variable.unit:
         element.set("unit", variable.unit)

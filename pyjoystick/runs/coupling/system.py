@@ -6,10 +6,14 @@ from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Final
 
 from pyjoystick.fmu import FmuDescription, Value, Variable, checked_parameters, find_fmu, read_description
 from pyjoystick.runs.errors import CouplingError
 from pyjoystick.support import UnknownNameError
+
+#: Types of FMI 2 that FMI 3 has under another name.
+_FMI3_NAMES: Final = {"Real": "Float64", "Integer": "Int32"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,7 +22,7 @@ class Component:
 
     Attributes:
         name: of its own in the system, without a dot
-        fmu: a name such as ``Joystick``, or the path of an FMU of FMI 2.0 with Co-Simulation
+        fmu: a name such as ``Joystick``, or the path of an FMU (FMI 2.0 or 3.0) with Co-Simulation
         parameters: values of parameters and start values by name, in the units of the FMU
     """
 
@@ -82,7 +86,7 @@ class CoupledSystem:
         source = self._end(connection, connection.source, "output", described)
         target = self._end(connection, connection.target, "input", described)
         for what, given, wanted in (
-            ("type", source.type, target.type),
+            ("type", _FMI3_NAMES.get(source.type, source.type), _FMI3_NAMES.get(target.type, target.type)),
             ("unit", source.unit, target.unit),
         ):
             if given != wanted:

@@ -5,13 +5,10 @@ from __future__ import annotations
 import re
 from typing import Any, Final
 
-from pyjoystick.fmu import Value, Variable, checked_value
+from pyjoystick.fmu import REALS, Value, Variable, checked_value
 from pyjoystick.support import ParameterError
 
 _AMOUNT: Final = re.compile(r"\s*(?P<number>[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?)\s*(?P<unit>\S+)\s*")
-
-#: Types of real numbers, of FMI 2 and 3.
-REALS: Final = ("Real", "Float32", "Float64")
 
 
 def value_of(variable: Variable, given: Any) -> Value:

@@ -11,9 +11,9 @@ from pathlib import Path
 from typing import Any, Final
 
 import numpy as np
+from filelock import FileLock, Timeout
 
 from pyjoystick.runs.errors import ChangedSweepError, SweepFileError
-from pyjoystick.runs.sweeps.lock import locked
 from pyjoystick.runs.sweeps.sweep import Document, Part
 from pyjoystick.support import OutputFileError, replacing, write_text
 
@@ -54,12 +54,13 @@ class Parts:
         """
         try:
             self.folder.mkdir(parents=True, exist_ok=True)
-            lock = (self.folder / _LOCK).open("w")
+            # The system releases it when this process ends, however it ends.
+            lock = FileLock(self.folder / _LOCK).acquire(timeout=0)
+        except Timeout:
+            raise SweepFileError(self.folder, "another process is working on this sweep") from None
         except OSError as error:
             raise OutputFileError(self.target, f"its folder cannot be made: {error.strerror}") from error
         with lock:
-            if not locked(lock):
-                raise SweepFileError(self.folder, "another process is working on this sweep")
             if anew:
                 self._drop()
             self._identify(identity)

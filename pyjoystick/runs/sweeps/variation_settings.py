@@ -7,8 +7,8 @@ from typing import Final
 
 import numpy as np
 
-from pyjoystick.fmu import FmuDescription, Variable, checked_varied
-from pyjoystick.runs.sweeps.amounts import REALS, difference_of, number_of, value_of
+from pyjoystick.fmu import REALS, FmuDescription, Variable, checked_varied
+from pyjoystick.runs.sweeps.amounts import difference_of, number_of, value_of
 from pyjoystick.runs.sweeps.variations import Levels, LogNormal, LogUniform, Normal, Uniform, Variation
 from pyjoystick.support import ParameterError, PyJoystickError, Table
 

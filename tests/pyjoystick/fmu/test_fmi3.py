@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -10,7 +11,8 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pyjoystick.fmu import Final, Fmu, FmuRunError
+from pyjoystick.fmu import Final, Fmu, FmuLibrary, FmuRunError, read_description
+from pyjoystick.fmu.instance import Instance
 from pyjoystick.support import ParameterError
 from tests.pyjoystick.fmu.awkward import Trouble
 
@@ -85,6 +87,47 @@ def test_a_failing_run_raises(awkward3: Fmu, loop: str) -> None:
     """The FMU of these tests wants a tolerance of 1e-8."""
     with pytest.raises(FmuRunError, match=r"not these settings at 0 .fmi3EnterInitializationMode failed"):
         awkward3.run(TIME, tolerance=1e-6)
+
+
+@pytest.fixture
+def instance(awkward3_path: Path) -> Iterator[Instance]:
+    """One that is stepped by hand."""
+    library = FmuLibrary(read_description(awkward3_path), "CoSimulation")
+    instance = library.instantiate()
+    # The FMU of these tests wants to know the end of the run.
+    instance.fmi.enterInitializationMode = partial(instance.fmi.enterInitializationMode, stopTime=1.0)
+    yield instance
+    instance.free()
+    library.close()
+
+
+def test_stepped_by_hand_it_gives_what_a_run_gives(awkward3: Fmu, instance: Instance) -> None:
+    parameters = {"gain": 2.0, "label": "two words", "flag": True, "tiny": -64}
+    table = awkward3.run(TIME, parameters=parameters, inputs={"u": 3.0})
+    variables = instance.description.variables
+    for _ in range(2):
+        instance.initialize(0.0, 1e-8, parameters)
+        instance.set([variables["u"]], [3.0])
+        for i, time in enumerate(TIME):
+            if i:
+                instance.step(TIME[i - 1], time - TIME[i - 1])
+            # 2^53 + 1 and beyond are rounded.
+            expected = table.iloc[i].to_numpy(dtype=np.float64)
+            assert instance.get([variables[name] for name in table]) == expected.tolist()
+
+
+@pytest.mark.parametrize(
+    ("trouble", "message"),
+    [
+        (Trouble.ERROR, r"at t = 0 s: trouble at 0 \(.*fmi3DoStep"),
+        (Trouble.ENDS, "the FMU ended the run"),
+        (Trouble.COMES_BACK_EARLY, "fmi3DoStep came back before the end of the step"),
+    ],
+)
+def test_a_step_by_hand_that_fails(instance: Instance, trouble: Trouble, message: str) -> None:
+    instance.initialize(0.0, 1e-8, {"trouble": trouble, "when": 0.0})
+    with pytest.raises(FmuRunError, match=message), instance.reporting(0.0):
+        instance.step(0.0, 0.25)
 
 
 def test_arrays_and_numbers_beyond_a_type_are_refused(awkward3: Fmu) -> None:

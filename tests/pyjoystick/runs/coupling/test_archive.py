@@ -3,6 +3,7 @@ from __future__ import annotations
 import sys
 import zipfile
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -12,7 +13,7 @@ import pytest
 from fmpy.ssp.simulation import simulate_ssp
 from fmpy.ssp.ssd import read_ssd
 
-from pyjoystick.runs import operator_and_joystick, read_ssp, run_coupled, write_ssp
+from pyjoystick.runs import Component, CouplingError, operator_and_joystick, read_ssp, run_coupled, write_ssp
 from pyjoystick.runs.coupling.__main__ import main
 from pyjoystick.support import InputFileError, OutputFileError
 
@@ -66,6 +67,28 @@ def test_version_and_units(archive: Path) -> None:
     assert units["N.m"].attrib == {"kg": "1", "m": "2", "s": "-2"}
     used = {element.get("unit") for element in root.iter(f"{common}Real")}
     assert used <= set(units)
+
+
+def test_fmus_of_fmi_3_in_an_archive(joystick_fmus3: Path, tmp_path: Path) -> None:
+    system = operator_and_joystick(**PARAMETERS)
+    components = tuple(replace(one, fmu=joystick_fmus3 / f"{one.fmu}.fmu") for one in system.components)
+    new = replace(system, components=components)
+    path = tmp_path / "joystick.ssp"
+    write_ssp(new, path, version="1.0")
+    assert read_ssd(str(path), validate=True).version == "1.0"
+    found = read_ssp(path, tmp_path / "unpacked")
+    runs = [run_coupled(one, step=STEP) for one in (system, new, found)]
+    pd.testing.assert_frame_equal(runs[0], runs[1], check_exact=True)
+    pd.testing.assert_frame_equal(runs[0], runs[2], check_exact=True)
+
+
+def test_two_fmus_of_one_file_name_are_refused(joystick_fmus3: Path, tmp_path: Path) -> None:
+    system = operator_and_joystick()
+    mixed = replace(
+        system, components=(*system.components, Component("new", joystick_fmus3 / "Joystick.fmu"))
+    )
+    with pytest.raises(CouplingError, match=r"new: another FMU of the system is called Joystick\.fmu too"):
+        write_ssp(mixed, tmp_path / "joystick.ssp")
 
 
 def test_fmpy_finds_the_structure_valid_and_gets_the_same_motion(tmp_path: Path) -> None:

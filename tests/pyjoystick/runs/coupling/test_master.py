@@ -3,6 +3,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -178,11 +179,80 @@ def test_one_output_may_feed_two_inputs_and_the_fmu_need_not_be_fed(gain: Path) 
     assert (run["b.y"] == 7.0).all()
 
 
-def test_an_fmu_that_cannot_follow_derivatives_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-
+@pytest.mark.parametrize(
+    ("capability", "scheme", "message"),
+    [
+        ("interpolates_inputs", "extrapolate", "does not follow input derivatives .* 'extrapolate' needs"),
+        ("interpolates_inputs", "iterate", "does not follow input derivatives .* 'iterate' needs"),
+        ("saves_states", "iterate", r"cannot save and restore its state .* 'iterate' needs; delay and hold"),
+    ],
+)
+def test_an_fmu_that_lacks_what_the_scheme_needs_is_refused(
+    capability: str, scheme: str, message: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
     read = module.read_description
-    monkeypatch.setattr(
-        module, "read_description", lambda path: replace(read(path), interpolates_inputs=False)
+    monkeypatch.setattr(module, "read_description", lambda path: replace(read(path), **{capability: False}))
+    with pytest.raises(UnsupportedFmuError, match=message):
+        run_coupled(operator_and_joystick(), scheme=scheme)
+    run_coupled(operator_and_joystick(), scheme="hold", duration=2e-3)
+
+
+def _with_fmi3(system: CoupledSystem, folder: Path, *names: str) -> CoupledSystem:
+    """The system with the components of these names as FMUs of FMI 3."""
+    components = [
+        replace(one, fmu=folder / f"{one.fmu}.fmu") if one.name in names else one for one in system.components
+    ]
+    return replace(system, components=tuple(components))
+
+
+@pytest.mark.parametrize("names", [("joystick", "operator"), ("operator",)], ids=["both", "one of two"])
+@pytest.mark.parametrize("scheme", ["delay", "hold"])
+def test_fmus_of_fmi_3_give_the_same_bits(scheme: str, names: tuple[str, ...], joystick_fmus3: Path) -> None:
+    system = operator_and_joystick(operator={"handArm.K": 30.0}, joystick={"J": 0.012})
+    settings: dict[str, Any] = {"scheme": scheme, "step": 2e-3, "duration": 0.5}
+    old, new = (run_coupled(one, **settings) for one in (system, _with_fmi3(system, joystick_fmus3, *names)))
+    pd.testing.assert_frame_equal(old, new, check_exact=True)
+    assert old.attrs == new.attrs
+
+
+@pytest.mark.parametrize("scheme", ["extrapolate", "iterate"])
+def test_fmi_3_has_no_input_derivatives(scheme: str, joystick_fmus3: Path) -> None:
+    system = _with_fmi3(operator_and_joystick(), joystick_fmus3, "operator")
+    message = rf"Operator\.fmu: does not follow input derivatives .*FMI 2.0.* scheme '{scheme}' needs"
+    with pytest.raises(UnsupportedFmuError, match=message):
+        run_coupled(system, scheme=scheme)
+
+
+def test_an_fmu_of_fmi_3_without_inputs_takes_part_in_every_scheme(gain: Path, tmp_path: Path) -> None:
+    """Its state is saved and restored, and its output is followed."""
+    source = tmp_path / "Source.mo"
+    source.write_text(
+        "model Source output Real y(start = 0, fixed = true); equation der(y) = 1 - y; end Source;"
     )
-    with pytest.raises(UnsupportedFmuError, match="does not follow input derivatives"):
-        run_coupled(operator_and_joystick(), scheme="extrapolate")
+    path = build_fmu("Source", tmp_path, library=source, fmi_version="3.0").path
+    system = CoupledSystem(
+        "chain", (Component("a", path), Component("b", gain)), (Connection("a.y", "b.u"),), 1.0
+    )
+    for scheme in SCHEMES:
+        run = run_coupled(system, step=0.125, scheme=scheme, tolerance=1e-10)
+        np.testing.assert_allclose(run["a.y"], 1.0 - np.exp(-run.index), rtol=0.0, atol=1e-8)
+        np.testing.assert_allclose(run["b.y"], 2.0 * run["a.y"] + 1.0, rtol=0.0, atol=1e-8)
+
+
+def test_whole_numbers_and_booleans_are_signals_too(tmp_path: Path) -> None:
+    source = tmp_path / "Whole.mo"
+    source.write_text(
+        "model Whole input Integer u(start = 0); input Boolean b(start = false); output Integer y; "
+        "output Boolean c; equation y = u + 1; c = not b; end Whole;"
+    )
+    path = build_fmu("Whole", tmp_path, library=source).path
+    system = CoupledSystem(
+        "chain",
+        (Component("a", path), Component("b", path)),
+        (Connection("a.y", "b.u"), Connection("a.c", "b.b")),
+        1.0,
+    )
+    for scheme in SCHEMES:
+        run = run_coupled(system, step=0.5, scheme=scheme)
+        # What is discrete answers within a step, not at the first communication point.
+        assert run.to_numpy().tolist()[1:] == [[1.0, 1.0, 2.0, 0.0]] * 2

@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -75,17 +80,36 @@ def test_keys_that_come_or_go_are_differences(tmp_path: Path) -> None:
     require_same(tmp_path, IDENTITY | {"versions": "any"}, IDENTITY)
 
 
-def test_two_processes_do_not_work_on_one_sweep(tmp_path: Path) -> None:
+@contextmanager
+def _another_process_at_work(target: Path) -> Iterator[subprocess.Popen[str]]:
+    """A process that has the sweep open until it is killed."""
+    script = (
+        "import sys; from pathlib import Path; from pyjoystick.runs.sweeps.parts import Parts\n"
+        f"with Parts(Path({str(target)!r})).opened({IDENTITY!r}):\n"
+        "    print('open', flush=True); sys.stdin.read()\n"
+    )
+    command = [sys.executable, "-c", script]
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as process:
+        try:
+            assert process.stdout is not None
+            assert process.stdout.readline() == "open\n"
+            yield process
+        finally:
+            process.kill()
+
+
+def test_a_second_process_is_refused_at_once_until_the_first_is_gone(tmp_path: Path) -> None:
     parts = Parts(tmp_path / "a.csv")
-    other = Parts(tmp_path / "a.csv")
-    with (
-        parts.opened(IDENTITY),
-        pytest.raises(SweepFileError, match="another process"),
-        other.opened(IDENTITY),
-    ):
-        pytest.fail("must not be opened")
-    with other.opened(IDENTITY):
-        assert other.begun
+    with _another_process_at_work(parts.target) as process:
+        begin = time.monotonic()
+        with pytest.raises(SweepFileError, match="another process"), parts.opened(IDENTITY, anew=True):
+            pytest.fail("must not be opened")
+        assert time.monotonic() - begin < 5.0
+        assert parts.begun, "the parts of the first must stay"
+        process.kill()
+        process.wait()
+        with parts.opened(IDENTITY):
+            assert parts.begun
 
 
 def test_a_folder_that_cannot_be_made(tmp_path: Path) -> None:
