@@ -28,9 +28,9 @@ import numpy as np
 from benchmarks.errors import BenchmarkError
 from pyjoystick.fmu import Fmu, find_fmu
 from pyjoystick.identification import CONSTANT_DAMPING, POWER_LAW_DAMPING, FitSettings, Measurement
+from pyjoystick.identification.fitting.fit import make_problem
+from pyjoystick.identification.fitting.problem import choose_steps
 from pyjoystick.identification.fitting.search import multi_start
-from pyjoystick.identification.fitting.setup import make_problem
-from pyjoystick.identification.fitting.steps import choose_steps
 from pyjoystick.laboratory.synthetic_records import synthetic_record
 from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW
 from pyjoystick.motion import markdown_table

@@ -4,9 +4,12 @@ from .fmu.errors import (
     FmuNotFoundError as FmuNotFoundError,
     FmuRunError as FmuRunError,
 )
-from .model.parameters.damping import ConstantDamping as ConstantDamping, PowerLawDamping as PowerLawDamping
-from .model.parameters.joystick import JoystickParameters as JoystickParameters
-from .model.parameters.paper import NOMINAL as NOMINAL, NOMINAL_POWER_LAW as NOMINAL_POWER_LAW
+from .model.parameters.file import NOMINAL as NOMINAL, NOMINAL_POWER_LAW as NOMINAL_POWER_LAW
+from .model.parameters.joystick import (
+    ConstantDamping as ConstantDamping,
+    JoystickParameters as JoystickParameters,
+    PowerLawDamping as PowerLawDamping,
+)
 from .model.parameters.springs import (
     ActuatorAssembly as ActuatorAssembly,
     RestrainedSpring as RestrainedSpring,

@@ -16,8 +16,9 @@ import pandas as pd
 from pyjoystick.laboratory import Chain, LowPass, chain_effect
 from pyjoystick.laboratory.measurement_errors import error_budget, error_budget_report
 from pyjoystick.laboratory.measurement_plots import plot_chain_effect
-from pyjoystick.model import NOMINAL_POWER_LAW, plateaus, plot_energy, simulate
+from pyjoystick.model import NOMINAL_POWER_LAW, simulate
 from pyjoystick.motion import markdown_table
+from pyjoystick.reports import plateaus, plot_energy
 from pyjoystick.support import save_results
 
 JOYSTICK = NOMINAL_POWER_LAW

@@ -10,17 +10,9 @@ from pathlib import Path
 
 import numpy as np
 
-from pyjoystick.model import (
-    NOMINAL,
-    NOMINAL_POWER_LAW,
-    PAPER_STEP,
-    damping_jumps,
-    equivalent_damping,
-    mean_damping,
-    plot_damping_function,
-    simulate,
-)
+from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW, PAPER_STEP, simulate
 from pyjoystick.motion import markdown_table
+from pyjoystick.reports import damping_jumps, equivalent_damping, mean_damping, plot_damping_function
 from pyjoystick.support import save_results
 
 JOYSTICK = NOMINAL_POWER_LAW

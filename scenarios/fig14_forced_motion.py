@@ -11,10 +11,11 @@ from pathlib import Path
 
 import numpy as np
 
-from pyjoystick.forced_motion import MOTION, Samples, torque_by_reference, torque_table
-from pyjoystick.forced_motion.synthetic import seen_by_cameras
+from pyjoystick.forced_motion import Samples, torque_by_reference, torque_table
+from pyjoystick.forced_motion.measured import seen_by_cameras
 from pyjoystick.model import NOMINAL
 from pyjoystick.motion import markdown_table, write_csv
+from pyjoystick.reports import MOTION
 from pyjoystick.support import SERIES, plot_motion, save_results
 
 INTERVAL = 1e-3  # s

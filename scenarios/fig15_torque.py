@@ -14,22 +14,20 @@ from pathlib import Path
 import numpy as np
 
 from pyjoystick.forced_motion import (
-    MOTION,
     TORQUES,
     Samples,
     measure,
     measures_report,
     plot_torque,
     round_trip,
-    section_5,
     torque_by_fmu,
     torque_by_reference,
     torque_table,
 )
-from pyjoystick.forced_motion.paper_motion import Section5
-from pyjoystick.forced_motion.synthetic import seen_by_cameras
+from pyjoystick.forced_motion.measured import seen_by_cameras
 from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW, law_name
 from pyjoystick.motion import markdown_table
+from pyjoystick.reports import MOTION, Section5, section_5
 from pyjoystick.support import save_results
 
 JOYSTICKS = {law_name(one.damping): one for one in (NOMINAL, NOMINAL_POWER_LAW)}

@@ -11,9 +11,12 @@ from .measures import (
     TorqueMeasures as TorqueMeasures,
     measure as measure,
 )
-from .motions import ForwardAndReturn as ForwardAndReturn, Kinematics as Kinematics
-from .paper_motion import MOTION as MOTION, section_5 as section_5
-from .profiles import SHAPES as SHAPES, Shape as Shape
+from .motions import (
+    SHAPES as SHAPES,
+    ForwardAndReturn as ForwardAndReturn,
+    Kinematics as Kinematics,
+    Shape as Shape,
+)
 from .reports import measures_report as measures_report
 from .samples import Samples as Samples, smooth_spans as smooth_spans
 from .torque import (

@@ -15,11 +15,9 @@ from typing import Final
 import numpy as np
 
 from pyjoystick.fmu import Fmu
-from pyjoystick.identification.fitting.defaults import RELEASE
 from pyjoystick.identification.fitting.fit import fit
-from pyjoystick.identification.fitting.joystick_values import with_values
 from pyjoystick.identification.fitting.result import Fit
-from pyjoystick.identification.fitting.settings import FitSettings, Free, Uncertainty
+from pyjoystick.identification.fitting.settings import RELEASE, FitSettings, Free, Uncertainty, with_values
 from pyjoystick.laboratory import REST_TIME, LoadCurveFit, mean_period
 from pyjoystick.model import ActuatorAssembly, JoystickParameters, Side, simulate
 from pyjoystick.motion import Record, markdown_table

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from pyjoystick.model.parameters.damping import ConstantDamping, PowerLawDamping
-from pyjoystick.model.parameters.joystick import JoystickParameters
+from pyjoystick.model.parameters.joystick import ConstantDamping, JoystickParameters, PowerLawDamping
 from pyjoystick.model.reference.moments import swing_frequency
 
 _MM = 1e3

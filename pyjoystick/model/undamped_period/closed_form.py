@@ -27,8 +27,14 @@ from itertools import pairwise
 
 from pyjoystick.model.parameters.joystick import JoystickParameters
 from pyjoystick.model.parameters.springs import ActuatorAssembly, RestrainedSpring
-from pyjoystick.model.undamped_period.errors import NoOscillationError
-from pyjoystick.model.undamped_period.oscillation import Side, Span, UndampedOscillation, other_side, side_of
+from pyjoystick.model.undamped_period.oscillation import (
+    NoOscillationError,
+    Side,
+    Span,
+    UndampedOscillation,
+    other_side,
+    side_of,
+)
 from pyjoystick.support import ParameterError, finite, positive
 
 

@@ -1,9 +1,29 @@
-"""What both ways of computing a period give: how long the motion takes over each piece of its path."""
+"""The result of both period computations: the time spent in each piece of the path, or no oscillation."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import Literal
+
+from pyjoystick.support import PyJoystickError
+
+
+class NoOscillationError(PyJoystickError, ValueError):
+    """Released there, the mechanism does not swing through the middle and back.
+
+    Attributes:
+        release: where it was released (rad, or m)
+        reason: why
+    """
+
+    def __init__(self, release: float, reason: str) -> None:
+        super().__init__(release, reason)
+        self.release = release
+        self.reason = reason
+
+    def __str__(self) -> str:
+        return f"no oscillation through the middle after a release at {self.release:.6g}: {self.reason}"
+
 
 Side = Literal["forward", "backward"]
 

@@ -8,8 +8,7 @@ from collections.abc import Callable
 from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW, TextTable
 from pyjoystick.reports.claims.document import findings
 from pyjoystick.reports.html_report.page import Section, page, paragraph, table
-from pyjoystick.reports.html_report.sections import SECTIONS
-from pyjoystick.reports.html_report.study import Study
+from pyjoystick.reports.html_report.sections import SECTIONS, Study
 from pyjoystick.support import versions
 
 
