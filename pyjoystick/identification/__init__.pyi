@@ -1,9 +1,21 @@
 from .fitting.errors import FitError as FitError, FitInterruptedError as FitInterruptedError
-from .fitting.figures import PROFILES as PROFILES, save_figures as save_figures
+from .fitting.figures import (
+    PROFILES as PROFILES,
+    plot_correlation as plot_correlation,
+    plot_profiles as plot_profiles,
+    plot_records as plot_records,
+    plot_residuals as plot_residuals,
+    save_figures as save_figures,
+)
 from .fitting.fit import OnProgress as OnProgress, fit as fit
 from .fitting.json_report import as_json as as_json
 from .fitting.measurement import Measurement as Measurement
 from .fitting.result import Fit as Fit
+from .fitting.selection import (
+    Candidate as Candidate,
+    compare_models as compare_models,
+    comparison_table as comparison_table,
+)
 from .fitting.settings import (
     CONSTANT_DAMPING as CONSTANT_DAMPING,
     DISPLACEMENT_DAMPING as DISPLACEMENT_DAMPING,
@@ -24,6 +36,7 @@ from .joystick_of_fit import fitted_joystick as fitted_joystick, require_joystic
 from .laboratory_errors import (
     FITTED as FITTED,
     Bench as Bench,
+    Contribution as Contribution,
     combined as combined,
     contribution_table as contribution_table,
     fit_contributions as fit_contributions,
@@ -45,10 +58,18 @@ from .peak_method.estimate import (
     estimate_damping as estimate_damping,
     velocity_points as velocity_points,
 )
-from .peak_method.figures import plot_damping_estimate as plot_damping_estimate
+from .peak_method.figures import (
+    plot_damping_estimate as plot_damping_estimate,
+    plot_peak_errors as plot_peak_errors,
+)
 from .peak_method.line import (
     DampingEstimateError as DampingEstimateError,
     PowerLine as PowerLine,
     fit_power_line as fit_power_line,
 )
-from .peak_method.report import damping_report as damping_report, releases_report as releases_report
+from .peak_method.report import (
+    bias_report as bias_report,
+    damping_report as damping_report,
+    peak_error_report as peak_error_report,
+    releases_report as releases_report,
+)

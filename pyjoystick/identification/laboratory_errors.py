@@ -20,7 +20,8 @@ from pyjoystick.identification.fitting.result import Fit
 from pyjoystick.identification.fitting.settings import RELEASE, FitSettings, Free, Uncertainty, with_values
 from pyjoystick.laboratory import REST_TIME, LoadCurveFit, mean_period
 from pyjoystick.model import ActuatorAssembly, JoystickParameters, Side, simulate
-from pyjoystick.motion import Record, markdown_table
+from pyjoystick.motion import Record
+from pyjoystick.support import TextTable
 
 #: What `refit` finds.
 FITTED: Final = ("J", "damping.C")
@@ -236,4 +237,4 @@ def contribution_table(contributions: Sequence[Contribution]) -> str:
     ]
     rows.append(["all", "", "", "", *(cell(100.0 * value, 3) for value in combined(contributions))])
     header = ["stage", "theta, rms (deg)", "omega, rms (rad/s)", "period (%)", "fitted J (%)", "fitted C (%)"]
-    return markdown_table(header, rows)
+    return TextTable(header, rows).markdown()

@@ -1,5 +1,4 @@
 from .parameter_tables import (
-    TextTable as TextTable,
     body_table as body_table,
     damping_table as damping_table,
     segment_table as segment_table,

@@ -14,12 +14,6 @@ from .dissipation import (
     plot_damping_function as plot_damping_function,
     plot_energy as plot_energy,
 )
-from .html_report.page import (
-    Section as Section,
-    figure as figure,
-    page as page,
-    paragraph as paragraph,
-    table as table,
-)
+from .html_report.page import Section as Section, figure as figure, page as page, paragraph as paragraph
 from .html_report.report import joystick_report as joystick_report
 from .html_report.sections import Study as Study

@@ -1,6 +1,8 @@
 """Reading a parameter file: one joystick in TOML, with uncertainties and sources; the paper's own file.
 
-``paper.toml`` beside this module is such a file, and holds the paper's numbers for the whole package.
+``paper.toml`` beside this module holds the numbers of Tables 1 and 2 and sections 3.3 and 4 for the
+whole package. Rogers, Garland, Oliver: Dynamic modelling of mechanical systems with opposing restrained
+preloaded stiffnesses, J. Sound Vib. 274 (2004) 73-89. It does not give gravity; the standard value is used.
 """
 
 from __future__ import annotations

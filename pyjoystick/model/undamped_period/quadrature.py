@@ -38,7 +38,11 @@ from pyjoystick.support import ParameterError, angle
 
 
 class Geometry(Protocol):
-    """The two differences on which the potential energy depends, and the inverse of the travel."""
+    """The two differences on which the potential energy depends, and the inverse of the travel.
+
+    Angles are distances from the middle, 0 or more (rad). The difference between an angle and one that lies
+    `gap` further in is computed from the gap, so that nothing cancels near a turning point.
+    """
 
     def angle_of_travel(self, x: float) -> float:
         """The angle (rad) at which the contact travel is x (m)."""

@@ -29,7 +29,6 @@ from pyjoystick.model import (
     LawName,
     NoOscillationError,
     PowerLawDamping,
-    TextTable,
     Trajectory,
     body_table,
     damping_table,
@@ -51,9 +50,9 @@ from pyjoystick.reports.dissipation import (
     plot_damping_function,
     plot_energy,
 )
-from pyjoystick.reports.html_report.page import Section, figure, paragraph, table
+from pyjoystick.reports.html_report.page import Section, figure, paragraph
 from pyjoystick.runs import free_oscillation
-from pyjoystick.support import DEFAULT_DURATION, LAWS, plot_motion
+from pyjoystick.support import DEFAULT_DURATION, LAWS, TextTable, plot_motion
 
 _INTERVAL: Final = 0.5e-3
 
@@ -111,10 +110,10 @@ def parameter_section(study: Study) -> Section:
     return Section(
         "Parameters",
         [
-            table(body_table(joystick, study.pivot_to_top), "Inertia and geometry."),
-            table(segment_table(joystick), "Load-deflection curves: stiffness k_i from travel x_i on."),
-            table(spring_table(joystick), "The restrained preloaded springs that give these curves."),
-            table(damping_table(joystick.damping), f"Damping law: {study.law}."),
+            body_table(joystick, study.pivot_to_top).html("Inertia and geometry."),
+            segment_table(joystick).html("Load-deflection curves: stiffness k_i from travel x_i on."),
+            spring_table(joystick).html("The restrained preloaded springs that give these curves."),
+            damping_table(joystick.damping).html(f"Damping law: {study.law}."),
         ],
     )
 
@@ -155,7 +154,7 @@ def oscillation_section(study: Study) -> Section:
             paragraph(
                 f"Simulated by the FMU; the reference in plain Python differs by at most {off:.0e} rad."
             ),
-            table(TextTable(header, rows), "The first peaks of the displacement."),
+            TextTable(header, rows).html("The first peaks of the displacement."),
         ],
     )
 
@@ -198,7 +197,7 @@ def period_section(study: Study) -> Section:
         [
             paragraph(words),
             figure(plot_periods(curve, decaying), "Undamped period, and where its time goes.", alt=alt),
-            table(TextTable(header, rows), "Undamped periods, and parts of the period by kind of segment."),
+            TextTable(header, rows).html("Undamped periods, and parts of the period by kind of segment."),
         ],
     )
 
@@ -221,7 +220,7 @@ def energy_section(study: Study) -> Section:
         "Energy",
         [
             figure(plot_energy(run, rests), caption, alt=alt),
-            table(TextTable(header, rows), "The steps of the energy."),
+            TextTable(header, rows).html("The steps of the energy."),
         ],
     )
 
@@ -273,8 +272,7 @@ def torque_section(study: Study) -> Section:
         "Torque",
         [
             figure(plot_torque({study.law: shown}), caption, alt=alt),
-            table(
-                TextTable(header, rows),
+            TextTable(header, rows).html(
                 "Peaks over a motion to 18 degrees and back, force at the top of the handle "
                 f"({arm:g} m), peaks of the parts over the peak of the torque, and energy lost.",
             ),
