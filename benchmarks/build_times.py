@@ -18,7 +18,7 @@ from typing import Annotated, NamedTuple
 import typer
 
 from benchmarks.report import machine
-from pyjoystick.motion import markdown_table
+from pyjoystick.support import TextTable
 
 _MODEL = "PreloadedSprings.Joystick.Joystick"
 _CASES: dict[str, Sequence[str]] = {"this machine's": (), "all": ("--platform", "all")}
@@ -44,7 +44,7 @@ def main(
                 medians = [statistics.median(values) for values in zip(*builds, strict=True)]
                 rows.append([f"{version}.0", name, *(f"{value:.3g}" for value in medians)])
     header = ["FMI", "platforms", "time (s)", "processor time (s)", "size (kB)"]
-    typer.echo("\n".join([machine(), "", markdown_table(header, rows)]))
+    typer.echo("\n".join([machine(), "", TextTable(header, rows).markdown()]))
 
 
 def _build(version: str, platforms: Sequence[str], folder: Path) -> _Build:

@@ -28,12 +28,12 @@ import numpy as np
 from benchmarks.errors import BenchmarkError
 from pyjoystick.fmu import Fmu, find_fmu
 from pyjoystick.identification import CONSTANT_DAMPING, POWER_LAW_DAMPING, FitSettings, Measurement
+from pyjoystick.identification.fitting.fit import make_problem
+from pyjoystick.identification.fitting.problem import choose_steps
 from pyjoystick.identification.fitting.search import multi_start
-from pyjoystick.identification.fitting.setup import make_problem
-from pyjoystick.identification.fitting.steps import choose_steps
 from pyjoystick.laboratory.synthetic_records import synthetic_record
 from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW
-from pyjoystick.motion import markdown_table
+from pyjoystick.support import TextTable
 
 RECORDS: Final = 4
 #: Fits of pyjoystick whose median time counts; estim8 fits once.
@@ -59,7 +59,7 @@ def main() -> int:
         [name, f"{one['seconds']:.2f}", str(one["runs"]), f"{one['loss']:.8g}", _values(one)]
         for name, one in (("pyjoystick", ours), (f"estim8 ({options.method})", theirs))
     ]
-    print(markdown_table(["fit", "seconds", "runs", "sum of squares (rad^2)", "damping"], rows))
+    print(TextTable(["fit", "seconds", "runs", "sum of squares (rad^2)", "damping"], rows).markdown())
     excess = theirs["loss"] / ours["loss"] - 1.0
     print(f"\nestim8 takes {theirs['seconds'] / ours['seconds']:.0f} times as long; ", end="")
     print(f"its sum of squares is {100.0 * excess:+.3g} % of that of pyjoystick away")

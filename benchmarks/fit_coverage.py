@@ -32,7 +32,8 @@ from pyjoystick.identification import (
 )
 from pyjoystick.laboratory.synthetic_records import synthetic_record
 from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW, JoystickParameters
-from pyjoystick.motion import Record, markdown_table
+from pyjoystick.motion import Record
+from pyjoystick.support import TextTable
 
 RECORDS: Final = 4
 NOISE: Final = math.radians(0.1)
@@ -101,7 +102,7 @@ def coverage_table(case: str, sets: int, seed: int) -> str:
     seconds = time.perf_counter() - begun
     return (
         f"{case}: {sets} data sets of {RECORDS} records, {runs} runs, {seconds:.0f} s; "
-        f"{doubted} fits were called doubtful\n\n{markdown_table(header, rows)}\n"
+        f"{doubted} fits were called doubtful\n\n{TextTable(header, rows).markdown()}\n"
     )
 
 

@@ -39,8 +39,7 @@ from pyjoystick.laboratory import (
     read_markers,
     synthetic_markers,
 )
-from pyjoystick.motion import markdown_table
-from pyjoystick.support import FloatArray
+from pyjoystick.support import FloatArray, TextTable
 
 RATE: Final = 240.0
 DURATION: Final = 60.0
@@ -85,7 +84,7 @@ def markers_table(folder: Path, rounds: int) -> str:
         "its reading (s)",
         "other readers, times as long",
     ]
-    return markdown_table(header, rows)
+    return TextTable(header, rows).markdown()
 
 
 def accelerometer_table(folder: Path, samples: int) -> str:
@@ -116,7 +115,7 @@ def accelerometer_table(folder: Path, samples: int) -> str:
             [name, f"{size:.0f}", f"{seconds:.2f}", f"{samples / seconds / 1e6:.1f}", f"{memory:.0f}"]
         )
     header = [f"{samples / 1e6:g} million samples", "MB", "seconds", "million samples/s", "more memory (MiB)"]
-    return markdown_table(header, rows_)
+    return TextTable(header, rows_).markdown()
 
 
 def _markers() -> tuple[list[str], FloatArray, FloatArray]:

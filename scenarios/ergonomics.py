@@ -7,21 +7,19 @@ Prints forces, work and impulse and saves the figure in results/ergonomics/.
 import sys
 from pathlib import Path
 
-from pyjoystick.fmu import Fmu
+from pyjoystick import NOMINAL, Fmu, save_results
 from pyjoystick.forced_motion import (
     MOVES_PER_SHIFT,
     PRELOADS,
     STIFFNESSES,
     MoveDistribution,
+    demand_report,
     demands,
     faster,
     inverse_fmu,
+    plot_demands,
     scaled,
 )
-from pyjoystick.forced_motion.figures import plot_demands
-from pyjoystick.forced_motion.reports import demand_report
-from pyjoystick.model import NOMINAL
-from pyjoystick.support import save_results
 
 MOVES = MoveDistribution().draw(60, seed=1)
 JOYSTICK = NOMINAL  # read_parameters("joystick.toml") takes your own

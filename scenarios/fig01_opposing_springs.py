@@ -13,10 +13,17 @@ import pandas as pd
 from matplotlib.figure import Figure
 
 from fmu_build import build_fmu
-from pyjoystick.fmu import Fmu
-from pyjoystick.model import LineOscillator, LineSide, RestrainedSpring
-from pyjoystick.motion import find_peaks, markdown_table
-from pyjoystick.support import SERIES, dress, legend_above, save_results
+from pyjoystick import (
+    Fmu,
+    RestrainedSpring,
+    TextTable,
+    dress,
+    find_peaks,
+    legend_above,
+    line_style,
+    save_results,
+)
+from pyjoystick.model import LineOscillator, LineSide
 
 SPRING = {f"rightSpring.{field}": field for field in ("k_s", "k_h", "F_0")}
 CLEARANCES = {"clearance 0.5 mm": 0.5e-3, "no clearance": 0.0}  # m
@@ -41,7 +48,7 @@ def main(results: Path = RESULTS) -> int:
             [f"{1e3 * amplitude:g}", *cells(fmu, oscillators, float(amplitude))] for amplitude in AMPLITUDES
         ]
     headings = [f"{label}, {what}" for label in CLEARANCES for what in ("period (ms)", "FMU off by")]
-    table = markdown_table(["amplitude (mm)", *headings], rows)
+    table = TextTable(["amplitude (mm)", *headings], rows).markdown()
     rises = max(float(np.max(np.diff(run["E"]))) for run in runs.values())
     summary = (
         f"## Periods without damping, closed form\n\n{table}\n\nLargest rise of the energy: {rises:.1e} J."
@@ -75,7 +82,8 @@ def plot(runs: dict[str, pd.DataFrame], oscillators: dict[str, LineOscillator]) 
     figure = Figure(figsize=(7.0, 7.0), layout="constrained")
     position, energy, period = figure.subplots(3, 1)
     amplitudes = np.geomspace(0.52e-3, RELEASE, 200)
-    for (label, run), style in zip(runs.items(), SERIES, strict=False):
+    for i, (label, run) in enumerate(runs.items()):
+        style = line_style(i)
         position.plot(run.index, 1e3 * run["mass.s"], label=label, **style)
         energy.plot(run.index, 1e3 * run["E"], **style)
         periods = [1e3 * oscillators[label].oscillation(amplitude).period for amplitude in amplitudes]

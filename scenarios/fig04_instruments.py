@@ -13,12 +13,9 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from pyjoystick.laboratory import GRAVITY, Chain
-from pyjoystick.laboratory.measurement_plots import plot_instruments
-from pyjoystick.model import NOMINAL_POWER_LAW, PIVOT_TO_TOP, simulate
-from pyjoystick.motion import read_repeats
-from pyjoystick.motion.report import peak_table
-from pyjoystick.support import save_results
+from pyjoystick import NOMINAL_POWER_LAW, PIVOT_TO_TOP, Chain, read_repeats, save_results, simulate
+from pyjoystick.laboratory import GRAVITY, plot_instruments
+from pyjoystick.motion import peak_table
 
 DATA = Path(__file__).parent / "data"
 RECORD = DATA / "synthetic_power_law_1.csv"

@@ -8,11 +8,9 @@ results/fig07_load_deflection/.
 import sys
 from pathlib import Path
 
-from pyjoystick.laboratory import cubic_fits, plot_load_deflection
-from pyjoystick.laboratory.load_curve.model_figure import CubicFit
-from pyjoystick.model import NOMINAL, STOP_ANGLE, assembly_force
-from pyjoystick.motion import markdown_table
-from pyjoystick.support import save_results
+from pyjoystick import NOMINAL, STOP_ANGLE, TextTable, save_results
+from pyjoystick.laboratory import CubicFit, cubic_fits, plot_load_deflection
+from pyjoystick.model import assembly_force
 
 JOYSTICK = NOMINAL
 RESULTS = Path(__file__).parents[1] / "results" / "fig07_load_deflection"
@@ -38,7 +36,9 @@ def kink_report(fit: CubicFit) -> str:
         name = "stop" if k is None else f"x_{i}"
         after = "" if k is None else f"{k:g}"
         rows.append([name, f"{1e3 * x:.4f}", f"{force:.3f}", f"{force / x:.0f}", after])
-    return markdown_table(["", "travel (mm)", "force (N)", "force/travel (N/m)", "slope after (N/m)"], rows)
+    return TextTable(
+        ["", "travel (mm)", "force (N)", "force/travel (N/m)", "slope after (N/m)"], rows
+    ).markdown()
 
 
 if __name__ == "__main__":

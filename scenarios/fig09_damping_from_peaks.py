@@ -10,20 +10,23 @@ from pathlib import Path
 
 import numpy as np
 
+from pyjoystick import (
+    NOMINAL,
+    SimulatedReleases,
+    estimate_damping,
+    measured_peaks,
+    read_repeats,
+    save_results,
+)
 from pyjoystick.identification import (
+    bias_report,
     bias_table,
     constant_bias,
     damping_report,
-    estimate_damping,
     line_bias,
     plot_damping_estimate,
     releases_report,
 )
-from pyjoystick.identification.peak_method.report import bias_report
-from pyjoystick.model import NOMINAL
-from pyjoystick.motion import measured_peaks, read_repeats
-from pyjoystick.runs import SimulatedReleases
-from pyjoystick.support import save_results
 
 DATA = Path(__file__).parent / "data"
 RECORDS = {

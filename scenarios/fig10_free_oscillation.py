@@ -10,18 +10,25 @@ from pathlib import Path
 
 import pandas as pd
 
-from pyjoystick.laboratory import Chain
-from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW
-from pyjoystick.motion import markdown_table, measured_peaks, peak_errors, peaks_of_run, read_repeats
-from pyjoystick.motion.report import peak_table
-from pyjoystick.runs import free_oscillation
-from pyjoystick.support import LAWS, SERIES, plot_motion, save_results
+from pyjoystick import (
+    NOMINAL,
+    NOMINAL_POWER_LAW,
+    Chain,
+    TextTable,
+    free_oscillation,
+    line_style,
+    measured_peaks,
+    plot_motion,
+    read_repeats,
+    save_results,
+)
+from pyjoystick.motion import peak_errors, peak_table, peaks_of_run
 
 RECORD = Path(__file__).parent / "data" / "synthetic_power_law_1.csv"
 DURATION = 1.25  # s
 SIMULATED = {
-    "damping function": (NOMINAL_POWER_LAW, LAWS["power-law"]),
-    f"constant C = {NOMINAL.to_names()['damping.C']:g}": (NOMINAL, LAWS["constant"]),
+    "damping function": (NOMINAL_POWER_LAW, line_style("power-law")),
+    f"constant C = {NOMINAL.to_names()['damping.C']:g}": (NOMINAL, line_style("constant")),
 }
 RESULTS = Path(__file__).parents[1] / "results" / "fig10_free_oscillation"
 
@@ -47,10 +54,11 @@ def main(results: Path = RESULTS) -> int:
         (
             f"## Peaks: {', '.join(runs)}",
             peak_table(list(runs.values())),
-            markdown_table(["error against the record (%)", "displacement", "its time"], errors),
+            TextTable(["error against the record (%)", "displacement", "its time"], errors).markdown(),
         )
     )
-    styles = {"measured (synthetic)": SERIES[0]} | {label: style for label, (_, style) in SIMULATED.items()}
+    styles = {label: style for label, (_, style) in SIMULATED.items()}
+    styles["measured (synthetic)"] = line_style("measured")
     figure = plot_motion({"measured (synthetic)": measured, **runs}, styles=styles)
     save_results(results, summary, {"free_oscillation": figure})
     return 0

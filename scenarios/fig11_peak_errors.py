@@ -10,13 +10,16 @@ from pathlib import Path
 
 import numpy as np
 
-from pyjoystick.identification.peak_method.figures import plot_peak_errors
-from pyjoystick.identification.peak_method.report import peak_error_report
-from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW
-from pyjoystick.motion import measured_peaks, read_repeats, sweep_peak_errors
-from pyjoystick.motion.release_peaks import average_peaks
-from pyjoystick.runs import SimulatedReleases
-from pyjoystick.support import save_results
+from pyjoystick import (
+    NOMINAL,
+    NOMINAL_POWER_LAW,
+    SimulatedReleases,
+    measured_peaks,
+    read_repeats,
+    save_results,
+)
+from pyjoystick.identification import peak_error_report, plot_peak_errors
+from pyjoystick.motion import average_peaks, sweep_peak_errors
 
 RECORDS = sorted((Path(__file__).parent / "data").glob("synthetic_power_law_?.csv"))
 SWEEPS = {  # label: the joystick, the parameter that varies, its values

@@ -13,12 +13,9 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from pyjoystick.laboratory import Chain, LowPass, chain_effect
-from pyjoystick.laboratory.measurement_errors import error_budget, error_budget_report
-from pyjoystick.laboratory.measurement_plots import plot_chain_effect
-from pyjoystick.model import NOMINAL_POWER_LAW, plateaus, plot_energy, simulate
-from pyjoystick.motion import markdown_table
-from pyjoystick.support import save_results
+from pyjoystick import NOMINAL_POWER_LAW, Chain, TextTable, save_results, simulate
+from pyjoystick.laboratory import LowPass, chain_effect, error_budget, error_budget_report, plot_chain_effect
+from pyjoystick.reports import plateaus, plot_energy
 
 JOYSTICK = NOMINAL_POWER_LAW
 RELEASE = math.radians(-20.0)
@@ -49,7 +46,7 @@ def main(results: Path = RESULTS) -> int:
         ]
         for label, effect in effects.items()
     ]
-    lost = markdown_table(["lost (%)", *(f"peak {i + 1}" for i in PEAKS), "energy rises by"], rows)
+    lost = TextTable(["lost (%)", *(f"peak {i + 1}" for i in PEAKS), "energy rises by"], rows).markdown()
     budget = error_budget(JOYSTICK, Chain(), release_angle=RELEASE, random=np.random.default_rng(1))
     title = "A simulated release through the paper's measuring chain, 60 Hz camera"
     run = simulate(JOYSTICK, time=np.arange(6001) * 0.25e-3, theta_start=RELEASE)
@@ -85,7 +82,7 @@ def plateau_report(rests: pd.DataFrame) -> str:
         for row in rests.itertuples()
     ]
     header = ["turns at (s)", "angle (deg)", "energy (mJ)", "plateau (ms)", "lost on it (mJ)"]
-    return markdown_table([*header, "lost in the swing before (mJ)"], rows)
+    return TextTable([*header, "lost in the swing before (mJ)"], rows).markdown()
 
 
 if __name__ == "__main__":

@@ -10,18 +10,9 @@ from pathlib import Path
 
 import numpy as np
 
-from pyjoystick.model import (
-    NOMINAL,
-    NOMINAL_POWER_LAW,
-    PAPER_STEP,
-    damping_jumps,
-    equivalent_damping,
-    mean_damping,
-    plot_damping_function,
-    simulate,
-)
-from pyjoystick.motion import markdown_table
-from pyjoystick.support import save_results
+from pyjoystick import NOMINAL, NOMINAL_POWER_LAW, TextTable, save_results, simulate
+from pyjoystick.model import PAPER_STEP
+from pyjoystick.reports import damping_jumps, equivalent_damping, mean_damping, plot_damping_function
 
 JOYSTICK = NOMINAL_POWER_LAW
 CONSTANT = NOMINAL.to_names()["damping.C"]
@@ -45,7 +36,7 @@ def main(results: Path = RESULTS) -> int:
         (
             f"## The damping function, alpha = {JOYSTICK.to_names()['damping.alpha']:g}, {DURATION:g} s",
             "",
-            markdown_table(["time (s)", "zero of", "amplitude (deg)", "jump of C (N m s/rad)"], rows),
+            TextTable(["time (s)", "zero of", "amplitude (deg)", "jump of C (N m s/rad)"], rows).markdown(),
             "",
             f"Largest jump: {largest['theta']:.3f} where theta is zero, {largest['omega']:.3f} where omega "
             "is.",

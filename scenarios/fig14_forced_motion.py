@@ -11,11 +11,9 @@ from pathlib import Path
 
 import numpy as np
 
-from pyjoystick.forced_motion import MOTION, Samples, torque_by_reference, torque_table
-from pyjoystick.forced_motion.synthetic import seen_by_cameras
-from pyjoystick.model import NOMINAL
-from pyjoystick.motion import markdown_table, write_csv
-from pyjoystick.support import SERIES, plot_motion, save_results
+from pyjoystick import NOMINAL, TextTable, line_style, plot_motion, save_results, write_csv
+from pyjoystick.forced_motion import Samples, seen_by_cameras, torque_by_reference, torque_table
+from pyjoystick.reports import MOTION
 
 INTERVAL = 1e-3  # s
 SEED = 14
@@ -47,9 +45,8 @@ def main(results: Path = RESULTS) -> int:
     for name, table in tables.items():
         write_csv(table, results / f"{name.replace(' ', '_')}.csv")
     title = f"Forward and back, {math.degrees(MOTION.amplitude):g} degrees in {MOTION.rise:g} s"
-    # Black is what stands for a measurement, in all figures.
-    styles = dict(zip(tables, (SERIES[1], SERIES[0]), strict=True))
-    summary = f"## {title}: peaks\n\n{markdown_table(header, rows)}"
+    styles = dict(zip(tables, (line_style(1), line_style("measured")), strict=True))
+    summary = f"## {title}: peaks\n\n{TextTable(header, rows).markdown()}"
     save_results(results, summary, {"motion": plot_motion(tables, styles=styles)})
     return 0
 

@@ -13,26 +13,22 @@ from pathlib import Path
 
 import numpy as np
 
+from pyjoystick import NOMINAL, NOMINAL_POWER_LAW, TextTable, save_results
 from pyjoystick.forced_motion import (
-    MOTION,
     TORQUES,
     Samples,
     measure,
     measures_report,
     plot_torque,
     round_trip,
-    section_5,
+    seen_by_cameras,
     torque_by_fmu,
     torque_by_reference,
     torque_table,
 )
-from pyjoystick.forced_motion.paper_motion import Section5
-from pyjoystick.forced_motion.synthetic import seen_by_cameras
-from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW, law_name
-from pyjoystick.motion import markdown_table
-from pyjoystick.support import save_results
+from pyjoystick.reports import MOTION, Section5, section_5
 
-JOYSTICKS = {law_name(one.damping): one for one in (NOMINAL, NOMINAL_POWER_LAW)}
+JOYSTICKS = {"constant": NOMINAL, "power-law": NOMINAL_POWER_LAW}
 STROKES = (0.08, 0.1, 0.12, 0.15, 0.2, 0.3, 0.5)  # s
 #: Eq. (11) with the exponent that falling lines in Fig. 9(a) would have given at positive angles.
 FALLING = NOMINAL_POWER_LAW.replace({"damping.n_pos": -0.084})
@@ -100,7 +96,7 @@ def _statements() -> str:
         "eq. (11)/C",
         "with -n_pos",
     ]
-    return markdown_table(header, [["paper", "comparable", "about 10 %", "", "about 2", ""], *rows])
+    return TextTable(header, [["paper", "comparable", "about 10 %", "", "about 2", ""], *rows]).markdown()
 
 
 def _row(label: str, printed: Section5, falling: Section5) -> list[str]:

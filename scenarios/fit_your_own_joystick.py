@@ -14,19 +14,26 @@ from pathlib import Path
 
 import numpy as np
 
+from pyjoystick import (
+    PAPER,
+    Fit,
+    fitted_joystick,
+    read_parameter_file,
+    read_repeats,
+    save_results,
+    write_parameters,
+)
 from pyjoystick.identification import (
     CONSTANT_DAMPING,
     DISPLACEMENT_DAMPING,
     POWER_LAW_DAMPING,
-    Fit,
+    Candidate,
     as_json,
-    fitted_joystick,
+    compare_models,
+    comparison_table,
     report,
     save_figures,
 )
-from pyjoystick.identification.fitting.selection import Candidate, compare_models, comparison_table
-from pyjoystick.model import PAPER, read_parameter_file, write_parameters
-from pyjoystick.motion import read_repeats
 from pyjoystick.support import write_text
 
 ROOT = Path(__file__).parents[1]
@@ -59,9 +66,7 @@ def main(results: Path = RESULTS, paths: Sequence[Path] = RECORDS) -> int:
         lines.append(f"{candidate.name}: {verdict}; {candidate.fit.runs} runs, {candidate.fit.seconds:.1f} s")
         lines.append(f"  left over: {left_over(candidate.fit):.3f} deg root mean square")
     lines += ["", write_best(candidates, results / "joystick.toml")]
-    summary = "\n".join(lines) + "\n"
-    write_text(results / "summary.md", summary)
-    print(summary)
+    save_results(results, "\n".join(lines), {})
     return 0
 
 

@@ -8,16 +8,21 @@ import math
 import sys
 from pathlib import Path
 
-from pyjoystick.model import PAPER
-from pyjoystick.motion import compare, write_csv
-from pyjoystick.motion.comparison import within_limits
-from pyjoystick.motion.report import Case, free_oscillation_report
-from pyjoystick.runs import free_oscillation, reference_free_oscillation
-from pyjoystick.support import LAWS, plot_motion, save_results
+from pyjoystick import (
+    PAPER,
+    compare,
+    free_oscillation,
+    line_style,
+    plot_motion,
+    reference_free_oscillation,
+    save_results,
+    write_csv,
+)
+from pyjoystick.motion import Case, free_oscillation_report, within_limits
 
 RELEASE_ANGLE = math.radians(-20.0)
 DURATION = 1.5  # s
-FILE = PAPER  # read_parameter_file("joystick.toml") of pyjoystick.model.parameters takes your own joystick
+FILE = PAPER  # read_parameter_file("joystick.toml") takes your own joystick
 JOYSTICKS = {
     "constant damping": FILE.with_law("constant"),
     "power-law damping": FILE.with_law("power-law"),
@@ -36,7 +41,7 @@ def main(results: Path = RESULTS) -> int:
         cases[label] = Case(run, differences, events=len(reference.attrs["events"]))
         write_csv(run, results / f"{label.replace(' ', '_')}.csv")
 
-    styles = dict(zip(JOYSTICKS, (LAWS["constant"], LAWS["power-law"]), strict=True))
+    styles = dict(zip(JOYSTICKS, (line_style("constant"), line_style("power-law")), strict=True))
     figure = plot_motion({label: case.run for label, case in cases.items()}, styles=styles)
     summary = free_oscillation_report(f"Free oscillation from {math.degrees(RELEASE_ANGLE):g} degrees", cases)
     save_results(results, summary, {"motion": figure})

@@ -9,11 +9,17 @@ import math
 import sys
 from pathlib import Path
 
-from pyjoystick.fmu import Fmu
-from pyjoystick.motion import markdown_table
-from pyjoystick.runs import coupling_errors, operator_and_joystick, orders, read_ssp, run_coupled, write_ssp
-from pyjoystick.runs.coupling.figures import plot_operated_joystick, plot_step_errors
-from pyjoystick.support import save_results
+from pyjoystick import Fmu, TextTable, save_results
+from pyjoystick.runs import (
+    coupling_errors,
+    operator_and_joystick,
+    orders,
+    plot_operated_joystick,
+    plot_step_errors,
+    read_ssp,
+    run_coupled,
+    write_ssp,
+)
 
 STEPS = (20e-3, 10e-3, 5e-3, 2e-3, 1e-3, 0.5e-3)  # s
 RESULTS = Path(__file__).parents[1] / "results" / "operator_and_joystick"
@@ -42,11 +48,11 @@ def main(results: Path = RESULTS) -> int:
             "",
             "Largest error of theta (rad):",
             "",
-            markdown_table(["scheme", *headings, "order"], rows),
+            TextTable(["scheme", *headings, "order"], rows).markdown(),
             "",
             "Steps of FMUs in all:",
             "",
-            markdown_table(["scheme", *headings], work),
+            TextTable(["scheme", *headings], work).markdown(),
             "",
             f"The joystick reaches {math.degrees(run['joystick.theta'].max()):.1f} of the wanted "
             f"{math.degrees(run['operator.theta_ref'].max()):.1f} degrees; the operator needs up to "

@@ -12,28 +12,23 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from pyjoystick.fmu import Fmu
-from pyjoystick.model import (
+from pyjoystick import (
     NOMINAL,
     NOMINAL_POWER_LAW,
-    decaying_periods,
-    exponent,
-    period_table,
-    plot_periods,
+    Fmu,
+    TextTable,
+    find_peaks,
+    free_oscillation,
+    line_style,
+    save_results,
 )
-from pyjoystick.motion import find_peaks, markdown_table
-from pyjoystick.runs import free_oscillation
-from pyjoystick.support import save_results
-from pyjoystick.support.figure_style import CONSTANT_DAMPING, POWER_LAW
+from pyjoystick.model import decaying_periods, exponent, period_table, plot_periods
 
-JOYSTICK = NOMINAL  # read_parameters("joystick.toml") of pyjoystick.model.parameters takes your own
+JOYSTICK = NOMINAL  # read_parameters("joystick.toml") takes your own
 RELEASE = math.radians(-20.0)
 SHOWN = -np.radians([0.3, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0])
 DRAWN = -np.radians(np.geomspace(0.2, 20.8, 250))
-DECAYING = {
-    "constant damping": (NOMINAL, CONSTANT_DAMPING),
-    "power-law damping": (NOMINAL_POWER_LAW, POWER_LAW),
-}
+DECAYING = {"constant": NOMINAL, "power-law": NOMINAL_POWER_LAW}
 RESULTS = Path(__file__).parents[1] / "results" / "period"
 
 
@@ -44,9 +39,10 @@ def main(results: Path = RESULTS) -> int:
     with Fmu("Joystick") as fmu:
         table["simulated"] = [simulated_period(fmu, row.release, row.period) for row in table.itertuples()]
     decaying = {}
-    for label, (joystick, color) in DECAYING.items():
+    for law, joystick in DECAYING.items():
         run = free_oscillation(RELEASE, parameters=joystick)
-        decaying[label] = decaying_periods(find_peaks(run.index, run["theta"], run["omega"])), color
+        periods = decaying_periods(find_peaks(run.index, run["theta"], run["omega"]))
+        decaying[f"{law} damping"] = periods, line_style(law)["color"]
     shortest = curve.loc[curve["period"].idxmin()]
     summary = "\n".join(
         (
@@ -91,7 +87,7 @@ def report(table: pd.DataFrame) -> str:
         for row in table.itertuples()
     ]
     header = ["release (deg)", "period (ms)", "FMU off by", "linearized off by (%)", "exponent"]
-    return markdown_table([*header, "clearance (%)", "steep (%)", "soft (%)"], rows)
+    return TextTable([*header, "clearance (%)", "steep (%)", "soft (%)"], rows).markdown()
 
 
 if __name__ == "__main__":

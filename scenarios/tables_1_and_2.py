@@ -6,17 +6,8 @@ Prints them and saves them in results/tables_1_and_2/.
 import sys
 from pathlib import Path
 
-from pyjoystick.model import (
-    NOMINAL,
-    NOMINAL_POWER_LAW,
-    PIVOT_TO_TOP,
-    body_table,
-    damping_table,
-    segment_table,
-    spring_table,
-)
-from pyjoystick.motion import markdown_table
-from pyjoystick.support import save_results
+from pyjoystick import NOMINAL, NOMINAL_POWER_LAW, save_results
+from pyjoystick.model import PIVOT_TO_TOP, body_table, damping_table, segment_table, spring_table
 
 TABLES = {
     "Table 1: displacements and stiffnesses": segment_table(NOMINAL),
@@ -29,7 +20,7 @@ RESULTS = Path(__file__).parents[1] / "results" / "tables_1_and_2"
 
 def main(results: Path = RESULTS) -> int:
     """Run the scenario."""
-    parts = [f"## {title}\n\n{markdown_table(*table)}" for title, table in TABLES.items()]
+    parts = [f"## {title}\n\n{table.markdown()}" for title, table in TABLES.items()]
     save_results(results, "\n\n".join(parts), {})
     return 0
 

@@ -11,29 +11,32 @@ from pathlib import Path
 
 import numpy as np
 
-from pyjoystick.fmu import Fmu
-from pyjoystick.identification import FITTED, Bench, contribution_table, fit_contributions
-from pyjoystick.identification.laboratory_errors import Contribution
-from pyjoystick.laboratory import (
+from pyjoystick import (
+    NOMINAL,
     Chain,
+    Fmu,
+    JoystickParameters,
+    measure_angle,
+    read_markers,
+    read_record,
+    save_results,
+)
+from pyjoystick.identification import FITTED, Bench, Contribution, contribution_table, fit_contributions
+from pyjoystick.laboratory import (
+    AngleMeasurement,
     Measured,
+    error_budget,
     fit_load_curve,
     from_parts,
     inertia_of_swing,
-    measure_angle,
     period_of_record,
     read_load_curve,
-    read_markers,
     read_parts,
     rest_angle,
 )
-from pyjoystick.laboratory.measurement_errors import error_budget
-from pyjoystick.laboratory.measurements.angle import AngleMeasurement
-from pyjoystick.model import NOMINAL, SIDES, JoystickParameters
-from pyjoystick.motion import read_record
-from pyjoystick.support import write_text
 
 MAKER = Path(__file__).parent / "data" / "make_synthetic_laboratory.py"
+SIDES = ("forward", "backward")
 GEOMETRY = {"a": 0.0241, "b": 0.0051}
 U_GEOMETRY = 1e-5  # m, of a
 RADIUS, U_RADIUS = 0.266, 5e-4  # m
@@ -54,9 +57,8 @@ def main(results: Path = RESULTS) -> int:
     contributions = [*measuring_stages(bench.joystick.replace(found.shared())), *contributions]
     values = (f"{name} = {found.value(name):.6g} +- {found.error(name):.1g}" for name in FITTED)
     table = contribution_table(contributions)
-    summary = f"{', '.join(values)} (SI units), with the noise of the records alone\n\n{table}\n"
-    write_text(results / "summary.md", summary)
-    print(summary)
+    summary = f"{', '.join(values)} (SI units), with the noise of the records alone\n\n{table}"
+    save_results(results, summary, {})
     return 0
 
 

@@ -192,7 +192,7 @@ def _period_text(found: SwingPeriod) -> str:
 
 
 def _print_budget(estimates: Mapping[str, Estimate]) -> None:
-    from pyjoystick.motion import markdown_table
+    from pyjoystick.support import TextTable
 
     rows = []
     for name, one in estimates.items():
@@ -205,4 +205,6 @@ def _print_budget(estimates: Mapping[str, Estimate]) -> None:
         ]
     console = output()
     console.print()
-    console.print(markdown_table(["", "value", "standard uncertainty", "95 % interval"], rows), markup=False)
+    console.print(
+        TextTable(["", "value", "standard uncertainty", "95 % interval"], rows).markdown(), markup=False
+    )

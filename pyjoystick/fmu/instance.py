@@ -115,7 +115,7 @@ class Instance:
         if has_ended or is_early:
             early = "fmi3DoStep came back before the end of the step"
             reason = "the FMU ended the run" if has_ended else early
-            raise FmuRunError(self.description.path, time, reason, self.log.messages())
+            raise FmuRunError(time, reason, self.description.path, tuple(self.log.messages()))
 
     @property
     def _is_fmi2(self) -> bool:

@@ -1,8 +1,9 @@
 from .driving import RoundTrip as RoundTrip, round_trip as round_trip, torque_rows as torque_rows
-from .figures import plot_torque as plot_torque
+from .figures import plot_demands as plot_demands, plot_torque as plot_torque
 from .measured import (
     MeasuredMotion as MeasuredMotion,
     read_motion as read_motion,
+    seen_by_cameras as seen_by_cameras,
     through_chain as through_chain,
 )
 from .measures import (
@@ -11,10 +12,13 @@ from .measures import (
     TorqueMeasures as TorqueMeasures,
     measure as measure,
 )
-from .motions import ForwardAndReturn as ForwardAndReturn, Kinematics as Kinematics
-from .paper_motion import MOTION as MOTION, section_5 as section_5
-from .profiles import SHAPES as SHAPES, Shape as Shape
-from .reports import measures_report as measures_report
+from .motions import (
+    SHAPES as SHAPES,
+    ForwardAndReturn as ForwardAndReturn,
+    Kinematics as Kinematics,
+    Shape as Shape,
+)
+from .reports import demand_report as demand_report, measures_report as measures_report
 from .samples import Samples as Samples, smooth_spans as smooth_spans
 from .torque import (
     TORQUES as TORQUES,

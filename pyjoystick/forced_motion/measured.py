@@ -1,4 +1,4 @@
-"""Motions as they were measured, from CSV files."""
+"""Measured motions: read from CSV files, or synthetic as the paper's cameras would record them (Fig. 14)."""
 
 from __future__ import annotations
 
@@ -11,8 +11,9 @@ from typing import Final
 
 import numpy as np
 
+from pyjoystick.forced_motion.motions import ForwardAndReturn
 from pyjoystick.forced_motion.samples import Samples
-from pyjoystick.laboratory import GAP, Chain
+from pyjoystick.laboratory import BASE, GAP, TOP, Chain, MarkerLayout, measure_angle, synthetic_markers
 from pyjoystick.motion import (
     MISSING_ADVICE,
     Record,
@@ -120,3 +121,36 @@ def _gap(record: Record, i: int) -> RecordError:
         column="time",
         rows=record.rows[[i, i + 1]],
     )
+
+
+def seen_by_cameras(
+    motion: ForwardAndReturn,
+    *,
+    random: np.random.Generator,
+    chain: Chain | None = None,
+    camera_rate: float = 60.0,
+    noise: float = 3e-4,
+) -> Samples:
+    """A synthetic measurement: markers of the motion, their angle, and what the signal chain makes of it.
+
+    Zero is the mean angle of the rest after the motion. What a short arc to one side does not tell well
+    enough, the plane of motion and the radius, is taken as known.
+
+    Args:
+        motion: the motion, with a rest of a few frames at least
+        random: where the noise comes from
+        chain: filter and differentiation, by the paper's settings if not given
+        camera_rate: frames a second (Hz)
+        noise: standard deviation of each coordinate of the markers (m)
+
+    Raises:
+        ParameterError: a value is not allowed
+        RecordError, SeriesError: the motion is too short, or rests for less than two frames
+    """
+    frames = np.arange(math.floor(motion.duration * camera_rate) + 1) / camera_rate
+    markers = synthetic_markers(frames, motion.at(frames).theta, random=random, noise=noise)
+    rest = (motion.duration - motion.rest, motion.duration)
+    angle = measure_angle(
+        markers, top=TOP, base=BASE, forward="x", up="z", radius=MarkerLayout().height, rest=rest
+    )
+    return through_chain(angle.record("synthetic"), chain or Chain())

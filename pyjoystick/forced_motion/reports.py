@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from pyjoystick.forced_motion.measures import PartMeasures, TorqueMeasures
 from pyjoystick.forced_motion.work_cycle import MOVES_PER_SHIFT, Demand
 from pyjoystick.model import LawName
-from pyjoystick.motion import markdown_table
+from pyjoystick.support import TextTable
 
 
 def measures_report(found: Mapping[LawName, TorqueMeasures]) -> str:
@@ -18,7 +18,7 @@ def measures_report(found: Mapping[LawName, TorqueMeasures]) -> str:
     parts |= {f"total, {law} damping": measures.total for law, measures in found.items()}
     header = ["torque (N m)", "highest", "lowest", "rms", "impulse (N m s)", "work (mJ)", "share"]
     rows = [_part_row(name, part) for name, part in parts.items()]
-    return markdown_table(header, rows) + "\n\n" + _hand_table(found)
+    return TextTable(header, rows).markdown() + "\n\n" + _hand_table(found)
 
 
 def demand_report(demands: Mapping[str, Demand], *, moves: int = MOVES_PER_SHIFT) -> str:
@@ -52,7 +52,7 @@ def demand_report(demands: Mapping[str, Demand], *, moves: int = MOVES_PER_SHIFT
         "W+ (kJ/shift)",
         "impulse (kN s/shift)",
     ]
-    return markdown_table(header, rows)
+    return TextTable(header, rows).markdown()
 
 
 def _part_row(name: str, part: PartMeasures) -> list[str]:
@@ -91,4 +91,4 @@ def _hand_table(found: Mapping[LawName, TorqueMeasures]) -> str:
         "damping/total",
         "inertia/stiffness",
     ]
-    return markdown_table(header, rows)
+    return TextTable(header, rows).markdown()

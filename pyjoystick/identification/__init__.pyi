@@ -3,25 +3,35 @@ from .errors import (
     FitError as FitError,
     FitInterruptedError as FitInterruptedError,
 )
-from .fitting.defaults import (
+from .fitting.figures import (
+    PROFILES as PROFILES,
+    plot_correlation as plot_correlation,
+    plot_profiles as plot_profiles,
+    plot_records as plot_records,
+    plot_residuals as plot_residuals,
+    save_figures as save_figures,
+)
+from .fitting.fit import OnProgress as OnProgress, fit as fit
+from .fitting.json_report import as_json as as_json
+from .fitting.measurement import Measurement as Measurement
+from .fitting.result import Fit as Fit
+from .fitting.selection import (
+    Candidate as Candidate,
+    compare_models as compare_models,
+    comparison_table as comparison_table,
+)
+from .fitting.settings import (
     CONSTANT_DAMPING as CONSTANT_DAMPING,
     DISPLACEMENT_DAMPING as DISPLACEMENT_DAMPING,
     POWER_LAW_DAMPING as POWER_LAW_DAMPING,
     RELEASE as RELEASE,
-)
-from .fitting.figures import PROFILES as PROFILES, save_figures as save_figures
-from .fitting.fit import OnProgress as OnProgress, fit as fit
-from .fitting.joystick_values import with_values as with_values
-from .fitting.json_report import as_json as as_json
-from .fitting.measurement import Measurement as Measurement
-from .fitting.result import Fit as Fit
-from .fitting.settings import (
     RELEASE_TIME as RELEASE_TIME,
     FitSettings as FitSettings,
     Free as Free,
     Noise as Noise,
     Search as Search,
     Uncertainty as Uncertainty,
+    with_values as with_values,
 )
 from .fitting.settings_file import read_fit_settings as read_fit_settings, reads_releases as reads_releases
 from .fitting.table_record import read_table_record as read_table_record
@@ -30,6 +40,7 @@ from .joystick_of_fit import fitted_joystick as fitted_joystick, require_joystic
 from .laboratory_errors import (
     FITTED as FITTED,
     Bench as Bench,
+    Contribution as Contribution,
     combined as combined,
     contribution_table as contribution_table,
     fit_contributions as fit_contributions,
@@ -46,13 +57,19 @@ from .peak_method.estimate import (
     LINES as LINES,
     ConstantEstimate as ConstantEstimate,
     DampingEstimate as DampingEstimate,
-    estimate_damping as estimate_damping,
-)
-from .peak_method.figures import plot_damping_estimate as plot_damping_estimate
-from .peak_method.line import PowerLine as PowerLine, fit_power_line as fit_power_line
-from .peak_method.points import (
     VelocityClock as VelocityClock,
     displacement_points as displacement_points,
+    estimate_damping as estimate_damping,
     velocity_points as velocity_points,
 )
-from .peak_method.report import damping_report as damping_report, releases_report as releases_report
+from .peak_method.figures import (
+    plot_damping_estimate as plot_damping_estimate,
+    plot_peak_errors as plot_peak_errors,
+)
+from .peak_method.line import PowerLine as PowerLine, fit_power_line as fit_power_line
+from .peak_method.report import (
+    bias_report as bias_report,
+    damping_report as damping_report,
+    peak_error_report as peak_error_report,
+    releases_report as releases_report,
+)

@@ -15,14 +15,13 @@ from typing import Final
 import numpy as np
 
 from pyjoystick.fmu import Fmu
-from pyjoystick.identification.fitting.defaults import RELEASE
 from pyjoystick.identification.fitting.fit import fit
-from pyjoystick.identification.fitting.joystick_values import with_values
 from pyjoystick.identification.fitting.result import Fit
-from pyjoystick.identification.fitting.settings import FitSettings, Free, Uncertainty
+from pyjoystick.identification.fitting.settings import RELEASE, FitSettings, Free, Uncertainty, with_values
 from pyjoystick.laboratory import REST_TIME, LoadCurveFit, mean_period
 from pyjoystick.model import ActuatorAssembly, JoystickParameters, Side, simulate
-from pyjoystick.motion import Record, markdown_table
+from pyjoystick.motion import Record
+from pyjoystick.support import TextTable
 
 #: What `refit` finds.
 FITTED: Final = ("J", "damping.C")
@@ -238,4 +237,4 @@ def contribution_table(contributions: Sequence[Contribution]) -> str:
     ]
     rows.append(["all", "", "", "", *(cell(100.0 * value, 3) for value in combined(contributions))])
     header = ["stage", "theta, rms (deg)", "omega, rms (rad/s)", "period (%)", "fitted J (%)", "fitted C (%)"]
-    return markdown_table(header, rows)
+    return TextTable(header, rows).markdown()

@@ -18,8 +18,7 @@ from pyjoystick.laboratory.measurements.finite_differences import derivative
 from pyjoystick.laboratory.measurements.resampling import resample
 from pyjoystick.laboratory.synthetic_laboratory.motion_capture import BASE, TOP, synthetic_markers
 from pyjoystick.model import JoystickParameters, simulate
-from pyjoystick.motion import markdown_table
-from pyjoystick.support import FloatArray, angle, positive
+from pyjoystick.support import FloatArray, TextTable, angle, positive
 
 #: Held, moving and then at rest (s).
 _HELD, _END = 0.25, 3.0
@@ -153,4 +152,4 @@ def error_budget_report(budget: Sequence[StageError]) -> str:
         for one in budget
     ]
     header = ["error, rms", "angle (deg)", "velocity (rad/s)", "acceleration (rad/s2)", "period (%)"]
-    return markdown_table(header, rows)
+    return TextTable(header, rows).markdown()

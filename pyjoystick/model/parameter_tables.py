@@ -3,20 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
-from pyjoystick.model.parameters.damping import ConstantDamping, PowerLawDamping
-from pyjoystick.model.parameters.joystick import JoystickParameters
+from pyjoystick.model.parameters.joystick import ConstantDamping, JoystickParameters, PowerLawDamping
 from pyjoystick.model.reference.moments import swing_frequency
+from pyjoystick.support import TextTable
 
 _MM = 1e3
-
-
-class TextTable(NamedTuple):
-    """Headings and rows, all text; for `markdown_table`, or as HTML."""
-
-    header: tuple[str, ...]
-    rows: list[list[str]]
 
 
 def segment_table(parameters: JoystickParameters) -> TextTable:

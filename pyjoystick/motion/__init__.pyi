@@ -1,4 +1,4 @@
-from .comparison import Difference as Difference, compare as compare
+from .comparison import Difference as Difference, compare as compare, within_limits as within_limits
 from .extrema import (
     EXTREMA_FUNCTIONS as EXTREMA_FUNCTIONS,
     extrema_of_derivative as extrema_of_derivative,
@@ -29,12 +29,13 @@ from .release_peaks import (
     DISPLACEMENT_PEAKS as DISPLACEMENT_PEAKS,
     VELOCITY_PEAKS as VELOCITY_PEAKS,
     ReleasePeaks as ReleasePeaks,
+    average_peaks as average_peaks,
     minima as minima,
     peak_errors as peak_errors,
     peaks_of_run as peaks_of_run,
     sweep_peak_errors as sweep_peak_errors,
 )
-from .report import markdown_table as markdown_table
+from .report import Case as Case, free_oscillation_report as free_oscillation_report, peak_table as peak_table
 from .tables import (
     DisplayUnit as DisplayUnit,
     Quantity as Quantity,

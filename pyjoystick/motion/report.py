@@ -11,7 +11,7 @@ import pandas as pd
 
 from pyjoystick.motion.comparison import Difference
 from pyjoystick.motion.peaks import find_peaks, periods
-from pyjoystick.support import versions
+from pyjoystick.support import TextTable, versions
 
 #: Eqs. (12a, b) judge this many peaks of the displacement.
 _PEAKS = 9
@@ -52,19 +52,6 @@ def free_oscillation_report(title: str, cases: Mapping[str, Case]) -> str:
     )
 
 
-def markdown_table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """A Markdown table aligned as text too: the first column to the left, the others to the right."""
-    widths = [max(map(len, column)) for column in zip(header, *rows, strict=True)]
-
-    def line(cells: Sequence[str]) -> str:
-        first, *others = zip(cells, widths, strict=True)
-        texts = [first[0].ljust(first[1]), *(cell.rjust(width) for cell, width in others)]
-        return f"| {' | '.join(texts)} |"
-
-    rule = ["-" * widths[0], *("-" * (width - 1) + ":" for width in widths[1:])]
-    return "\n".join((line(header), line(rule), *(line(row) for row in rows)))
-
-
 def peak_table(runs: Sequence[pd.DataFrame]) -> str:
     """The first peaks of runs that start with the release, side by side: time, angle, period around each.
 
@@ -76,7 +63,7 @@ def peak_table(runs: Sequence[pd.DataFrame]) -> str:
         [str(number), *(cell for cells in row for cell in cells)]
         for number, row in enumerate(zip_longest(*columns, fillvalue=("", "", "")), start=1)
     ]
-    return markdown_table(["no.", *(["t (s)", "peak (deg)", "period (s)"] * len(runs))], rows)
+    return TextTable(["no.", *(["t (s)", "peak (deg)", "period (s)"] * len(runs))], rows).markdown()
 
 
 def _peak_cells(run: pd.DataFrame) -> list[tuple[str, str, str]]:
@@ -97,4 +84,4 @@ def _difference_table(cases: Mapping[str, Case]) -> str:
     for name, unit in (("theta", "rad"), ("omega", "rad/s"), ("alpha", "rad/s2")):
         rows.append([f"{name} ({unit})", *(f"{differences[name].largest:.1e}" for differences in by_name)])
     rows.append(["state events of the reference", *(str(case.events) for case in cases.values())])
-    return markdown_table(["largest difference to the reference", *cases], rows)
+    return TextTable(["largest difference to the reference", *cases], rows).markdown()

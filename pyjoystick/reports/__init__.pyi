@@ -1,17 +1,19 @@
-from .claims.claim import Claim as Claim, Finding as Finding, Verdict as Verdict
+from .claims.claim import Claim as Claim, Finding as Finding, Verdict as Verdict, Workbench as Workbench
 from .claims.document import (
     CHAPTERS as CHAPTERS,
     claims_page as claims_page,
     findings as findings,
     text_of as text_of,
 )
-from .claims.workbench import Workbench as Workbench
-from .html_report.page import (
-    Section as Section,
-    figure as figure,
-    page as page,
-    paragraph as paragraph,
-    table as table,
+from .claims.torque import MOTION as MOTION, Section5 as Section5, section_5 as section_5
+from .dissipation import (
+    damping_jumps as damping_jumps,
+    equivalent_damping as equivalent_damping,
+    mean_damping as mean_damping,
+    plateaus as plateaus,
+    plot_damping_function as plot_damping_function,
+    plot_energy as plot_energy,
 )
+from .html_report.page import Section as Section, figure as figure, page as page, paragraph as paragraph
 from .html_report.report import joystick_report as joystick_report
-from .html_report.study import Study as Study
+from .html_report.sections import Study as Study

@@ -1,4 +1,8 @@
 from .coupling.archive import read_ssp as read_ssp, write_ssp as write_ssp
+from .coupling.figures import (
+    plot_operated_joystick as plot_operated_joystick,
+    plot_step_errors as plot_step_errors,
+)
 from .coupling.joystick import operator_and_joystick as operator_and_joystick
 from .coupling.master import run_coupled as run_coupled
 from .coupling.schemes import SCHEMES as SCHEMES

@@ -42,6 +42,7 @@ from .figure_style import (
     VERMILION as VERMILION,
     dress as dress,
     legend_above as legend_above,
+    line_style as line_style,
 )
 from .output import check_outputs as check_outputs, replacing as replacing, write_text as write_text
 from .plots import (
@@ -51,5 +52,6 @@ from .plots import (
 )
 from .provenance import version_of as version_of, versions as versions
 from .results import save_results as save_results
+from .text_table import TextTable as TextTable
 from .toml_table import Table as Table, read_toml as read_toml
 from .types import FloatArray as FloatArray, Torque as Torque

@@ -7,11 +7,13 @@ differ in their dashes, for gray print.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Final, TypedDict
+from typing import Final, Literal, TypedDict
 
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+
+from pyjoystick.support.errors import ParameterError
 
 BLACK: Final = "#000000"
 AMBER: Final = "#E69F00"
@@ -63,6 +65,27 @@ LAWS: Final = {
     "constant": LineStyle(color=CONSTANT_DAMPING, linestyle=SHORT_DASHES, linewidth=1.4),
     "power-law": LineStyle(color=POWER_LAW, linestyle=LONG_DASHES, linewidth=1.4),
 }
+
+#: What a line stands for, or its place among lines without a meaning of their own.
+Role = Literal["measured", "constant", "power-law"] | int
+
+
+def line_style(role: Role) -> LineStyle:
+    """How a line is drawn in all figures: ``axes.plot(x, y, **line_style("measured"))``.
+
+    Args:
+        role: ``measured`` (or standing for a measurement), a damping law (``constant`` or ``power-law``), or
+            the number of a line without a meaning of its own, from 0 on
+
+    Raises:
+        ParameterError: there is no such role
+    """
+    if isinstance(role, int) and 0 <= role < len(SERIES):
+        return SERIES[role]
+    roles = {"measured": SERIES[0], **LAWS}
+    if role not in roles:
+        raise ParameterError("role", role, f"{', '.join(roles)}, or a number from 0 to {len(SERIES) - 1}")
+    return roles[role]
 
 
 def dress(axes: Axes, *, zero: bool = False) -> None:

@@ -17,19 +17,19 @@ from pathlib import Path
 import ezc3d
 import numpy as np
 
+from pyjoystick import NOMINAL, ActuatorAssembly, JoystickParameters, PyJoystickError, SegmentTable, simulate
 from pyjoystick.laboratory import (
     MarkerLayout,
+    Markers,
     Measured,
+    Part,
     from_parts,
     synthetic_acceleration,
     synthetic_load_cycle,
     synthetic_markers,
     synthetic_swing,
 )
-from pyjoystick.laboratory.inertia.parts import Part
-from pyjoystick.laboratory.measurements.markers import Markers
-from pyjoystick.model import NOMINAL, ActuatorAssembly, JoystickParameters, SegmentTable, simulate
-from pyjoystick.support import PyJoystickError, replacing, write_text
+from pyjoystick.support import replacing, write_text
 
 SEED = 274
 #: Travels (m) and stiffnesses (N/m) of both sides.

@@ -7,7 +7,7 @@ from pathlib import Path
 import pandas as pd
 import pytest
 
-from tests.scenarios.scripts import SCENARIOS, load
+from tests.scenarios.scripts import load
 
 NAMES = ("fig14_forced_motion", "fig15_torque", "ergonomics")
 
@@ -65,8 +65,3 @@ def test_ergonomics(fmus_by_name: Path, tmp_path: Path, capsys: pytest.CaptureFi
     assert loads["speed, double"][4] > 2.0 * nominal[4]
     assert nominal[8] == pytest.approx(20.0 * nominal[6], abs=0.011)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["force.pdf", "force.png", "summary.md"]
-
-
-def test_results_go_into_the_checkout() -> None:
-    for name in NAMES:
-        assert SCENARIOS.parent / "results" / name == load(name).RESULTS

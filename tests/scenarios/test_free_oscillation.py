@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 from pathlib import Path
 from types import ModuleType
 
@@ -10,17 +9,12 @@ import numpy as np
 import pandas as pd
 import pytest
 
-SCRIPT = Path(__file__).parents[2] / "scenarios" / "free_oscillation.py"
+from tests.scenarios.scripts import load
 
 
 @pytest.fixture
 def scenario() -> ModuleType:
-    spec = importlib.util.spec_from_file_location("free_oscillation_scenario", SCRIPT)
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+    return load("free_oscillation")
 
 
 def test_it_writes_and_prints_its_results(
@@ -45,7 +39,3 @@ def test_an_fmu_too_far_from_the_reference_is_a_failure(
 ) -> None:
     monkeypatch.setattr(scenario, "LIMITS", {"theta": 1e-16})
     assert scenario.main(tmp_path) == 1
-
-
-def test_results_go_into_the_checkout(scenario: ModuleType) -> None:
-    assert SCRIPT.parents[1] / "results" / "free_oscillation" == scenario.RESULTS

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.scenarios.scripts import SCENARIOS, cells, load
+from tests.scenarios.scripts import cells, load
 
 
 def test_fig_12(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -28,8 +28,3 @@ def test_fig_12(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert measured["13 Hz, camera 60 Hz"][-1] == pytest.approx(5.9, abs=0.2)
     assert measured["13 Hz, camera 240 Hz"][-1] == pytest.approx(5.9, abs=0.2)
     assert measured["100 Hz, camera 240 Hz"][-1] < 0.3
-
-
-def test_results_go_into_the_checkout() -> None:
-    found = load("fig12_measured_energy").RESULTS
-    assert found == SCENARIOS.parent / "results" / "fig12_measured_energy"

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.scenarios.scripts import SCENARIOS, cells, load
+from tests.scenarios.scripts import cells, load
 
 
 def test_operator_and_joystick(
@@ -28,7 +28,3 @@ def test_operator_and_joystick(
     assert orders == pytest.approx([1.0, 1.0, 2.0, 2.0], abs=0.1)
     steps = [int(cell) for cell in cells(printed, "hold", table=1)]
     assert steps == [2 * round(1.2 / step) for step in scenario.STEPS]
-
-
-def test_results_go_into_the_checkout() -> None:
-    assert SCENARIOS.parent / "results" / "operator_and_joystick" == load("operator_and_joystick").RESULTS

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.scenarios.scripts import SCENARIOS, cells, load
+from tests.scenarios.scripts import cells, load
 
 
 @pytest.mark.usefixtures("fmus_by_name")
@@ -28,7 +28,3 @@ def test_the_budget(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     for column in (0, 1):
         filtered = float(cells(printed, "filter")[column])
         assert all(float(cells(printed, stage)[column]) < 0.5 * filtered for stage in stages)
-
-
-def test_results_go_into_the_checkout() -> None:
-    assert SCENARIOS.parent / "results" / "your_joystick" == load("your_joystick").RESULTS

@@ -8,15 +8,13 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from pyjoystick.identification.fitting import trust
-from pyjoystick.identification.fitting.criteria import Criteria, criteria
-from pyjoystick.identification.fitting.identifiability import Identifiability
 from pyjoystick.identification.fitting.noise_model import relative_sizes
 from pyjoystick.identification.fitting.peak_prediction import missing_peaks
 from pyjoystick.identification.fitting.problem import Problem
-from pyjoystick.identification.fitting.result import Derived, RecordFit
+from pyjoystick.identification.fitting.result import Criteria, Derived, RecordFit, criteria
 from pyjoystick.identification.fitting.search import Minimum
 from pyjoystick.identification.fitting.settings import FitSettings
-from pyjoystick.identification.fitting.uncertainty import StandardErrors
+from pyjoystick.identification.fitting.uncertainty import Identifiability, StandardErrors
 from pyjoystick.identification.fitting.variables import Variables
 from pyjoystick.support import FloatArray
 

@@ -1,4 +1,4 @@
-"""The fit from settings and records to a result: set up, search, and say how sure the answer is."""
+"""The fit, from records and settings to a result: set up, search, uncertainty."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from contextlib import nullcontext
 import numpy as np
 
 from pyjoystick.fmu import Fmu
-from pyjoystick.identification.errors import FitInterruptedError
+from pyjoystick.identification.errors import FitError, FitInterruptedError
 from pyjoystick.identification.fitting.assessment import (
     all_checks,
     criteria_of,
@@ -17,20 +17,56 @@ from pyjoystick.identification.fitting.assessment import (
     record_fits,
 )
 from pyjoystick.identification.fitting.bootstrap import Bootstrap, bootstrap
-from pyjoystick.identification.fitting.identifiability import identifiability
-from pyjoystick.identification.fitting.measurement import Measurement
-from pyjoystick.identification.fitting.noise_model import estimated_sigmas, weights_of
-from pyjoystick.identification.fitting.problem import Problem
+from pyjoystick.identification.fitting.measurement import Measurement, measurements
+from pyjoystick.identification.fitting.noise_model import estimated_sigmas, first_weights, weights_of
+from pyjoystick.identification.fitting.peak_prediction import PeakPredictor
+from pyjoystick.identification.fitting.prediction import FmuSettings, Predictor, TrajectoryPredictor
+from pyjoystick.identification.fitting.problem import Problem, choose_steps
 from pyjoystick.identification.fitting.profile import Profile, profile
 from pyjoystick.identification.fitting.result import Fit
 from pyjoystick.identification.fitting.search import Minimum, multi_start, search
-from pyjoystick.identification.fitting.settings import FitSettings
-from pyjoystick.identification.fitting.setup import make_problem
-from pyjoystick.identification.fitting.steps import choose_steps
+from pyjoystick.identification.fitting.settings import RELEASE_TIME, FitSettings
 from pyjoystick.identification.fitting.trust import check_profiles
-from pyjoystick.identification.fitting.uncertainty import StandardErrors, standard_errors
+from pyjoystick.identification.fitting.uncertainty import StandardErrors, identifiability, standard_errors
+from pyjoystick.identification.fitting.variables import Variables
 from pyjoystick.motion import Record
-from pyjoystick.support import FloatArray
+from pyjoystick.support import FloatArray, ParameterError, UnknownVariableError
+
+
+def make_problem(records: Iterable[Record | Measurement], settings: FitSettings, fmu: Fmu) -> Problem:
+    """The least-squares problem that `fit` solves; raises as it does."""
+    measured = measurements(records)
+    if not measured:
+        raise FitError("records", "there is none")
+    if settings.noise.per_record and len(measured) < 2:
+        raise ParameterError("noise.per_record", True, "left out for a single record")
+    variables = Variables(settings, fmu.description, measured)
+    constants = {name: value for name, value in settings.fixed.items() if name != RELEASE_TIME}
+    shared = FmuSettings(fmu, variables.varied, constants, settings.tolerance)
+    predictors = [
+        _predictor(shared, settings, record, variables.release_variable(k) is not None)
+        for k, record in enumerate(measured)
+    ]
+    problem = Problem(variables, predictors, first_weights(predictors, settings.noise))
+    problem.predictions(variables.start)
+    return problem
+
+
+def _predictor(
+    shared: FmuSettings, settings: FitSettings, record: Measurement, free_release: bool
+) -> Predictor:
+    known = shared.fmu.description.variables
+    needed = settings.outputs if free_release or settings.comparison == "peaks" else ()
+    derivatives = {}
+    for name in needed:
+        if settings.derivatives.get(name) not in known:
+            raise UnknownVariableError(settings.derivatives.get(name, f"derivative of {name}"), known)
+        derivatives[name] = settings.derivatives[name]
+    if settings.comparison == "peaks":
+        name = settings.outputs[0]
+        return PeakPredictor(shared, record, name, derivatives[name], settings.peaks)
+    return TrajectoryPredictor(shared, record, settings.outputs, derivatives, settings.inputs)
+
 
 #: Called with the stage, what is done of it and of how much.
 OnProgress = Callable[[str, int, int], None]

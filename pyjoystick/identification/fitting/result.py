@@ -2,21 +2,52 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import numpy as np
 
 from pyjoystick.identification.fitting.bootstrap import Bootstrap
-from pyjoystick.identification.fitting.criteria import Criteria
-from pyjoystick.identification.fitting.identifiability import Identifiability
+from pyjoystick.identification.fitting.problem import StepChoice
 from pyjoystick.identification.fitting.profile import Profile
 from pyjoystick.identification.fitting.search import Minimum
 from pyjoystick.identification.fitting.settings import FitSettings
-from pyjoystick.identification.fitting.steps import StepChoice
 from pyjoystick.identification.fitting.trust import Check
-from pyjoystick.identification.fitting.uncertainty import StandardErrors
+from pyjoystick.identification.fitting.uncertainty import Identifiability, StandardErrors
 from pyjoystick.identification.fitting.variables import Variable
 from pyjoystick.support import FloatArray
+
+
+class Criteria(NamedTuple):
+    """Information criteria of one fit.
+
+    Attributes:
+        log_likelihood: of white normal noise, at the fitted or given standard deviation
+        parameters: number of fitted numbers, the noise's standard deviations included where estimated
+        samples: number of samples
+        aicc: Akaike's criterion with the correction for few samples; infinite where samples are too few
+        bic: Schwarz's criterion
+    """
+
+    log_likelihood: float
+    parameters: int
+    samples: int
+    aicc: float
+    bic: float
+
+
+def criteria(log_likelihood: float, parameters: int, samples: int) -> Criteria:
+    """Both criteria from the likelihood at its maximum."""
+    spare = samples - parameters - 1
+    correction = 2.0 * parameters * (parameters + 1) / spare if spare > 0 else math.inf
+    return Criteria(
+        log_likelihood,
+        parameters,
+        samples,
+        -2.0 * log_likelihood + 2.0 * parameters + correction,
+        -2.0 * log_likelihood + parameters * math.log(samples),
+    )
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -15,8 +15,8 @@ from pyjoystick.identification.fitting.fit import fit
 from pyjoystick.identification.fitting.measurement import Measurement, measurements
 from pyjoystick.identification.fitting.result import Fit
 from pyjoystick.identification.fitting.settings import FitSettings, Noise, Uncertainty
-from pyjoystick.motion import Record, markdown_table
-from pyjoystick.support import ParameterError
+from pyjoystick.motion import Record
+from pyjoystick.support import ParameterError, TextTable
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -130,4 +130,4 @@ def comparison_table(candidates: Sequence[Candidate]) -> str:
         "rms of fit",
         "rms of records left out",
     ]
-    return markdown_table(header, rows)
+    return TextTable(header, rows).markdown()

@@ -1,7 +1,8 @@
-"""What a fit is to do: which parameters are free, what is compared, and how much is asked of it."""
+"""Settings of a fit: free parameters, what is compared, search, uncertainty; defaults for the joystick."""
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -223,3 +224,66 @@ def whole_number(name: str, value: object, least: int) -> int:
     if isinstance(value, bool) or not isinstance(value, int) or value < least:
         raise ParameterError(name, value, f"a whole number, {least} or more")
     return value
+
+
+def with_values(
+    settings: FitSettings, values: Mapping[str, Value], *, replace_starts: bool = False
+) -> FitSettings:
+    """The settings with values for all that they leave to the FMU.
+
+    Args:
+        settings: what they fix or tie themselves stays
+        values: parameters by name, in the units of the FMU: fixed where they are not fitted, and the start of
+            the search where they are
+        replace_starts: whether they go before starts that the settings give
+
+    Raises:
+        ParameterError: a start is outside the bounds of the fit
+    """
+    fitted = {one.name for one in settings.free}
+    free = tuple(
+        dataclasses.replace(one, start=float(values[one.name]))
+        if one.name in values and (replace_starts or one.start is None)
+        else one
+        for one in settings.free
+    )
+    fixed = {
+        name: value for name, value in values.items() if name not in fitted and name not in settings.ties
+    }
+    return dataclasses.replace(settings, free=free, fixed=fixed | dict(settings.fixed))
+
+
+#: The release of each record: its angle and its instant.
+RELEASE: Final = (Free("theta_start", per_record=True), Free(RELEASE_TIME, per_record=True))
+
+#: A constant damping coefficient.
+CONSTANT_DAMPING: Final = FitSettings(
+    fmu="Joystick", free=(Free("damping.C", start=0.05, minimum=0.0, maximum=0.5), *RELEASE)
+)
+
+#: Eq. (11). Only the products alpha*A and (1 - alpha)*B act on the motion, so that alpha cannot be fitted
+#: beside A and B: it is fixed at the paper's 0.9.
+POWER_LAW_DAMPING: Final = FitSettings(
+    fmu="JoystickPowerLaw",
+    fixed={"damping.alpha": 0.9},
+    free=(
+        Free("damping.A_pos", start=0.05, minimum=0.0, maximum=1.0),
+        Free("damping.n_pos", start=0.0, minimum=-1.0, maximum=1.0),
+        Free("damping.A_neg", start=0.05, minimum=0.0, maximum=1.0),
+        Free("damping.n_neg", start=0.0, minimum=-1.0, maximum=1.0),
+        Free("damping.B", start=0.05, minimum=0.0, maximum=1.0),
+        Free("damping.m", start=0.0, minimum=-1.0, maximum=1.0),
+        *RELEASE,
+    ),
+    # With the sides exchanged eq. (11) has a second minimum that looks right at 0.1 degree of noise.
+    search=Search(exchanges=(("damping.A_pos", "damping.A_neg"), ("damping.n_pos", "damping.n_neg"))),
+    # Six parameters along a curved valley: their profiles take minutes, and are there where asked for.
+    uncertainty=Uncertainty(profiles=()),
+)
+
+#: The displacement terms of eq. (11) alone, at alpha = 1: four records of 0.1 degree of noise determine them.
+DISPLACEMENT_DAMPING: Final = dataclasses.replace(
+    POWER_LAW_DAMPING,
+    fixed={"damping.alpha": 1.0},
+    free=tuple(one for one in POWER_LAW_DAMPING.free if one.name not in ("damping.B", "damping.m")),
+)

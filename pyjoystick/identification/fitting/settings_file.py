@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Any
 
 from pyjoystick.fmu import MODELS, FmuDescription, Value, Variable, find_fmu, read_description
-from pyjoystick.identification.fitting.joystick_values import with_values
 from pyjoystick.identification.fitting.settings import (
     RELEASE_TIME,
     FitSettings,
@@ -17,6 +16,7 @@ from pyjoystick.identification.fitting.settings import (
     Noise,
     Search,
     Uncertainty,
+    with_values,
 )
 from pyjoystick.runs import difference_of, number_of, value_of, values_from_joystick_file
 from pyjoystick.support import (

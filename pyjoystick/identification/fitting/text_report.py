@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from pyjoystick.identification.fitting.result import Fit
-from pyjoystick.motion import markdown_table
+from pyjoystick.support import TextTable
 
 #: Correlations beyond this are named.
 _STRONG = 0.9
@@ -66,7 +66,7 @@ def _parameters(fit: Fit) -> str:
             known = drawn is not None and bool(np.all(np.isfinite(drawn[j])))
             row.append(_interval(drawn[j]) if drawn is not None and known else "")
         rows.append(row)
-    return markdown_table(header, rows)
+    return TextTable(header, rows).markdown()
 
 
 def _interval(ends: Sequence[float] | np.ndarray[tuple[int], np.dtype[np.float64]]) -> str:
@@ -78,7 +78,7 @@ def _derived(fit: Fit) -> str:
     if not fit.derived:
         return ""
     rows = [[one.name, one.record, f"{one.value:.8g}", f"{one.error:.2g}"] for one in fit.derived]
-    return markdown_table(["tied parameter", "record", "value", "standard error"], rows)
+    return TextTable(["tied parameter", "record", "value", "standard error"], rows).markdown()
 
 
 def _strong_correlations(fit: Fit) -> str:
@@ -125,7 +125,7 @@ def _minima(fit: Fit) -> str:
         for number, one in enumerate(fit.minima, start=1)
     ]
     text = f"{searches} searches ended in {len(fit.minima)} different places."
-    return f"{text}\n\n{markdown_table(['place', 'sum of squares', 'searches', 'converged'], rows)}"
+    return f"{text}\n\n{TextTable(['place', 'sum of squares', 'searches', 'converged'], rows).markdown()}"
 
 
 def _checks(fit: Fit) -> str:

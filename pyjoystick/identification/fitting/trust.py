@@ -10,9 +10,9 @@ from typing import Final
 import numpy as np
 from scipy import stats
 
-from pyjoystick.identification.fitting.identifiability import Identifiability
 from pyjoystick.identification.fitting.profile import Profile
 from pyjoystick.identification.fitting.search import Minimum
+from pyjoystick.identification.fitting.uncertainty import Identifiability
 from pyjoystick.identification.fitting.variables import Variables
 from pyjoystick.support import FloatArray
 

@@ -1,15 +1,131 @@
-"""Standard errors, intervals and correlations from the Jacobian at the minimum."""
+"""What the Jacobian at the minimum tells: which variables the data determine, and how well."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 from scipy import stats
 
-from pyjoystick.identification.fitting.identifiability import Identifiability
 from pyjoystick.support import FloatArray
+
+#: Singular values below this many times the error of the Jacobian are zero, and in any case below the least.
+_MARGIN: Final = 10.0
+_LEAST: Final = 1e-7
+#: A column this much smaller than the largest, each for a change by the variable's own size, is no influence.
+_NO_INFLUENCE: Final = 1e-10
+#: Shares of a combination below this are left out of the sentence.
+_SHARE: Final = 0.02
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Identifiability:
+    """What the Jacobian at the minimum says.
+
+    Attributes:
+        singular_values: of the Jacobian with its columns scaled to length 1, descending, shape (variables,)
+        condition: the largest by the smallest of those that are not zero
+        rank: how many are not zero
+        variables: number of variables
+        threshold: below this a singular value counts as zero
+        undetermined: for each variable, whether it takes part in what the data leave open, shape (variables,)
+        sentences: what the data leave open, a sentence each
+        weakest: the combination that is known worst among those that are known
+    """
+
+    singular_values: FloatArray
+    condition: float
+    rank: int
+    variables: int
+    threshold: float
+    undetermined: np.ndarray[tuple[int], np.dtype[np.bool_]]
+    sentences: tuple[str, ...]
+    weakest: str
+
+    @property
+    def deficient(self) -> bool:
+        """Whether the data leave something open."""
+        return self.rank < self.variables
+
+
+def identifiability(
+    jacobian: FloatArray, x: FloatArray, scales: FloatArray, labels: Sequence[str], errors: FloatArray
+) -> Identifiability:
+    """Rank and null space of the Jacobian.
+
+    Args:
+        jacobian: shape (residuals, variables)
+        x: the point, shape (variables,)
+        scales: size of each variable, used for percentages where x is zero, shape (variables,)
+        labels: names of the variables
+        errors: relative error of each column, shape (variables,)
+    """
+    sizes = np.where(x != 0.0, np.abs(x), scales)
+    lengths = np.linalg.norm(jacobian, axis=0)
+    seen = lengths * sizes > _NO_INFLUENCE * max(float(np.max(lengths * sizes)), 1e-300)
+    safe = np.where(seen, lengths, 1.0)
+    _, values, rows = np.linalg.svd(np.where(seen, jacobian / safe, 0.0), full_matrices=False)
+    threshold = max(_LEAST, _MARGIN * float(np.max(errors, initial=0.0)))
+    rank = int(np.sum(values > threshold))
+    null = np.zeros((len(x) - rank, len(x)))
+    null[: len(values) - rank] = rows[rank:]
+    # In parts of each variable's size: a change of all of them at once that the data do not notice.
+    relative = null / (safe * sizes)
+    basis = _sparse(relative)
+    sentences = tuple(_sentence(vector, labels) for vector in basis)
+    weakest = ""
+    if rank:
+        worst = rows[rank - 1] / (safe * sizes)
+        weakest = _combination(worst / np.max(np.abs(worst)), labels)
+    return Identifiability(
+        values,
+        float(values[0] / values[rank - 1]) if rank else float("inf"),
+        rank,
+        len(x),
+        threshold,
+        np.any(np.abs(basis) > _SHARE, axis=0) if len(basis) else np.zeros(len(x), dtype=np.bool_),
+        sentences,
+        weakest,
+    )
+
+
+def _sparse(vectors: FloatArray) -> FloatArray:
+    """A basis of the same space, each vector with a 1 where the others have 0 (Gauss-Jordan)."""
+    basis = vectors.copy()
+    used: list[int] = []
+    for i in range(len(basis)):
+        basis[i:] /= np.maximum(np.max(np.abs(basis[i:]), axis=1, keepdims=True), 1e-300)
+        candidates = np.abs(basis[i:]).copy()
+        candidates[:, np.array(used, dtype=np.intp)] = 0.0
+        row, column = divmod(int(np.argmax(candidates)), candidates.shape[1])
+        basis[[i, i + row]] = basis[[i + row, i]]
+        basis[i] /= basis[i, column]
+        for j in range(len(basis)):
+            if j != i:
+                basis[j] -= basis[j, column] * basis[i]
+        used.append(column)
+    for i in range(len(basis)):
+        largest = float(np.max(np.abs(basis[i])))
+        basis[i] /= largest if largest > 0.0 else 1.0
+    return basis
+
+
+def _sentence(vector: FloatArray, labels: Sequence[str]) -> str:
+    taking_part = np.flatnonzero(np.abs(vector) > _SHARE)
+    if len(taking_part) == 1:
+        return f"{labels[taking_part[0]]} has no influence on what was measured"
+    return f"{_combination(vector, labels)} together change nothing that was measured: fix one of them"
+
+
+def _combination(vector: FloatArray, labels: Sequence[str]) -> str:
+    """``J +1 %, damping.C +1 %``."""
+    ranked: list[int] = np.argsort(-np.abs(vector), kind="stable").tolist()
+    order = [j for j in ranked if abs(vector[j]) > _SHARE]
+    turn = np.sign(vector[order[0]]) if order else 1.0
+    return ", ".join(f"{labels[j]} {turn * vector[j]:+.2g} %" for j in order)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -1,20 +1,78 @@
-"""The variables of a search and what they mean for the FMU: bounds, one value a record or one for all."""
+"""The variables of a search, their bounds, tied parameters, and how they map to parameters of the FMU."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+import re
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 import lmfit
 import numpy as np
 
 from pyjoystick.fmu import FmuDescription, checked_value
-from pyjoystick.identification.fitting.measurement import Measurement
-from pyjoystick.identification.fitting.release import Release, guess_release
+from pyjoystick.identification.fitting.measurement import Measurement, Release, guess_release
 from pyjoystick.identification.fitting.settings import RELEASE_TIME, FitSettings, Free
-from pyjoystick.identification.fitting.ties import Ties, names_in
 from pyjoystick.support import FloatArray, ParameterError, UnknownParameterError
+
+_NAME = re.compile(r"[A-Za-z_][\w.\[\]]*")
+
+
+def names_in(expressions: Iterable[str]) -> set[str]:
+    """Everything in the expressions that may be a name."""
+    return {name for expression in expressions for name in _NAME.findall(expression)}
+
+
+class Ties:
+    """Values of tied parameters from those of the free ones.
+
+    lmfit's names are identifiers; those of the FMU, with dots, are translated.
+    """
+
+    def __init__(self, names: Sequence[str], ties: Mapping[str, str], description: FmuDescription) -> None:
+        """Check the expressions.
+
+        Args:
+            names: the free parameters, in the order in which `values` takes them
+            ties: expressions by the parameter that they give; each may use those before it
+            description: the FMU
+
+        Raises:
+            UnknownParameterError: the FMU has no such parameter, or an expression uses one that is not free
+            ParameterError: an expression cannot be understood
+        """
+        self._tied = [_identifier(name) for name in ties]
+        self._own = [_identifier(name) for name in names]
+        self._parameters = lmfit.Parameters()
+        known = {name: _identifier(name) for name in (*names, *ties)}
+        for name in self._own if ties else ():
+            self._parameters.add(name, value=1.0)
+        for name, expression in ties.items():
+            if name not in description.variables:
+                raise UnknownParameterError(name, description.settable_names())
+            for word in sorted(names_in([expression])):
+                if "." in word and word not in known:
+                    raise UnknownParameterError(word, known)
+            translated = _NAME.sub(lambda match: known.get(match[0], match[0]), expression)
+            try:
+                self._parameters.add(_identifier(name), expr=translated)
+            except (NameError, SyntaxError, ValueError, TypeError):
+                allowed = f"an expression in {', '.join(names)}"
+                raise ParameterError(f"ties.{name}", expression, allowed) from None
+
+    def values(self, own: Sequence[float]) -> list[float]:
+        """The tied values for the values of the free parameters."""
+        if not self._tied:
+            return []
+        for name, value in zip(self._own, own, strict=True):
+            self._parameters[name].set(value=value)
+        self._parameters.update_constraints()
+        return [float(self._parameters[name].value) for name in self._tied]
+
+
+def _identifier(name: str) -> str:
+    return "p_" + re.sub(r"\W", "__", name)
+
 
 #: The release time may differ from its guess by this much (s), the angle by these factors.
 _TIME_RANGE = 0.15

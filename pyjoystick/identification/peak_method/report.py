@@ -10,7 +10,8 @@ import pandas as pd
 
 from pyjoystick.identification.peak_method.bias import Bias
 from pyjoystick.identification.peak_method.estimate import CONSTANTS, LINES, DampingEstimate
-from pyjoystick.motion import MeasuredPeaks, markdown_table, minima
+from pyjoystick.motion import MeasuredPeaks, minima
+from pyjoystick.support import TextTable
 
 _LINE_NAMES = dict(zip(LINES, (("A_pos", "n_pos"), ("A_neg", "n_neg"), ("B", "m")), strict=True))
 _ERRORS = {
@@ -33,7 +34,7 @@ def releases_report(releases: Sequence[MeasuredPeaks]) -> str:
         ]
         for one in releases
     ]
-    return markdown_table(["record", "release (s)", "angle (deg)", "noise (deg)", "peaks"], rows)
+    return TextTable(["record", "release (s)", "angle (deg)", "noise (deg)", "peaks"], rows).markdown()
 
 
 def damping_report(
@@ -52,7 +53,7 @@ def damping_report(
         fitted = estimate.lines[line]
         rows.append(_row(coefficient, lines[coefficient], fitted.coefficient_interval()))
         rows.append(_row(exponent, lines[exponent], fitted.exponent_interval()))
-    table = markdown_table(["", "estimate", "95 % interval", "bias", "corrected"], rows)
+    table = TextTable(["", "estimate", "95 % interval", "bias", "corrected"], rows).markdown()
     if estimate.left_out:
         return f"{table}\n\n{estimate.left_out} points without a logarithm are left out of the lines."
     return table
@@ -67,7 +68,7 @@ def bias_report(table: pd.DataFrame) -> str:
         parts = [f"{value:.3f}" for value in numbers[: len(CONSTANTS)]]
         slopes = [f"{value:+.3f}" for value in numbers[len(CONSTANTS) :]]
         rows.append([f"{true:g}", f"{math.degrees(angle):g}", *parts, *slopes])
-    return markdown_table(["true C", "release (deg)", *CONSTANTS, *exponents], rows)
+    return TextTable(["true C", "release (deg)", *CONSTANTS, *exponents], rows).markdown()
 
 
 def peak_error_report(sweeps: Mapping[str, pd.DataFrame], shown: Mapping[str, Sequence[float]]) -> str:
@@ -86,7 +87,7 @@ def peak_error_report(sweeps: Mapping[str, pd.DataFrame], shown: Mapping[str, Se
             rows.append([f"{label} = {values[nearest]:.4g}", *(f"{error:.1f}" for error in errors[nearest])])
         least = minima(sweep).loc[list(_ERRORS), ["error", "at"]].to_numpy(dtype=np.float64)
         rows.append([f"{label}, smallest", *(f"{error:.1f} at {at:.4g}" for error, at in least)])
-    return markdown_table(["error (%)", *_ERRORS.values()], rows)
+    return TextTable(["error (%)", *_ERRORS.values()], rows).markdown()
 
 
 def _constant_row(name: str, estimate: DampingEstimate, bias: Bias) -> list[str]:

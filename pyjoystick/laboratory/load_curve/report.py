@@ -8,7 +8,7 @@ import numpy as np
 
 from pyjoystick.laboratory.load_curve.cubic import misses
 from pyjoystick.laboratory.load_curve.fit import LoadCurveFit
-from pyjoystick.motion import markdown_table
+from pyjoystick.support import TextTable
 
 #: Half width of a 95 % interval in standard errors.
 _SIGMAS: Final = 1.96
@@ -33,7 +33,7 @@ def load_curve_report(fit: LoadCurveFit) -> str:
     segments, cubic = missed["segments"], missed["cubic"]
     return "\n".join(
         (
-            markdown_table(["", "unit", "value", "standard error", "95 % interval"], rows),
+            TextTable(["", "unit", "value", "standard error", "95 % interval"], rows).markdown(),
             "",
             f"Noise of one sample: {1e6 * fit.travel_noise:.3g} um of travel, {fit.force_noise:.3g} N; the "
             f"fit misses by {fit.misfit:.2f} times that.",

@@ -10,7 +10,7 @@ from pyjoystick.laboratory.measurements.accelerometer import AccelerometerRecord
 from pyjoystick.laboratory.measurements.angle import AngleMeasurement
 from pyjoystick.laboratory.measurements.chain import Chain, Motion
 from pyjoystick.laboratory.measurements.markers import Markers
-from pyjoystick.motion import markdown_table
+from pyjoystick.support import TextTable
 
 
 def markers_report(markers: Markers, names: tuple[str, ...], measured: AngleMeasurement) -> str:
@@ -30,7 +30,7 @@ def markers_report(markers: Markers, names: tuple[str, ...], measured: AngleMeas
         ["noise of the angle (deg)", f"{math.degrees(measured.noise):.3f}"],
         ["angle (deg)", f"{theta.min():+.2f} to {theta.max():+.2f}"],
     ]
-    return markdown_table(["", "markers"], rows)
+    return TextTable(["", "markers"], rows).markdown()
 
 
 def chain_report(chain: Chain, motion: Motion) -> str:
@@ -48,7 +48,7 @@ def chain_report(chain: Chain, motion: Motion) -> str:
         ["largest velocity (rad/s)", f"{np.max(np.abs(motion.omega[known])):.3f}"],
         ["largest acceleration (rad/s2)", f"{np.max(np.abs(motion.alpha[known])):.1f}"],
     ]
-    return markdown_table(["", "motion"], rows)
+    return TextTable(["", "motion"], rows).markdown()
 
 
 def acceleration_report(record: AccelerometerRecord, found: AngularAcceleration) -> str:
@@ -67,7 +67,7 @@ def acceleration_report(record: AccelerometerRecord, found: AngularAcceleration)
         ["correlation", f"{found.correlation:+.4f}"],
         ["add to the delay (s)", f"{found.lag:+.4f}"],
     ]
-    return markdown_table(["", "accelerometer"], rows)
+    return TextTable(["", "accelerometer"], rows).markdown()
 
 
 def _residuals(markers: Markers, names: tuple[str, ...]) -> str:

@@ -1,19 +1,21 @@
-"""Reading a parameter file: one joystick in TOML, with the uncertainty and the source of its numbers.
+"""Reading a parameter file: one joystick in TOML, with uncertainties and sources; the paper's own file.
 
-``paper.toml`` beside this module is such a file, and holds the paper's numbers for the whole package.
+``paper.toml`` beside this module holds the numbers of Tables 1 and 2 and sections 3.3 and 4 for the
+whole package. Rogers, Garland, Oliver: Dynamic modelling of mechanical systems with opposing restrained
+preloaded stiffnesses, J. Sound Vib. 274 (2004) 73-89. It does not give gravity; the standard value is used.
 """
 
 from __future__ import annotations
 
 import dataclasses
+import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
 from typing import Final, Literal, get_args
 
-from pyjoystick.model.parameters.damping import ConstantDamping, Damping, PowerLawDamping
-from pyjoystick.model.parameters.joystick import JoystickParameters
+from pyjoystick.model.parameters.joystick import ConstantDamping, Damping, JoystickParameters, PowerLawDamping
 from pyjoystick.model.parameters.springs import ActuatorAssembly, SegmentTable
 from pyjoystick.support import ParameterError, SettingsError, Table, not_negative, positive, read_toml
 
@@ -218,3 +220,22 @@ def _require_travels_in_reach(root: Table, curves: Mapping[Side, SegmentTable], 
                 allowed = f"must be below a = {a:.9g} m"
                 hint = f"in mm? {travel:g} mm are {travel * 1e-3:g} m"
                 raise SettingsError(root.path, side, f"x[{i}]", travel, allowed, hint)
+
+
+#: The shipped parameter file, which holds the numbers.
+PAPER: Final[ParameterFile] = read_parameter_file(Path(__file__).with_name("paper.toml"))
+#: Tables 1 and 2 with the constant damping of Fig. 10.
+NOMINAL: Final[JoystickParameters] = PAPER.with_law("constant")
+#: Tables 1 and 2 with the power law of eq. (11) at the weight of Fig. 10.
+NOMINAL_POWER_LAW: Final[JoystickParameters] = PAPER.with_law("power-law")
+
+#: Table 1, forward side (theta > 0): x_i in m, k_i in N/m.
+FORWARD_TABLE: Final[SegmentTable] = PAPER.curves["forward"]
+#: Table 1, backward side (theta < 0): x_i in m, k_i in N/m.
+BACKWARD_TABLE: Final[SegmentTable] = PAPER.curves["backward"]
+
+assert PAPER.pivot_to_top is not None
+#: Table 2: pivot to the top of the handle (m), where the accelerometer sits.
+PIVOT_TO_TOP: Final[float] = PAPER.pivot_to_top
+#: The stops of the joystick are at about plus and minus this angle (rad).
+STOP_ANGLE: Final = math.radians(20.0)

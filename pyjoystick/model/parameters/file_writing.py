@@ -1,22 +1,30 @@
-"""Writing a parameter file: what changes is changed, and comments and all else stay as they are."""
+"""Writing a parameter file: what changes is replaced; comments and everything else stay."""
 
 from __future__ import annotations
 
 import dataclasses
+import math
 import re
 from collections.abc import Mapping
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
-from pyjoystick.model.parameters.file import PLAIN_TABLES, SIDES, ParameterFile, law_name, read_parameter_file
+from pyjoystick.model.parameters.file import (
+    PAPER,
+    PLAIN_TABLES,
+    SIDES,
+    ParameterFile,
+    law_name,
+    read_parameter_file,
+)
 from pyjoystick.model.parameters.joystick import JoystickParameters
-from pyjoystick.model.parameters.paper import PAPER
 from pyjoystick.support import SettingsError, UnknownParameterError, not_negative, replacing
 
 if TYPE_CHECKING:
     from tomlkit.items import Table
     from tomlkit.toml_document import TOMLDocument
+
 
 _ELEMENT: Final = re.compile(r"(?P<place>.*)\[(?P<index>\d+)\]")
 
@@ -182,3 +190,19 @@ def _table(document: TOMLDocument, name: str) -> Table:
             raise UnknownParameterError(name, document)
         found = found[part]
     return found  # type: ignore[no-any-return]  # documents are not annotated below their tables
+
+
+#: Digits of a standard error, and digits of a value beyond the first one of its standard error.
+_DIGITS = 2
+
+
+def rounded(value: float, error: float) -> float:
+    """A value to a hundredth of its standard error or better; as it is where there is no error."""
+    if not 0.0 < error < math.inf:
+        return value
+    return round(value, _DIGITS - math.floor(math.log10(error)))
+
+
+def rounded_error(error: float) -> float:
+    """A standard error to two digits."""
+    return float(f"{error:.{_DIGITS}g}")

@@ -15,10 +15,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
 
-from pyjoystick.model.parameters.damping import ConstantDamping, Damping
-from pyjoystick.model.parameters.joystick import JoystickParameters
+from pyjoystick.model.parameters.joystick import ConstantDamping, Damping, JoystickParameters
 from pyjoystick.model.parameters.springs import RestrainedSpring
-from pyjoystick.model.reference.cam import angle_of_travel, contact_travel
+from pyjoystick.model.reference.moments import angle_of_travel, contact_travel
 from pyjoystick.support import SimulationError, Torque
 
 #: Angular acceleration (rad/s2) from time (s), angle (rad) and angular velocity (rad/s).

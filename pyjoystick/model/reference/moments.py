@@ -1,4 +1,4 @@
-"""Moments about the pivot and energy, eqs. (1), (5) corrected, (11) and Fig. 12, as functions of the motion.
+"""Geometry, springs, moments and energy, eqs. (1), (3), (5) corrected, (6)-(8), (11), of a given motion.
 
 Every function takes arrays of any broadcastable shape in SI units and returns that shape; NaN gives NaN.
 Angles with |theta| >= pi/2 raise ParameterError.
@@ -11,11 +11,101 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pyjoystick.model.parameters.damping import ConstantDamping, Damping
-from pyjoystick.model.parameters.joystick import JoystickParameters
-from pyjoystick.model.reference.cam import contact_travel
-from pyjoystick.model.reference.springs import assembly_energy, assembly_force
-from pyjoystick.support import FloatArray
+from pyjoystick.model.parameters.joystick import ConstantDamping, Damping, JoystickParameters
+from pyjoystick.model.parameters.springs import ActuatorAssembly, RestrainedSpring, SegmentTable
+from pyjoystick.support import FloatArray, angle
+
+
+def contact_travel(parameters: JoystickParameters, theta: ArrayLike) -> FloatArray:
+    """Eq. (3): travel of the contact point, x = a*|tan(theta)| + b*(1 - 1/cos(theta)).
+
+    With t = tan(|theta|/2) this is 2*t*(a - b*t)/(1 - t^2), which has no cancellation near theta = 0.
+
+    Args:
+        parameters: the joystick
+        theta: angle (rad), any shape, |theta| < pi/2; NaN gives NaN
+
+    Returns:
+        x (m), 0 or more, same shape
+
+    Raises:
+        ParameterError: some |theta| >= pi/2
+    """
+    t = np.tan(np.abs(_checked(theta)) / 2.0)
+    return np.asarray(2.0 * t * (parameters.a - parameters.b * t) / ((1.0 - t) * (1.0 + t)))
+
+
+def contact_travel_slope(parameters: JoystickParameters, theta: ArrayLike) -> FloatArray:
+    """Derivative of eq. (3): dx/dtheta = (a*sign(theta) - b*sin(theta))/cos(theta)^2.
+
+    Args:
+        parameters: the joystick
+        theta: angle (rad), any shape, |theta| < pi/2; NaN gives NaN
+
+    Returns:
+        dx/dtheta (m/rad), same shape; 0 at theta = 0, halfway between the one-sided slopes -a and a
+
+    Raises:
+        ParameterError: some |theta| >= pi/2
+    """
+    theta = _checked(theta)
+    return np.asarray((parameters.a * np.sign(theta) - parameters.b * np.sin(theta)) / np.cos(theta) ** 2)
+
+
+def angle_of_travel(parameters: JoystickParameters, x: float) -> float:
+    """The angle |theta| (rad) at which the contact travel is x (m): the inverse of eq. (3).
+
+    Eq. (3) in t = tan(theta/2) is (2*b - x)*t^2 - 2*a*t + x = 0. Its root that vanishes with x is taken in
+    the form without cancellation. It is real and below pi/2 for every x >= 0 because b < a.
+    """
+    a, b = parameters.a, parameters.b
+    return 2.0 * math.atan(x / (a + math.sqrt(a * a - x * (2.0 * b - x))))
+
+
+def _checked(theta: ArrayLike) -> FloatArray:
+    angles = np.asarray(theta, dtype=np.float64)
+    for value in angles[np.abs(angles) >= np.pi / 2.0][:1]:
+        angle("theta", value)
+    return angles
+
+
+def spring_force(spring: RestrainedSpring, x: ArrayLike) -> FloatArray:
+    """Eqs. (6)-(8): force (N) of one restrained spring at contact travel x (m, any shape), same shape."""
+    compression = np.asarray(x, dtype=np.float64) - spring.x_0
+    restrained = (spring.k_h + spring.k_s) * compression
+    released = spring.F_0 + spring.k_s * compression
+    force = np.where(spring.k_h * compression <= spring.F_0, restrained, released)
+    return np.where(compression <= 0.0, 0.0, force)
+
+
+def spring_energy(spring: RestrainedSpring, x: ArrayLike) -> FloatArray:
+    """Energy (J) stored in one restrained spring at travel x (m), same shape: the integral of its force."""
+    compression = np.asarray(x, dtype=np.float64) - spring.x_0
+    restrained = 0.5 * (spring.k_h + spring.k_s) * compression**2
+    # The restraint gives back F_0^2/(2*k_h) while it goes slack.
+    released = (spring.F_0 + 0.5 * spring.k_s * compression) * compression - 0.5 * spring.F_0**2 / spring.k_h
+    energy = np.where(spring.k_h * compression <= spring.F_0, restrained, released)
+    return np.where(compression <= 0.0, 0.0, energy)
+
+
+def assembly_force(assembly: ActuatorAssembly, x: ArrayLike) -> FloatArray:
+    """Force (N) of return and balance spring side by side (Fig. 7) at contact travel x (m), same shape."""
+    return spring_force(assembly.return_spring, x) + spring_force(assembly.balance_spring, x)
+
+
+def assembly_energy(assembly: ActuatorAssembly, x: ArrayLike) -> FloatArray:
+    """Energy (J) stored in an assembly at travel x (m), same shape: the integral of its force."""
+    return spring_energy(assembly.return_spring, x) + spring_energy(assembly.balance_spring, x)
+
+
+def table_force(table: SegmentTable, x: ArrayLike) -> FloatArray:
+    """Force (N) of a curve of straight segments (Fig. 7c) at contact travel x (m), same shape."""
+    travel = np.asarray(x, dtype=np.float64)
+    starts, stiffnesses = np.asarray(table.x), np.asarray(table.k)
+    at_start = np.concatenate(([0.0], np.cumsum(stiffnesses[:-1] * np.diff(starts))))
+    segment = np.maximum(np.searchsorted(starts, travel, side="right") - 1, 0)
+    force = at_start[segment] + stiffnesses[segment] * (travel - starts[segment])
+    return np.where(travel <= starts[0], 0.0, force)
 
 
 def contact_force(parameters: JoystickParameters, theta: ArrayLike) -> FloatArray:

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from pyjoystick.model.parameters.joystick import JoystickParameters
-from pyjoystick.model.reference.cam import contact_travel
 from pyjoystick.model.reference.integration import Event, TurningPoint
 from pyjoystick.model.reference.moments import (
     contact_force,
     contact_moment,
+    contact_travel,
     damping_coefficient,
     energy,
     gravity_moment,

@@ -1,12 +1,67 @@
-"""A statement of the paper that can be checked, and what comes out here."""
+"""A statement of the paper that can be checked, the verdict, and the runs that several claims share."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
+from functools import cached_property
+from typing import Final
 
-from pyjoystick.reports.claims.workbench import Workbench
+import numpy as np
+import pandas as pd
+
+from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW, STOP_ANGLE, Trajectory, period_table, simulate
+from pyjoystick.motion import ReleasePeaks, find_peaks, peaks_of_run
+from pyjoystick.runs import reference_free_oscillation
+
+#: Released backward, as the paper's joystick was.
+RELEASE: Final = -STOP_ANGLE
+#: Peaks that eqs. (12a, b) judge.
+PEAKS: Final = 9
+_INTERVAL: Final = 0.25e-3
+_DURATION: Final = 1.5
+
+
+class Workbench:
+    """Free oscillations of the paper's joystick with both damping laws, by the reference."""
+
+    @cached_property
+    def constant(self) -> pd.DataFrame:
+        """The table of the run with the constant C."""
+        return reference_free_oscillation(RELEASE, parameters=NOMINAL, output_interval=_INTERVAL)
+
+    @cached_property
+    def power_law(self) -> pd.DataFrame:
+        """The table of the run with eq. (11) at alpha = 0.9."""
+        return reference_free_oscillation(RELEASE, parameters=NOMINAL_POWER_LAW, output_interval=_INTERVAL)
+
+    @cached_property
+    def trajectory(self) -> Trajectory:
+        """The run with eq. (11) with its events and turning points."""
+        time = np.linspace(0.0, _DURATION, round(_DURATION / _INTERVAL) + 1)
+        return simulate(NOMINAL_POWER_LAW, time=time, theta_start=RELEASE)
+
+    @cached_property
+    def constant_release(self) -> ReleasePeaks:
+        """Peaks of the run with the constant C."""
+        return peaks_of_run(self.constant, name="constant")
+
+    @cached_property
+    def power_law_release(self) -> ReleasePeaks:
+        """Peaks of the run with eq. (11)."""
+        return peaks_of_run(self.power_law, name="power law")
+
+    def heights(self, run: pd.DataFrame) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
+        """Magnitudes of the release and of the first nine peaks of the angle (rad)."""
+        peaks = find_peaks(run.index, run["theta"], run["omega"])
+        return np.concatenate(([abs(RELEASE)], peaks["value"].abs().to_numpy()[:PEAKS]))
+
+    @cached_property
+    def periods(self) -> pd.DataFrame:
+        """Undamped periods from 20 degrees down to 0.2 degrees (backward releases), amplitudes rising."""
+        return period_table(NOMINAL, -np.radians(np.geomspace(0.2, math.degrees(STOP_ANGLE), 400)))
 
 
 class Verdict(StrEnum):

@@ -16,14 +16,11 @@ from pyjoystick.model import (
     ConstantDamping,
     PowerLawDamping,
     damping_coefficient,
-    damping_jumps,
-    equivalent_damping,
-    mean_damping,
     simulate,
 )
 from pyjoystick.motion import peak_errors, peaks_of_run, sweep_peak_errors
-from pyjoystick.reports.claims.claim import Finding, Verdict, claim, verdict
-from pyjoystick.reports.claims.workbench import RELEASE, Workbench
+from pyjoystick.reports.claims.claim import RELEASE, Finding, Verdict, Workbench, claim, verdict
+from pyjoystick.reports.dissipation import damping_jumps, equivalent_damping, mean_damping
 from pyjoystick.runs import SimulatedReleases, reference_free_oscillation
 
 _PRINTED: Final = cast("PowerLawDamping", NOMINAL_POWER_LAW.damping)

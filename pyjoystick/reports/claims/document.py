@@ -8,8 +8,7 @@ from collections.abc import Mapping, Sequence
 from typing import Final
 
 from pyjoystick.reports.claims import damping, energy, oscillation, springs, torque
-from pyjoystick.reports.claims.claim import Claim, Finding, Verdict
-from pyjoystick.reports.claims.workbench import Workbench
+from pyjoystick.reports.claims.claim import Claim, Finding, Verdict, Workbench
 
 CHAPTERS: Final[Mapping[str, Sequence[Claim]]] = {
     "Free oscillation": oscillation.CLAIMS,

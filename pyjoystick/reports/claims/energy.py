@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from pyjoystick.laboratory import Chain, ChainEffect, LowPass, chain_effect, derivative
-from pyjoystick.model import NOMINAL_POWER_LAW, plateaus
-from pyjoystick.reports.claims.claim import Finding, Verdict, claim, verdict
-from pyjoystick.reports.claims.workbench import PEAKS, RELEASE, Workbench
+from pyjoystick.model import NOMINAL_POWER_LAW
+from pyjoystick.reports.claims.claim import PEAKS, RELEASE, Finding, Verdict, Workbench, claim, verdict
+from pyjoystick.reports.dissipation import plateaus
 
 
 @claim("4, Fig. 12", "the energy falls gradually and never rises")

@@ -20,8 +20,7 @@ from pyjoystick.model import (
     swing_frequency,
     undamped_oscillation,
 )
-from pyjoystick.reports.claims.claim import Finding, Verdict, claim, verdict
-from pyjoystick.reports.claims.workbench import PEAKS, RELEASE, Workbench
+from pyjoystick.reports.claims.claim import PEAKS, RELEASE, Finding, Verdict, Workbench, claim, verdict
 
 _SPRINGS = [f"{side}.{name}Spring" for side in ("forward", "backward") for name in ("return", "balance")]
 

@@ -20,8 +20,7 @@ from pyjoystick.model import (
     spring_force,
     table_force,
 )
-from pyjoystick.reports.claims.claim import Finding, Verdict, claim, verdict
-from pyjoystick.reports.claims.workbench import Workbench
+from pyjoystick.reports.claims.claim import Finding, Verdict, Workbench, claim, verdict
 
 _ANGLES = np.radians(np.linspace(0.25, 20.0, 80))
 _ASSEMBLIES = (NOMINAL.forward, NOMINAL.backward)

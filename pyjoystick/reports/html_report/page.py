@@ -12,8 +12,6 @@ from importlib import resources
 import matplotlib as mpl
 from matplotlib.figure import Figure
 
-from pyjoystick.model import TextTable
-
 
 @dataclass(frozen=True, slots=True)
 class Section:
@@ -31,17 +29,6 @@ class Section:
 def paragraph(text: str) -> str:
     """A paragraph of text."""
     return f"<p>{escape(text)}</p>"
-
-
-def table(content: TextTable, caption: str, *, prose: bool = False) -> str:
-    """A table with its caption; the first column names the row, the others are numbers unless `prose`."""
-    head = "".join(f'<th scope="col">{escape(cell)}</th>' for cell in content.header)
-    rows = "".join(f"<tr>{_row(row, prose=prose)}</tr>\n" for row in content.rows)
-    kind = ' class="prose"' if prose else ""
-    return (
-        f'<div class="wide"><table{kind}><caption>{escape(caption)}</caption>\n'
-        f"<thead><tr>{head}</tr></thead>\n<tbody>\n{rows}</tbody></table></div>"
-    )
 
 
 def figure(content: Figure, caption: str, *, alt: str) -> str:
@@ -104,9 +91,3 @@ def page(title: str, introduction: str, sections: Sequence[Section], *, footer: 
 </body>
 </html>
 """
-
-
-def _row(cells: Sequence[str], *, prose: bool) -> str:
-    first, *others = (escape(cell) for cell in cells)
-    kind = "" if prose else ' class="number"'
-    return f'<th scope="row">{first}</th>' + "".join(f"<td{kind}>{cell}</td>" for cell in others)

@@ -5,12 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW, TextTable
+from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW
 from pyjoystick.reports.claims.document import findings
-from pyjoystick.reports.html_report.page import Section, page, paragraph, table
-from pyjoystick.reports.html_report.sections import SECTIONS
-from pyjoystick.reports.html_report.study import Study
-from pyjoystick.support import versions
+from pyjoystick.reports.html_report.page import Section, page, paragraph
+from pyjoystick.reports.html_report.sections import SECTIONS, Study
+from pyjoystick.support import TextTable, versions
 
 
 def joystick_report(
@@ -51,19 +50,18 @@ def joystick_report(
 def claims_section() -> Section:
     """What the paper says, and what comes out here."""
     parts = [
-        table(
-            TextTable(
-                ("where", "the paper", "here", "verdict"),
+        TextTable(
+            ("where", "the paper", "here", "verdict"),
+            [
                 [
-                    [
-                        claim.where,
-                        claim.statement,
-                        "; ".join(filter(None, (finding.here, finding.remark))),
-                        finding.verdict,
-                    ]
-                    for claim, finding in rows
-                ],
-            ),
+                    claim.where,
+                    claim.statement,
+                    "; ".join(filter(None, (finding.here, finding.remark))),
+                    finding.verdict,
+                ]
+                for claim, finding in rows
+            ],
+        ).html(
             chapter,
             prose=True,
         )

@@ -1,14 +1,17 @@
-"""The sections of a report on a joystick: each a function from the study to figures, tables and words."""
+"""The sections of a report on a joystick, each a function of the study: figures, tables and text."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cached_property
 from typing import Final
 
 import numpy as np
 import pandas as pd
 
+from pyjoystick.fmu import Fmu
 from pyjoystick.forced_motion import (
     ForwardAndReturn,
     Samples,
@@ -23,28 +26,76 @@ from pyjoystick.model import (
     PIVOT_TO_TOP,
     STOP_ANGLE,
     JoystickParameters,
+    LawName,
     NoOscillationError,
     PowerLawDamping,
-    TextTable,
+    Trajectory,
     body_table,
-    damping_jumps,
     damping_table,
     decaying_periods,
-    equivalent_damping,
     exponent,
-    mean_damping,
+    law_name,
     period_table,
+    plot_periods,
+    segment_table,
+    simulate,
+    spring_table,
+)
+from pyjoystick.motion import find_peaks, periods
+from pyjoystick.reports.dissipation import (
+    damping_jumps,
+    equivalent_damping,
+    mean_damping,
     plateaus,
     plot_damping_function,
     plot_energy,
-    plot_periods,
-    segment_table,
-    spring_table,
 )
-from pyjoystick.motion import periods
-from pyjoystick.reports.html_report.page import Section, figure, paragraph, table
-from pyjoystick.reports.html_report.study import Study
-from pyjoystick.support import LAWS, plot_motion
+from pyjoystick.reports.html_report.page import Section, figure, paragraph
+from pyjoystick.runs import free_oscillation
+from pyjoystick.support import DEFAULT_DURATION, LAWS, TextTable, plot_motion
+
+_INTERVAL: Final = 0.5e-3
+
+
+@dataclass(frozen=True)
+class Study:
+    """A joystick, the FMU that runs it, and the release that the report shows.
+
+    Attributes:
+        joystick: its parameters
+        fmu: the FMU with its damping law, open
+        release_angle: angle of release from rest (rad)
+        pivot_to_top: pivot to the top of the handle (m), where it is known
+    """
+
+    joystick: JoystickParameters
+    fmu: Fmu
+    release_angle: float
+    pivot_to_top: float | None
+
+    @property
+    def law(self) -> LawName:
+        """The name of the damping law."""
+        return law_name(self.joystick.damping)
+
+    @cached_property
+    def run(self) -> pd.DataFrame:
+        """The free oscillation, by the FMU."""
+        return free_oscillation(
+            self.release_angle, fmu=self.fmu, parameters=self.joystick, output_interval=_INTERVAL
+        )
+
+    @cached_property
+    def peaks(self) -> pd.DataFrame:
+        """The peaks of its angle."""
+        return find_peaks(self.run.index, self.run["theta"], self.run["omega"])
+
+    @cached_property
+    def trajectory(self) -> Trajectory:
+        """The same oscillation by the reference, with its turning points."""
+        time = np.linspace(0.0, DEFAULT_DURATION, round(DEFAULT_DURATION / _INTERVAL) + 1)
+        return simulate(self.joystick, time=time, theta_start=self.release_angle)
+
 
 _DEG: Final = math.degrees(1.0)
 _PEAKS: Final = 10
@@ -59,10 +110,10 @@ def parameter_section(study: Study) -> Section:
     return Section(
         "Parameters",
         [
-            table(body_table(joystick, study.pivot_to_top), "Inertia and geometry."),
-            table(segment_table(joystick), "Load-deflection curves: stiffness k_i from travel x_i on."),
-            table(spring_table(joystick), "The restrained preloaded springs that give these curves."),
-            table(damping_table(joystick.damping), f"Damping law: {study.law}."),
+            body_table(joystick, study.pivot_to_top).html("Inertia and geometry."),
+            segment_table(joystick).html("Load-deflection curves: stiffness k_i from travel x_i on."),
+            spring_table(joystick).html("The restrained preloaded springs that give these curves."),
+            damping_table(joystick.damping).html(f"Damping law: {study.law}."),
         ],
     )
 
@@ -103,7 +154,7 @@ def oscillation_section(study: Study) -> Section:
             paragraph(
                 f"Simulated by the FMU; the reference in plain Python differs by at most {off:.0e} rad."
             ),
-            table(TextTable(header, rows), "The first peaks of the displacement."),
+            TextTable(header, rows).html("The first peaks of the displacement."),
         ],
     )
 
@@ -146,7 +197,7 @@ def period_section(study: Study) -> Section:
         [
             paragraph(words),
             figure(plot_periods(curve, decaying), "Undamped period, and where its time goes.", alt=alt),
-            table(TextTable(header, rows), "Undamped periods, and parts of the period by kind of segment."),
+            TextTable(header, rows).html("Undamped periods, and parts of the period by kind of segment."),
         ],
     )
 
@@ -169,7 +220,7 @@ def energy_section(study: Study) -> Section:
         "Energy",
         [
             figure(plot_energy(run, rests), caption, alt=alt),
-            table(TextTable(header, rows), "The steps of the energy."),
+            TextTable(header, rows).html("The steps of the energy."),
         ],
     )
 
@@ -221,8 +272,7 @@ def torque_section(study: Study) -> Section:
         "Torque",
         [
             figure(plot_torque({study.law: shown}), caption, alt=alt),
-            table(
-                TextTable(header, rows),
+            TextTable(header, rows).html(
                 "Peaks over a motion to 18 degrees and back, force at the top of the handle "
                 f"({arm:g} m), peaks of the parts over the peak of the torque, and energy lost.",
             ),

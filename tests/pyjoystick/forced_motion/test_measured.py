@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from pyjoystick.forced_motion import ForwardAndReturn, Samples, measure, read_motion, torque_by_reference
-from pyjoystick.forced_motion.synthetic import seen_by_cameras
+from pyjoystick.forced_motion.measured import seen_by_cameras
 from pyjoystick.laboratory import Chain, LowPass, write_motion
 from pyjoystick.model import NOMINAL
 from pyjoystick.motion import RecordError

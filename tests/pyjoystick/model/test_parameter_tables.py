@@ -8,12 +8,12 @@ from pyjoystick.model import (
     NOMINAL,
     NOMINAL_POWER_LAW,
     PIVOT_TO_TOP,
-    TextTable,
     body_table,
     damping_table,
     segment_table,
     spring_table,
 )
+from pyjoystick.support import TextTable
 
 TABLES = [
     segment_table(NOMINAL),

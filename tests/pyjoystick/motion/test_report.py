@@ -6,21 +6,11 @@ import math
 
 import pytest
 
-from pyjoystick.motion import Difference, markdown_table
-from pyjoystick.motion.report import Case, free_oscillation_report
+from pyjoystick.motion import Case, Difference, free_oscillation_report
 from pyjoystick.runs import reference_free_oscillation
 from pyjoystick.support import version_of, versions
 
 DIFFERENCES = [Difference(name, "", value, 0.0, 0.0) for name, value in (("theta", 1e-9), ("omega", 2e-7))]
-
-
-def test_a_markdown_table_is_aligned() -> None:
-    assert markdown_table(["name", "x"], [["a", "1"], ["long name", "22.5"]]).splitlines() == [
-        "| name      |    x |",
-        "| --------- | ---: |",
-        "| a         |    1 |",
-        "| long name | 22.5 |",
-    ]
 
 
 @pytest.mark.parametrize("duration", [1.5, 0.3])

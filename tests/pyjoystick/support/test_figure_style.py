@@ -10,7 +10,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 
-from pyjoystick.support import LAWS, SERIES, dress, figure_style, legend_above
+from pyjoystick.support import LAWS, SERIES, ParameterError, dress, figure_style, legend_above, line_style
 
 #: What a viewer without one kind of cones sees, in linear RGB (Vienot, Brettel and Mollon, 1999).
 DEUTERANOPE = np.array([[0.29275, 0.70725, 0.0], [0.29275, 0.70725, 0.0], [-0.02234, 0.02234, 1.0]])
@@ -41,6 +41,15 @@ def test_colors_of_one_panel_can_be_told_apart(colors: list[str], sight: np.ndar
 def test_lines_of_one_panel_differ_in_their_dashes() -> None:
     assert len({str(style["linestyle"]) for style in SERIES}) == len(SERIES)
     assert len({str(style["linestyle"]) for style in LAWS.values()}) == len(LAWS)
+
+
+def test_a_line_has_the_style_of_its_role() -> None:
+    assert line_style("measured")["color"] == figure_style.MEASURED
+    assert line_style("constant") == LAWS["constant"]
+    assert [line_style(i) for i in range(len(SERIES))] == list(SERIES)
+    for wrong in (len(SERIES), -1, "velocity"):
+        with pytest.raises(ParameterError, match="measured, constant, power-law, or a number from 0 to 4"):
+            line_style(wrong)  # type: ignore[arg-type]
 
 
 def test_the_legend_and_the_title_cover_no_panel_nor_each_other() -> None:

@@ -11,9 +11,9 @@ import pytest
 
 from pyjoystick.fmu import Fmu
 from pyjoystick.identification import CONSTANT_DAMPING, Fit, FitSettings, Free, Noise, Uncertainty, fit
+from pyjoystick.identification.fitting.fit import make_problem
 from pyjoystick.identification.fitting.noise_model import weights_of
-from pyjoystick.identification.fitting.setup import make_problem
-from pyjoystick.identification.fitting.steps import choose_steps
+from pyjoystick.identification.fitting.problem import choose_steps
 from pyjoystick.model import NOMINAL
 from pyjoystick.motion import Record
 from tests.pyjoystick.identification.fitting.made import releases

@@ -18,9 +18,8 @@ from pyjoystick.identification import (
     Measurement,
     Noise,
 )
-from pyjoystick.identification.fitting.problem import Problem
-from pyjoystick.identification.fitting.setup import make_problem
-from pyjoystick.identification.fitting.steps import choose_steps
+from pyjoystick.identification.fitting.fit import make_problem
+from pyjoystick.identification.fitting.problem import Problem, choose_steps
 from pyjoystick.model import NOMINAL
 from pyjoystick.support import ParameterError, UnknownParameterError, UnknownVariableError
 from tests.pyjoystick.identification.fitting.made import releases

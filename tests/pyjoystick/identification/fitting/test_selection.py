@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from pyjoystick.identification import CONSTANT_DAMPING, RELEASE, FitSettings, Free, Uncertainty
-from pyjoystick.identification.fitting.criteria import criteria
+from pyjoystick.identification.fitting.result import criteria
 from pyjoystick.identification.fitting.selection import compare_models, comparison_table
 from pyjoystick.model import NOMINAL_POWER_LAW
 from pyjoystick.support import ParameterError

@@ -13,6 +13,7 @@ from pyjoystick.model import (
     PIVOT_TO_TOP,
     ConstantDamping,
     PowerLawDamping,
+    RestrainedSpring,
     read_parameter_file,
     read_parameters,
 )
@@ -148,3 +149,26 @@ def test_mistakes_are_named_with_their_place(file: Path, old: str, new: str, mes
 def test_a_file_that_is_not_there(tmp_path: Path) -> None:
     with pytest.raises(InputFileError, match=r"none\.toml: cannot be read: No such file"):
         read_parameters(tmp_path / "none.toml")
+
+
+@pytest.mark.parametrize(
+    ("spring", "k_s", "k_h", "preload"),
+    [
+        (NOMINAL.forward.return_spring, 2625.0, 427375.0, 52.7808),
+        (NOMINAL.forward.balance_spring, 2975.0, 1022400.0, 11.2464),
+        (NOMINAL.backward.return_spring, 1191.0, 657809.0, 55.5849),
+        (NOMINAL.backward.balance_spring, 2899.0, 1107910.0, 9.9712),
+    ],
+)
+def test_springs_of_table_1(spring: RestrainedSpring, k_s: float, k_h: float, preload: float) -> None:
+    assert spring.k_s == k_s
+    assert spring.k_h == k_h
+    assert pytest.approx(preload, abs=5e-5) == spring.F_0
+
+
+def test_the_two_nominal_joysticks_differ_in_damping_only() -> None:
+    constant, power_law = NOMINAL.to_names(), NOMINAL_POWER_LAW.to_names()
+    shared = {name for name in constant if not name.startswith("damping.")}
+    assert {name: power_law[name] for name in shared} == {name: constant[name] for name in shared}
+    assert constant["damping.C"] == 0.045
+    assert power_law["damping.alpha"] == 0.9

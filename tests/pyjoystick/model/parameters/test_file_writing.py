@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 from pathlib import Path
 
 import pytest
@@ -14,6 +15,8 @@ from pyjoystick.model import (
     JoystickParameters,
     read_parameter_file,
     read_parameters,
+    rounded,
+    rounded_error,
     write_parameters,
 )
 from pyjoystick.support import OutputFileError, ParameterError, SettingsError, UnknownParameterError
@@ -143,3 +146,21 @@ def test_a_folder_in_the_way(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
     with pytest.raises(OutputFileError):
         write_parameters(tmp_path / "file" / "joystick.toml", NOMINAL)
+
+
+@pytest.mark.parametrize(
+    ("value", "error", "expected"),
+    [
+        (0.044988249, 1.66e-5, 0.0449882),
+        (52.78081250000001, 0.031, 52.7808),
+        (1234567.0, 5600.0, 1234570.0),
+        (0.1 + 0.2, 0.0, 0.1 + 0.2),
+        (0.1 + 0.2, math.inf, 0.1 + 0.2),
+    ],
+)
+def test_a_value_keeps_a_hundredth_of_its_error(value: float, error: float, expected: float) -> None:
+    assert rounded(value, error) == expected
+
+
+def test_an_error_has_two_digits() -> None:
+    assert rounded_error(1.66e-5) == 1.7e-5

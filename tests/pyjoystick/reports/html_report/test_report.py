@@ -11,8 +11,9 @@ import pytest
 from matplotlib.figure import Figure
 
 from pyjoystick.fmu import Fmu
-from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW, PIVOT_TO_TOP, JoystickParameters, TextTable
-from pyjoystick.reports import Section, Study, figure, joystick_report, page, paragraph, table
+from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW, PIVOT_TO_TOP, JoystickParameters
+from pyjoystick.reports import Section, Study, figure, joystick_report, page, paragraph
+from pyjoystick.support import TextTable
 from tests.pyjoystick.reports.html_report.reading import drawing, read_page
 
 OTHER = NOMINAL.replace({"m": 0.91, "damping.C": 0.05})
@@ -103,7 +104,7 @@ def test_unusual_joysticks_have_a_report(constant: Fmu, joystick: JoystickParame
 
 
 def test_text_is_escaped() -> None:
-    parts = [paragraph("a < b & c"), table(TextTable(("x", "y<z"), [["1", "&"]]), "<caption>")]
+    parts = [paragraph("a < b & c"), TextTable(("x", "y<z"), [["1", "&"]]).html("<caption>")]
     text = page("<title>", "", [Section("a & b", parts)], footer="<end>")
     read_page(text)
     for escaped in (

@@ -8,18 +8,14 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pyjoystick.model import (
-    NOMINAL,
-    NOMINAL_POWER_LAW,
-    Trajectory,
-    damping_coefficient,
+from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW, Trajectory, damping_coefficient, simulate
+from pyjoystick.reports import (
     damping_jumps,
     equivalent_damping,
     mean_damping,
     plateaus,
     plot_damping_function,
     plot_energy,
-    simulate,
 )
 
 TIME = np.arange(1501) * 0.5e-3

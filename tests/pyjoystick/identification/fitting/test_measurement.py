@@ -1,4 +1,4 @@
-"""The guess of the release, which every search begins with."""
+"""The guess of the release from the record alone."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from itertools import product
 import numpy as np
 import pytest
 
-from pyjoystick.identification.fitting.release import guess_release
+from pyjoystick.identification.fitting.measurement import guess_release
 from pyjoystick.laboratory.synthetic_records import synthetic_record
 from pyjoystick.model import NOMINAL
 

@@ -1,0 +1,51 @@
+"""A small table of text for reports, and how it is rendered."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from html import escape
+
+
+@dataclass(frozen=True, slots=True)
+class TextTable:
+    """Headings and rows, all text; the first column names the row.
+
+    Attributes:
+        header: headings, one a column
+        rows: the cells of each row, as many as there are headings
+
+    Raises:
+        ValueError: on rendering, where a row has more or fewer cells than there are headings
+    """
+
+    header: Sequence[str]
+    rows: Sequence[Sequence[str]]
+
+    def markdown(self) -> str:
+        """Markdown that is aligned as text too: the first column to the left, the others to the right."""
+        widths = [max(map(len, column)) for column in zip(self.header, *self.rows, strict=True)]
+
+        def line(cells: Sequence[str]) -> str:
+            first, *others = zip(cells, widths, strict=True)
+            texts = [first[0].ljust(first[1]), *(cell.rjust(width) for cell, width in others)]
+            return f"| {' | '.join(texts)} |"
+
+        rule = ["-" * widths[0], *("-" * (width - 1) + ":" for width in widths[1:])]
+        return "\n".join((line(self.header), line(rule), *(line(row) for row in self.rows)))
+
+    def html(self, caption: str, *, prose: bool = False) -> str:
+        """HTML with a caption; the columns after the first are numbers unless `prose`."""
+        head = "".join(f'<th scope="col">{escape(cell)}</th>' for cell in self.header)
+        cell = "<td>" if prose else '<td class="number">'
+        body = "".join(
+            f'<tr><th scope="row">{escape(first)}</th>'
+            + "".join(f"{cell}{escape(text)}</td>" for _, text in zip(self.header[1:], others, strict=True))
+            + "</tr>\n"
+            for first, *others in self.rows
+        )
+        kind = ' class="prose"' if prose else ""
+        return (
+            f'<div class="wide"><table{kind}><caption>{escape(caption)}</caption>\n'
+            f"<thead><tr>{head}</tr></thead>\n<tbody>\n{body}</tbody></table></div>"
+        )

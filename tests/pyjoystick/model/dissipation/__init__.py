@@ -1,1 +1,0 @@
-"""Tests of pyjoystick.model.dissipation."""
