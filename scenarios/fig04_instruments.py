@@ -13,10 +13,10 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from pyjoystick.laboratory import GRAVITY, Chain
+from pyjoystick.laboratory import Chain
 from pyjoystick.laboratory.measurement_plots import plot_instruments
 from pyjoystick.model import NOMINAL_POWER_LAW, PIVOT_TO_TOP, simulate
-from pyjoystick.motion import read_repeats
+from pyjoystick.motion import GRAVITY, read_repeats
 from pyjoystick.motion.report import peak_table
 from pyjoystick.support import save_results
 

@@ -40,11 +40,11 @@ def test_units_are_those_of_the_fmu_or_proposed_by_it(tmp_path: Path, descriptio
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [
-        ("theta (deg)", "theta (furlong)", "has another unit than the variable of the FMU"),
-        (",T\n", ",Q\n", "has 0 columns 'T'"),
+        ("theta (deg)", "theta (furlong)", "row 1: has an unknown unit (found furlong); known are rad, deg"),
+        (",T\n", ",Q\n", "has no column 'T'; which column holds T? There are"),
         ("-10", "nan", "row 3: samples without a finite number"),
-        ("0.3,5", "0.1,5", "row 4: time does not increase"),
-        ("0.3,5", "0.05,5", "row 4: time does not increase"),
+        ("0.3,5", "0.1,5", "row 4: the time does not increase"),
+        ("0.3,5", "0.05,5", "row 4: the time does not increase"),
     ],
 )
 def test_bad_files_are_refused(
