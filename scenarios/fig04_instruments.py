@@ -14,8 +14,8 @@ import numpy as np
 import pandas as pd
 
 from pyjoystick import NOMINAL_POWER_LAW, PIVOT_TO_TOP, Chain, read_repeats, save_results, simulate
-from pyjoystick.laboratory import GRAVITY, plot_instruments
-from pyjoystick.motion import peak_table
+from pyjoystick.laboratory import plot_instruments
+from pyjoystick.motion import GRAVITY, peak_table
 
 DATA = Path(__file__).parent / "data"
 RECORD = DATA / "synthetic_power_law_1.csv"

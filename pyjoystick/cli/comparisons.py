@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
-import pandas as pd
 from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
@@ -17,8 +16,7 @@ from pyjoystick.cli.difference_table import print_differences
 from pyjoystick.cli.fmus import found_or_built
 from pyjoystick.cli.options import DEFAULT_RELEASE_ANGLE, DampingLaw, law_of, parameter_file, parse_angle
 from pyjoystick.cli.setup import opened
-from pyjoystick.fmu import FmuDescription, Interface, read_description
-from pyjoystick.motion import read_csv_file
+from pyjoystick.fmu import FmuDescription, Interface, read_description, read_inputs
 from pyjoystick.runs import (
     Declarations,
     FmuComparison,
@@ -130,7 +128,7 @@ def of_two(first: str, second: str, between: BetweenFmus, request: Request) -> b
         duration=request.duration,
         output_interval=request.output_interval,
         settings={**_joystick(between, descriptions[0]), **between.settings},
-        inputs=None if between.inputs is None else _read_inputs(between.inputs),
+        inputs=None if between.inputs is None else read_inputs(between.inputs, descriptions[0]),
     )
     limits = Limits(absolute=request.limits, co_simulation=between.cs_limits)
     if between.relative_limit is not None:
@@ -219,11 +217,3 @@ def _write_json(
         text = as_json(fmus, runs, request.tolerances, declarations=declarations, versions=versions())
         write_text(request.json, text)
         print_note(f"wrote {request.json}")
-
-
-def _read_inputs(path: Path) -> pd.DataFrame:
-    """A table of inputs over time from a CSV file: its first column is the time, whatever its name."""
-    file = read_csv_file(path)
-    time, *columns = file.headings
-    table = pd.DataFrame({heading.name: file.numbers(heading) for heading in columns})
-    return table.set_index(pd.Index(file.numbers(time), name="time"))

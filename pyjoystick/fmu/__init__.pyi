@@ -35,3 +35,4 @@ from .values import (
     checked_value as checked_value,
     checked_varied as checked_varied,
 )
+from .variable_files import read_inputs as read_inputs, read_variables as read_variables

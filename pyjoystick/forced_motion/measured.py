@@ -14,25 +14,9 @@ import numpy as np
 from pyjoystick.forced_motion.motions import ForwardAndReturn
 from pyjoystick.forced_motion.samples import Samples
 from pyjoystick.laboratory import BASE, GAP, TOP, Chain, MarkerLayout, measure_angle, synthetic_markers
-from pyjoystick.motion import (
-    MISSING_ADVICE,
-    Record,
-    RecordError,
-    find_column,
-    finite_numbers,
-    read_csv_file,
-    read_record,
-    unit_factor,
-)
-from pyjoystick.support import FloatArray
+from pyjoystick.motion import MISSING_ADVICE, UNITS, Column, Record, RecordError, read_record, read_table_file
 
-#: Factors to rad/s2.
-ACCELERATION_UNITS: Final[Mapping[str, float]] = {
-    "rad/s2": 1.0,
-    "deg/s2": math.radians(1.0),
-    "rad/s²": 1.0,
-    "°/s²": math.radians(1.0),
-}
+_ALPHA: Final = Column("alpha", UNITS["angular acceleration"], required=False, advice=MISSING_ADVICE)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -73,9 +57,10 @@ def read_motion(
         SeriesError: it is too short for the chain
     """
     headings, given = dict(columns or {}), dict(units or {})
-    wanted, unit = headings.pop("alpha", "alpha"), given.pop("alpha", "")
+    of_alpha = [{"alpha": one.pop("alpha")} if "alpha" in one else {} for one in (headings, given)]
     record = read_record(path, columns=headings, units=given, free_oscillation=False)
-    alpha = _acceleration(Path(path), wanted, unit, required="alpha" in (columns or {}))
+    found = read_table_file(Path(path)).read([_ALPHA], headings=of_alpha[0], units=of_alpha[1])
+    alpha = found.get("alpha")
     if record.omega is not None and alpha is not None:
         _require_no_gap(record)
         return MeasuredMotion(
@@ -95,15 +80,6 @@ def through_chain(record: Record, chain: Chain) -> Samples:
     for start, end in motion.gaps:
         raise _gap(record, int(np.searchsorted(record.time, 0.5 * (start + end))) - 1)
     return Samples.trapezoidal(motion.time, motion.theta, motion.omega, motion.alpha)
-
-
-def _acceleration(path: Path, wanted: str, unit: str, *, required: bool) -> FloatArray | None:
-    file = read_csv_file(path)
-    heading = find_column(file, "alpha", wanted, required=required)
-    if heading is None:
-        return None
-    factor = unit_factor(file, heading, ACCELERATION_UNITS, unit)
-    return finite_numbers(file, heading, MISSING_ADVICE) * factor
 
 
 def _require_no_gap(record: Record) -> None:

@@ -13,7 +13,7 @@ from .fitting.figures import (
 )
 from .fitting.fit import OnProgress as OnProgress, fit as fit
 from .fitting.json_report import as_json as as_json
-from .fitting.measurement import Measurement as Measurement
+from .fitting.measurement import Measurement as Measurement, read_table_record as read_table_record
 from .fitting.result import Fit as Fit
 from .fitting.selection import (
     Candidate as Candidate,
@@ -34,7 +34,6 @@ from .fitting.settings import (
     with_values as with_values,
 )
 from .fitting.settings_file import read_fit_settings as read_fit_settings, reads_releases as reads_releases
-from .fitting.table_record import read_table_record as read_table_record
 from .fitting.text_report import report as report, summary as summary
 from .joystick_of_fit import fitted_joystick as fitted_joystick, require_joystick_in as require_joystick_in
 from .laboratory_errors import (

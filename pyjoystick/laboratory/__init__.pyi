@@ -12,7 +12,7 @@ from .inertia.swing import (
     period_of_readings as period_of_readings,
 )
 from .inertia.swing_record import period_of_record as period_of_record
-from .load_curve.curve import Branch as Branch, LoadCurve as LoadCurve
+from .load_curve.curve import Branch as Branch, LoadCurve as LoadCurve, read_load_curve as read_load_curve
 from .load_curve.figure import plot_load_curve as plot_load_curve
 from .load_curve.fit import LoadCurveFit as LoadCurveFit, fit_load_curve as fit_load_curve
 from .load_curve.model_figure import (
@@ -20,7 +20,6 @@ from .load_curve.model_figure import (
     cubic_fits as cubic_fits,
     plot_load_deflection as plot_load_deflection,
 )
-from .load_curve.reading import read_load_curve as read_load_curve
 from .load_curve.report import load_curve_report as load_curve_report
 from .measurement_errors import (
     error_budget as error_budget,
@@ -29,7 +28,6 @@ from .measurement_errors import (
 )
 from .measurement_plots import plot_chain_effect as plot_chain_effect, plot_instruments as plot_instruments
 from .measurements.accelerometer import (
-    GRAVITY as GRAVITY,
     LARGEST_LAG as LARGEST_LAG,
     angular_acceleration as angular_acceleration,
     read_accelerometer as read_accelerometer,
@@ -43,13 +41,13 @@ from .measurements.chain import Chain as Chain
 from .measurements.chain_effect import ChainEffect as ChainEffect, chain_effect as chain_effect
 from .measurements.finite_differences import derivative as derivative
 from .measurements.low_pass import LowPass as LowPass
+from .measurements.marker_files import read_markers as read_markers
 from .measurements.markers import Markers as Markers
 from .measurements.motion_files import (
     write_acceleration as write_acceleration,
     write_motion as write_motion,
     write_record as write_record,
 )
-from .measurements.reading import read_markers as read_markers
 from .measurements.report import (
     acceleration_report as acceleration_report,
     chain_report as chain_report,

@@ -7,19 +7,6 @@ from .extrema import (
 )
 from .peaks import find_peaks as find_peaks, periods as periods
 from .record_peaks import MeasuredPeaks as MeasuredPeaks, measured_peaks as measured_peaks
-from .records.columns import (
-    find_column as find_column,
-    finite_numbers as finite_numbers,
-    unit_factor as unit_factor,
-)
-from .records.csv_file import (
-    DELIMITERS as DELIMITERS,
-    CsvFile as CsvFile,
-    Heading as Heading,
-    parse_heading as parse_heading,
-    read_csv_file as read_csv_file,
-    split_cells as split_cells,
-)
 from .records.errors import RecordError as RecordError, rows_in_words as rows_in_words
 from .records.free_oscillation import Side as Side, check_free_oscillation as check_free_oscillation
 from .records.reading import read_record as read_record, read_repeats as read_repeats
@@ -36,9 +23,22 @@ from .release_peaks import (
     sweep_peak_errors as sweep_peak_errors,
 )
 from .report import Case as Case, free_oscillation_report as free_oscillation_report, peak_table as peak_table
+from .table_files import (
+    TIME as TIME,
+    Column as Column,
+    Heading as Heading,
+    Match as Match,
+    TableFile as TableFile,
+    TableHead as TableHead,
+    no_number as no_number,
+    open_text as open_text,
+    read_table_file as read_table_file,
+    read_table_head as read_table_head,
+)
 from .tables import (
     DisplayUnit as DisplayUnit,
     Quantity as Quantity,
     make_table as make_table,
     write_csv as write_csv,
 )
+from .units import GRAVITY as GRAVITY, UNITS as UNITS, plain_unit as plain_unit

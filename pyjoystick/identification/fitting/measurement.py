@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 import pandas as pd
 from numpy.typing import ArrayLike
 
+from pyjoystick.fmu import FmuDescription, read_variables
 from pyjoystick.motion import Record
 from pyjoystick.support import FloatArray, SeriesError, UnknownVariableError, increasing_times
 
@@ -66,6 +68,11 @@ class Measurement:
             raise SeriesError(name, f"is {values[i]} at index {i}; must be finite")
         values.setflags(write=False)
         return values
+
+
+def read_table_record(path: Path, names: Sequence[str], fmu: FmuDescription) -> Measurement:
+    """Read variables of an FMU from a CSV file, as `pyjoystick.fmu.read_variables` does."""
+    return Measurement.from_table(path.stem, read_variables(path, fmu, names))
 
 
 def measurements(records: Iterable[Record | Measurement]) -> tuple[Measurement, ...]:

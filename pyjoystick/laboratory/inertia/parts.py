@@ -10,24 +10,23 @@ from pathlib import Path
 from typing import Final
 
 from pyjoystick.laboratory.inertia.budget import Estimate, Measured, combined
-from pyjoystick.motion import RecordError, find_column, finite_numbers, read_csv_file, unit_factor
+from pyjoystick.motion import UNITS, Column, RecordError, read_table_file
 from pyjoystick.support import ParameterError, finite, not_negative, positive
 
-_MASS: Final = {"kg": 1.0, "g": 1e-3}
-_LENGTH: Final = {"m": 1.0, "cm": 1e-2, "mm": 1e-3}
-_INERTIA: Final = {"kg.m2": 1.0, "g.m2": 1e-3, "kg.mm2": 1e-6, "g.cm2": 1e-7, "g.mm2": 1e-9}
-#: Factors to SI units by quantity and unit.
-UNITS: Final[Mapping[str, Mapping[str, float]]] = {
-    "mass": _MASS,
-    "height": _LENGTH,
-    "offset": _LENGTH,
-    "inertia": _INERTIA,
-    "u_mass": _MASS,
-    "u_height": _LENGTH,
-    "u_offset": _LENGTH,
-    "u_inertia": _INERTIA,
+_KINDS: Final = {
+    "mass": UNITS["mass"],
+    "height": UNITS["length"],
+    "inertia": UNITS["moment of inertia"],
+    "offset": UNITS["length"],
 }
-_REQUIRED: Final = ("mass", "height", "inertia")
+_PART: Final = Column("part", {"": 1.0})
+_COLUMNS: Final = tuple(
+    Column(
+        prefix + name, units, required=not prefix and name != "offset", advice="write 0 where there is none"
+    )
+    for prefix in ("", "u_")
+    for name, units in _KINDS.items()
+)
 #: A center of mass further off the axis than this part of h is told.
 _OFF_AXIS: Final = 0.02
 
@@ -55,7 +54,7 @@ class Part:
         not_negative(f"{self.name}: inertia", self.inertia.value, "kg.m2")
         for what in ("height", "offset"):
             finite(f"{self.name}: {what}", getattr(self, what).value, "m")
-        for what in ("mass", "height", "inertia", "offset"):
+        for what in _KINDS:
             not_negative(f"{self.name}: u_{what}", getattr(self, what).uncertainty)
 
 
@@ -85,16 +84,10 @@ def from_parts(parts: Sequence[Part]) -> PartsResult:
     names = [part.name for part in parts]
     if not parts or len(set(names)) < len(names):
         raise ParameterError("parts", names, "one part or more, each with a name of its own")
-    quantities = {
-        f"{part.name}: {what}": getattr(part, what)
-        for part in parts
-        for what in ("mass", "height", "inertia", "offset")
-    }
+    quantities = {f"{part.name}: {what}": getattr(part, what) for part in parts for what in _KINDS}
 
     def of(by_name: Mapping[str, float], name: str) -> tuple[float, float, float, float]:
-        mass, height, inertia, offset = (
-            by_name[f"{name}: {what}"] for what in ("mass", "height", "inertia", "offset")
-        )
+        mass, height, inertia, offset = (by_name[f"{name}: {what}"] for what in _KINDS)
         return mass, height, inertia, offset
 
     def total(**by_name: float) -> float:
@@ -131,27 +124,17 @@ def read_parts(path: str | PathLike[str]) -> tuple[Part, ...]:
         RecordError: the file cannot be read, a column is missing, has no unit or an unknown one, a cell is no
             number or not allowed, or a name occurs twice; the message names file, column and row
     """
-    file = read_csv_file(Path(path))
-    heading = find_column(file, "the names", "part", required=True)
-    assert heading is not None
-    names = [row[file.headings.index(heading)] for row in file.cells]
-    series = {}
-    for quantity, factors in UNITS.items():
-        found = find_column(file, quantity, quantity, required=quantity in _REQUIRED)
-        if found is not None:
-            factor = unit_factor(file, found, factors, "")
-            series[quantity] = factor * finite_numbers(file, found, "write 0 where there is none")
+    file = read_table_file(Path(path))
+    names = file.texts(file.head.match([_PART])["part"].heading)
+    series = file.read(_COLUMNS)
     parts = []
     for i, name in enumerate(names):
         numbers = {quantity: float(values[i]) for quantity, values in series.items()}
         if name in names[:i]:
             raise RecordError(
-                str(path), "a part occurs twice", "give each its own name", rows=[file.lines[i]], value=name
+                str(path), "a part occurs twice", "give each its own name", rows=[file.rows[i]], value=name
             )
-        measured = {
-            what: Measured(numbers.get(what, 0.0), numbers.get(f"u_{what}", 0.0))
-            for what in ("mass", "height", "inertia", "offset")
-        }
+        measured = {what: Measured(numbers.get(what, 0.0), numbers.get(f"u_{what}", 0.0)) for what in _KINDS}
         try:
             parts.append(Part(name=name, **measured))
         except ParameterError as error:
@@ -161,7 +144,7 @@ def read_parts(path: str | PathLike[str]) -> tuple[Part, ...]:
                 "is not allowed",
                 f"must be {error.allowed}",
                 column=column,
-                rows=[file.lines[i]],
+                rows=[file.rows[i]],
                 value=error.value,
             ) from None
     return tuple(parts)

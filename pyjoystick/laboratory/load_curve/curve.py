@@ -1,13 +1,17 @@
-"""A load-deflection curve as a testing machine records it: loading, and perhaps unloading."""
+"""A load-deflection curve as a testing machine records it: loading, and perhaps unloading; its file."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pyjoystick.motion import RecordError
+from pyjoystick.motion import UNITS, Column, RecordError, read_table_file
 from pyjoystick.support import FloatArray
 
 #: Running back by more than this part of the whole travel is no noise.
@@ -18,6 +22,7 @@ _FEWEST_SAMPLES = 20
 #: Part of the whole travel before the turn that is left out: friction turns around there, and with noise the
 #: sample that goes furthest need not be the last of loading.
 _TURN = 0.005
+_COLUMNS: Final = (Column("travel", UNITS["length"]), Column("force", UNITS["force"]))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -130,3 +135,28 @@ def _require_one_way(
             rows=[int(rows[wrong[0]])],
             value=f"{1e3 * abs(float(travel[wrong[0]])):.6g} mm",
         )
+
+
+def read_load_curve(
+    path: str | PathLike[str],
+    *,
+    columns: Mapping[str, str] | None = None,
+    units: Mapping[str, str] | None = None,
+) -> LoadCurve:
+    """Read one cycle of loading and perhaps unloading from a CSV file.
+
+    The file has one line of headings, such as ``travel (mm);force (N)``, then one sample a row in the order
+    in which they were taken; other columns are left alone.
+
+    Args:
+        path: the file, with columns separated by commas, semicolons or tabs and decimal points
+        columns: headings where they are others: ``{"travel": "Extension", "force": "Load"}``
+        units: units of columns without one in their heading: lengths and forces of `UNITS`
+
+    Raises:
+        RecordError: the file cannot be read, a column is missing, has no unit or an unknown one, a cell is no
+            number, or the record is not one cycle; the message names file, column and rows and what to do
+    """
+    file = read_table_file(Path(path))
+    series = file.read(_COLUMNS, headings=columns, units=units)
+    return LoadCurve.from_cycle(series["travel"], series["force"], source=str(path), rows=file.rows)

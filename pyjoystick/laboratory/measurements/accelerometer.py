@@ -20,17 +20,12 @@ from numpy.typing import NDArray
 
 from pyjoystick.laboratory.measurements.chain import Motion
 from pyjoystick.laboratory.measurements.low_pass import LowPass
-from pyjoystick.laboratory.measurements.sample_files import PIECE, open_samples
+from pyjoystick.laboratory.measurements.sample_files import PIECE, SampleFile, open_samples
 from pyjoystick.laboratory.measurements.saturation import SaturationWatch
-from pyjoystick.motion import RecordError, rows_in_words
+from pyjoystick.motion import GRAVITY, UNITS, Column, RecordError, rows_in_words
 from pyjoystick.support import FloatArray, positive
 
-#: Standard gravity (m/s2).
-GRAVITY: Final = 9.80665
-#: m/s2 in units of acceleration.
-UNITS: Final = {"m/s2": 1.0, "m/s^2": 1.0, "m/s²": 1.0, "mm/s2": 1e-3, "g": GRAVITY}
-#: Volts in units of voltage, which need a sensitivity.
-VOLTAGES: Final = {"V": 1.0, "mV": 1e-3}
+_COLUMN: Final = Column("acceleration", {**UNITS["acceleration"], **UNITS["voltage"]})
 #: Steps in time that differ by more than this from the usual one are no even sampling.
 _UNEVEN: Final = 0.02
 #: Clocks are compared over this much to either side (s), in these steps.
@@ -68,7 +63,7 @@ def read_accelerometer(
     path: Path,
     *,
     window: tuple[float, float] = (-math.inf, math.inf),
-    column: str = "acceleration",
+    column: str | None = None,
     unit: str | None = None,
     rate: float | None = None,
     sensitivity: float | None = None,
@@ -81,8 +76,8 @@ def read_accelerometer(
     Args:
         path: a CSV file with headings, ``time (s),acceleration (m/s2)``, or an .npy file
         window: first and last instant (s) that are wanted, on the clock of the other measurement
-        column: heading or name of the column in a CSV file
-        unit: unit of the samples where the heading has none: a name of `UNITS` or `VOLTAGES`
+        column: heading of the column in a CSV file; ``acceleration`` where not given
+        unit: unit of the samples where the heading has none: an acceleration or a voltage of `UNITS`
         rate: samples a second (Hz), for files without a time
         sensitivity: volts in 1 m/s2, for voltages
         full_scale: largest magnitude that the amplifier gives, in the unit of the file
@@ -93,8 +88,8 @@ def read_accelerometer(
         RecordError: the file cannot be used, see `open_samples`; the unit is unknown; the signal never
             changes; the samples are not even; or none lie in the window
     """
-    file = open_samples(path, column=column, rate=rate)
-    factor = _factor(str(path), file.heading.unit, unit, sensitivity, file.heading.text)
+    file = open_samples(path, _COLUMN, heading=column or "", unit=unit or "", rate=rate)
+    factor = _factor(file, sensitivity)
     watch = SaturationWatch(full_scale)
     kept: list[tuple[FloatArray, FloatArray, NDArray[np.int64]]] = []
     samples, smallest, largest = 0, math.inf, -math.inf
@@ -109,7 +104,7 @@ def read_accelerometer(
         samples += len(part.values)
     if samples and smallest == largest:
         advice = "is the charge amplifier on, and this its channel?"
-        raise RecordError(str(path), "never changes", advice, column=file.heading.text, value=f"{largest:g}")
+        raise RecordError(str(path), "never changes", advice, column=file.column, value=f"{largest:g}")
     if not kept:
         reason = f"has no samples from {window[0]:g} to {window[1]:g} s, where the angle is known"
         raise RecordError(str(path), reason, "are both clocks zero at one instant? If not, give the delay")
@@ -123,27 +118,18 @@ def read_accelerometer(
         rate=_even_rate(str(path), time, rows),
         smallest=smallest * factor,
         largest=largest * factor,
-        notes=_saturation_notes(file.heading.text, watch),
+        notes=_saturation_notes(file.column, watch),
     )
 
 
-def _factor(source: str, in_file: str, given: str | None, sensitivity: float | None, column: str) -> float:
+def _factor(file: SampleFile, sensitivity: float | None) -> float:
     """m/s2 in the unit of the file."""
-    unit = in_file or given or ""
-    known = ", ".join([*UNITS, *VOLTAGES])
-    if in_file and given and in_file != given:
-        reason = f"has the unit {in_file} in its heading, but {given} is asked for"
-        raise RecordError(source, reason, "leave one of the two out", column=column)
-    if unit in UNITS:
-        return UNITS[unit]
-    if unit not in VOLTAGES:
-        reason = "has an unknown unit" if unit else "has no unit"
-        advice = f"write it in the heading or give it as an option: {known}"
-        raise RecordError(source, reason, advice, column=column, value=repr(unit) if unit else None)
+    if file.unit in UNITS["acceleration"]:
+        return UNITS["acceleration"][file.unit]
     if sensitivity is None:
         advice = "give the sensitivity of accelerometer and amplifier in V/(m/s2)"
-        raise RecordError(source, "is a voltage", advice, column=column, value=unit)
-    return VOLTAGES[unit] / positive("sensitivity", sensitivity, "V/(m/s2)")
+        raise RecordError(str(file.path), "is a voltage", advice, column=file.column, value=file.unit)
+    return UNITS["voltage"][file.unit] / positive("sensitivity", sensitivity, "V/(m/s2)")
 
 
 def _even_rate(source: str, time: FloatArray, rows: NDArray[np.int64]) -> float:

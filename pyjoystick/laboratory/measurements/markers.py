@@ -10,11 +10,9 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from pyjoystick.motion import RecordError
+from pyjoystick.motion import UNITS, RecordError, plain_unit
 from pyjoystick.support import FloatArray
 
-#: Metres in a unit of length that motion capture files use.
-LENGTH_UNITS: Final = {"m": 1.0, "cm": 1e-2, "mm": 1e-3}
 #: An angle over time cannot do with fewer frames than these.
 _FEWEST_FRAMES: Final = 3
 
@@ -101,14 +99,15 @@ def unseen(positions: FloatArray) -> NDArray[np.bool_]:
 
 
 def length_factor(source: str, unit: str, column: str) -> float:
-    """Metres in a unit.
+    """Meters in a unit, in whatever case it is written.
 
     Raises:
         RecordError: the unit is not known
     """
-    factor = LENGTH_UNITS.get(unit.strip().casefold())
+    units = UNITS["length"]
+    factor = units.get(plain_unit(unit).casefold())
     if factor is None:
-        advice = f"known are {', '.join(LENGTH_UNITS)}: correct the file, or give the unit as an option"
+        advice = f"known are {', '.join(units)}: correct the file, or give the unit as an option"
         reason = "has an unknown unit" if unit.strip() else "has no unit"
         raise RecordError(source, reason, advice, column=column, value=repr(unit) if unit.strip() else None)
     return factor

@@ -1,23 +1,21 @@
-"""Long series of samples from CSV and .npy files, a piece at a time: a file is never in memory as a whole."""
+"""Long series of samples from CSV and .npy files, read a piece at a time: no file is in memory as a whole."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
 
 import numpy as np
 import pandas as pd
 
-from pyjoystick.motion import DELIMITERS, Heading, RecordError, parse_heading, split_cells
+from pyjoystick.motion import TIME, Column, Heading, Match, RecordError, TableHead, no_number, read_table_head
 from pyjoystick.support import FloatArray
 
 #: Samples in a piece.
 PIECE: Final = 1 << 16
-_TIME: Final = {"s": 1.0, "ms": 1e-3}
-#: Lines of comments before the headings that are looked through.
-_MOST_COMMENTS: Final = 1000
+_TIME: Final = replace(TIME, required=False)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -41,12 +39,14 @@ class SampleFile:
 
     Attributes:
         path: the file
-        heading: heading of its column; of an .npy file its name, without a unit
+        column: heading of its column; the name of an .npy file
+        unit: unit of the samples as `UNITS` spells it; empty for an .npy file
         rate: samples a second (Hz) where the file has no time
     """
 
     path: Path
-    heading: Heading
+    column: str
+    unit: str
     rate: float | None
     _layout: _Layout | None
 
@@ -76,50 +76,40 @@ class SampleFile:
 
 @dataclass(frozen=True, slots=True)
 class _Layout:
-    """A CSV file: line of its headings, their number, positions of the time, or None, and of the values."""
+    """A table, and where in it the values and the time are; None where there is no time."""
 
-    line: int
-    delimiter: str
-    width: int
-    time: int | None
-    time_factor: float
-    value: int
+    head: TableHead
+    values: Match
+    time: Match | None
 
 
-def open_samples(path: Path, *, column: str, rate: float | None = None) -> SampleFile:
+def open_samples(
+    path: Path, column: Column, *, heading: str = "", unit: str = "", rate: float | None = None
+) -> SampleFile:
     """Look at the head of a file of samples.
 
     Args:
         path: a CSV file with one line of headings, or an .npy file of one dimension
-        column: heading or name of the column in a CSV file
+        column: what the samples are
+        heading: heading of their column in a CSV file, where it is another
+        unit: their unit where the heading has none, and in an .npy file
         rate: samples a second (Hz), for files without a column ``time (s)``
 
     Raises:
-        RecordError: the file cannot be read, has not this column, or neither a time nor a rate
+        RecordError: the file cannot be read, lacks this column or its unit, or has neither a time nor a rate
     """
     if path.suffix.casefold() == ".npy":
         _require_rate(path, rate)
-        return SampleFile(path, Heading(path.name, path.name, ""), rate, None)
-    line, text = _heading_line(path)
-    delimiter = max(DELIMITERS, key=text.count)
-    headings = [parse_heading(cell) for cell in split_cells(text, delimiter)]
-    wanted = column.casefold()
-    found = [i for i, one in enumerate(headings) if wanted in (one.name.casefold(), one.text.casefold())]
-    if len(found) != 1:
-        texts = ", ".join(repr(one.text) for one in headings)
-        reason = f"has {len(found) or 'no'} columns {column!r}"
-        raise RecordError(str(path), reason, f"name one of {texts}", rows=[line])
-    times = [i for i, one in enumerate(headings) if one.name.casefold() in ("time", "t")]
-    factor = 1.0
-    if not times:
+        head = TableHead(path, (Heading(path.name, column.name, ""),), "", 0)
+        match = head.match([column], units={column.name: unit})[column.name]
+        return SampleFile(path, path.name, match.unit, rate, None)
+    head = read_table_head(path)
+    names = {column.name: heading} if heading else {}
+    found = head.match([_TIME, column], headings=names, units={column.name: unit})
+    if "time" not in found:
         _require_rate(path, rate)
-    elif headings[times[0]].unit not in _TIME:
-        text = headings[times[0]].text
-        raise RecordError(str(path), "has no known unit", "write time (s) or time (ms)", column=text)
-    else:
-        factor = _TIME[headings[times[0]].unit]
-    layout = _Layout(line, delimiter, len(headings), times[0] if times else None, factor, found[0])
-    return SampleFile(path, headings[found[0]], rate, layout)
+    layout = _Layout(head, found[column.name], found.get("time"))
+    return SampleFile(path, layout.values.heading.text, layout.values.unit, rate, layout)
 
 
 def _require_rate(path: Path, rate: float | None) -> None:
@@ -129,31 +119,16 @@ def _require_rate(path: Path, rate: float | None) -> None:
         raise RecordError(str(path), "the rate must be above 0 Hz", "give the rate", value=f"{rate} Hz")
 
 
-def _heading_line(path: Path) -> tuple[int, str]:
-    """Number and text of the first line that is neither empty nor a comment."""
-    try:
-        with path.open(encoding="utf-8-sig") as file:
-            for number, line in zip(range(1, _MOST_COMMENTS), file, strict=False):
-                if line.strip() and not line.lstrip().startswith("#"):
-                    return number, line.strip()
-    except OSError as error:
-        reason = f"cannot be read: {error.strerror}"
-        raise RecordError(str(path), reason, "check the path and its permissions") from error
-    except UnicodeDecodeError as error:
-        advice = "name an array of NumPy .npy, export a table as CSV in UTF-8"
-        raise RecordError(str(path), "is no text in UTF-8", advice) from error
-    raise RecordError(str(path), "has no headings", "begin with a line such as: time (s),acceleration (m/s2)")
-
-
 def _csv_pieces(file: SampleFile, layout: _Layout, size: int) -> Iterator[Piece]:
-    first = layout.line + 1
+    head = layout.head
+    first = head.line + 1
     try:
         with pd.read_csv(
             file.path,
-            sep=layout.delimiter,
+            sep=head.delimiter,
             header=None,
-            skiprows=layout.line,
-            names=list(range(layout.width)),
+            skiprows=head.line,
+            names=list(range(len(head.headings))),
             chunksize=size,
             skip_blank_lines=False,
             low_memory=False,
@@ -161,11 +136,12 @@ def _csv_pieces(file: SampleFile, layout: _Layout, size: int) -> Iterator[Piece]
         ) as tables:
             for table in tables:
                 _require_width(file, table, first)
-                values = _column(file, table[layout.value], first)
-                index = np.arange(first, first + len(values)) - layout.line - 1
-                time = index / (file.rate or 1.0)
+                values = _numbers(file, layout.values, table, first)
                 if layout.time is not None:
-                    time = _column(file, table[layout.time], first) * layout.time_factor
+                    time = _numbers(file, layout.time, table, first) * layout.time.factor
+                else:
+                    index = np.arange(first, first + len(values)) - head.line - 1
+                    time = index / (file.rate or 1.0)
                 yield Piece(first, time, values)
                 first += len(values)
     except (pd.errors.ParserError, pd.errors.EmptyDataError, UnicodeDecodeError) as error:
@@ -181,16 +157,14 @@ def _require_width(file: SampleFile, table: pd.DataFrame, first: int) -> None:
         raise RecordError(str(file.path), "has more cells than headings", advice, rows=[first])
 
 
-def _column(file: SampleFile, column: pd.Series, first: int) -> FloatArray:
+def _numbers(file: SampleFile, match: Match, table: pd.DataFrame, first: int) -> FloatArray:
     """Numbers of a column; NaN only where the cell is empty."""
+    column = table[match.index]
     numbers = np.asarray(pd.to_numeric(column, errors="coerce"), dtype=np.float64)
     bad = np.flatnonzero(np.isnan(numbers) & np.asarray(column.notna(), dtype=np.bool_))
     if bad.size:
-        text = str(column.iloc[int(bad[0])])
-        advice = "write numbers with a decimal point" if "," in text else "write a number"
-        raise RecordError(
-            str(file.path), "is no number", advice, rows=[first + int(bad[0])], value=repr(text)
-        )
+        i = int(bad[0])
+        raise no_number(file.path, match.heading, first + i, str(column.iloc[i]))
     return numbers
 
 
@@ -235,6 +209,6 @@ def _require_finite(file: SampleFile, piece: Piece) -> None:
             str(file.path),
             "samples without a finite number",
             "an empty line or a lost sample? An accelerometer's series has no gaps: cut the file there",
-            column=file.heading.text,
+            column=file.column,
             rows=(piece.first + bad).tolist(),
         )

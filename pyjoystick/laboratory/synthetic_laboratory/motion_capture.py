@@ -12,10 +12,9 @@ from typing import Final
 import numpy as np
 
 from pyjoystick.laboratory.measurements.markers import Markers
+from pyjoystick.motion import GRAVITY
 from pyjoystick.support import FloatArray, not_negative
 
-#: Standard gravity (m/s2).
-GRAVITY: Final = 9.80665
 #: Names of the markers that `synthetic_markers` makes.
 TOP: Final = "TOP"
 BASE: Final = ("BASE1", "BASE2")

@@ -4,27 +4,25 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from os import PathLike
 from pathlib import Path
 from typing import Final
 
 import numpy as np
 
-from pyjoystick.motion.records.columns import find_column, finite_numbers, unit_factor
-from pyjoystick.motion.records.csv_file import CsvFile, Heading, read_csv_file
 from pyjoystick.motion.records.errors import RecordError
 from pyjoystick.motion.records.free_oscillation import Side, check_free_oscillation
 from pyjoystick.motion.records.record import MISSING_ADVICE, Record
+from pyjoystick.motion.table_files import TIME, Column, read_table_file
+from pyjoystick.motion.units import UNITS
 from pyjoystick.support import FloatArray
 
-_RAD: Final = math.radians(1.0)
-#: Factors to SI units by quantity and unit.
-UNITS: Final[Mapping[str, Mapping[str, float]]] = {
-    "time": {"s": 1.0, "ms": 1e-3},
-    "theta": {"rad": 1.0, "deg": _RAD, "°": _RAD, "mrad": 1e-3},
-    "omega": {"rad/s": 1.0, "deg/s": _RAD, "°/s": _RAD},
-}
-_REQUIRED: Final = ("time", "theta")
+_COLUMNS: Final = (
+    replace(TIME, advice=MISSING_ADVICE),
+    Column("theta", UNITS["angle"], advice=MISSING_ADVICE),
+    Column("omega", UNITS["angular velocity"], required=False, advice=MISSING_ADVICE),
+)
 
 
 def read_record(
@@ -60,27 +58,17 @@ def read_record(
             empty or no finite number; times are repeated or out of order; degrees stand under the name of
             radians; or it is not a free oscillation. The message names the file, the column and the rows.
     """
-    file = read_csv_file(Path(path))
-    found = {quantity: _column(file, quantity, columns or {}) for quantity in UNITS}
-    series: dict[str, FloatArray | None] = {}
-    for quantity, heading in found.items():
-        if heading is None:
-            series[quantity] = None
-            continue
-        factor = unit_factor(file, heading, UNITS[quantity], (units or {}).get(quantity, ""))
-        numbers = finite_numbers(file, heading, MISSING_ADVICE)
-        series[quantity] = numbers * factor
-    time, theta = series["time"], series["theta"]
-    assert time is not None
-    assert theta is not None
+    file = read_table_file(Path(path))
+    series = file.read(_COLUMNS, headings=columns, units=units)
+    in_degrees = file.head.match(_COLUMNS, headings=columns, units=units)["theta"].unit == "deg"
     record = Record(
         name=Path(path).stem if name is None else name,
-        time=time,
-        theta=theta,
-        omega=series["omega"],
+        time=series["time"],
+        theta=series["theta"],
+        omega=series.get("omega"),
         source=str(path),
-        notes=_small_degrees(found["theta"], units or {}, theta),
-        rows=file.lines,
+        notes=_small_degrees(series["theta"]) if in_degrees else (),
+        rows=file.rows,
     )
     return check_free_oscillation(record, released=released) if free_oscillation else record
 
@@ -136,22 +124,12 @@ def _require_same_side(record: Record, other: Record) -> None:
         )
 
 
-def _column(file: CsvFile, quantity: str, columns: Mapping[str, str]) -> Heading | None:
-    """The heading of a quantity; None where there is none and it is not required."""
-    for given in columns:
-        if given not in UNITS:
-            raise RecordError("columns", f"{given!r} is no quantity", f"known are {', '.join(UNITS)}")
-    required = quantity in _REQUIRED or quantity in columns
-    return find_column(file, quantity, columns.get(quantity, quantity), required=required)
-
-
-def _small_degrees(heading: Heading | None, units: Mapping[str, str], theta: FloatArray) -> tuple[str, ...]:
-    """A note where angles under the name of degrees look like radians.
+def _small_degrees(theta: FloatArray) -> tuple[str, ...]:
+    """A note where angles in degrees look like radians.
 
     They cannot be refused: a motion of a degree is possible, one of 90 degrees or more is not.
     """
-    unit = (heading.unit if heading else "") or units.get("theta", "")
     largest = math.degrees(float(np.max(np.abs(theta))))
-    if UNITS["theta"].get(unit) == _RAD and largest < math.pi / 2.0:
+    if largest < math.pi / 2.0:
         return (f"the largest angle is {largest:.3g} degrees: are these radians under the name of degrees?",)
     return ()

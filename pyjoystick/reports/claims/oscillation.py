@@ -7,7 +7,6 @@ from itertools import pairwise
 
 import numpy as np
 
-from pyjoystick.laboratory import GRAVITY
 from pyjoystick.model import (
     NOMINAL,
     PAPER_STEP,
@@ -20,6 +19,7 @@ from pyjoystick.model import (
     swing_frequency,
     undamped_oscillation,
 )
+from pyjoystick.motion import GRAVITY
 from pyjoystick.reports.claims.claim import PEAKS, RELEASE, Finding, Verdict, Workbench, claim, verdict
 
 _SPRINGS = [f"{side}.{name}Spring" for side in ("forward", "backward") for name in ("return", "balance")]

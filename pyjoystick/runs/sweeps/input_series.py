@@ -2,27 +2,20 @@
 
 from __future__ import annotations
 
-import re
-from typing import Final
-
-import pandas as pd
-
-from pyjoystick.fmu import FmuDescription, Inputs, Value, checked_inputs
-from pyjoystick.runs.errors import SweepFileError
+from pyjoystick.fmu import FmuDescription, Inputs, Value, checked_inputs, read_inputs as read_input_file
+from pyjoystick.motion import RecordError
 from pyjoystick.runs.sweeps.amounts import value_of
 from pyjoystick.support import PyJoystickError, SettingsError, Table, UnknownInputError
-
-_UNIT: Final = re.compile(r"\s*\([^()]*\)$")
 
 
 def read_inputs(fmu: FmuDescription, experiment: Table, constants: Table) -> Inputs:
     """The constants of [inputs], and the series of the CSV file that [experiment] names as ``input_file``.
 
-    The first column of the file is time (s); the headings are names of inputs, with or without `` (unit)``.
+    The file is as `pyjoystick.fmu.read_inputs` takes it.
 
     Raises:
         SettingsError: an unknown input, a value that is not allowed, or an input given twice
-        SweepFileError: the CSV file cannot be read
+        RecordError: the CSV file cannot be read, or a cell or a unit in it is wrong
     """
     values: dict[str, Value] = {}
     known = fmu.names("input")
@@ -35,21 +28,14 @@ def read_inputs(fmu: FmuDescription, experiment: Table, constants: Table) -> Inp
             raise constants.refused(name, error) from error
     if experiment.optional("input_file") is None:
         return values
-    table = _read_series(experiment)
+    try:
+        table = read_input_file(experiment.path.parent / experiment.text("input_file"), fmu)
+        checked_inputs(fmu, table)
+    except RecordError:
+        raise
+    except PyJoystickError as error:
+        raise experiment.error("input_file", str(error)) from error
     for name in values:
         if name in table:
             raise SettingsError(constants.path, constants.name, name, None, "is in the input_file too")
-    try:
-        checked_inputs(fmu, table)
-    except PyJoystickError as error:
-        raise experiment.error("input_file", str(error)) from error
     return table.assign(**{name: float(value) for name, value in values.items()})
-
-
-def _read_series(experiment: Table) -> pd.DataFrame:
-    path = experiment.path.parent / experiment.text("input_file")
-    try:
-        table = pd.read_csv(path, index_col=0, comment="#")
-    except (OSError, ValueError) as error:
-        raise SweepFileError(path, f"cannot be read as CSV: {error}") from error
-    return table.rename(columns=lambda heading: _UNIT.sub("", str(heading)))

@@ -40,14 +40,14 @@ def _refused(command: Command, arguments: tuple[str, ...], file: str, words: tup
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        (PLAIN.replace(",", " "), ("row 1", "single column", "separate them by commas")),
+        (PLAIN.replace(",", " "), ("row 1", "no column 'time'", "separate the columns by commas")),
         (PLAIN.replace(",", ";").replace(".", ","), ("'time (s)'", "row 3", "decimal point")),
         (NEXUS.replace(",", ";").replace(".", ","), ("'Joystick:TOP X'", "row 11", "not commas")),
         (PLAIN.replace("TOP", "TIP"), ("no marker 'TOP'", "did you mean TIP?")),
         (PLAIN.replace("(mm)", "(in)"), ("'TOP x (in)'", "unknown unit", "known are m, cm, mm")),
         (_row(PLAIN, 9, PLAIN.splitlines()[5]), ("'time'", "row 9", "does not increase")),
         (_row(NEXUS, 20, NEXUS.splitlines()[14]), ("'Frame'", "row 20", "does not come after")),
-        ("", ("no rows under a heading", "write a heading")),
+        ("", ("has no headings", "begin with a line such as: time (s)")),
     ],
 )
 def test_markers_as_text(command: Command, text: str, words: tuple[str, ...]) -> None:

@@ -86,7 +86,7 @@ def test_bad_files(tmp_path: Path) -> None:
     at = MOTION.at(FRAMES)
     three = (FRAMES, at.theta, at.alpha)
     path = _csv(tmp_path / "unit.csv", "time (s),theta (rad),alpha (g)", three)
-    with pytest.raises(RecordError, match=r"column 'alpha \(g\)': has an unknown unit .* rad/s2, deg/s2"):
+    with pytest.raises(RecordError, match=r"column 'alpha \(g\)', row 1: has an unknown unit .* deg/s2"):
         read_motion(path)
     path = _csv(tmp_path / "two.csv", "time (s),theta (rad)", (FRAMES, at.theta))
     with pytest.raises(RecordError, match="has no column 'acceleration'"):

@@ -80,11 +80,11 @@ def test_a_file(tmp_path: Path) -> None:
             "column 'mass', row 4: is not allowed (found -0.5); must be a finite number above 0",
         ),
         ("grip;500", "shaft;500", "row 4: a part occurs twice (found shaft); give each its own name"),
-        ("mass (g);u", "mass;u", "column 'mass': has no unit; write it in the heading"),
+        ("mass (g);u", "mass;u", "column 'mass', row 2: has no unit; write it in the heading"),
         (
             "(mm);u_h",
             "(inch);u_h",
-            "column 'height (inch)': has an unknown unit (found inch); known are m, cm, mm",
+            "column 'height (inch)', row 2: has an unknown unit (found inch); known are m, cm, mm",
         ),
         (
             "grip;500",

@@ -56,13 +56,13 @@ def test_compression_counted_negative_is_turned_and_told() -> None:
         ),
         (
             lambda t: t.replace("(N)", "(lbf)"),
-            "column 'force (lbf)': has an unknown unit (found lbf); known are N",
+            "column 'force (lbf)', row 2: has an unknown unit (found lbf); known are N",
         ),
         (
             lambda t: t.replace(" (mm)", ""),
-            "column 'travel': has no unit; write it in the heading or give it",
+            "column 'travel', row 2: has no unit; write it in the heading, as in 'travel (m)', or",
         ),
-        (lambda t: t.replace("force", "load"), "has no column 'force'; name the column of force; there are"),
+        (lambda t: t.replace("force", "load"), "has no column 'force'; which column holds force? There are"),
         (lambda t: t[: t.index("\n", 2000)] + "\n1.0;\n", "column 'force (N)', row "),
         (lambda t: t + t[t.index("\n", 30) + 1 :], "travel turns back by"),
     ],
@@ -98,4 +98,4 @@ def test_arrays_that_are_no_cycle() -> None:
 
 def test_an_unknown_quantity(tmp_path: Path) -> None:
     with pytest.raises(RecordError, match="'stress' is no quantity; known are travel, force"):
-        read_load_curve(tmp_path / "curve.csv", units={"stress": "N"})
+        read_load_curve(write(tmp_path / "curve.csv", *cycle(FORWARD_TABLE, 1)), units={"stress": "N"})

@@ -12,9 +12,8 @@ from pyjoystick.laboratory import Chain, angular_acceleration, read_acceleromete
 from pyjoystick.laboratory.measurements.accelerometer import AccelerometerRecord
 from pyjoystick.laboratory.measurements.chain import Motion
 from pyjoystick.laboratory.measurements.saturation import SaturationWatch
-from pyjoystick.laboratory.synthetic_laboratory.motion_capture import GRAVITY
 from pyjoystick.model import NOMINAL, JoystickParameters, simulate
-from pyjoystick.motion import RecordError
+from pyjoystick.motion import GRAVITY, RecordError
 from pyjoystick.support import ParameterError
 from tests.pyjoystick.laboratory.measurements.made import write
 
@@ -233,7 +232,10 @@ GOOD = _csv(SERIES[:40])
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        (_changed(GOOD, 9, "0.0033,x"), r"a\.csv, row 9: is no number \(found 'x'\); write a number"),
+        (
+            _changed(GOOD, 9, "0.0033,x"),
+            r"a\.csv, column 'acceleration \(m/s2\)', row 9: is no number \(found 'x'\)",
+        ),
         (_changed(GOOD, 9, "0.0033,"), r"'acceleration \(m/s2\)', row 9: samples without a finite number"),
         (_changed(GOOD, 9, "0.0033,0,5"), r"no table of columns.*line 9.*decimal marks commas"),
         (GOOD.replace(".", ","), r"no table of columns.*line 4, saw 4; .*decimal marks commas"),
@@ -241,11 +243,14 @@ GOOD = _csv(SERIES[:40])
         (GOOD.replace(",", ";").replace(".", ","), r"row 4: is no number.*decimal point"),
         (_changed(GOOD, 9, "0.0001,0.5"), r"column 'time', row 9: the time does not increase"),
         (_changed(GOOD, 42, "0.5,0.5"), r"column 'time', row 42: the step in time is not the usual"),
-        (GOOD.replace("time (s)", "time"), r"'time': has no known unit; write time \(s\)"),
+        (
+            GOOD.replace("time (s)", "time"),
+            r"'time', row 2: has no unit; write .* as in 'time \(s\)'",
+        ),
         (GOOD.replace("time (s)", "sample"), r"has no time; give the rate"),
-        (GOOD.replace("acceleration", "channel 1"), r"row 2: has no columns 'acceleration'; name one of"),
-        (GOOD.replace("(m/s2)", "(ft/s2)"), r"has an unknown unit \(found 'ft/s2'\).*mV"),
-        (GOOD.replace(" (m/s2)", ""), r"'acceleration': has no unit; write it in the heading"),
+        (GOOD.replace("acceleration", "channel 1"), r"row 2: has no column 'acceleration'; which column"),
+        (GOOD.replace("(m/s2)", "(ft/s2)"), r"has an unknown unit \(found ft/s2\).*mV"),
+        (GOOD.replace(" (m/s2)", ""), r"'acceleration', row 2: has no unit; write it in the heading"),
         (GOOD.replace("(m/s2)", "(V)"), r"is a voltage \(found V\); give the sensitivity"),
         (_csv(np.full(40, 1.5)), r"never changes \(found 1\.5\); is the charge amplifier on"),
         ("# nothing\n", r"has no headings; begin with"),

@@ -84,14 +84,20 @@ PLAIN = plain_text(np.arange(20) / 60.0, np.full((20, 3, 3), 1.5))
         ("\n".join(NEXUS.splitlines()[:9]), r"row 6: has no frames"),
         (_changed(PLAIN, 7, "1.5", "x"), r"column 'TOP x \(mm\)', row 7: is no number .found 'x'"),
         (PLAIN.replace(",", ";").replace(".", ","), r"'time \(s\)', row 3.*decimal point"),
-        (PLAIN.replace(",", " "), r"row 1: has a single column; separate them by commas"),
+        (PLAIN.replace(",", " "), r"row 1: has no column 'time'; separate the columns by commas"),
         (PLAIN.replace("(mm)", "(ft)"), r"'TOP x \(ft\)': has an unknown unit .*known are m, cm, mm"),
         (PLAIN.replace(" (mm)", ""), r"'TOP x': has no unit.*as an option"),
-        (PLAIN.replace("time (s)", "time"), r"'time': has no unit; write time \(s\)"),
+        (
+            PLAIN.replace("time (s)", "time"),
+            r"'time', row 1: has no unit; write .* as in 'time \(s\)'",
+        ),
         (PLAIN.replace("time (s)", "clock (s)"), r"has no column 'time'"),
         (PLAIN.replace("TOP z (mm)", "TOP w (mm)"), r"lacks z of marker 'TOP'"),
         (_changed(PLAIN, 6, "0.0666666667", "0.01"), r"column 'time', row 6: the time does not increase"),
-        (_changed(PLAIN, 6, "0.0666666667", ""), r"'time \(s\)', row 6: has no time"),
+        (
+            _changed(PLAIN, 6, "0.0666666667", ""),
+            r"'time \(s\)', row 6: samples without .* the time of every frame",
+        ),
     ],
 )
 def test_bad_text_files_say_where_and_what_to_do(tmp_path: Path, text: str, words: str) -> None:

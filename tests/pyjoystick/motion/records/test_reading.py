@@ -52,11 +52,11 @@ def test_comments_other_columns_and_other_separators(tmp_path: Path) -> None:
 
 def test_plain_names_with_units_given(tmp_path: Path) -> None:
     time, theta, _ = motion()
-    path = write(tmp_path / "plain.csv", rows(time, theta), "t,Angle X")
-    columns, units = {"time": "t", "theta": "angle x"}, {"time": "s", "theta": "deg"}
+    path = write(tmp_path / "plain.csv", rows(time, theta), "clock,Angle X")
+    columns, units = {"time": "clock", "theta": "angle x"}, {"time": "s", "theta": "deg"}
     assert read_record(path, columns=columns, units=units).theta == pytest.approx(np.radians(theta))
-    assert "has no column 'time'; name the column of time; there are 't', 'Angle X'" in str(_refusal(path))
-    assert _refusal(path, columns=columns).column == "t"
+    assert "row 1: has no column 'time'; which column holds time? There are 'clock'" in str(_refusal(path))
+    assert _refusal(path, columns=columns).column == "clock"
     assert "known are s, ms" in _refusal(path, columns=columns, units={"time": "h"}).advice
     with pytest.raises(RecordError, match="'angle' is no quantity; known are time, theta, omega"):
         read_record(path, columns={"angle": "Angle X"})
@@ -64,9 +64,7 @@ def test_plain_names_with_units_given(tmp_path: Path) -> None:
 
 def test_a_unit_that_contradicts_the_heading_is_refused(tmp_path: Path) -> None:
     path = write(tmp_path / "a.csv", rows(*motion()[:2]))
-    assert "has the unit deg in its heading, but rad is asked for" in str(
-        _refusal(path, units={"theta": "rad"})
-    )
+    assert "has the unit deg in its heading, but rad is given" in str(_refusal(path, units={"theta": "rad"}))
 
 
 def test_two_columns_of_one_name_are_told_apart_by_their_units(tmp_path: Path) -> None:
@@ -81,7 +79,7 @@ def test_files_that_are_no_table_are_refused(tmp_path: Path) -> None:
     path = tmp_path / "file.csv"
     assert "cannot be read" in str(_refusal(path))
     for content, reason in (
-        (b"", "has no rows"),
+        (b"", "has no headings"),
         (b"time (s),theta (deg)\n", "has no rows"),
         (b"\xff\xfe\x00binary", "no text in UTF-8"),
         (b"0.0,1.0\n0.1,2.0\n", "a number where a heading is expected"),

@@ -11,7 +11,8 @@ import pandas as pd
 import pytest
 
 from pyjoystick.fmu import Extremes, FmuNotFoundError, Loss, Peaks
-from pyjoystick.runs import Sampling, Settings, Sweep, SweepFileError, read_settings
+from pyjoystick.motion import RecordError
+from pyjoystick.runs import Sampling, Settings, Sweep, read_settings
 from pyjoystick.runs.sweeps.variations import Levels, LogNormal, LogUniform, Normal, Uniform
 from pyjoystick.support import InputFileError, PyJoystickError, SettingsError
 from tests.pyjoystick.runs.sweeps.conftest import SMALL, Write
@@ -190,7 +191,7 @@ def test_mistakes_are_named_with_their_place(written: Write, old: str, new: str,
 
 def test_an_input_file_with_mistakes(written: Write, tmp_path: Path) -> None:
     path = written(SMALL.replace("[experiment]", '[experiment]\ninput_file = "torque.csv"'))
-    with pytest.raises(SweepFileError, match=r"torque.csv: cannot be read as CSV"):
+    with pytest.raises(RecordError, match=r"torque.csv: cannot be read: No such file"):
         read_settings(path)
     (tmp_path / "torque.csv").write_text("time,S\n0,0\n1,1\n")
     with pytest.raises(SettingsError, match=r'input_file = "torque.csv": there is no input .S.'):

@@ -1,0 +1,94 @@
+"""Series of an FMU's variables from CSV files: inputs of a run, and records of its outputs."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from os import PathLike
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+import pandas as pd
+from numpy.typing import NDArray
+
+from pyjoystick.fmu.description import FmuDescription, Variable
+from pyjoystick.fmu.values import INTEGERS
+from pyjoystick.motion import TIME, Column, Match, RecordError, TableFile, read_table_file
+from pyjoystick.support import UnknownInputError
+
+_TIME: Final = replace(TIME, default_unit="s")
+_TRUTH: Final = {"true": True, "false": False}
+
+
+def read_inputs(path: str | PathLike[str], fmu: FmuDescription) -> pd.DataFrame:
+    """Read inputs over time: a table as `Fmu.run` takes it, with a column for each in the file.
+
+    The first column is the time, in s where its heading has no unit; the others are as in `read_variables`.
+
+    Raises:
+        RecordError: the file is no table, a unit is unknown, or a cell is no finite number
+        UnknownInputError: a column has not the name of an input
+    """
+    file = read_table_file(Path(path))
+    first, *others = file.head.headings
+    known = fmu.names("input")
+    for heading in others:
+        if heading.name not in known:
+            raise UnknownInputError(heading.name, known)
+    columns = [_column(fmu.variables[heading.name]) for heading in others]
+    found = file.head.match(
+        [_TIME, *columns], headings={"time": first.text} | {h.name: h.text for h in others}
+    )
+    return _table(file, found, fmu)
+
+
+def read_variables(path: str | PathLike[str], fmu: FmuDescription, names: Sequence[str]) -> pd.DataFrame:
+    """Read a record of variables: a table indexed by time (s), its columns in the units of the FMU.
+
+    The columns are ``time (s)`` and ``name (unit)``. The unit is the variable's own, or the one that the FMU
+    proposes for display; a heading without a unit means the variable's own.
+
+    Raises:
+        RecordError: the file is no table, a column is missing, its unit is unknown, a cell is no finite
+            number, or the time does not increase
+    """
+    file = read_table_file(Path(path))
+    found = file.head.match([_TIME, *(_column(fmu.variables[name]) for name in names)])
+    table = _table(file, found, fmu)
+    backward = np.flatnonzero(np.diff(table.index) <= 0.0)
+    if backward.size:
+        advice = "keep one record a file, its samples in order"
+        rows = file.rows[backward + 1]
+        raise RecordError(str(path), "the time does not increase", advice, column="time", rows=rows)
+    return table
+
+
+def _column(variable: Variable) -> Column:
+    display = variable.display_unit
+    units = {variable.unit: 1.0} | ({display.unit: 1.0 / display.factor} if display else {})
+    return Column(variable.name, units, default_unit=variable.unit)
+
+
+def _table(file: TableFile, found: Mapping[str, Match], fmu: FmuDescription) -> pd.DataFrame:
+    """The columns in the types and units of their variables, over the time (s)."""
+    columns = dict(found)
+    time = columns.pop("time")
+    return pd.DataFrame(
+        {name: _values(file, match, fmu.variables[name]) for name, match in columns.items()},
+        index=pd.Index(file.finite_numbers(time.heading, time.column.advice) * time.factor, name="time"),
+    )
+
+
+def _values(file: TableFile, match: Match, variable: Variable) -> NDArray[Any]:
+    if variable.type == "Boolean":
+        cells = [cell.casefold() for cell in file.texts(match.heading)]
+        if all(cell in _TRUTH for cell in cells):
+            return np.array([_TRUTH[cell] for cell in cells])
+    numbers = file.finite_numbers(match.heading, match.column.advice)
+    if variable.type in INTEGERS and bool((numbers == np.round(numbers)).all()):
+        return numbers.astype(np.int64)
+    display = variable.display_unit
+    if display is None or match.unit == variable.unit:
+        return numbers
+    return np.asarray((numbers - display.offset) / display.factor)

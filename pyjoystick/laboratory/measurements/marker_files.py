@@ -1,0 +1,89 @@
+"""Marker trajectories from C3D, the CSV export of Vicon Nexus, or plain CSV, told apart by their contents.
+
+Plain CSV has one frame a row: ``time (s),TOP x (mm),TOP y (mm),TOP z (mm),...``
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from os import PathLike
+from pathlib import Path
+from typing import Final
+
+import numpy as np
+
+from pyjoystick.laboratory.measurements.c3d_file import read_c3d
+from pyjoystick.laboratory.measurements.markers import Markers, length_factor
+from pyjoystick.laboratory.measurements.nexus_csv import is_nexus_csv, read_nexus_csv
+from pyjoystick.motion import TIME, Heading, RecordError, TableHead, open_text, read_table_file
+
+_TIME: Final = replace(TIME, advice="delete these rows, or export the time of every frame")
+_AXES: Final = "xyz"
+_COLUMN: Final = re.compile(r"(?P<marker>.*\S)[\s._:](?P<axis>[xyzXYZ])")
+
+
+def read_markers(path: str | PathLike[str], *, unit: str | None = None) -> Markers:
+    """Read marker trajectories from C3D, the CSV export of Vicon Nexus, or plain CSV.
+
+    Args:
+        path: the file; ``.c3d`` names a C3D file, anything else is text
+        unit: unit of the coordinates (m, cm or mm), in place of the file's own in C3D and Nexus files, and
+            for headings without one in plain CSV
+
+    Raises:
+        RecordError: the file is none of these or cannot be used; see `read_c3d`, `read_nexus_csv` and
+            `read_marker_csv`
+    """
+    file = Path(path)
+    if file.suffix.casefold() == ".c3d":
+        return read_c3d(file, unit=unit)
+    with open_text(file, "name a C3D file .c3d, export a table as CSV in UTF-8") as opened:
+        text = opened.read()
+    return read_nexus_csv(file, text, unit=unit) if is_nexus_csv(text) else read_marker_csv(file, unit=unit)
+
+
+def read_marker_csv(path: Path, *, unit: str | None = None) -> Markers:
+    """Read markers from a table.
+
+    A marker's name and its axis are separated by a blank, ``.``, ``_`` or ``:``.
+
+    Args:
+        path: the file
+        unit: unit of the coordinates, for headings that have none
+
+    Returns:
+        the markers; empty cells are NaN, `rows` are line numbers
+
+    Raises:
+        RecordError: the file is no table of numbers, has no time or no markers, a marker lacks an axis, a
+            unit is unknown, or the time does not increase
+    """
+    file = read_table_file(path)
+    time, headings = file.read([_TIME])["time"], _markers(file.head)
+    positions = np.empty((len(file.rows), len(headings), 3))
+    for i, axes in enumerate(headings.values()):
+        for k, axis in enumerate(_AXES):
+            factor = length_factor(str(path), axes[axis].unit or unit or "", axes[axis].text)
+            positions[:, i, k] = file.numbers(axes[axis]) * factor
+    positions[~np.isfinite(positions).all(axis=2)] = np.nan
+    return Markers(str(path), tuple(headings), time, positions, rows=file.rows)
+
+
+def _markers(head: TableHead) -> dict[str, dict[str, Heading]]:
+    """Headings by marker and axis."""
+    found: dict[str, dict[str, Heading]] = {}
+    for heading in head.headings:
+        match = _COLUMN.fullmatch(heading.name)
+        if match:
+            found.setdefault(match["marker"], {})[match["axis"].lower()] = heading
+    if not found:
+        advice = "name the columns as in: time (s),TOP x (mm),TOP y (mm),TOP z (mm)"
+        texts = ", ".join(repr(heading.text) for heading in head.headings)
+        raise RecordError(str(head.path), "has no columns of markers", advice, rows=[head.line], value=texts)
+    for marker, axes in found.items():
+        for axis in _AXES:
+            if axis not in axes:
+                reason, advice = f"lacks {axis} of marker {marker!r}", "export all three coordinates"
+                raise RecordError(str(head.path), reason, advice, rows=[head.line])
+    return found

@@ -1,0 +1,369 @@
+"""Tables in files: headings with units, numbers, and the line that each row stands on.
+
+Whoever reads a kind of file lists the columns that it wants (`Column`: name, units, whether it is required)
+and gets arrays in SI units; every mistake in the file is a `RecordError` with file, column and row. Of a file
+that is too long to be read whole, `TableHead` has the headings alone.
+"""
+
+from __future__ import annotations
+
+import csv
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final, TextIO
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pyjoystick.motion.records.errors import RecordError
+from pyjoystick.motion.units import UNITS, plain_unit
+from pyjoystick.support import FloatArray
+
+_COMMENT: Final = "#"
+_DELIMITERS: Final = ",;\t"
+_EMPTY: Final = ("", "nan", "na", "n/a", "null", "none", "-")
+_HEADING: Final = re.compile(r"(?P<name>.*?)\s*[(\[](?P<unit>[^()\[\]]*)[)\]]\s*")
+
+
+@dataclass(frozen=True, slots=True)
+class Heading:
+    """The heading of a column: ``theta (deg)`` has the name theta and the unit deg, which may be empty."""
+
+    text: str
+    name: str
+    unit: str
+
+
+@dataclass(frozen=True, slots=True)
+class Column:
+    """A column that a reader wants.
+
+    Attributes:
+        name: of the quantity, and its heading where no other is given; upper and lower case are the same
+        units: factors to SI units by unit, as in `UNITS`; only the empty unit for a column whose unit is not
+            known or that holds text
+        required: whether a file without it is refused
+        aliases: other headings that are understood, in this case only
+        default_unit: unit of a column whose heading has none; where empty, `units` must know the empty unit
+        advice: what to do about cells without a number
+    """
+
+    name: str
+    units: Mapping[str, float]
+    required: bool = True
+    aliases: tuple[str, ...] = ()
+    default_unit: str = ""
+    advice: str = "delete the rows without a number"
+
+
+#: The time of a sample, in every table of samples.
+TIME: Final = Column("time", UNITS["time"], aliases=("t",))
+
+
+@dataclass(frozen=True, slots=True)
+class Match:
+    """A column that was found: what was wanted, its heading, its index from 0, its unit in the file."""
+
+    column: Column
+    heading: Heading
+    index: int
+    unit: str
+
+    @property
+    def factor(self) -> float:
+        """Factor to SI units."""
+        return self.column.units[self.unit]
+
+
+@dataclass(frozen=True, slots=True)
+class TableHead:
+    """The headings of a table.
+
+    Attributes:
+        path: the file
+        headings: one a column
+        delimiter: what separates the columns
+        line: line number of the headings, from 1; 0 where the file has no such line
+    """
+
+    path: Path
+    headings: tuple[Heading, ...]
+    delimiter: str
+    line: int
+
+    @property
+    def _rows(self) -> list[int]:
+        return [self.line] if self.line else []
+
+    def match(
+        self,
+        columns: Iterable[Column],
+        *,
+        headings: Mapping[str, str] | None = None,
+        units: Mapping[str, str] | None = None,
+    ) -> dict[str, Match]:
+        """Where columns are and in which unit, by name; optional ones that are missing are left out.
+
+        Args:
+            columns: what is wanted
+            headings: headings by name of the column, with their units or without, where they are others
+            units: units by name of the column, where the headings have none
+
+        Raises:
+            RecordError: a column is missing or there twice; it has no unit, an unknown one, or another one
+                than is given; or a name in `headings` or `units` is not that of a column
+        """
+        wanted = {column.name: column for column in columns}
+        for name in {**(headings or {}), **(units or {})}:
+            if name not in wanted:
+                raise RecordError("columns", f"{name!r} is no quantity", f"known are {', '.join(wanted)}")
+        found = {}
+        for name, column in wanted.items():
+            heading = self._find(column, (headings or {}).get(name, ""))
+            if heading is not None:
+                unit = self._unit(column, heading, (units or {}).get(name, ""))
+                found[name] = Match(column, heading, self.headings.index(heading), unit)
+        return found
+
+    def _find(self, column: Column, wanted: str) -> Heading | None:
+        """The heading of a column; None where an optional one is missing and no heading is `wanted`."""
+        name = wanted or column.name
+        found = self._named(name) or (
+            [] if wanted else [h for h in self.headings if h.name in column.aliases]
+        )
+        if len(found) == 1:
+            return found[0]
+        if not (found or column.required or wanted):
+            return None
+        texts = ", ".join(repr(heading.text) for heading in self.headings)
+        reason = f"has {len(found) or 'no'} column{'s' * bool(found)} {name!r}"
+        advice = f"which column holds {column.name}? There are {texts}"
+        if found:
+            advice = f"choose one by its whole heading; there are {texts}"
+        elif len(self.headings) == 1:
+            advice = f"separate the columns by commas, semicolons or tabs; the heading is {texts}"
+        raise RecordError(str(self.path), reason, advice, rows=self._rows)
+
+    def _unit(self, column: Column, heading: Heading, given: str) -> str:
+        """The unit of a column as `Column.units` spells it."""
+        reason, advice, value = "", f"known are {', '.join(column.units)}", None
+        unit = heading.unit or given or column.default_unit
+        if heading.unit and given and plain_unit(heading.unit) != plain_unit(given):
+            reason = f"has the unit {heading.unit} in its heading, but {given} is given"
+            advice = "leave one of the two out"
+        elif not unit and "" not in column.units:
+            reason = "has no unit"
+            known = ", ".join(column.units)
+            example = f"{heading.text} ({next(iter(column.units))})"
+            advice = f"write it in the heading, as in {example!r}, or give it as an option: {known}"
+        else:
+            for one in column.units:
+                if plain_unit(unit) == plain_unit(one) or not any(column.units):
+                    return one
+            reason, value = "has an unknown unit", unit
+        raise RecordError(str(self.path), reason, advice, column=heading.text, rows=self._rows, value=value)
+
+    def _named(self, name: str) -> list[Heading]:
+        """The headings of this name or text: in this very case, or where none is, in any."""
+        exact = [heading for heading in self.headings if name in (heading.text, heading.name)]
+        folded = name.casefold()
+        return exact or [h for h in self.headings if folded in (h.text.casefold(), h.name.casefold())]
+
+
+@dataclass(frozen=True, slots=True)
+class TableFile:
+    """A table whose cells are text.
+
+    Attributes:
+        head: its headings
+        comments: the lines that begin with #, without it
+        cells: rows of text, each as long as the headings
+        rows: line number of each row, from 1, shape (n,)
+    """
+
+    head: TableHead
+    comments: tuple[str, ...]
+    cells: tuple[tuple[str, ...], ...]
+    rows: NDArray[np.int64]
+
+    def read(
+        self,
+        columns: Iterable[Column],
+        *,
+        headings: Mapping[str, str] | None = None,
+        units: Mapping[str, str] | None = None,
+    ) -> dict[str, FloatArray]:
+        """Columns in SI units by name, shape (n,) each; optional ones that are missing are left out.
+
+        Args:
+            columns: what is wanted
+            headings: headings by name of the column, where they are others
+            units: units by name of the column, where the headings have none
+
+        Raises:
+            RecordError: as `TableHead.match` does; or a cell is empty or no finite number
+        """
+        found = self.head.match(columns, headings=headings, units=units)
+        return {
+            name: self.finite_numbers(match.heading, match.column.advice) * match.factor
+            for name, match in found.items()
+        }
+
+    def texts(self, heading: Heading) -> list[str]:
+        """The cells of a column."""
+        position = self.head.headings.index(heading)
+        return [row[position] for row in self.cells]
+
+    def numbers(self, heading: Heading) -> FloatArray:
+        """The column under a heading as it stands, shape (n,); empty cells and words such as NA are NaN.
+
+        Raises:
+            RecordError: a cell holds something else than a number
+        """
+        values = np.empty(len(self.cells))
+        for i, cell in enumerate(self.texts(heading)):
+            try:
+                values[i] = np.nan if cell.lower() in _EMPTY else float(cell)
+            except ValueError:
+                raise no_number(self.head.path, heading, int(self.rows[i]), cell) from None
+        return values
+
+    def finite_numbers(self, heading: Heading, advice: str) -> FloatArray:
+        """As `numbers`, none of them missing.
+
+        Raises:
+            RecordError: a cell is empty, no number or not finite
+        """
+        numbers = self.numbers(heading)
+        bad = np.flatnonzero(~np.isfinite(numbers))
+        if bad.size:
+            raise RecordError(
+                str(self.head.path),
+                "samples without a finite number",
+                advice,
+                column=heading.text,
+                rows=self.rows[bad].tolist(),
+                value=self.texts(heading)[bad[0]] or "nothing",
+            )
+        return numbers
+
+
+def no_number(path: Path, heading: Heading, row: int, cell: str) -> RecordError:
+    """The error of a cell that is no number."""
+    advice = "write numbers with a decimal point" if "," in cell else "write a number"
+    return RecordError(str(path), "is no number", advice, column=heading.text, rows=[row], value=repr(cell))
+
+
+def read_table_file(path: Path) -> TableFile:
+    """Read a table of columns separated by commas, semicolons or tabs, headings first.
+
+    Lines that begin with # are comments, wherever they stand; empty lines are skipped.
+
+    Raises:
+        RecordError: the file cannot be read, is no text in UTF-8, has no headings or no rows, or a row is
+            longer or shorter than the headings
+    """
+    with open_text(path) as file:
+        text = file.read()
+    lines = list(_numbered(text.split("\n")))
+    filled = _filled(lines)
+    head, rows = _head(path, filled), list(filled)
+    if not rows:
+        raise RecordError(str(path), "has no rows under a heading", "write a heading, then one sample a row")
+    cells = tuple(_cells(path, number, line, head.delimiter) for number, line in rows)
+    for (number, _), row in zip(rows, cells, strict=True):
+        if len(row) != len(head.headings):
+            reason = f"has {len(row)} cells under {len(head.headings)} headings"
+            advice = "was the file cut off, or are the decimal marks commas?"
+            raise RecordError(str(path), reason, advice, rows=[number])
+    comments = tuple(line.removeprefix(_COMMENT).strip() for _, line in lines if line.startswith(_COMMENT))
+    return TableFile(head, comments, cells, np.array([number for number, _ in rows], dtype=np.int64))
+
+
+def read_table_head(path: Path) -> TableHead:
+    """The headings of a table, of which nothing more is read.
+
+    Raises:
+        RecordError: the file cannot be read, is no text in UTF-8, or has no headings
+    """
+    with open_text(path) as file:
+        return _head(path, _filled(_numbered(file)))
+
+
+@contextmanager
+def open_text(path: Path, advice: str = "export the table as CSV in UTF-8") -> Iterator[TextIO]:
+    """A text file to read from.
+
+    Args:
+        path: the file
+        advice: what to do where it is no text
+
+    Raises:
+        RecordError: it cannot be read, or is no text in UTF-8
+    """
+    try:
+        with path.open(encoding="utf-8-sig") as file:
+            yield file
+    except OSError as error:
+        reason = f"cannot be read: {error.strerror}"
+        raise RecordError(str(path), reason, "check the path and its permissions") from error
+    except UnicodeDecodeError as error:
+        raise RecordError(str(path), "is no text in UTF-8", advice) from error
+
+
+def _numbered(lines: Iterable[str]) -> Iterator[tuple[int, str]]:
+    return ((number, line.strip()) for number, line in enumerate(lines, start=1))
+
+
+def _filled(lines: Iterable[tuple[int, str]]) -> Iterator[tuple[int, str]]:
+    """The lines that are neither empty nor comments."""
+    return ((number, line) for number, line in lines if line and not line.startswith(_COMMENT))
+
+
+def _head(path: Path, filled: Iterator[tuple[int, str]]) -> TableHead:
+    """The headings on the first filled line."""
+    example = "begin with a line such as: time (s),theta (deg)"
+    number, line = next(filled, (0, ""))
+    if not line:
+        raise RecordError(str(path), "has no headings", example)
+    delimiter = max(_DELIMITERS, key=line.count)
+    headings = tuple(_heading(cell) for cell in _cells(path, number, line, delimiter))
+    texts = [heading.text for heading in headings]
+    for text in texts:
+        if _is_number(text):
+            reason = "has a number where a heading is expected"
+            raise RecordError(str(path), reason, example, rows=[number], value=repr(text))
+        if texts.count(text) > 1:
+            reason = "two columns have one heading"
+            raise RecordError(str(path), reason, "rename one", column=text, rows=[number])
+    return TableHead(path, headings, delimiter, number)
+
+
+def _cells(path: Path, number: int, line: str, delimiter: str) -> tuple[str, ...]:
+    """The cells of a line without the blanks around them."""
+    if '"' not in line:
+        return tuple(cell.strip() for cell in line.split(delimiter))
+    try:
+        cells = next(csv.reader([line], delimiter=delimiter, skipinitialspace=True))
+    except csv.Error as error:
+        raise RecordError(
+            str(path), f"is no row of cells: {error}", "export it again", rows=[number]
+        ) from error
+    return tuple(cell.strip() for cell in cells)
+
+
+def _heading(text: str) -> Heading:
+    """Name and unit of a heading such as ``theta (deg)`` or ``theta [deg]``."""
+    match = _HEADING.fullmatch(text)
+    return Heading(text, match["name"].strip(), match["unit"].strip()) if match else Heading(text, text, "")
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True

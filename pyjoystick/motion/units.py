@@ -1,0 +1,43 @@
+"""Units of measured quantities and their factors to SI units: the one table for everything that is read."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Final
+
+#: Standard gravity (m/s2), which is also the unit g of an acceleration.
+GRAVITY: Final = 9.80665
+
+_DEGREE: Final = math.radians(1.0)
+
+#: Factors to SI units by kind of quantity and unit; spelled as `plain_unit` spells them.
+UNITS: Final[Mapping[str, Mapping[str, float]]] = {
+    "time": {"s": 1.0, "ms": 1e-3},
+    "angle": {"rad": 1.0, "deg": _DEGREE, "mrad": 1e-3},
+    "angular velocity": {"rad/s": 1.0, "deg/s": _DEGREE},
+    "angular acceleration": {"rad/s2": 1.0, "deg/s2": _DEGREE},
+    "length": {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6},
+    "force": {"N": 1.0, "kN": 1e3, "mN": 1e-3},
+    "mass": {"kg": 1.0, "g": 1e-3},
+    "moment of inertia": {"kg.m2": 1.0, "g.m2": 1e-3, "kg.mm2": 1e-6, "g.cm2": 1e-7, "g.mm2": 1e-9},
+    "acceleration": {"m/s2": 1.0, "mm/s2": 1e-3, "g": GRAVITY},
+    "voltage": {"V": 1.0, "mV": 1e-3},
+}
+
+_SPELLINGS: Final = str.maketrans(
+    {
+        "²": "2",
+        "^": None,
+        "°": "deg",
+        "\N{MICRO SIGN}": "u",
+        "\N{GREEK SMALL LETTER MU}": "u",
+        "·": ".",
+        "*": ".",
+    }
+)
+
+
+def plain_unit(text: str) -> str:
+    """A unit as `UNITS` and FMUs spell it: ``°/s²`` and ``deg/s^2`` are ``deg/s2``, ``N m`` is ``N.m``."""
+    return ".".join(text.translate(_SPELLINGS).split())

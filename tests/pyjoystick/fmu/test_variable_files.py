@@ -1,0 +1,66 @@
+"""Inputs of FMUs from CSV files; records of variables are in tests/pyjoystick/identification/fitting."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pyjoystick.fmu import (
+    FmuDescription,
+    checked_inputs,
+    find_fmu,
+    read_description,
+    read_inputs,
+    read_variables,
+)
+from pyjoystick.motion import RecordError
+from pyjoystick.support import UnknownInputError
+
+
+@pytest.fixture
+def joystick(fmus_by_name: Path) -> FmuDescription:
+    return read_description(find_fmu("Joystick"))
+
+
+def _file(folder: Path, text: str) -> Path:
+    path = folder / "in.csv"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def test_the_first_column_is_the_time(tmp_path: Path, joystick: FmuDescription) -> None:
+    table = read_inputs(_file(tmp_path, "clock (ms);T (N m)\n0;0\n100;0.1\n100;-2\n"), joystick)
+    assert table.index.tolist() == [0.0, 0.1, 0.1]
+    assert table["T"].tolist() == [0.0, 0.1, -2.0]
+    assert read_inputs(_file(tmp_path, "x,T\n1,2\n"), joystick)["T"].to_dict() == {1.0: 2.0}
+
+
+def test_types_of_inputs(tmp_path: Path, mixed_path: Path) -> None:
+    mixed = read_description(mixed_path)
+    names = {mixed.variables[name].type: name for name in mixed.names("input")}
+    headings = ",".join(names.values())
+    cells = {"Real": ("0.5", "1.5"), "Integer": ("2", "3"), "Boolean": ("true", "False")}
+    rows = [",".join([str(i), *(cells[kind][i] for kind in names)]) for i in range(2)]
+    table = read_inputs(_file(tmp_path, "\n".join([f"time,{headings}", *rows])), mixed)
+    checked_inputs(mixed, table)
+    for kind, name in names.items():
+        assert table[name].dtype == {"Real": np.float64, "Integer": np.int64, "Boolean": np.bool_}[kind]
+
+
+def test_mistakes_are_named(tmp_path: Path, joystick: FmuDescription) -> None:
+    with pytest.raises(UnknownInputError, match="there is no input 'S'"):
+        read_inputs(_file(tmp_path, "time,S (N)\n0,0\n"), joystick)
+    with pytest.raises(RecordError, match=r"in.csv, column 'T \(lbf\)', row 1: has an unknown unit .* N\.m"):
+        read_inputs(_file(tmp_path, "time,T (lbf)\n0,0\n"), joystick)
+    with pytest.raises(RecordError, match=r"in.csv, column 'T', row 3: is no number \(found 'high'\)"):
+        read_inputs(_file(tmp_path, "time,T\n0,0\n1,high\n"), joystick)
+
+
+def test_a_record_in_milliseconds_and_degrees(tmp_path: Path, joystick: FmuDescription) -> None:
+    path = _file(tmp_path, "theta (deg),time (ms),other\n-90,0,x\n45,500,y\n")
+    table = read_variables(path, joystick, ["theta"])
+    assert table.index.tolist() == [0.0, 0.5]
+    assert table["theta"].tolist() == pytest.approx([-math.pi / 2, math.pi / 4], rel=1e-15)

@@ -1,0 +1,39 @@
+"""The guess of the release from the record alone."""
+
+from __future__ import annotations
+
+import math
+from itertools import product
+
+import numpy as np
+import pytest
+
+from pyjoystick.identification.fitting.measurement import guess_release
+from pyjoystick.laboratory.synthetic_records import synthetic_record
+from pyjoystick.model import NOMINAL
+
+
+@pytest.mark.parametrize(("degrees", "rate", "noise"), [*product((-20.0, 12.0), (60.0, 600.0), (0.0, 0.1))])
+def test_the_release_is_found_to_a_frame(degrees: float, rate: float, noise: float) -> None:
+    record = synthetic_record(
+        NOMINAL,
+        release_angle=math.radians(degrees),
+        random=np.random.default_rng(3),
+        name="run",
+        release_time=0.1237,
+        duration=1.6,
+        rate=rate,
+        noise=math.radians(noise),
+    )
+    angle, instant = guess_release(record.time, record.theta)
+    assert math.degrees(angle) == pytest.approx(degrees, abs=0.2)
+    # 60 frames a second: linear between two samples of a curved fall.
+    assert instant == pytest.approx(0.1237, abs=0.01)
+
+
+def test_a_record_that_begins_in_the_fall_is_followed_back() -> None:
+    """To the instant at which the motion was at rest, 10 ms before the first sample."""
+    time = np.linspace(0.0, 1.0, 61)
+    found = guess_release(time, -0.3 * np.exp(-time) * np.cos(20.0 * time + 0.2))
+    assert found.angle == pytest.approx(-0.3, rel=0.05)
+    assert found.time == pytest.approx(-0.01, abs=0.002)
