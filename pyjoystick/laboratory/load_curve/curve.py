@@ -16,6 +16,10 @@ from pyjoystick.support import FloatArray
 
 #: Running back by more than this part of the whole travel is no noise.
 JITTER = 0.01
+#: One wrong number leads the fit astray: travel of which this part lies between two rows, and a force that
+#: differs by this part of its range from both beside it. Stiff segments rise within few rows, never fall.
+_JUMP = 0.5
+_SPIKE = 0.05
 #: A branch that covers less than this part of the whole travel is none.
 _LEAST_COVERED = 0.5
 _FEWEST_SAMPLES = 20
@@ -94,6 +98,7 @@ class LoadCurve:
                 series[name] = -values
                 notes.append(f"{name} is mostly negative: taken as compression counted negative and turned")
         travel, force = series["travel"], series["force"]
+        _require_no_jump(source, travel, lines)
         turn = int(np.argmax(travel))
         span = float(np.ptp(travel))
         parts = [slice(0, turn + 1), slice(turn, len(travel))]
@@ -109,6 +114,7 @@ class LoadCurve:
             notes.append(
                 "has no unloading branch: friction counts as force of the springs; record the whole cycle"
             )
+        _require_no_spike(source, force, lines, turn)
         kept = travel < travel[turn] - _TURN * span if two else np.ones(len(travel), dtype=bool)
         found = [
             Branch(travel[part][kept[part]], force[part][kept[part]], lines[part][kept[part]])
@@ -119,6 +125,42 @@ class LoadCurve:
                 reason = f"has {len(branch.rows)} samples in a branch; at least {_FEWEST_SAMPLES} are needed"
                 raise RecordError(source, reason, "record more slowly or more often")
         return cls(source, found[0], found[1] if len(found) > 1 else None, tuple(notes))
+
+
+def _require_no_jump(source: str, travel: FloatArray, rows: NDArray[np.int64]) -> None:
+    """Refuse travel of which half or more lies between two rows, as one wrong cell makes it."""
+    steps = np.abs(np.diff(travel))
+    i = int(np.argmax(steps)) if steps.size else 0
+    if steps.size and steps[i] >= _JUMP * np.ptp(travel) > 0.0:
+        raise RecordError(
+            source,
+            f"travel jumps by {1e3 * steps[i]:.4g} mm from one row to the next",
+            "is one of the two numbers wrong, or were rows lost?",
+            column="travel",
+            rows=rows[i : i + 2].tolist(),
+            value=" and ".join(f"{1e3 * value:.6g} mm" for value in travel[i : i + 2]),
+        )
+
+
+def _require_no_spike(source: str, force: FloatArray, rows: NDArray[np.int64], turn: int) -> None:
+    """Refuse a force far above or below those of both rows beside it, but for the turn, where it may peak."""
+    padded = np.pad(force, 1, mode="reflect") if len(force) > 1 else np.zeros(3)
+    before, after = padded[:-2], padded[2:]
+    apart = np.maximum(force - np.maximum(before, after), np.minimum(before, after) - force)
+    limit = np.full(len(force), _SPIKE * np.ptp(force))
+    # The first and the last row have one neighbor only, which may lie in a stiff segment.
+    limit[[0, -1]] = _JUMP * np.ptp(force)
+    limit[turn] = np.inf
+    i = int(np.argmax(apart - limit))
+    if apart[i] > limit[i]:
+        raise RecordError(
+            source,
+            f"force lies {apart[i]:.4g} N off both rows beside it",
+            "is the number wrong? If the row cannot be corrected, delete it",
+            column="force",
+            rows=[int(rows[i])],
+            value=f"{force[i]:.6g} N",
+        )
 
 
 def _require_one_way(

@@ -41,5 +41,5 @@ def test_wrong_usage_and_bad_files(command: Command, tmp_path: Path) -> None:
     (tmp_path / "bad.csv").write_text((tmp_path / "curve.csv").read_text().replace("(N)", "(lbf)"))
     outcome = command("import", "load-curve", "bad.csv", "--side", "forward", "-p", "a.toml")
     assert outcome.code == 1
-    assert outcome.message.startswith("bad.csv, column 'force (lbf)': has an unknown unit")
+    assert outcome.message.startswith("bad.csv, column 'force (lbf)', row 2: has an unknown unit")
     assert not (tmp_path / "a.toml").exists()

@@ -99,3 +99,23 @@ def test_arrays_that_are_no_cycle() -> None:
 def test_an_unknown_quantity(tmp_path: Path) -> None:
     with pytest.raises(RecordError, match="'stress' is no quantity; known are travel, force"):
         read_load_curve(write(tmp_path / "curve.csv", *cycle(FORWARD_TABLE, 1)), units={"stress": "N"})
+
+
+@pytest.mark.parametrize("factor", [0.7, 1.3, 1e3])
+@pytest.mark.parametrize("place", [40, 200, 300])
+def test_one_wrong_force_is_named(tmp_path: Path, place: int, factor: float) -> None:
+    """One such cell once made the fit take half a minute and end anywhere."""
+    travel, force = cycle(FORWARD_TABLE, 1, step=20e-6)
+    force[place] *= factor
+    with pytest.raises(RecordError, match=rf"'force', row {place + 3}: force lies \S+ N off both rows"):
+        read_load_curve(write(tmp_path / "curve.csv", travel, force))
+
+
+@pytest.mark.parametrize("place", [0, 40, 179, 300, 359])
+def test_one_wrong_travel_is_named(tmp_path: Path, place: int) -> None:
+    travel, force = cycle(FORWARD_TABLE, 1, step=20e-6)
+    assert len(travel) == 360
+    travel[place] = 1.0
+    with pytest.raises(RecordError, match=r"column 'travel', rows .*: travel jumps by") as refused:
+        read_load_curve(write(tmp_path / "curve.csv", travel, force))
+    assert place + 3 in refused.value.rows
