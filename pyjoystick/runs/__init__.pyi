@@ -26,9 +26,14 @@ from .fmu_comparison.declarations import (
 from .fmu_comparison.experiments import Experiment as Experiment, experiments_for as experiments_for
 from .fmu_comparison.reference import compare_with_reference as compare_with_reference
 from .fmu_comparison.runs import Tolerances as Tolerances
+from .fmu_settings import (
+    difference_of as difference_of,
+    fmu_of as fmu_of,
+    joystick_values as joystick_values,
+    number_of as number_of,
+    value_of as value_of,
+)
 from .simulated_releases import SimulatedReleases as SimulatedReleases
-from .sweeps.amounts import difference_of as difference_of, number_of as number_of, value_of as value_of
-from .sweeps.design import Sampling as Sampling, design as design
 from .sweeps.errors import (
     ChangedSweepError as ChangedSweepError,
     ClusterError as ClusterError,
@@ -37,13 +42,13 @@ from .sweeps.errors import (
     SweepFileError as SweepFileError,
 )
 from .sweeps.files import read_sweep as read_sweep
-from .sweeps.joystick_file import values_from_joystick_file as values_from_joystick_file
 from .sweeps.plots import (
     MOST_RESULTS as MOST_RESULTS,
     plot_scatter as plot_scatter,
     plot_sensitivity as plot_sensitivity,
 )
 from .sweeps.runner import Outcome as Outcome, run_sweep as run_sweep
-from .sweeps.sensitivity import sensitivity as sensitivity
+from .sweeps.sampling import Sampling as Sampling, design as design
 from .sweeps.settings import Settings as Settings, read_settings as read_settings
+from .sweeps.sobol import sensitivity as sensitivity
 from .sweeps.sweep import Sweep as Sweep
