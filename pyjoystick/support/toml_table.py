@@ -1,7 +1,7 @@
 """Settings from TOML files: every mistake is reported with its file, table and key.
 
-A reader asks a `Table` for keys and tables and checks values inside `Table.at`. In the end it calls `finish` on
-the file, which refuses whatever was not asked for.
+A reader asks a `Table` for keys and tables, and checks values inside `Table.at`. In the end it calls `finish`
+on the file, which refuses whatever was not asked for.
 """
 
 from __future__ import annotations
@@ -52,8 +52,8 @@ class Table:
     def at(self, key: str = "") -> Iterator[None]:
         """Report what is refused inside as an error at this key.
 
-        Where no key is given, a `ParameterError` is reported at the key that its field names, if that is known,
-        and anything else at the table.
+        Where no key is given, a `ParameterError` is reported at the key that its field names, if known, and
+        anything else at the table.
         """
         try:
             yield
