@@ -1,17 +1,20 @@
-from .coupling.archive import read_ssp as read_ssp, write_ssp as write_ssp
-from .coupling.errors import CouplingError as CouplingError
 from .coupling.joystick import operator_and_joystick as operator_and_joystick
 from .coupling.master import run_coupled as run_coupled
 from .coupling.schemes import SCHEMES as SCHEMES
+from .coupling.ssp import read_ssp as read_ssp, write_ssp as write_ssp
 from .coupling.step_errors import coupling_errors as coupling_errors, orders as orders
-from .coupling.system import Component as Component, Connection as Connection, CoupledSystem as CoupledSystem
+from .coupling.system import (
+    Component as Component,
+    Connection as Connection,
+    CoupledSystem as CoupledSystem,
+    CouplingError as CouplingError,
+)
 from .experiments import (
     fmu_of_damping as fmu_of_damping,
     free_oscillation as free_oscillation,
     reference_free_oscillation as reference_free_oscillation,
     time_grid as time_grid,
 )
-from .fmu_comparison.as_json import as_json as as_json
 from .fmu_comparison.compare import (
     FmuComparison as FmuComparison,
     Limits as Limits,
@@ -23,9 +26,13 @@ from .fmu_comparison.declarations import (
     Declarations as Declarations,
     compare_declarations as compare_declarations,
 )
-from .fmu_comparison.experiments import Experiment as Experiment, experiments_for as experiments_for
+from .fmu_comparison.experiments import (
+    Experiment as Experiment,
+    Tolerances as Tolerances,
+    experiments_for as experiments_for,
+)
 from .fmu_comparison.reference import compare_with_reference as compare_with_reference
-from .fmu_comparison.runs import Tolerances as Tolerances
+from .fmu_comparison.report import as_json as as_json
 from .fmu_settings import (
     difference_of as difference_of,
     fmu_of as fmu_of,

@@ -9,8 +9,7 @@ from typing import Any, Self
 import numpy as np
 
 from pyjoystick.fmu import REALS, FmuDescription, FmuLibrary, Value, checked_parameters
-from pyjoystick.runs.coupling.errors import CouplingError
-from pyjoystick.runs.coupling.system import CoupledSystem
+from pyjoystick.runs.coupling.system import CoupledSystem, CouplingError
 from pyjoystick.support import FloatArray
 
 

@@ -14,8 +14,8 @@ from typing import Final
 import numpy as np
 
 from pyjoystick.fmu import REALS, UnsupportedFmuError
-from pyjoystick.runs.coupling.errors import CouplingError
 from pyjoystick.runs.coupling.network import Network
+from pyjoystick.runs.coupling.system import CouplingError
 from pyjoystick.support import FloatArray
 
 #: The end of an iterated step agrees with the one before it to so much of itself, or absolutely.

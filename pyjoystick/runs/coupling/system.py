@@ -9,8 +9,27 @@ from pathlib import Path
 from typing import Final
 
 from pyjoystick.fmu import FmuDescription, Value, Variable, checked_parameters, find_fmu, read_description
-from pyjoystick.runs.coupling.errors import CouplingError
-from pyjoystick.support import UnknownNameError
+from pyjoystick.support import PyJoystickError, UnknownNameError
+
+
+class CouplingError(PyJoystickError):
+    """FMUs cannot be put together as asked.
+
+    Attributes:
+        system: name of the system
+        place: the component or the connection
+        reason: what is wrong with it, and what is allowed
+    """
+
+    def __init__(self, system: str, place: str, reason: str) -> None:
+        super().__init__(system, place, reason)
+        self.system = system
+        self.place = place
+        self.reason = reason
+
+    def __str__(self) -> str:
+        return f"system {self.system!r}: {self.place}: {self.reason}"
+
 
 #: Types of FMI 2 that FMI 3 has under another name.
 _FMI3_NAMES: Final = {"Real": "Float64", "Integer": "Int32"}
