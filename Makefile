@@ -59,7 +59,7 @@ build/fmi%/.settings: FORCE
 	@echo "$(FMU_SETTINGS)" | cmp -s - $@ || echo "$(FMU_SETTINGS)" > $@
 
 ssp: fmu
-	$(BIN)/python -m pyjoystick.runs.coupling build/joystick.ssp
+	$(BIN)/python -m pyjoystick ssp build/joystick.ssp
 
 lint: $(READY)
 	$(BIN)/ruff check .

@@ -56,7 +56,7 @@ autodoc_type_aliases = {
 nitpick_ignore = [
     ("py:class", "ArrayLike"),  # of numpy.typing
     # Handed from one function to the next, not made by users.
-    ("py:class", "pyjoystick.fmu.pool.InstancePool"),
+    ("py:class", "pyjoystick.fmu.library.InstancePool"),
     ("py:class", "pyjoystick.runs.sweeps.sweep.Part"),
     ("py:class", "pyjoystick.runs.sweeps.sweep.Task"),
 ]

@@ -18,6 +18,7 @@ from pyjoystick.cli import (
     parameters,
     peaks,
     report,
+    ssp,
     sweep,
     torque,
 )
@@ -38,6 +39,7 @@ _ORDER: Final = (
     "torque",
     "sweep",
     "compare",
+    "ssp",
     "report",
 )
 
@@ -67,6 +69,7 @@ app.add_typer(imports.app, name="import")
 app.command("parameters", epilog=parameters.EXAMPLES)(parameters.run)
 app.command("peaks", epilog=peaks.EXAMPLES)(peaks.run)
 app.command("report", epilog=report.EXAMPLES)(report.run)
+app.command("ssp", epilog=ssp.EXAMPLES)(ssp.run)
 app.command("sweep", epilog=sweep.EXAMPLES)(sweep.run)
 app.command("torque", epilog=torque.EXAMPLES)(torque.run)
 

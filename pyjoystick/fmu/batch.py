@@ -14,7 +14,7 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from pyjoystick.fmu.errors import FmuFileError
-from pyjoystick.fmu.pool import InstancePool
+from pyjoystick.fmu.library import InstancePool
 from pyjoystick.fmu.runner import Job, Runner
 from pyjoystick.fmu.stepping.program import OK, STOPPED
 from pyjoystick.support import FloatArray, ParameterError, PyJoystickError

@@ -14,9 +14,9 @@ from numpy.typing import ArrayLike
 from pyjoystick.fmu.description import FmuDescription, read_description
 from pyjoystick.fmu.files import find_fmu
 from pyjoystick.fmu.inputs import Inputs
+from pyjoystick.fmu.library import InstancePool
 from pyjoystick.fmu.linearization import Linearization, linearize
 from pyjoystick.fmu.plan import Plan
-from pyjoystick.fmu.pool import InstancePool
 from pyjoystick.fmu.values import Value
 from pyjoystick.motion import make_table
 from pyjoystick.support import DEFAULT_TOLERANCE

@@ -1,10 +1,11 @@
-"""An FMU unpacked and loaded, ready to be instantiated, and everything put away again."""
+"""An FMU unpacked and loaded, its instances made when needed and kept, and everything put away again."""
 
 from __future__ import annotations
 
 import copy
 import os
 import tempfile
+import threading
 import zipfile
 from contextlib import ExitStack, suppress
 from pathlib import Path
@@ -18,6 +19,7 @@ from pyjoystick.fmu.description import FmuDescription, Interface
 from pyjoystick.fmu.errors import FmuFileError, UnsupportedFmuError
 from pyjoystick.fmu.instance import Instance
 from pyjoystick.fmu.log import FmuLog
+from pyjoystick.support import PyJoystickError
 
 #: FMPy's classes by interface and first digit of the version of FMI: what can be run.
 _CLASSES: Final[dict[tuple[Interface, str], Any]] = {
@@ -136,3 +138,75 @@ def _load(description: FmuDescription, interface: Interface, folder: Path) -> An
         # FMPy changes the working directory while loading, and stays there when that fails.
         with suppress(FileNotFoundError):
             os.chdir(before)
+
+
+class InstancePool:
+    """Instances of an FMU, and its library.
+
+    Attributes:
+        library: unpacked and loaded
+    """
+
+    def __init__(self, description: FmuDescription) -> None:
+        """Load the FMU and make the first instance, which shows that it can be run.
+
+        Raises:
+            UnsupportedFmuError, FmuFileError: as `FmuLibrary`, or the FMU refuses to be instantiated
+        """
+        self.library = FmuLibrary(description, "CoSimulation")
+        self._process = os.getpid()
+        self._state = threading.Condition()
+        self._taken = 0
+        self._closed = False
+        try:
+            self._idle = [self.library.instantiate()]
+        except BaseException:
+            self.library.close()
+            raise
+
+    def take(self) -> Instance:
+        """An instance for the caller alone, until it is given back.
+
+        An FMU that can be instantiated only once is waited for.
+
+        Raises:
+            PyJoystickError: the pool has been closed
+            FmuFileError: the FMU refuses another instance
+        """
+        description = self.library.description
+        with self._state:
+            while description.one_instance and self._taken and not self._closed:
+                self._state.wait()
+            if self._closed:
+                raise PyJoystickError(f"{description.path} has been closed")
+            instance = self._idle.pop() if self._idle else self.library.instantiate()
+            self._taken += 1
+        return instance
+
+    def give_back(self, instance: Instance) -> None:
+        """Keep an instance for the next one who asks; free it where it is broken or the pool is closed."""
+        with self._state:
+            self._taken -= 1
+            if self._closed or instance.is_broken:
+                instance.free()
+            else:
+                self._idle.append(instance)
+            self._unload_if_unused()
+            self._state.notify()
+
+    def close(self) -> None:
+        """Free the instances and unload the FMU as soon as all that are taken are back; twice is no harm."""
+        if os.getpid() != self._process:
+            return  # in a forked process: what was unpacked is the parent's
+        with self._state:
+            if self._closed:
+                return
+            self._closed = True
+            while self._idle:
+                self._idle.pop().free()
+            self._unload_if_unused()
+            self._state.notify_all()
+
+    def _unload_if_unused(self) -> None:
+        if self._closed and not self._taken:
+            self.library.close()

@@ -12,14 +12,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from pyjoystick.fmu.batch import Batch, BatchResult, OnProgress, number_of_threads
 from pyjoystick.fmu.inputs import Inputs, checked_inputs, communication_points, input_series
-from pyjoystick.fmu.pool import InstancePool
+from pyjoystick.fmu.library import InstancePool
 from pyjoystick.fmu.preparation import prepare
 from pyjoystick.fmu.reductions import Reduction, checked_reductions, operations_of, units_of
 from pyjoystick.fmu.runner import Job, Runner
 from pyjoystick.fmu.stepping.engine import Loop, loop
 from pyjoystick.fmu.stepping.program import OK, UNFINISHED, WARNING
-from pyjoystick.fmu.values import Value, checked_outputs, checked_parameters, checked_varied
-from pyjoystick.fmu.varied import Varied
+from pyjoystick.fmu.values import Value, Varied, checked_outputs, checked_parameters, checked_varied
 from pyjoystick.support import FloatArray, ParameterError, increasing_times, positive
 
 #: A single run comes back to Python about so often (s), so that Ctrl-C is heard.

@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 
 from pyjoystick.fmu.description import FmuDescription, Variable
 from pyjoystick.fmu.inputs import InputSeries
-from pyjoystick.fmu.interface import CInterface, c_interface
-from pyjoystick.fmu.rows import RowFormat
+from pyjoystick.fmu.interface import CInterface, RowFormat, c_interface
 from pyjoystick.fmu.stepping.program import Group, Program
 from pyjoystick.fmu.values import Value
 from pyjoystick.support import FloatArray

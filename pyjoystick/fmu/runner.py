@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyjoystick.fmu.errors import FmuRunError
-from pyjoystick.fmu.pool import InstancePool
+from pyjoystick.fmu.library import InstancePool
 from pyjoystick.fmu.preparation import Preparation
 from pyjoystick.fmu.stepping.engine import Loop
 from pyjoystick.fmu.stepping.program import (

@@ -1,4 +1,3 @@
-from .coupling.archive import read_ssp as read_ssp, write_ssp as write_ssp
 from .coupling.figures import (
     plot_operated_joystick as plot_operated_joystick,
     plot_step_errors as plot_step_errors,
@@ -6,6 +5,7 @@ from .coupling.figures import (
 from .coupling.joystick import operator_and_joystick as operator_and_joystick
 from .coupling.master import run_coupled as run_coupled
 from .coupling.schemes import SCHEMES as SCHEMES
+from .coupling.ssp import read_ssp as read_ssp, write_ssp as write_ssp
 from .coupling.step_errors import coupling_errors as coupling_errors, orders as orders
 from .coupling.system import Component as Component, Connection as Connection, CoupledSystem as CoupledSystem
 from .errors import (
@@ -22,7 +22,6 @@ from .experiments import (
     reference_free_oscillation as reference_free_oscillation,
     time_grid as time_grid,
 )
-from .fmu_comparison.as_json import as_json as as_json
 from .fmu_comparison.compare import (
     FmuComparison as FmuComparison,
     Limits as Limits,
@@ -34,20 +33,29 @@ from .fmu_comparison.declarations import (
     Declarations as Declarations,
     compare_declarations as compare_declarations,
 )
-from .fmu_comparison.experiments import Experiment as Experiment, experiments_for as experiments_for
+from .fmu_comparison.experiments import (
+    Experiment as Experiment,
+    Tolerances as Tolerances,
+    experiments_for as experiments_for,
+)
 from .fmu_comparison.reference import compare_with_reference as compare_with_reference
-from .fmu_comparison.runs import Tolerances as Tolerances
+from .fmu_comparison.report import as_json as as_json
+from .fmu_settings import (
+    difference_of as difference_of,
+    fmu_of as fmu_of,
+    joystick_values as joystick_values,
+    number_of as number_of,
+    value_of as value_of,
+)
 from .simulated_releases import SimulatedReleases as SimulatedReleases
-from .sweeps.amounts import difference_of as difference_of, number_of as number_of, value_of as value_of
-from .sweeps.design import Sampling as Sampling, design as design
 from .sweeps.files import read_sweep as read_sweep
-from .sweeps.joystick_file import values_from_joystick_file as values_from_joystick_file
 from .sweeps.plots import (
     MOST_RESULTS as MOST_RESULTS,
     plot_scatter as plot_scatter,
     plot_sensitivity as plot_sensitivity,
 )
 from .sweeps.runner import Outcome as Outcome, run_sweep as run_sweep
-from .sweeps.sensitivity import sensitivity as sensitivity
+from .sweeps.sampling import Sampling as Sampling, design as design
 from .sweeps.settings import Settings as Settings, read_settings as read_settings
+from .sweeps.sobol import sensitivity as sensitivity
 from .sweeps.sweep import Sweep as Sweep

@@ -1,4 +1,8 @@
-"""Reading a TOML file so that every mistake in it is named with its place."""
+"""Settings from TOML files: every mistake is reported with its file, table and key.
+
+A reader asks a `Table` for keys and tables, and checks values inside `Table.at`. In the end it calls `finish`
+on the file, which refuses whatever was not asked for.
+"""
 
 from __future__ import annotations
 
@@ -7,17 +11,18 @@ import math
 import re
 import tomllib
 from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, Final
 
-from pyjoystick.support.errors import InputFileError, ParameterError, PyJoystickError, SettingsError
+from pyjoystick.support.errors import InputFileError, ParameterError, SettingsError, UnknownNameError
 
 _BARE_KEY: Final = re.compile(r"[A-Za-z0-9_-]+")
 _ABSENT: Final = object()
 
 
 class Table:
-    """A table of the file. What has been asked for is known; `finish` refuses every other key.
+    """A table of the file. Keys that have been asked for are known, and `finish` refuses all others.
 
     Attributes:
         path: the file
@@ -29,20 +34,38 @@ class Table:
         self.path = path
         self.name = name
         self.content = content
-        self._known: list[str] = []
+        self._known: dict[str, None] = {}
+        self._tables: dict[str, Table] = {}
 
     def error(self, key: str, allowed: str, hint: str = "") -> SettingsError:
-        """The error that says what is allowed for a key."""
+        """The error that says what is allowed for a key; for the whole table where it is empty."""
         return SettingsError(self.path, self.name, key, self.content.get(key), allowed, hint)
 
-    def refused(self, key: str, error: PyJoystickError) -> SettingsError:
-        """An error on a value or a name as one on its place in the file."""
+    def refused(self, key: str, error: ParameterError | UnknownNameError) -> SettingsError:
+        """An error about a value or a name as one about its place in the file."""
         if isinstance(error, ParameterError):
             given = self.content.get(key, error.value)
             return SettingsError(self.path, self.name, key, given, f"must be {error.allowed}", error.hint)
         return SettingsError(self.path, self.name, key, None, str(error))
 
+    @contextmanager
+    def at(self, key: str = "") -> Iterator[None]:
+        """Report what is refused inside as an error at this key.
+
+        Where no key is given, a `ParameterError` is reported at the key that its field names, if known, and
+        anything else at the table.
+        """
+        try:
+            yield
+        except ParameterError as error:
+            field = error.field.rpartition(".")[2]
+            known = field if field.partition("[")[0] in self._known else ""
+            raise self.refused(key or known, error) from None
+        except UnknownNameError as error:
+            raise self.refused(key, error) from None
+
     def __contains__(self, key: str) -> bool:
+        self._known[key] = None
         return key in self.content
 
     def value(self, key: str) -> Any:
@@ -53,7 +76,7 @@ class Table:
 
     def optional(self, key: str) -> Any:
         """The value of a key as TOML has it, or None."""
-        self._known.append(key)
+        self._known[key] = None
         return self.content.get(key)
 
     def number(self, key: str, default: object = _ABSENT) -> float:
@@ -77,6 +100,13 @@ class Table:
             raise self.error(key, "must be text")
         return value
 
+    def flag(self, key: str) -> bool:
+        """True or false; false where it is absent."""
+        value = self._given(key, default=False)
+        if not isinstance(value, bool):
+            raise self.error(key, "must be true or false")
+        return value
+
     def choice(self, key: str, allowed: Sequence[str], default: object = _ABSENT) -> str:
         """One of the words in `allowed`."""
         value = self._given(key, default)
@@ -93,34 +123,52 @@ class Table:
             raise self.error(key, "must be a list with one entry or more")
         return value
 
+    def words(self, key: str) -> list[str]:
+        """A list with one text or more."""
+        words = self.entries(key)
+        if not all(isinstance(word, str) for word in words):
+            raise self.error(key, "must be a list of names")
+        return words
+
     def table(self, key: str, *, required: bool = False) -> Table:
-        """A table inside this one, empty where it may be and is absent."""
+        """A table inside this one, always the same; empty where it may be absent and is."""
+        if key in self._tables:
+            return self._tables[key]
         value = self.value(key) if required else self._given(key, {})
         name = key if _BARE_KEY.fullmatch(key) else f'"{key}"'
         qualified = f"{self.name}.{name}" if self.name else name
         if not isinstance(value, dict):
             raise SettingsError(self.path, self.name, key, value, f"must be a table, [{qualified}]")
-        return Table(self.path, qualified, value)
+        self._tables[key] = Table(self.path, qualified, value)
+        return self._tables[key]
 
     def tables(self, key: str) -> list[Table]:
         """The tables written [[key]], one or more."""
         value = self.value(key)
         if not isinstance(value, list) or not value or not all(isinstance(one, dict) for one in value):
             raise self.error(key, f"must be written as one or more tables [[{key}]]")
-        return [Table(self.path, f"{key} {i}", one) for i, one in enumerate(value, start=1)]
+        tables = {f"{key} {i}": one for i, one in enumerate(value, start=1)}
+        self._tables |= {name: Table(self.path, name, one) for name, one in tables.items()}
+        return [self._tables[name] for name in tables]
+
+    def subtables(self) -> Iterator[tuple[str, Table]]:
+        """Every key with its value, which must be a table."""
+        return ((key, self.table(key)) for key in self.content)
 
     def items(self) -> Iterator[tuple[str, Any]]:
         """Every key with its value; all of them are then known."""
-        self._known.extend(self.content)
+        self._known |= dict.fromkeys(self.content)
         return iter(self.content.items())
 
     def finish(self) -> None:
-        """Refuse keys that nothing has asked for."""
+        """Refuse keys that nothing has asked for, here and in every table that was."""
         for key in self.content:
             if key not in self._known:
                 near = difflib.get_close_matches(key, self._known, n=1)
                 hint = f"did you mean {near[0]}?" if near else f"known are {', '.join(self._known)}"
                 raise SettingsError(self.path, self.name, key, None, "is not a known key", hint)
+        for table in self._tables.values():
+            table.finish()
 
     def _given(self, key: str, default: object) -> Any:
         if default is _ABSENT:

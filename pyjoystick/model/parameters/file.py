@@ -110,7 +110,6 @@ def read_parameter_file(path: str | PathLike[str]) -> ParameterFile:
     if chosen not in laws:
         raise SettingsError(root.path, damping.name, "law", chosen, f"needs a table [damping.{chosen}]")
     title = root.text("title", "")
-    damping.finish()
     root.finish()
     pivot_to_top = numbers["geometry"].pop("pivot_to_top", None)
     try:
@@ -150,54 +149,42 @@ class _Found:
         """The single numbers of a table; those that may be left out are left out."""
         found = {}
         for key in keys:
-            if key in _OPTIONAL and key not in table:
-                table.optional(key)
-            else:
+            if key in table or key not in _OPTIONAL:
                 found[key] = table.number(key)
-            if self._beside(table, key) is not None:
+            if f"u_{key}" in table:
                 self._keep(table, key, f"u_{key}", table.number(f"u_{key}"))
-        self._close(table)
+        self._keep_source(table)
         return found
 
     def curve(self, table: Table) -> SegmentTable:
         """The load-deflection curve of one side."""
         lists = {key: table.entries(key) for key in ("x", "k")}
         for key in lists:
-            uncertain = self._beside(table, key)
+            uncertain = table.optional(f"u_{key}")
             if uncertain is None:
                 continue
             if not isinstance(uncertain, list) or len(uncertain) != len(lists[key]):
                 raise table.error(f"u_{key}", f"must be a list of {len(lists[key])} numbers, as {key} is")
             for i, value in enumerate(uncertain):
                 self._keep(table, f"{key}[{i}]", f"u_{key}[{i}]", value)
-        self._close(table)
-        try:
+        self._keep_source(table)
+        with table.at():
             return SegmentTable(tuple(lists["x"]), tuple(lists["k"]))
-        except ParameterError as error:
-            raise table.refused(error.field, error) from None
 
     def damping(self, table: Table, law: type[ConstantDamping] | type[PowerLawDamping]) -> Damping:
         """A damping law."""
         numbers = self.numbers(table, [field.name for field in dataclasses.fields(law)])
-        try:
+        with table.at():
             return law(**numbers)
-        except ParameterError as error:
-            raise table.refused(error.field, error) from None
-
-    def _beside(self, table: Table, key: str) -> object:
-        return table.optional(f"u_{key}")
 
     def _keep(self, table: Table, place: str, key: str, value: object) -> None:
-        try:
+        with table.at(key):
             self.uncertainties[f"{table.name}.{place}"] = not_negative(key, value)
-        except ParameterError as error:
-            raise table.refused(key, error) from None
 
-    def _close(self, table: Table) -> None:
+    def _keep_source(self, table: Table) -> None:
         source = table.text("source", "")
         if source:
             self.sources[table.name] = source
-        table.finish()
 
 
 def _known_law(text: str) -> LawName:
@@ -206,10 +193,8 @@ def _known_law(text: str) -> LawName:
 
 def _assembly(root: Table, side: Side, curve: SegmentTable) -> ActuatorAssembly:
     """The two springs whose curve that is."""
-    try:
+    with root.table(side).at():
         return ActuatorAssembly.from_table(curve.x, curve.k)
-    except ParameterError as error:
-        raise root.table(side).refused(error.field, error) from None
 
 
 def _require_travels_in_reach(root: Table, curves: Mapping[Side, SegmentTable], a: float) -> None:

@@ -13,9 +13,14 @@ import pandas as pd
 from pyjoystick.fmu import FmuDescription, Interface, find_fmu, read_description
 from pyjoystick.motion import Difference, compare
 from pyjoystick.runs.fmu_comparison.declarations import Declarations, compare_declarations
-from pyjoystick.runs.fmu_comparison.experiments import Experiment, experiments_for, is_joystick
+from pyjoystick.runs.fmu_comparison.experiments import (
+    Experiment,
+    Tolerances,
+    experiments_for,
+    is_joystick,
+    run,
+)
 from pyjoystick.runs.fmu_comparison.limits import MODEL_EXCHANGE, RELATIVE_LIMIT, angle_limit, relative_limits
-from pyjoystick.runs.fmu_comparison.runs import Tolerances, run
 from pyjoystick.support import ParameterError, SimulationError, UnknownVariableError
 
 INTERFACES: Final[tuple[Interface, ...]] = ("ModelExchange", "CoSimulation")

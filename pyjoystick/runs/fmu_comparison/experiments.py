@@ -1,26 +1,41 @@
-"""Experiments that two FMUs are put through alike."""
+"""Experiments that two FMUs are put through alike, and one run of them through either interface."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Final
 
 import numpy as np
 import pandas as pd
 
-from pyjoystick.fmu import DefaultExperiment, FmuDescription, Inputs, Value, Variable
+from pyjoystick.fmu import (
+    DefaultExperiment,
+    Fmu,
+    FmuDescription,
+    Inputs,
+    Interface,
+    Value,
+    Variable,
+    run_model_exchange,
+)
 from pyjoystick.runs.experiments import COLUMNS
 from pyjoystick.support import (
     DEFAULT_DURATION,
     DEFAULT_OUTPUT_INTERVAL,
+    DEFAULT_TOLERANCE,
     FloatArray,
     ParameterError,
     angle,
     finite,
     positive,
 )
+
+#: Tolerance of CVode in Model Exchange.
+CVODE_TOLERANCE: Final = 1e-10
+
 
 #: Angles (rad) at which joysticks are let go, small and large ones on both sides.
 RELEASE_ANGLES: Final = tuple(math.radians(degrees) for degrees in (-20.0, -10.0, 5.0, 15.0))
@@ -185,3 +200,45 @@ def _in_type(variable: Variable, value: float) -> Value:
     if variable.type != "Real" and number.is_integer():
         return int(number)
     return number
+
+
+@dataclass(frozen=True, slots=True)
+class Tolerances:
+    """What integrators are asked to keep.
+
+    Attributes:
+        co_simulation: those inside the FMUs
+        model_exchange: CVode
+    """
+
+    co_simulation: float = DEFAULT_TOLERANCE
+    model_exchange: float = CVODE_TOLERANCE
+
+
+def run(
+    fmu: Path, interface: Interface, experiment: Experiment, outputs: Sequence[str], tolerances: Tolerances
+) -> pd.DataFrame:
+    """Put an FMU through an experiment; in Co-Simulation the instants are the communication points.
+
+    Raises:
+        UnknownNameError, ParameterError, SeriesError: the FMU does not take the experiment
+        FmuFileError, UnsupportedFmuError: the FMU cannot be loaded, or lacks the interface
+        SimulationError: the FMU refuses its settings, fails or ends the run by itself
+    """
+    if interface == "ModelExchange":
+        return run_model_exchange(
+            fmu,
+            experiment.time,
+            parameters=experiment.parameters,
+            inputs=experiment.inputs,
+            outputs=outputs,
+            tolerance=tolerances.model_exchange,
+        )
+    with Fmu(fmu) as opened:
+        return opened.run(
+            experiment.time,
+            parameters=experiment.parameters,
+            inputs=experiment.inputs,
+            outputs=outputs,
+            tolerance=tolerances.co_simulation,
+        )

@@ -11,14 +11,13 @@ from pyjoystick.model import ConstantDamping, JoystickParameters
 from pyjoystick.motion import compare
 from pyjoystick.runs.experiments import COLUMNS, reference_free_oscillation, require_joystick
 from pyjoystick.runs.fmu_comparison.compare import RunComparison
-from pyjoystick.runs.fmu_comparison.experiments import Experiment
+from pyjoystick.runs.fmu_comparison.experiments import Experiment, Tolerances, run
 from pyjoystick.runs.fmu_comparison.limits import (
     CO_SIMULATION_CONSTANT,
     CO_SIMULATION_POWER_LAW,
     MODEL_EXCHANGE,
     angle_limit,
 )
-from pyjoystick.runs.fmu_comparison.runs import Tolerances, run
 from pyjoystick.support import DEFAULT_DURATION, DEFAULT_OUTPUT_INTERVAL
 
 

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from pyjoystick.runs.errors import ClusterError, MissingPackageError
 from pyjoystick.runs.sweeps.chunks import Chunks
 from pyjoystick.runs.sweeps.sweep import Part, Sweep
-from pyjoystick.runs.sweeps.worker_versions import check_workers
+from pyjoystick.runs.sweeps.worker import check_workers
 from pyjoystick.support import PyJoystickError
 
 try:

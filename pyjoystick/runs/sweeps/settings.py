@@ -11,31 +11,29 @@ from typing import Any, Final
 import numpy as np
 
 from pyjoystick.fmu import (
-    MODELS,
     FmuDescription,
     Inputs,
     Reduction,
     Value,
+    checked_inputs,
     checked_parameters,
     find_fmu,
-    read_description,
+    read_inputs,
 )
+from pyjoystick.motion import RecordError
 from pyjoystick.runs.experiments import time_grid
-from pyjoystick.runs.sweeps.amounts import value_of
-from pyjoystick.runs.sweeps.design import METHODS, Sampling
-from pyjoystick.runs.sweeps.input_series import read_inputs
-from pyjoystick.runs.sweeps.joystick_file import values_from_joystick_file
-from pyjoystick.runs.sweeps.result_settings import read_results
-from pyjoystick.runs.sweeps.variation_settings import read_variation
-from pyjoystick.runs.sweeps.variations import Variation
+from pyjoystick.runs.fmu_settings import fmu_of, joystick_values, value_of
+from pyjoystick.runs.sweeps.results import read_results
+from pyjoystick.runs.sweeps.sampling import METHODS, Sampling
+from pyjoystick.runs.sweeps.variations import Variation, read_variation
 from pyjoystick.support import (
     DEFAULT_OUTPUT_INTERVAL,
     DEFAULT_TOLERANCE,
     FloatArray,
-    ParameterError,
     PyJoystickError,
     SettingsError,
     Table,
+    UnknownInputError,
     read_toml,
 )
 
@@ -87,47 +85,26 @@ def read_settings(path: str | PathLike[str], find: Callable[[str], Path] = find_
         FmuNotFoundError, FmuFileError: there is no such FMU, or it is broken
     """
     root = read_toml(Path(path))
-    fmu = _fmu(root, find)
-    joystick = _joystick(root, fmu)
-    experiment = root.table("experiment")
-    time = _time(experiment, fmu)
-    tolerance = _tolerance(experiment, fmu)
-    constants = root.table("inputs")
-    inputs = read_inputs(fmu, experiment, constants)
+    fmu = fmu_of(root.table("fmu", required=True), find)
+    joystick = joystick_values(root.table("fmu"), fmu)
     parameters = _parameters(root.table("parameters"), fmu)
     varied = _varied(root.table("vary", required=True), fmu, parameters)
-    parameters = {name: value for name, value in joystick.items() if name not in varied} | parameters
+    experiment = root.table("experiment")
     settings = Settings(
         path=root.path,
         title=root.text("title", ""),
         fmu=fmu,
-        time=time,
-        tolerance=tolerance,
-        parameters=parameters,
-        inputs=inputs,
+        time=_time(experiment, fmu),
+        tolerance=_tolerance(experiment, fmu),
+        parameters={name: value for name, value in joystick.items() if name not in varied} | parameters,
+        inputs=_inputs(experiment, root.table("inputs"), fmu),
         varied=varied,
         sampling=_sampling(root.table("sampling", required=True), varied),
         results=read_results(root.tables("results"), fmu),
         document=root.content,
     )
-    experiment.finish()
     root.finish()
     return settings
-
-
-def _fmu(root: Table, find: Callable[[str], Path]) -> FmuDescription:
-    table = root.table("fmu", required=True)
-    name = table.text("path")
-    path = name if name in MODELS else str(root.path.parent / name)
-    return read_description(find(path))
-
-
-def _joystick(root: Table, fmu: FmuDescription) -> dict[str, Value]:
-    table = root.table("fmu")
-    table.optional("path")
-    values = values_from_joystick_file(table, fmu)
-    table.finish()
-    return values
 
 
 def _time(experiment: Table, fmu: FmuDescription) -> FloatArray:
@@ -138,10 +115,8 @@ def _time(experiment: Table, fmu: FmuDescription) -> FloatArray:
     duration = experiment.number("duration", end - start if end is not None and end > start else None)
     step = proposed.step_size or min(DEFAULT_OUTPUT_INTERVAL, duration)
     interval = experiment.number("output_interval", step)
-    try:
+    with experiment.at():
         return np.asarray(start + time_grid(duration, interval))
-    except ParameterError as error:
-        raise experiment.refused(error.field, error) from error
 
 
 def _tolerance(experiment: Table, fmu: FmuDescription) -> float:
@@ -155,25 +130,48 @@ def _tolerance(experiment: Table, fmu: FmuDescription) -> float:
 def _parameters(table: Table, fmu: FmuDescription) -> dict[str, Value]:
     values: dict[str, Value] = {}
     for name, given in table.items():
-        try:
+        with table.at(name):
             variable = fmu.variables.get(name)
             values[name] = given if variable is None else value_of(variable, given)
             checked_parameters(fmu, {name: values[name]})
-        except PyJoystickError as error:
-            raise table.refused(name, error) from error
     return values
+
+
+def _inputs(experiment: Table, constants: Table, fmu: FmuDescription) -> Inputs:
+    """The constants of [inputs], and the series of the CSV file that [experiment] names as ``input_file``.
+
+    The file is as `pyjoystick.fmu.read_inputs` takes it.
+    """
+    values: dict[str, Value] = {}
+    known = fmu.names("input")
+    for name, given in constants.items():
+        with constants.at(name):
+            if name not in known:
+                raise UnknownInputError(name, known)
+            values[name] = value_of(fmu.variables[name], given)
+    if "input_file" not in experiment:
+        return values
+    try:
+        table = read_inputs(experiment.path.parent / experiment.text("input_file"), fmu)
+        checked_inputs(fmu, table)
+    except RecordError:
+        raise
+    except PyJoystickError as error:
+        raise experiment.error("input_file", str(error)) from error
+    for name in values:
+        if name in table:
+            raise SettingsError(constants.path, constants.name, name, None, "is in the input_file too")
+    return table.assign(**{name: float(value) for name, value in values.items()})
 
 
 def _varied(table: Table, fmu: FmuDescription, constants: Mapping[str, Value]) -> dict[str, Variation]:
     varied: dict[str, Variation] = {}
-    for name in table.content:
+    for name, inner in table.subtables():
         if name in constants:
             raise SettingsError(table.path, table.name, name, None, "is in [parameters] too; must be in one")
-        varied[name] = read_variation(table.table(name), name, fmu)
+        varied[name] = read_variation(inner, name, fmu)
     if not varied:
-        raise SettingsError(
-            table.path, table.name, "", None, 'must have one table a parameter, such as [vary."damping.C"]'
-        )
+        raise table.error("", 'must have one table a parameter, such as [vary."damping.C"]')
     return varied
 
 
@@ -183,9 +181,6 @@ def _sampling(table: Table, varied: Mapping[str, Variation]) -> Sampling:
         sampling = Sampling(method)
     else:
         sampling = Sampling(method, table.integer("count", 1), table.integer("seed", 0, 0))
-    table.finish()
-    try:
+    with table.at():
         sampling.check(varied)
-    except ParameterError as error:
-        raise table.refused(error.field, error) from error
     return sampling

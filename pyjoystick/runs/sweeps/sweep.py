@@ -15,8 +15,8 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from pyjoystick.fmu import BatchResult, Fmu, Inputs, Plan, Reduction, Value
-from pyjoystick.runs.sweeps.design import design, digest
-from pyjoystick.runs.sweeps.result_settings import columns_of, units_of, variables_of
+from pyjoystick.runs.sweeps.results import columns_of, units_of, variables_of
+from pyjoystick.runs.sweeps.sampling import design, digest
 from pyjoystick.runs.sweeps.settings import Settings
 from pyjoystick.support import FloatArray, versions
 
@@ -71,7 +71,7 @@ class Sweep:
 
     Attributes:
         settings: what to do
-        design: the parameters of every run, see `design.design`
+        design: the parameters of every run, see `sampling.design`
         columns: names of the results of a run
         fmu_sha256: of the FMU's file
     """

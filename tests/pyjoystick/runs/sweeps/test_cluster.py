@@ -22,8 +22,7 @@ from benchmarks.dask_processes import DaskProcesses, kill
 from pyjoystick.fmu import FmuFileError
 from pyjoystick.runs import ClusterError, MissingPackageError, Outcome, Sweep, read_settings, run_sweep
 from pyjoystick.runs.sweeps import cluster as cluster_module
-from pyjoystick.runs.sweeps.worker import FmuPlugin
-from pyjoystick.runs.sweeps.worker_versions import check_workers
+from pyjoystick.runs.sweeps.worker import FmuPlugin, check_workers
 from tests.pyjoystick.runs.sweeps.conftest import LONG, SMALL, Write
 
 _PATIENCE = 120.0  # s, for a machine with much else to do

@@ -11,7 +11,7 @@ from typing import Any
 from pyjoystick.fmu import FmuDescription
 from pyjoystick.runs.fmu_comparison.compare import RunComparison
 from pyjoystick.runs.fmu_comparison.declarations import Declarations
-from pyjoystick.runs.fmu_comparison.runs import Tolerances
+from pyjoystick.runs.fmu_comparison.experiments import Tolerances
 
 
 def as_json(

@@ -1,14 +1,61 @@
-"""Values of FMU variables as settings give them: numbers in the FMU's unit, or text with a unit."""
+"""What settings files say of an FMU: which one it is, and values of its variables, with or without a unit."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
+from pathlib import Path
 from typing import Any, Final
 
-from pyjoystick.fmu import REALS, Value, Variable, checked_value
-from pyjoystick.support import ParameterError
+from pyjoystick.fmu import (
+    MODELS,
+    REALS,
+    FmuDescription,
+    Value,
+    Variable,
+    checked_value,
+    find_fmu,
+    read_description,
+)
+from pyjoystick.model import LawName, read_parameter_file
+from pyjoystick.support import ParameterError, Table
 
 _AMOUNT: Final = re.compile(r"\s*(?P<number>[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?)\s*(?P<unit>\S+)\s*")
+
+
+def fmu_of(table: Table, find: Callable[[str], Path] = find_fmu) -> FmuDescription:
+    """The FMU of the key ``path`` of [fmu]: a name, or a path relative to the settings' folder.
+
+    Raises:
+        SettingsError: the key is missing
+        FmuNotFoundError, FmuFileError: there is no such FMU, or it is broken
+    """
+    name = table.text("path")
+    return read_description(find(name if name in MODELS else str(table.path.parent / name)))
+
+
+def joystick_values(table: Table, fmu: FmuDescription) -> dict[str, Value]:
+    """The values of the parameter file that the key ``parameters`` of [fmu] names, if there is one.
+
+    Args:
+        table: the table [fmu]; the path in it is relative to the settings' folder
+        fmu: a joystick; its damping law is the one that is taken from the file
+
+    Returns:
+        values by name of the FMU's parameters; nothing where the key is absent
+
+    Raises:
+        InputFileError, SettingsError: the file cannot be used, or the FMU is no joystick
+    """
+    if "parameters" not in table:
+        return {}
+    file = read_parameter_file(table.path.parent / table.text("parameters"))
+    law: LawName = "power-law" if "damping.alpha" in fmu.variables else "constant"
+    values: dict[str, Value] = dict(file.with_law(law).to_names())
+    for name in values:
+        if name not in fmu.variables:
+            raise table.error("parameters", f"is for joysticks, and {fmu.model_name} has no {name}")
+    return values
 
 
 def value_of(variable: Variable, given: Any) -> Value:

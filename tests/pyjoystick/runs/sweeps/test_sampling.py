@@ -7,7 +7,7 @@ import pytest
 from scipy import stats
 
 from pyjoystick.runs import Sampling, design
-from pyjoystick.runs.sweeps.design import METHODS, Method, digest
+from pyjoystick.runs.sweeps.sampling import METHODS, Method, digest
 from pyjoystick.runs.sweeps.variations import Levels, Normal, Uniform, Variation
 from pyjoystick.support import ParameterError
 

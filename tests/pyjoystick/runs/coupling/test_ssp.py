@@ -1,6 +1,5 @@
 from __future__ import annotations
 
-import sys
 import zipfile
 from collections.abc import Callable
 from dataclasses import replace
@@ -14,7 +13,6 @@ from fmpy.ssp.simulation import simulate_ssp
 from fmpy.ssp.ssd import read_ssd
 
 from pyjoystick.runs import Component, CouplingError, operator_and_joystick, read_ssp, run_coupled, write_ssp
-from pyjoystick.runs.coupling.__main__ import main
 from pyjoystick.support import InputFileError, OutputFileError
 
 pytestmark = pytest.mark.usefixtures("fmus_by_name")
@@ -161,25 +159,3 @@ def test_nothing_is_left_where_it_cannot_be_written(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
     with pytest.raises(OutputFileError):
         write_ssp(operator_and_joystick(), tmp_path / "file" / "joystick.ssp")
-
-
-@pytest.mark.parametrize("version", ["1.0", "2.0"])
-def test_from_the_command_line(
-    version: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    path = tmp_path / "joystick.ssp"
-    monkeypatch.setattr(sys, "argv", ["coupling", str(path), "--ssp-version", version])
-    assert main() == 0
-    assert capsys.readouterr().out.strip() == str(path)
-    assert read_ssp(path, tmp_path).connections == operator_and_joystick().connections
-    with zipfile.ZipFile(path) as file:
-        assert ElementTree.fromstring(file.read("SystemStructure.ssd")).get("version") == version
-
-
-def test_the_command_line_says_what_is_wrong(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    (tmp_path / "file").write_text("")
-    monkeypatch.setattr(sys, "argv", ["coupling", str(tmp_path / "file" / "joystick.ssp")])
-    assert main() == 1
-    assert capsys.readouterr().err.startswith("error: cannot write")

@@ -1,4 +1,4 @@
-"""What is kept of a run, as the settings file says it."""
+"""What is kept of a run: the tables [[results]] of the settings file, and the columns they make."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from typing import Final
 
 from pyjoystick import fmu
 from pyjoystick.fmu import FmuDescription, Peaks, Reduction, checked_outputs
-from pyjoystick.runs.sweeps.amounts import difference_of
-from pyjoystick.support import ParameterError, PyJoystickError, Table
+from pyjoystick.runs.fmu_settings import difference_of
+from pyjoystick.support import Table
 
 _KINDS: Final[dict[str, Callable[[str], Reduction]]] = {
     "final": fmu.Final,
@@ -28,7 +28,6 @@ def read_results(tables: Iterable[Table], description: FmuDescription) -> tuple[
     results: list[Reduction] = []
     for table in tables:
         result = _result(table, description)
-        table.finish()
         if set(result.columns) & set(columns_of(results)):
             raise table.error("variable", "has a result of this kind already")
         results.append(result)
@@ -67,15 +66,11 @@ def _result(table: Table, description: FmuDescription) -> Reduction:
 
 def _variable(table: Table, key: str, description: FmuDescription) -> str:
     name = table.text(key)
-    try:
+    with table.at(key):
         checked_outputs(description, [name])
-    except PyJoystickError as error:
-        raise table.refused(key, error) from error
     return name
 
 
 def _limit(table: Table, key: str, description: FmuDescription, variable: str) -> float:
-    try:
+    with table.at(key):
         return difference_of(description.variables[variable], table.value(key))
-    except ParameterError as error:
-        raise table.refused(key, error) from error

@@ -1,0 +1,42 @@
+"""``pyjoystick ssp``."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from pyjoystick.cli.console import output
+
+EXAMPLES = """
+Examples:
+
+    pyjoystick ssp joystick.ssp
+    pyjoystick ssp joystick.ssp --ssp-version 1.0
+"""
+
+
+class Version(StrEnum):
+    """A version of the SSP standard."""
+
+    V1 = "1.0"
+    V2 = "2.0"
+
+
+def run(
+    file: Annotated[
+        Path,
+        typer.Argument(metavar="FILE", help="The .ssp file to write.", show_default=False),
+    ],
+    version: Annotated[
+        Version, typer.Option("--ssp-version", help="Version of the SSP standard.")
+    ] = Version.V2,
+) -> None:
+    """Write operator and joystick, coupled FMU to FMU, as an SSP archive that other tools can run."""
+    # What it takes is loaded when it is wanted, so that the other commands start quickly.
+    from pyjoystick.runs import operator_and_joystick, write_ssp
+
+    write_ssp(operator_and_joystick(), file, version=version.value)
+    output().print(f"wrote {file}")
