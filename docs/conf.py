@@ -19,6 +19,7 @@ extensions = [
     "extensions.docstrings",
     "extensions.mathml",
     "extensions.modelica_classes",
+    "extensions.rooms",
 ]
 root_doc = "index"
 exclude_patterns = ["_build"]
@@ -50,12 +51,13 @@ python_use_unqualified_type_names = True
 # Aliases keep their names instead of being written out.
 autodoc_type_aliases = {
     "ArrayLike": "ArrayLike",
-    "FloatArray": "FloatArray",
-    "Torque": "Torque",
+    "FloatArray": "pyjoystick.support.FloatArray",
+    "Torque": "pyjoystick.support.Torque",
 }
 nitpick_ignore = [
     ("py:class", "ArrayLike"),  # of numpy.typing
     # Handed from one function to the next, not made by users.
+    ("py:class", "pyjoystick.fmu.instance.Instance"),
     ("py:class", "pyjoystick.fmu.library.InstancePool"),
     ("py:class", "pyjoystick.runs.sweeps.sweep.Part"),
     ("py:class", "pyjoystick.runs.sweeps.sweep.Task"),

@@ -50,10 +50,11 @@ def setup(app: Sphinx) -> ExtensionMetadata:
 
 def _process(app: Sphinx, what: str, name: str, obj: object, options: object, lines: list[str]) -> None:
     # Of an attribute, "what" would have napoleon take the words before the first colon for a type.
-    lines[:] = _Docstring([_escaped(line) for line in lines], None, None, "method", name, obj).lines()
+    lines[:] = _Docstring([escaped(line) for line in lines], None, None, "method", name, obj).lines()
 
 
-def _escaped(line: str) -> str:
+def escaped(line: str) -> str:
+    """A line of a docstring as reStructuredText: what is not code is plain text."""
     parts = _CODE.split(line)
     parts[::2] = [_MARKS.sub(r"\\\g<0>", plain) for plain in parts[::2]]
     return "".join(parts)

@@ -1,8 +1,10 @@
-"""What the site adds to Sphinx: formulas, docstrings, the Modelica library."""
+"""What the site adds to Sphinx: formulas, docstrings, the Modelica library, the drawing of the rooms."""
 
 from __future__ import annotations
 
+import math
 from typing import Any
+from xml.etree import ElementTree
 
 import pytest
 import typer
@@ -17,7 +19,9 @@ pytest.importorskip("sphinx", reason="the extra docs is not installed")
 from docutils.utils.math import MathError
 from extensions import docstrings, mathml
 from extensions.command_line import command_text, commands
+from extensions.imports import PACKAGES, arrows
 from extensions.modelica_library import read_packages
+from extensions.rooms import direct, drawing, layers
 
 
 def test_a_function_is_set_apart_from_its_argument_and_bars_from_nothing() -> None:
@@ -115,3 +119,34 @@ def test_examples_of_the_command_line_are_accepted(name: str, command: Any) -> N
     assert any(line.startswith(name) for line in lines)
     for line in lines:
         read(line)
+
+
+def test_arrows_that_others_imply_are_not_drawn() -> None:
+    graph = {"a": set(), "b": {"a"}, "c": {"a"}, "d": {"a", "b", "c", "elsewhere"}}
+    assert direct(graph) == {"a": set(), "b": {"a"}, "c": {"a"}, "d": {"b", "c"}}
+    assert layers(graph) == [["a"], ["b", "c"], ["d"]]
+
+
+def test_a_circle_cannot_be_drawn() -> None:
+    with pytest.raises(ValueError, match="a circle of imports among a, b"):
+        layers({"a": {"b"}, "b": {"a"}, "c": set()})
+
+
+@pytest.mark.parametrize("package", PACKAGES)
+def test_the_drawing_has_every_room_and_arrow(package: str) -> None:
+    graph = arrows(package)
+    drawn = ElementTree.fromstring(drawing(package, graph))
+    centers = {}
+    for text in drawn.iter("text"):
+        centers[text.text] = float(text.attrib["x"]), float(text.attrib["y"])
+    assert set(centers) == set(graph)
+    lines = [
+        tuple(float(line.attrib[key]) for key in ("x1", "y1", "x2", "y2")) for line in drawn.iter("line")
+    ]
+
+    def nearest(x: float, y: float) -> str:
+        return min(centers, key=lambda room: math.dist(centers[room], (x, y)))
+
+    found = {(nearest(x1, y1), nearest(x2, y2)) for x1, y1, x2, y2 in lines}
+    assert found == {(room, target) for room, targets in direct(graph).items() for target in targets}
+    assert all(y2 < y1 for _, y1, _, y2 in lines)

@@ -9,9 +9,10 @@ from pathlib import Path
 from types import ModuleType
 
 import pytest
+from extensions.imports import rooms
 
 import pyjoystick
-from tests.test_architecture import ENTRANCES, rooms
+from tests.test_architecture import ENTRANCES
 
 ROOMS = ["pyjoystick", *(f"pyjoystick.{room}" for room in sorted(rooms("pyjoystick") - ENTRANCES))]
 
