@@ -51,7 +51,7 @@ def main(results: Path = RESULTS) -> int:
 
     found, differences, returned = {}, [], []
     for law, joystick in JOYSTICKS.items():
-        samples = Samples.of(MOTION, joystick)
+        samples = Samples.of(joystick, MOTION)
         torque, expected = torque_by_fmu(joystick, samples), torque_by_reference(joystick, samples)
         found[law] = measure(joystick, samples, torque)
         differences += [
@@ -59,7 +59,7 @@ def main(results: Path = RESULTS) -> int:
             / np.abs(getattr(expected, name)).max()
             for name in TORQUES
         ]
-        returned.append(round_trip(MOTION, joystick).theta_error)
+        returned.append(round_trip(joystick, MOTION).theta_error)
     degrees = math.degrees(MOTION.amplitude)
     summary = "\n\n".join(
         (

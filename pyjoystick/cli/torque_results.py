@@ -76,7 +76,7 @@ def in_closed_form(motion: ForwardAndReturn, interval: float) -> Motion:
     )
     description = {"kind": "closed form", **asdict(motion), "fall": motion.return_time}
     shown = Samples.evenly(motion, interval)
-    return Motion(title, description, shown, lambda joystick: Samples.of(motion, joystick))
+    return Motion(title, description, shown, lambda joystick: Samples.of(joystick, motion))
 
 
 def from_file(path: Path, chain: Chain, columns: Mapping[str, str], units: Mapping[str, str]) -> Motion:

@@ -52,8 +52,8 @@ class RoundTrip:
 
 
 def round_trip(
-    motion: ForwardAndReturn,
     joystick: JoystickParameters,
+    motion: ForwardAndReturn,
     *,
     interface: Interface = "CoSimulation",
     fmu: str | PathLike[str] | None = None,
@@ -66,8 +66,8 @@ def round_trip(
     Exchange CVode's right-hand side has the torque of every instant that it asks for.
 
     Args:
-        motion: the motion
         joystick: the parameters of both ways
+        motion: the motion
         interface: how the FMU is run
         fmu: name or path of the FMU; the one with the damping law of `joystick` if not given
         torque: the input table; that of `torque_rows` if not given
@@ -79,7 +79,7 @@ def round_trip(
     """
     steps = max(1, round(motion.duration / positive("output_interval", output_interval, "s")))
     time = motion.duration * np.arange(steps + 1) / steps
-    inputs = torque_rows(motion, joystick) if torque is None else torque
+    inputs = torque_rows(joystick, motion) if torque is None else torque
     path = fmu_of_damping(joystick.damping) if fmu is None else fmu
     parameters, outputs = joystick.to_names(), ("theta", "omega")
     if interface == "ModelExchange":
@@ -91,7 +91,7 @@ def round_trip(
 
 
 def torque_rows(
-    motion: ForwardAndReturn, joystick: JoystickParameters, *, tolerance: float = TORQUE_TOLERANCE
+    joystick: JoystickParameters, motion: ForwardAndReturn, *, tolerance: float = TORQUE_TOLERANCE
 ) -> pd.DataFrame:
     """The torque of a motion as an input table: straight lines between rows that stay close to it.
 
@@ -99,8 +99,8 @@ def torque_rows(
     one, and on every jump of the torque there are two.
 
     Args:
-        motion: the motion
         joystick: whose torque
+        motion: the motion
         tolerance: how far the lines may be from the torque (N m)
 
     Returns:
@@ -108,8 +108,8 @@ def torque_rows(
     """
     allowed = positive("tolerance", tolerance, "N.m")
     times, torques = [], []
-    for start, end in pairwise(smooth_spans(motion, joystick)):
-        instants = _rows(motion, joystick, start, end, allowed)
+    for start, end in pairwise(smooth_spans(joystick, motion)):
+        instants = _rows(joystick, motion, start, end, allowed)
         inner = _torque(joystick, motion.at(instants))
         # The end belongs to this span too, whatever comes after it.
         inner[-1:] = _torque(joystick, motion.at(instants[-1:], "before"))
@@ -122,7 +122,7 @@ def torque_rows(
 
 
 def _rows(
-    motion: ForwardAndReturn, joystick: JoystickParameters, start: float, end: float, tolerance: float
+    joystick: JoystickParameters, motion: ForwardAndReturn, start: float, end: float, tolerance: float
 ) -> FloatArray:
     """Instants from `start` to `end` such that chords of the torque are off by `tolerance` at most.
 

@@ -54,7 +54,7 @@ class TorqueMeasures:
         positive_work: done by the hand on the joystick (J): the integral of T*omega where that is above 0
         negative_work: done by the joystick on the hand (J), below 0
         energy_change: energy of the joystick at the end, less that at the beginning (J)
-        arm: from the pivot to the hand (m)
+        pivot_to_handle: from the pivot to the hand (m)
     """
 
     duration: float
@@ -63,7 +63,7 @@ class TorqueMeasures:
     positive_work: float
     negative_work: float
     energy_change: float
-    arm: float
+    pivot_to_handle: float
 
     @property
     def work(self) -> float:
@@ -78,7 +78,7 @@ class TorqueMeasures:
     @property
     def peak_force(self) -> float:
         """Largest force of the hand, at right angles to the handle (N)."""
-        return self.total.peak / self.arm
+        return self.total.peak / self.pivot_to_handle
 
     def peak_ratio(self, part: str, to: str = "total") -> float:
         """Peak of a part over the peak of the torque, or of another part."""
@@ -113,7 +113,7 @@ def measure(
         positive_work=float(np.sum(np.maximum(power, 0.0) * samples.weights)),
         negative_work=float(np.sum(np.minimum(power, 0.0) * samples.weights)),
         energy_change=float(last - first),
-        arm=positive("pivot_to_handle", pivot_to_handle, "m"),
+        pivot_to_handle=positive("pivot_to_handle", pivot_to_handle, "m"),
     )
 
 

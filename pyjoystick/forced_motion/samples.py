@@ -100,7 +100,7 @@ class Samples:
         return cls.trapezoidal(*np.insert(first, jumps + 1, second[:, jumps], axis=1))
 
     @classmethod
-    def of(cls, motion: ForwardAndReturn, joystick: JoystickParameters) -> Samples:
+    def of(cls, joystick: JoystickParameters, motion: ForwardAndReturn) -> Samples:
         """A motion in closed form at the nodes of a quadrature that is exact to rounding, nearly.
 
         The motion is cut wherever it or the joystick's springs have a corner; each piece has the nodes of
@@ -112,7 +112,7 @@ class Samples:
         unit = (0.5 * (edges[1:] + edges[:-1])[:, None] + halves[:, None] * nodes).ravel()
         parts = (halves[:, None] * weights).ravel()
         columns = []
-        for start, end in pairwise(smooth_spans(motion, joystick)):
+        for start, end in pairwise(smooth_spans(joystick, motion)):
             columns += [
                 _column(motion, np.array([start]), np.zeros(1)),
                 _column(motion, start + (end - start) * unit, (end - start) * parts),
@@ -128,7 +128,7 @@ def _column(
     return np.stack((time, at.theta, at.omega, at.alpha, weights))
 
 
-def smooth_spans(motion: ForwardAndReturn, joystick: JoystickParameters) -> list[float]:
+def smooth_spans(joystick: JoystickParameters, motion: ForwardAndReturn) -> list[float]:
     """The instants (s) between which both the motion and the contact force are smooth, from 0 to the end."""
     breakpoints = motion.breakpoints
     side = joystick.forward if motion.amplitude > 0.0 else joystick.backward

@@ -97,7 +97,7 @@ def torque_table(
     Raises:
         ParameterError: the distance is not above 0
     """
-    arm = positive("pivot_to_handle", pivot_to_handle, "m")
+    pivot_to_handle = positive("pivot_to_handle", pivot_to_handle, "m")
     columns = {name: getattr(samples, name) for name in MOTION}
     columns |= {name: getattr(torque, name) for name in TORQUES}
-    return make_table(samples.time, columns | {"F": torque.T / arm}, _QUANTITIES)
+    return make_table(samples.time, columns | {"F": torque.T / pivot_to_handle}, _QUANTITIES)

@@ -90,7 +90,7 @@ class Demand:
         positive_work, negative_work: of the hand, mean of a move (J)
         impulse: integral of the magnitude of the torque, mean of a move (N m s)
         time: mean time of a move (s)
-        arm: from the pivot to the hand (m)
+        pivot_to_handle: from the pivot to the hand (m)
     """
 
     levels: FloatArray
@@ -98,7 +98,7 @@ class Demand:
     negative_work: float
     impulse: float
     time: float
-    arm: float
+    pivot_to_handle: float
 
     def torque(self, percentage: float) -> float:
         """Magnitude of the torque (N m) that is not exceeded for so many percent of the time."""
@@ -106,7 +106,7 @@ class Demand:
 
     def force(self, percentage: float) -> float:
         """The same of the force at the hand, at right angles to the handle (N)."""
-        return self.torque(percentage) / self.arm
+        return self.torque(percentage) / self.pivot_to_handle
 
     def work_per_shift(self, moves: int = MOVES_PER_SHIFT) -> float:
         """Work of the hand on the joystick over a shift (J), without what the joystick gives back."""
@@ -114,7 +114,7 @@ class Demand:
 
     def impulse_per_shift(self, moves: int = MOVES_PER_SHIFT) -> float:
         """Integral of the magnitude of the force over a shift (N s)."""
-        return moves * self.impulse / self.arm
+        return moves * self.impulse / self.pivot_to_handle
 
 
 def faster(moves: Sequence[ForwardAndReturn], factor: float) -> list[ForwardAndReturn]:
@@ -150,13 +150,13 @@ def demands(
         UnknownParameterError: the FMU has another damping law
         FmuRunError: the FMU refuses a joystick
     """
-    arm = positive("pivot_to_handle", pivot_to_handle, "m")
+    pivot_to_handle = positive("pivot_to_handle", pivot_to_handle, "m")
     if not joysticks or not moves:
         raise ParameterError("joysticks, moves", "an empty sequence", "one or more")
     if fmu is None:
         with Fmu(inverse_fmu(joysticks[0].damping)) as opened:
-            return demands(joysticks, moves, pivot_to_handle=arm, fmu=opened)
-    samples = [Samples.of(move, joysticks[0]) for move in moves]
+            return demands(joysticks, moves, pivot_to_handle=pivot_to_handle, fmu=opened)
+    samples = [Samples.of(joysticks[0], move) for move in moves]
     theta, omega, alpha, weights = (
         np.concatenate([getattr(one, name) for one in samples]) for name in (*MOTION, "weights")
     )
@@ -166,10 +166,12 @@ def demands(
     names = tuple(joysticks[0].to_names())
     plan = fmu.plan(count, varied=names, inputs=inputs, outputs=["T"])
     runs = ([joystick.to_names()[name] for name in names] for joystick in joysticks)
-    return [_demand(plan.run(values)[:, 0], omega, weights, len(moves), arm) for values in runs]
+    return [_demand(plan.run(values)[:, 0], omega, weights, len(moves), pivot_to_handle) for values in runs]
 
 
-def _demand(torque: FloatArray, omega: FloatArray, weights: FloatArray, moves: int, arm: float) -> Demand:
+def _demand(
+    torque: FloatArray, omega: FloatArray, weights: FloatArray, moves: int, pivot_to_handle: float
+) -> Demand:
     magnitude, power = np.abs(torque), torque * omega
     return Demand(
         levels=_levels(magnitude, weights),
@@ -177,7 +179,7 @@ def _demand(torque: FloatArray, omega: FloatArray, weights: FloatArray, moves: i
         negative_work=float(np.sum(np.minimum(power, 0.0) * weights)) / moves,
         impulse=float(np.sum(magnitude * weights)) / moves,
         time=float(np.sum(weights)) / moves,
-        arm=arm,
+        pivot_to_handle=pivot_to_handle,
     )
 
 

@@ -11,9 +11,9 @@ from pyjoystick.support import TextTable
 _MM = 1e3
 
 
-def segment_table(parameters: JoystickParameters) -> TextTable:
+def segment_table(joystick: JoystickParameters) -> TextTable:
     """Table 1: displacements (mm) and stiffnesses (N/m) of the segments on both sides."""
-    sides = parameters.forward.to_table(), parameters.backward.to_table()
+    sides = joystick.forward.to_table(), joystick.backward.to_table()
     rows = []
     for i in range(len(sides[0].x)):
         cells = [text for side in sides for text in (f"{side.x[i] * _MM:.6g}", f"{side.k[i]:.7g}")]
@@ -22,30 +22,30 @@ def segment_table(parameters: JoystickParameters) -> TextTable:
     return TextTable(header, rows)
 
 
-def body_table(parameters: JoystickParameters, pivot_to_top: float | None = None) -> TextTable:
+def body_table(joystick: JoystickParameters, pivot_to_top: float | None = None) -> TextTable:
     """Table 2, with the acceleration of gravity, which it lacks, and the frequency of the swing test.
 
     Args:
-        parameters: the joystick
+        joystick: the joystick
         pivot_to_top: pivot to the top of the handle (m), where it is known
     """
     rows = [
-        ["mass", f"{parameters.m:.6g}", "kg"],
-        ["moment of inertia about the pivot", f"{parameters.J:.6g}", "kg m2"],
-        ["pivot to center of mass", f"{parameters.h:.6g}", "m"],
+        ["mass", f"{joystick.m:.6g}", "kg"],
+        ["moment of inertia about the pivot", f"{joystick.J:.6g}", "kg m2"],
+        ["pivot to center of mass", f"{joystick.h:.6g}", "m"],
         *([] if pivot_to_top is None else [["pivot to top", f"{pivot_to_top:.6g}", "m"]]),
-        ["pivot to plunger contact (a)", f"{parameters.a * _MM:.6g}", "mm"],
-        ["pivot to cam surface (b)", f"{parameters.b * _MM:.6g}", "mm"],
-        ["acceleration of gravity", f"{parameters.g:.7g}", "m/s2"],
-        ["frequency of the swing test", f"{swing_frequency(parameters):.4g}", "Hz"],
+        ["pivot to plunger contact (a)", f"{joystick.a * _MM:.6g}", "mm"],
+        ["pivot to cam surface (b)", f"{joystick.b * _MM:.6g}", "mm"],
+        ["acceleration of gravity", f"{joystick.g:.7g}", "m/s2"],
+        ["frequency of the swing test", f"{swing_frequency(joystick):.4g}", "Hz"],
     ]
     return TextTable(("", "value", "unit"), rows)
 
 
-def spring_table(parameters: JoystickParameters) -> TextTable:
+def spring_table(joystick: JoystickParameters) -> TextTable:
     """The restrained springs that make up the segments."""
     rows = []
-    for side, assembly in (("forward", parameters.forward), ("backward", parameters.backward)):
+    for side, assembly in (("forward", joystick.forward), ("backward", joystick.backward)):
         for name, spring in (("return", assembly.return_spring), ("balance", assembly.balance_spring)):
             numbers = (spring.k_s, spring.k_h, spring.F_0, spring.x_0 * _MM)
             rows.append([f"{side} {name} spring", *(f"{number:.7g}" for number in numbers)])

@@ -52,13 +52,13 @@ class Bias:
 
 
 def constant_bias(
-    estimate: DampingEstimate, parameters: JoystickParameters, release_angle: float, simulate: Simulate
+    estimate: DampingEstimate, joystick: JoystickParameters, release_angle: float, simulate: Simulate
 ) -> dict[str, Bias]:
     """Bias of each reading of a constant C, found by simulation.
 
     Args:
         estimate: from the records
-        parameters: the joystick; its damping law is put aside
+        joystick: the joystick; its damping law is replaced
         release_angle: angle of release of the simulation (rad), best the mean of the records'
         simulate: gives the peaks of a release
 
@@ -70,8 +70,8 @@ def constant_bias(
     """
 
     def returned(C: float, name: str) -> float:  # noqa: N803 - the name of the quantity
-        joystick = dataclasses.replace(parameters, damping=ConstantDamping(C=C))
-        found = estimate_damping([simulate(joystick, release_angle)], parameters.J)
+        damped = dataclasses.replace(joystick, damping=ConstantDamping(C=C))
+        found = estimate_damping([simulate(damped, release_angle)], damped.J)
         return found.constants[name].value
 
     biases = {}
@@ -90,7 +90,7 @@ def constant_bias(
 
 
 def line_bias(
-    estimate: DampingEstimate, parameters: JoystickParameters, release_angle: float, simulate: Simulate
+    estimate: DampingEstimate, joystick: JoystickParameters, release_angle: float, simulate: Simulate
 ) -> dict[str, Bias]:
     """Bias of the coefficients and exponents of the lines, by their names in the damping law.
 
@@ -99,7 +99,7 @@ def line_bias(
 
     Args:
         estimate: from the records
-        parameters: the joystick; its damping law is put aside
+        joystick: the joystick; its damping law is replaced
         release_angle: angle of release of the simulation (rad)
         simulate: gives the peaks of a release
 
@@ -109,8 +109,8 @@ def line_bias(
     names = dict(zip(LINES, (("A_pos", "n_pos"), ("A_neg", "n_neg"), ("B", "m")), strict=True))
     biases = {}
     for alpha, lines in ((1.0, LINES[:2]), (0.0, LINES[2:])):
-        joystick = dataclasses.replace(parameters, damping=estimate.law(alpha))
-        found = estimate_damping([simulate(joystick, release_angle)], parameters.J)
+        damped = dataclasses.replace(joystick, damping=estimate.law(alpha))
+        found = estimate_damping([simulate(damped, release_angle)], damped.J)
         for line in lines:
             ours, theirs = estimate.lines[line], found.lines[line]
             coefficient, exponent = names[line]
@@ -121,7 +121,7 @@ def line_bias(
 
 
 def bias_table(
-    parameters: JoystickParameters,
+    joystick: JoystickParameters,
     values: Iterable[float],
     release_angles: Iterable[float],
     simulate: Simulate,
@@ -129,7 +129,7 @@ def bias_table(
     """What the method returns from simulations with known constant C.
 
     Args:
-        parameters: the joystick; its damping law is put aside
+        joystick: the joystick; its damping law is replaced
         values: true C (N m s/rad)
         release_angles: angles of release (rad)
         simulate: gives the peaks of a release
@@ -141,9 +141,9 @@ def bias_table(
     """
     rows = []
     for value in values:
-        joystick = dataclasses.replace(parameters, damping=ConstantDamping(C=value))
+        damped = dataclasses.replace(joystick, damping=ConstantDamping(C=value))
         for angle in release_angles:
-            found = estimate_damping([simulate(joystick, angle)], parameters.J)
+            found = estimate_damping([simulate(damped, angle)], damped.J)
             law = found.law(1.0)
             parts = {name: found.constants[name].value / value for name in CONSTANTS}
             exponents = {"n_pos": law.n_pos, "n_neg": law.n_neg, "m": law.m}

@@ -51,39 +51,39 @@ class Branch:
 class PiecewiseEquation:
     """The branches of eq. (1) with the torque of eq. (13), ordered by theta, and the boundaries between."""
 
-    def __init__(self, parameters: JoystickParameters, torque: Torque | None) -> None:
-        self.boundaries = _boundaries(parameters)
+    def __init__(self, joystick: JoystickParameters, torque: Torque | None) -> None:
+        self.boundaries = _boundaries(joystick)
         self._angles = [boundary.theta for boundary in self.boundaries]
         ends = [-math.inf, *self._angles, math.inf]
-        self.branches = [_branch(parameters, torque, lower, upper) for lower, upper in pairwise(ends)]
+        self.branches = [_branch(joystick, torque, lower, upper) for lower, upper in pairwise(ends)]
 
     def index(self, theta: float, heading: float) -> int:
         """Position of the branch that holds theta; on a boundary, of the one that the motion heads into."""
         return (bisect_right if heading >= 0.0 else bisect_left)(self._angles, theta)
 
 
-def _boundaries(parameters: JoystickParameters) -> list[Boundary]:
+def _boundaries(joystick: JoystickParameters) -> list[Boundary]:
     """Kinks at the same angle share one boundary and are named there in the order of rising theta."""
     kinks_at: dict[float, list[str]] = {}
-    for i, x in reversed(list(enumerate(parameters.backward.kinks))):
-        kinks_at.setdefault(0.0 - angle_of_travel(parameters, x), []).append(f"backward x_{i}")
+    for i, x in reversed(list(enumerate(joystick.backward.kinks))):
+        kinks_at.setdefault(0.0 - angle_of_travel(joystick, x), []).append(f"backward x_{i}")
     kinks_at.setdefault(0.0, []).append("theta = 0")
-    for i, x in enumerate(parameters.forward.kinks):
-        kinks_at.setdefault(angle_of_travel(parameters, x), []).append(f"forward x_{i}")
+    for i, x in enumerate(joystick.forward.kinks):
+        kinks_at.setdefault(angle_of_travel(joystick, x), []).append(f"forward x_{i}")
     return [Boundary(theta, tuple(kinks)) for theta, kinks in kinks_at.items()]
 
 
-def _branch(parameters: JoystickParameters, torque: Torque | None, lower: float, upper: float) -> Branch:
-    assembly = parameters.backward if upper <= 0.0 else parameters.forward
+def _branch(joystick: JoystickParameters, torque: Torque | None, lower: float, upper: float) -> Branch:
+    assembly = joystick.backward if upper <= 0.0 else joystick.forward
     nearer, farther = sorted((abs(lower), abs(upper)))
     # Kinks of enormous travel round to pi/2, where the travel is infinite.
     inside = min(nearer + 0.5 * (min(farther, 0.5 * math.pi) - nearer), math.nextafter(0.5 * math.pi, 0.0))
-    x = float(contact_travel(parameters, inside))
+    x = float(contact_travel(joystick, inside))
     segments = [_segment(spring, x) for spring in (assembly.return_spring, assembly.balance_spring)]
     force = sum(segment[0] for segment in segments), sum(segment[1] for segment in segments)
     side = -1.0 if upper <= 0.0 else 1.0
     steep = any(segment[2] for segment in segments)
-    return Branch(lower, upper, steep, _acceleration(parameters, torque, side, force))
+    return Branch(lower, upper, steep, _acceleration(joystick, torque, side, force))
 
 
 def _segment(spring: RestrainedSpring, x: float) -> tuple[float, float, bool]:
@@ -97,13 +97,13 @@ def _segment(spring: RestrainedSpring, x: float) -> tuple[float, float, bool]:
 
 
 def _acceleration(
-    parameters: JoystickParameters, torque: Torque | None, side: float, force: tuple[float, float]
+    joystick: JoystickParameters, torque: Torque | None, side: float, force: tuple[float, float]
 ) -> Acceleration:
     """The physics of `moments` for a frozen branch and plain numbers: called some 20,000 times a run."""
-    a, b, inertia = parameters.a, parameters.b, parameters.J
-    weight_moment = parameters.m * parameters.g * parameters.h
+    a, b, inertia = joystick.a, joystick.b, joystick.J
+    weight_moment = joystick.m * joystick.g * joystick.h
     offset, stiffness = force
-    damping = _damping(parameters.damping, side)
+    damping = _damping(joystick.damping, side)
     tan = math.tan
 
     def free(_: float, theta: float, omega: float) -> float:

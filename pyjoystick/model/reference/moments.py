@@ -16,13 +16,13 @@ from pyjoystick.model.parameters.springs import ActuatorAssembly, RestrainedSpri
 from pyjoystick.support import FloatArray, angle
 
 
-def contact_travel(parameters: JoystickParameters, theta: ArrayLike) -> FloatArray:
+def contact_travel(joystick: JoystickParameters, theta: ArrayLike) -> FloatArray:
     """Eq. (3): travel of the contact point, x = a*|tan(theta)| + b*(1 - 1/cos(theta)).
 
     With t = tan(|theta|/2) this is 2*t*(a - b*t)/(1 - t^2), which has no cancellation near theta = 0.
 
     Args:
-        parameters: the joystick
+        joystick: the joystick
         theta: angle (rad), any shape, |theta| < pi/2; NaN gives NaN
 
     Returns:
@@ -32,14 +32,14 @@ def contact_travel(parameters: JoystickParameters, theta: ArrayLike) -> FloatArr
         ParameterError: some |theta| >= pi/2
     """
     t = np.tan(np.abs(_checked(theta)) / 2.0)
-    return np.asarray(2.0 * t * (parameters.a - parameters.b * t) / ((1.0 - t) * (1.0 + t)))
+    return np.asarray(2.0 * t * (joystick.a - joystick.b * t) / ((1.0 - t) * (1.0 + t)))
 
 
-def contact_travel_slope(parameters: JoystickParameters, theta: ArrayLike) -> FloatArray:
+def contact_travel_slope(joystick: JoystickParameters, theta: ArrayLike) -> FloatArray:
     """Derivative of eq. (3): dx/dtheta = (a*sign(theta) - b*sin(theta))/cos(theta)^2.
 
     Args:
-        parameters: the joystick
+        joystick: the joystick
         theta: angle (rad), any shape, |theta| < pi/2; NaN gives NaN
 
     Returns:
@@ -49,16 +49,16 @@ def contact_travel_slope(parameters: JoystickParameters, theta: ArrayLike) -> Fl
         ParameterError: some |theta| >= pi/2
     """
     theta = _checked(theta)
-    return np.asarray((parameters.a * np.sign(theta) - parameters.b * np.sin(theta)) / np.cos(theta) ** 2)
+    return np.asarray((joystick.a * np.sign(theta) - joystick.b * np.sin(theta)) / np.cos(theta) ** 2)
 
 
-def angle_of_travel(parameters: JoystickParameters, x: float) -> float:
+def angle_of_travel(joystick: JoystickParameters, x: float) -> float:
     """The angle |theta| (rad) at which the contact travel is x (m): the inverse of eq. (3).
 
     Eq. (3) in t = tan(theta/2) is (2*b - x)*t^2 - 2*a*t + x = 0. Its root that vanishes with x is taken in
     the form without cancellation. It is real and below pi/2 for every x >= 0 because b < a.
     """
-    a, b = parameters.a, parameters.b
+    a, b = joystick.a, joystick.b
     return 2.0 * math.atan(x / (a + math.sqrt(a * a - x * (2.0 * b - x))))
 
 
@@ -108,28 +108,28 @@ def table_force(table: SegmentTable, x: ArrayLike) -> FloatArray:
     return np.where(travel <= starts[0], 0.0, force)
 
 
-def contact_force(parameters: JoystickParameters, theta: ArrayLike) -> FloatArray:
+def contact_force(joystick: JoystickParameters, theta: ArrayLike) -> FloatArray:
     """Force f_x (N) on the actuator that resists theta (rad): forward for theta > 0, else backward."""
-    x = contact_travel(parameters, theta)
-    forward = assembly_force(parameters.forward, x)
-    return np.where(np.asarray(theta) >= 0.0, forward, assembly_force(parameters.backward, x))
+    x = contact_travel(joystick, theta)
+    forward = assembly_force(joystick.forward, x)
+    return np.where(np.asarray(theta) >= 0.0, forward, assembly_force(joystick.backward, x))
 
 
-def contact_moment(parameters: JoystickParameters, theta: ArrayLike) -> FloatArray:
+def contact_moment(joystick: JoystickParameters, theta: ArrayLike) -> FloatArray:
     """Moment M_s (N m) of the contact force at theta (rad): (a*sign(theta) + d*tan(theta))*f_x, d = x - b.
 
     Eq. (5) as printed has a*d*tan(theta), a product of two lengths; the sum of moments about the pivot,
     eq. (4), gives the form used here, which equals f_x*dx/dtheta.
     """
-    angle = np.asarray(theta, dtype=np.float64)
-    arm_of_horizontal_force = contact_travel(parameters, angle) - parameters.b
-    lever = parameters.a * np.sign(angle) + arm_of_horizontal_force * np.tan(angle)
-    return np.asarray(lever * contact_force(parameters, angle))
+    theta = np.asarray(theta, dtype=np.float64)
+    arm_of_horizontal_force = contact_travel(joystick, theta) - joystick.b
+    lever = joystick.a * np.sign(theta) + arm_of_horizontal_force * np.tan(theta)
+    return np.asarray(lever * contact_force(joystick, theta))
 
 
-def gravity_moment(parameters: JoystickParameters, theta: ArrayLike) -> FloatArray:
+def gravity_moment(joystick: JoystickParameters, theta: ArrayLike) -> FloatArray:
     """Moment M_g = m*g*h*sin(theta) (N m) at theta (rad); it drives the joystick away from the middle."""
-    return np.asarray(parameters.m * parameters.g * parameters.h * np.sin(theta))
+    return np.asarray(joystick.m * joystick.g * joystick.h * np.sin(theta))
 
 
 def damping_coefficient(damping: Damping, theta: ArrayLike, omega: ArrayLike) -> FloatArray:
@@ -137,29 +137,29 @@ def damping_coefficient(damping: Damping, theta: ArrayLike, omega: ArrayLike) ->
 
     The displacement term of eq. (11) takes the coefficients of positive theta for theta >= 0.
     """
-    angle, rate = np.broadcast_arrays(np.asarray(theta, np.float64), np.asarray(omega, np.float64))
+    position, rate = np.broadcast_arrays(np.asarray(theta, np.float64), np.asarray(omega, np.float64))
     if isinstance(damping, ConstantDamping):
-        return np.where(np.isnan(angle) | np.isnan(rate), np.nan, damping.C)
-    squared_angle = angle**2 + damping.eps_theta**2
+        return np.where(np.isnan(position) | np.isnan(rate), np.nan, damping.C)
+    squared_angle = position**2 + damping.eps_theta**2
     squared_rate = rate**2 + damping.eps_omega**2
     ahead = damping.A_pos * squared_angle ** (damping.n_pos / 2.0)
     behind = damping.A_neg * squared_angle ** (damping.n_neg / 2.0)
-    of_angle = np.where(angle >= 0.0, ahead, behind)
+    of_angle = np.where(position >= 0.0, ahead, behind)
     of_rate = damping.B * squared_rate ** (damping.m / 2.0)
     return np.asarray(damping.alpha * of_angle + damping.beta * of_rate)
 
 
-def energy(parameters: JoystickParameters, theta: ArrayLike, omega: ArrayLike) -> FloatArray:
+def energy(joystick: JoystickParameters, theta: ArrayLike, omega: ArrayLike) -> FloatArray:
     """Energy of Fig. 12 (J): J*omega^2/2 + integral of f_x dx + m*g*h*(cos(theta) - 1)."""
-    angle, rate = np.asarray(theta, np.float64), np.asarray(omega, np.float64)
-    x = contact_travel(parameters, angle)
-    forward = assembly_energy(parameters.forward, x)
-    stored = np.where(angle >= 0.0, forward, assembly_energy(parameters.backward, x))
-    kinetic = 0.5 * parameters.J * rate**2
-    lifted = -2.0 * parameters.m * parameters.g * parameters.h * np.sin(angle / 2.0) ** 2
+    position, rate = np.asarray(theta, np.float64), np.asarray(omega, np.float64)
+    x = contact_travel(joystick, position)
+    forward = assembly_energy(joystick.forward, x)
+    stored = np.where(position >= 0.0, forward, assembly_energy(joystick.backward, x))
+    kinetic = 0.5 * joystick.J * rate**2
+    lifted = -2.0 * joystick.m * joystick.g * joystick.h * np.sin(position / 2.0) ** 2
     return np.asarray(kinetic + stored + lifted)
 
 
-def swing_frequency(parameters: JoystickParameters) -> float:
+def swing_frequency(joystick: JoystickParameters) -> float:
     """Section 3.2: frequency (Hz) of small swings upside down and out of contact, sqrt(m*g*h/J)/(2*pi)."""
-    return math.sqrt(parameters.m * abs(parameters.g) * parameters.h / parameters.J) / (2.0 * math.pi)
+    return math.sqrt(joystick.m * abs(joystick.g) * joystick.h / joystick.J) / (2.0 * math.pi)

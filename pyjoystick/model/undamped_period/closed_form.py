@@ -107,16 +107,16 @@ class LineOscillator:
         return UndampedOscillation(turns["forward"], turns["backward"], spans)
 
 
-def linearized_joystick(parameters: JoystickParameters) -> LineOscillator:
+def linearized_joystick(joystick: JoystickParameters) -> LineOscillator:
     """The joystick with x = a*|theta|, dx/dtheta = a*sign(theta), sin(theta) = theta, without damping."""
-    weight = parameters.m * parameters.g * parameters.h
+    weight = joystick.m * joystick.g * joystick.h
 
     def side(assembly: ActuatorAssembly) -> LineSide:
         table = assembly.to_table()
-        q = (0.0, *(x / parameters.a for x in table.x))
-        return LineSide(q, (-weight, *(parameters.a**2 * k - weight for k in table.k)))
+        q = (0.0, *(x / joystick.a for x in table.x))
+        return LineSide(q, (-weight, *(joystick.a**2 * k - weight for k in table.k)))
 
-    return LineOscillator(parameters.J, side(parameters.forward), side(parameters.backward))
+    return LineOscillator(joystick.J, side(joystick.forward), side(joystick.backward))
 
 
 def _energy(side: LineSide, at: float) -> float:

@@ -58,15 +58,15 @@ class Geometry(Protocol):
 class CamGeometry:
     """Eq. (3): x = a*tan(theta) + b*(1 - 1/cos(theta))."""
 
-    parameters: JoystickParameters
+    joystick: JoystickParameters
 
     def angle_of_travel(self, x: float) -> float:
         """The inverse of eq. (3)."""
-        return angle_of_travel(self.parameters, x)
+        return angle_of_travel(self.joystick, x)
 
     def advance(self, outer: float, gap: float) -> float:
         """(a*sin(gap) - b*lowering)/(cos(outer)*cos(outer - gap)), by the addition theorems."""
-        a, b = self.parameters.a, self.parameters.b
+        a, b = self.joystick.a, self.joystick.b
         change = a * math.sin(gap) - b * self.lowering(outer, gap)
         return change / (math.cos(outer) * math.cos(outer - gap))
 
@@ -83,15 +83,15 @@ class LinearGeometry:
     kinks.
     """
 
-    parameters: JoystickParameters
+    joystick: JoystickParameters
 
     def angle_of_travel(self, x: float) -> float:
         """x/a."""
-        return x / self.parameters.a
+        return x / self.joystick.a
 
     def advance(self, outer: float, gap: float) -> float:
         """a*gap."""
-        return self.parameters.a * gap
+        return self.joystick.a * gap
 
     def lowering(self, outer: float, gap: float) -> float:
         """(outer^2 - (outer - gap)^2)/2."""
@@ -105,14 +105,14 @@ _LARGEST_ANGLE: Final = math.nextafter(0.5 * math.pi, 0.0)
 
 
 def undamped_oscillation(
-    parameters: JoystickParameters, release_angle: float, *, geometry: Geometry | None = None
+    joystick: JoystickParameters, release_angle: float, *, geometry: Geometry | None = None
 ) -> UndampedOscillation:
     """The joystick without its damping, released at rest.
 
     Args:
-        parameters: the joystick, whose damping does not count
+        joystick: the joystick, whose damping does not count
         release_angle: angle of release (rad), positive forward, not 0
-        geometry: that of `parameters`: `CamGeometry`, eq. (3), where not given, or `LinearGeometry`
+        geometry: that of `joystick`: `CamGeometry`, eq. (3), where not given, or `LinearGeometry`
 
     Raises:
         ParameterError: the angle is 0, or its magnitude pi/2 or more
@@ -122,11 +122,11 @@ def undamped_oscillation(
     start = angle("release_angle", release_angle)
     if start == 0.0:
         raise ParameterError("release_angle", release_angle, "an angle other than 0")
-    used = CamGeometry(parameters) if geometry is None else geometry
+    used = CamGeometry(joystick) if geometry is None else geometry
     side = side_of(start)
     sides: dict[Side, _Well] = {
-        "forward": _Well(parameters, parameters.forward, used),
-        "backward": _Well(parameters, parameters.backward, used),
+        "forward": _Well(joystick, joystick.forward, used),
+        "backward": _Well(joystick, joystick.backward, used),
     }
     energy = sides[side].energy(abs(start))
     if energy <= 0.0:
@@ -153,11 +153,9 @@ class _Piece:
 class _Well:
     """The potential energy on one side as a function of the distance from the middle (rad)."""
 
-    def __init__(
-        self, parameters: JoystickParameters, assembly: ActuatorAssembly, geometry: Geometry
-    ) -> None:
-        self._inertia = parameters.J
-        self._weight_moment = parameters.m * parameters.g * parameters.h
+    def __init__(self, joystick: JoystickParameters, assembly: ActuatorAssembly, geometry: Geometry) -> None:
+        self._inertia = joystick.J
+        self._weight_moment = joystick.m * joystick.g * joystick.h
         self._geometry = geometry
         self._pieces = list(_pieces(assembly, geometry))
 

@@ -22,11 +22,11 @@ from pyjoystick.support import AMBER, BLACK, BLUE, GRAY, LONG_DASHES, SKY, Float
 CLEARANCE, STEEP, SOFT = (0,), (1, 3), (2, 4)
 
 
-def period_table(parameters: JoystickParameters, release_angles: Iterable[float]) -> pd.DataFrame:
+def period_table(joystick: JoystickParameters, release_angles: Iterable[float]) -> pd.DataFrame:
     """Undamped periods after releases at rest.
 
     Args:
-        parameters: the joystick
+        joystick: the joystick
         release_angles: angles of release (rad), positive forward
 
     Returns:
@@ -37,10 +37,10 @@ def period_table(parameters: JoystickParameters, release_angles: Iterable[float]
     Raises:
         ParameterError, NoOscillationError: as `undamped_oscillation`
     """
-    linearized = linearized_joystick(parameters)
+    linearized = linearized_joystick(joystick)
     rows = []
     for release in release_angles:
-        exact = undamped_oscillation(parameters, release)
+        exact = undamped_oscillation(joystick, release)
         rows.append(
             {
                 "release": release,

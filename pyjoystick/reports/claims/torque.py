@@ -63,7 +63,7 @@ def measures_of(
     """The torque of one motion in numbers, for joysticks of different damping laws."""
     found = {}
     for joystick in joysticks:
-        samples = Samples.of(motion, joystick) if isinstance(motion, ForwardAndReturn) else motion
+        samples = Samples.of(joystick, motion) if isinstance(motion, ForwardAndReturn) else motion
         found[law_name(joystick.damping)] = measure(joystick, samples, torque_by_reference(joystick, samples))
     return found
 

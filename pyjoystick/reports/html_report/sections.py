@@ -247,16 +247,18 @@ def damping_section(study: Study) -> Section:
 
 def torque_section(study: Study) -> Section:
     """The torque of a motion forward and back, and how it depends on the time of a stroke."""
-    joystick, arm = study.joystick, study.pivot_to_top or PIVOT_TO_TOP
+    joystick, pivot_to_handle = study.joystick, study.pivot_to_top or PIVOT_TO_TOP
     rows = []
     for rise in _STROKES:
-        samples = Samples.of(_stroke(rise), joystick)
-        found = measure(joystick, samples, torque_by_reference(joystick, samples), pivot_to_handle=arm)
+        samples = Samples.of(joystick, _stroke(rise))
+        found = measure(
+            joystick, samples, torque_by_reference(joystick, samples), pivot_to_handle=pivot_to_handle
+        )
         shares = (100.0 * found.peak_ratio(part) for part in ("stiffness", "inertia", "damping"))
         cells = (f"{found.total.peak:.2f}", f"{found.peak_force:.1f}", *(f"{share:.0f}" for share in shares))
         rows.append([f"{rise:g}", *cells, f"{1e3 * found.loss:.0f}"])
     samples = Samples.evenly(_stroke(_STROKES[0]), 5e-4)
-    shown = torque_table(samples, torque_by_reference(joystick, samples), pivot_to_handle=arm)
+    shown = torque_table(samples, torque_by_reference(joystick, samples), pivot_to_handle=pivot_to_handle)
     header = (
         "stroke (s)",
         "torque (N m)",
@@ -274,7 +276,7 @@ def torque_section(study: Study) -> Section:
             figure(plot_torque({study.law: shown}), caption, alt=alt),
             TextTable(header, rows).html(
                 "Peaks over a motion to 18 degrees and back, force at the top of the handle "
-                f"({arm:g} m), peaks of the parts over the peak of the torque, and energy lost.",
+                f"({pivot_to_handle:g} m), peaks of the parts over the peak of the torque, and energy lost.",
             ),
         ],
     )

@@ -29,7 +29,7 @@ def test_the_numbers_of_both_laws_are_printed(command: Command) -> None:
     assert (outcome.code, outcome.err) == (0, "")
     assert outcome.out.startswith("Torque for 15 deg in 0.15 s, 0 s there, back in 0.15 s, minimum-jerk\n")
     rows = _rows(outcome.out)
-    samples = Samples.of(MOTION, NOMINAL)
+    samples = Samples.of(NOMINAL, MOTION)
     expected = measure(NOMINAL, samples, torque_by_reference(NOMINAL, samples))
     assert rows["total, constant damping, 7"][0] == f"{expected.total.highest:.3f}"
     assert rows["damping, constant, 7"][4] == f"{1e3 * expected.loss:.2f}"

@@ -27,7 +27,7 @@ STEP: Final = 1e-3  # s
 @pytest.mark.parametrize("motion", MOTIONS.values(), ids=MOTIONS)
 def test_co_simulation_returns_the_motion(motion: ForwardAndReturn, joystick: JoystickParameters) -> None:
     """Jumps of the torque included, at the corners of raised cosine and trapezoid."""
-    trip = round_trip(motion, joystick)
+    trip = round_trip(joystick, motion)
     assert trip.theta_error < ALLOWED
     assert trip.omega_error < 1e-4
 
@@ -36,7 +36,7 @@ def test_co_simulation_returns_the_motion(motion: ForwardAndReturn, joystick: Jo
 @pytest.mark.parametrize("joystick", JOYSTICKS.values(), ids=JOYSTICKS)
 @pytest.mark.parametrize("name", ["minimum-jerk +15 deg", "trapezoid -18 deg"])
 def test_model_exchange_returns_the_motion(name: str, joystick: JoystickParameters) -> None:
-    trip = round_trip(MOTIONS[name], joystick, interface="ModelExchange")
+    trip = round_trip(joystick, MOTIONS[name], interface="ModelExchange")
     assert trip.theta_error < ALLOWED
 
 
@@ -46,7 +46,7 @@ def test_the_error_is_that_of_the_lines(interface: Interface) -> None:
     """A hundred times the distance between torque and lines is a hundred times the error of the angle."""
     coarse, fine = (
         round_trip(
-            MOTION, NOMINAL, interface=interface, torque=torque_rows(MOTION, NOMINAL, tolerance=tolerance)
+            NOMINAL, MOTION, interface=interface, torque=torque_rows(NOMINAL, MOTION, tolerance=tolerance)
         )
         for tolerance in (1e-5, 1e-7)
     )
@@ -55,7 +55,7 @@ def test_the_error_is_that_of_the_lines(interface: Interface) -> None:
 
 def _fmpy_error(path: Path, kind: str, tolerance: float) -> float:
     """Largest error of the angle (rad) in FMPy's own loop."""
-    torque = torque_rows(MOTION, NOMINAL)
+    torque = torque_rows(NOMINAL, MOTION)
     signals = np.array(
         list(zip(torque.index, torque["T"], strict=True)), dtype=[("time", np.float64), ("T", np.float64)]
     )
@@ -85,14 +85,14 @@ def test_fmpy_alone_does_not_return_it(fmus_by_name: Path) -> None:
     assert exchange > 1e-3
     assert 5e-4 < held < 5e-3
     for interface in ("CoSimulation", "ModelExchange"):
-        assert round_trip(MOTION, NOMINAL, interface=interface).theta_error < ALLOWED  # type: ignore[arg-type]
+        assert round_trip(NOMINAL, MOTION, interface=interface).theta_error < ALLOWED  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize("joystick", JOYSTICKS.values(), ids=JOYSTICKS)
 @pytest.mark.parametrize("motion", MOTIONS.values(), ids=MOTIONS)
 def test_the_lines_stay_close_to_the_torque(motion: ForwardAndReturn, joystick: JoystickParameters) -> None:
     tolerance = 1e-6
-    rows = torque_rows(motion, joystick, tolerance=tolerance)
+    rows = torque_rows(joystick, motion, tolerance=tolerance)
     time, torque = rows.index.to_numpy(), rows["T"].to_numpy()
     assert np.all(np.diff(time) >= 0.0)
     assert (time[0], time[-1]) == (0.0, pytest.approx(motion.duration))
@@ -106,7 +106,7 @@ def test_the_lines_stay_close_to_the_torque(motion: ForwardAndReturn, joystick: 
 def test_a_jump_has_two_rows_and_nothing_else_has() -> None:
     def repeated(shape: str) -> int:
         motion = ForwardAndReturn(amplitude=0.3, rise=0.2, rest=0.1, dwell=0.1, shape=shape)  # type: ignore[arg-type]
-        rows: pd.DataFrame = torque_rows(motion, NOMINAL, tolerance=1e-4)
+        rows: pd.DataFrame = torque_rows(NOMINAL, motion, tolerance=1e-4)
         return int(np.count_nonzero(np.diff(rows.index) == 0.0))
 
     assert [repeated(shape) for shape in ("minimum-jerk", "raised-cosine", "trapezoid")] == [0, 4, 8]
@@ -114,6 +114,6 @@ def test_a_jump_has_two_rows_and_nothing_else_has() -> None:
 
 def test_what_is_refused() -> None:
     with pytest.raises(ParameterError, match="tolerance = 0"):
-        torque_rows(MOTION, NOMINAL, tolerance=0)
+        torque_rows(NOMINAL, MOTION, tolerance=0)
     with pytest.raises(ParameterError, match="output_interval"):
-        round_trip(MOTION, NOMINAL, output_interval=-1.0)
+        round_trip(NOMINAL, MOTION, output_interval=-1.0)

@@ -64,7 +64,7 @@ def test_a_synthetic_measurement_is_near_the_motion() -> None:
     assert np.abs(samples.theta - exact.theta).max() < math.radians(0.5)
     assert 0.0 < np.abs(samples.omega - exact.omega).max() < 0.2
     found = measure(NOMINAL, samples, torque_by_reference(NOMINAL, samples))
-    true = Samples.of(MOTION, NOMINAL)
+    true = Samples.of(NOMINAL, MOTION)
     expected = measure(NOMINAL, true, torque_by_reference(NOMINAL, true))
     assert found.positive_work == pytest.approx(expected.positive_work, rel=0.05)
     assert found.total.peak == pytest.approx(expected.total.peak, rel=0.1)

@@ -35,7 +35,7 @@ BALANCE = 1e-8  # J
 
 
 def _measured(motion: ForwardAndReturn, joystick: JoystickParameters) -> TorqueMeasures:
-    samples = Samples.of(motion, joystick)
+    samples = Samples.of(joystick, motion)
     return measure(joystick, samples, torque_by_reference(joystick, samples))
 
 
@@ -46,12 +46,12 @@ def test_work_is_energy_change_and_loss_up_to_any_instant(
     motion: ForwardAndReturn, joystick: JoystickParameters
 ) -> None:
     """From the FMU's torque, at every end of a smooth span; the energy is the reference's own."""
-    samples = Samples.of(motion, joystick)
+    samples = Samples.of(joystick, motion)
     torque = torque_by_fmu(joystick, samples)
     work = np.cumsum(torque.T * samples.omega * samples.weights)
     loss = np.cumsum(torque.T_damping * samples.omega * samples.weights)
     stored = energy(joystick, samples.theta, samples.omega)
-    ends = np.isin(samples.time, smooth_spans(motion, joystick))
+    ends = np.isin(samples.time, smooth_spans(joystick, motion))
     balance = work - loss - (stored - stored[0])
     assert np.count_nonzero(ends) >= 20
     assert np.abs(balance[ends]).max() < BALANCE
@@ -84,7 +84,7 @@ def test_integrals_against_adaptive_quadrature(joystick: JoystickParameters) -> 
         return float(getattr(inverse_torque(joystick, now.theta, now.omega, now.alpha), column))
 
     def integral(of: str) -> float:
-        spans = smooth_spans(motion, joystick)
+        spans = smooth_spans(joystick, motion)
         functions = {
             "positive work": lambda t: max(0.0, at(t, "T") * float(motion.at(t).omega)),
             "impulse": lambda t: abs(at(t, "T")),

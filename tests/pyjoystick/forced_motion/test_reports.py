@@ -31,7 +31,7 @@ DEMAND = Demand(
     negative_work=-0.25,
     impulse=0.5,
     time=0.6,
-    arm=0.266,
+    pivot_to_handle=0.266,
 )
 
 

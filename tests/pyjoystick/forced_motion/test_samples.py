@@ -17,7 +17,7 @@ TIME = np.array([0.0, 0.1, 0.3])
 
 @pytest.mark.parametrize("motion", MOTIONS.values(), ids=MOTIONS)
 def test_integrals_of_the_velocity_are_the_angles(motion: ForwardAndReturn) -> None:
-    samples = Samples.of(motion, NOMINAL)
+    samples = Samples.of(NOMINAL, motion)
     assert np.sum(samples.weights) == pytest.approx(motion.duration, rel=1e-14)
     assert abs(np.sum(samples.omega * samples.weights)) < 1e-15
     stroke = samples.time <= motion.rest + motion.rise
@@ -27,12 +27,12 @@ def test_integrals_of_the_velocity_are_the_angles(motion: ForwardAndReturn) -> N
 def test_every_kink_that_is_passed_ends_a_span() -> None:
     """Four on the way up and four on the way down; the balance spring begins at 6.8 degrees forward."""
     motion = ForwardAndReturn(amplitude=math.radians(15.0), rise=0.2)
-    spans = smooth_spans(motion, NOMINAL)
+    spans = smooth_spans(NOMINAL, motion)
     assert len(spans) == 3 + 8
     travels = contact_travel(NOMINAL, motion.at(spans[1:5]).theta)
     np.testing.assert_allclose(travels, NOMINAL.forward.kinks, rtol=1e-12)
     small = ForwardAndReturn(amplitude=math.radians(-5.0), rise=0.2)
-    assert len(smooth_spans(small, NOMINAL)) == 3 + 4
+    assert len(smooth_spans(NOMINAL, small)) == 3 + 4
 
 
 def test_even_samples_show_both_sides_of_a_jump() -> None:

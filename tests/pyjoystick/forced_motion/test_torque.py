@@ -47,7 +47,7 @@ def _difference(first: InverseTorque, second: InverseTorque) -> float:
 @pytest.mark.parametrize("motion", MOTIONS.values(), ids=MOTIONS)
 def test_the_fmu_is_plain_python_to_1e_12(motion: ForwardAndReturn, joystick: JoystickParameters) -> None:
     """Samples lie on both sides of every kink as close as rounding allows, and at the corners twice."""
-    samples = Samples.of(motion, joystick)
+    samples = Samples.of(joystick, motion)
     assert _difference(torque_by_fmu(joystick, samples), torque_by_reference(joystick, samples)) < 1e-12
 
 
@@ -85,7 +85,7 @@ def test_in_the_middle_itself_eq_11_has_two_values(omega: float) -> None:
 def test_random_joysticks(case: RandomCase) -> None:
     joystick = case.parameters
     motion = ForwardAndReturn(amplitude=-0.3, rise=0.2)
-    samples = Samples.of(motion, joystick)
+    samples = Samples.of(joystick, motion)
     assert _difference(torque_by_fmu(joystick, samples), torque_by_reference(joystick, samples)) < 1e-12
 
 

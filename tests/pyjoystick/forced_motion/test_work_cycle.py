@@ -32,7 +32,7 @@ MOVES = MoveDistribution().draw(5, seed=2)
 def test_one_move_is_the_measures_of_that_move() -> None:
     move = ForwardAndReturn(amplitude=0.25, rise=0.2, dwell=0.3)
     (found,) = demands([NOMINAL], [move])
-    samples = Samples.of(move, NOMINAL)
+    samples = Samples.of(NOMINAL, move)
     expected = measure(NOMINAL, samples, torque_by_reference(NOMINAL, samples))
     assert found.positive_work == pytest.approx(expected.positive_work, rel=1e-12)
     assert found.negative_work == pytest.approx(expected.negative_work, rel=1e-12)
