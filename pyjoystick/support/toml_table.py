@@ -1,15 +1,15 @@
-"""Reading a TOML file so that every mistake in it is named with its place."""
+"""Reading TOML files, with errors that name the place of a mistake."""
 
 from __future__ import annotations
 
 import difflib
-import math
 import re
 import tomllib
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any, Final
 
+from pyjoystick.support.checks import finite, whole_number
 from pyjoystick.support.errors import InputFileError, ParameterError, PyJoystickError, SettingsError
 
 _BARE_KEY: Final = re.compile(r"[A-Za-z0-9_-]+")
@@ -17,11 +17,11 @@ _ABSENT: Final = object()
 
 
 class Table:
-    """A table of the file. What has been asked for is known; `finish` refuses every other key.
+    """A table of the file. Keys that were read are known; `finish` rejects all others.
 
     Attributes:
         path: the file
-        name: of the table, as it stands between its brackets
+        name: name of the table, as written between its brackets
         content: its keys and values
     """
 
@@ -32,11 +32,11 @@ class Table:
         self._known: list[str] = []
 
     def error(self, key: str, allowed: str, hint: str = "") -> SettingsError:
-        """The error that says what is allowed for a key."""
+        """The error for the value of a key."""
         return SettingsError(self.path, self.name, key, self.content.get(key), allowed, hint)
 
     def refused(self, key: str, error: PyJoystickError) -> SettingsError:
-        """An error on a value or a name as one on its place in the file."""
+        """The error of a check, with the place in the file."""
         if isinstance(error, ParameterError):
             given = self.content.get(key, error.value)
             return SettingsError(self.path, self.name, key, given, f"must be {error.allowed}", error.hint)
@@ -46,29 +46,29 @@ class Table:
         return key in self.content
 
     def value(self, key: str) -> Any:
-        """The value of a key that must be there, as TOML has it."""
+        """The value of a required key, as read from TOML."""
         if self.optional(key) is None:
             raise self.error(key, "is missing")
         return self.content[key]
 
     def optional(self, key: str) -> Any:
-        """The value of a key as TOML has it, or None."""
+        """The value of a key as read from TOML, or None."""
         self._known.append(key)
         return self.content.get(key)
 
     def number(self, key: str, default: object = _ABSENT) -> float:
         """A finite number."""
-        value = self._given(key, default)
-        if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
-            raise self.error(key, "must be a finite number")
-        return float(value)
+        try:
+            return finite(key, self._given(key, default))
+        except ParameterError as error:
+            raise self.refused(key, error) from None
 
     def integer(self, key: str, least: int, default: object = _ABSENT) -> int:
         """A whole number, `least` or more."""
-        value = self._given(key, default)
-        if isinstance(value, bool) or not isinstance(value, int) or value < least:
-            raise self.error(key, f"must be a whole number, {least} or more")
-        return value
+        try:
+            return whole_number(key, self._given(key, default), least)
+        except ParameterError as error:
+            raise self.refused(key, error) from None
 
     def text(self, key: str, default: object = _ABSENT) -> str:
         """Text."""
@@ -87,14 +87,14 @@ class Table:
         return value
 
     def entries(self, key: str) -> list[Any]:
-        """A list with one entry or more."""
+        """A list of one or more entries."""
         value = self.value(key)
         if not isinstance(value, list) or not value:
             raise self.error(key, "must be a list with one entry or more")
         return value
 
     def table(self, key: str, *, required: bool = False) -> Table:
-        """A table inside this one, empty where it may be and is absent."""
+        """A table inside this one; an optional table that is missing is empty."""
         value = self.value(key) if required else self._given(key, {})
         name = key if _BARE_KEY.fullmatch(key) else f'"{key}"'
         qualified = f"{self.name}.{name}" if self.name else name
@@ -110,12 +110,12 @@ class Table:
         return [Table(self.path, f"{key} {i}", one) for i, one in enumerate(value, start=1)]
 
     def items(self) -> Iterator[tuple[str, Any]]:
-        """Every key with its value; all of them are then known."""
+        """All keys with their values, which makes them known."""
         self._known.extend(self.content)
         return iter(self.content.items())
 
     def finish(self) -> None:
-        """Refuse keys that nothing has asked for."""
+        """Reject keys that were not read."""
         for key in self.content:
             if key not in self._known:
                 near = difflib.get_close_matches(key, self._known, n=1)

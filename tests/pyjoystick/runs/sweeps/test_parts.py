@@ -91,7 +91,7 @@ def test_two_processes_do_not_work_on_one_sweep(tmp_path: Path) -> None:
 def test_a_folder_that_cannot_be_made(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("kept")
     parts = Parts(tmp_path / "file" / "a.csv")
-    with pytest.raises(OutputFileError, match="its folder cannot be made"), parts.opened(IDENTITY):
+    with pytest.raises(OutputFileError, match="its folder cannot be created"), parts.opened(IDENTITY):
         pytest.fail("must not be opened")
 
 
