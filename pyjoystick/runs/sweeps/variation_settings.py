@@ -25,7 +25,7 @@ def read_variation(table: Table, name: str, fmu: FmuDescription) -> Variation:
     try:
         (variable,) = checked_varied(fmu, [name], {})
     except ParameterError as error:
-        raise table.error("", "is no parameter or start value that can be varied", error.hint) from error
+        raise table.error("", "is not a parameter or start value that can be varied", error.hint) from error
     except PyJoystickError as error:
         raise table.refused("", error) from error
     if "values" in table:

@@ -154,7 +154,7 @@ def test_wrong_usage_of_update(command: Command, joystick: Path, tmp_path: Path)
     settings.write_text(release, encoding="utf-8")
     outcome = command("fit", RECORDS[0], "-p", str(joystick), "--settings", str(settings), "--update")
     assert outcome.code == 1
-    assert outcome.message == "the joystick: nothing of it is fitted, so that there is nothing to be written"
+    assert outcome.message == "the joystick: none of its parameters is fitted, so there is nothing to save"
 
 
 def test_a_folder_that_cannot_be_is_found_out_before_the_fit(command: Command, tmp_path: Path) -> None:
