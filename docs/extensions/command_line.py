@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from enum import Enum
-from typing import Any
+from typing import Any, Literal, get_args, get_origin
 
 import typer
 from docutils import nodes
@@ -28,7 +27,7 @@ class CommandLine(SphinxDirective):
 def commands(name: str, command: Any) -> Iterator[tuple[str, Any]]:
     """The commands that do something, with the words that call them."""
     if not hasattr(command, "commands"):
-        yield name, command
+        yield name, command.load()
         return
     for word, inner in command.commands.items():
         yield from commands(f"{name} {word}", inner)
@@ -52,10 +51,10 @@ def _spelling(parameter: Any) -> str:
 
 
 def _values(parameter: Any) -> str:
-    """The name of the kind of value where the command gives none: the values themselves of a choice."""
+    """The kind of value, if the command does not name it: for a choice, the values themselves."""
     kind = parameter.type_descriptor.annotation
-    if isinstance(kind, type) and issubclass(kind, Enum):
-        return ", ".join(str(one.value) for one in kind)
+    if get_origin(kind) is Literal:
+        return ", ".join(get_args(kind))
     return {float: "NUMBER", int: "INTEGER"}.get(kind, "TEXT")
 
 
@@ -63,7 +62,7 @@ def _default(parameter: Any) -> str:
     value = parameter.default
     if parameter.required or not parameter.show_default or value in (None, False, (), [], ""):
         return ""
-    return f" [{_cell(str(value.value if isinstance(value, Enum) else value))}]"
+    return f" [{_cell(str(value))}]"
 
 
 def _cell(text: str) -> str:

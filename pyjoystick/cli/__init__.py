@@ -1,84 +1,113 @@
-"""The command line: ``pyjoystick`` or ``python -m pyjoystick``."""
+"""The command line: ``pyjoystick`` or ``python -m pyjoystick``.
+
+Each command is a module of the same name with the function `run` and the text `EXAMPLES`. It is imported when
+the command is invoked or its help requested, so that the list of commands appears at once. Commands import
+rooms rather than names (``from pyjoystick import runs``, then ``runs.free_oscillation``): a room loads a name
+when it is used, so that the help of a command needs no numerical packages either.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Annotated, Final
+from collections.abc import Mapping, Sequence
+from importlib import import_module
+from typing import Annotated, Any, Final
 
 import typer
-from typer.core import TyperGroup
+from typer.core import TyperCommand, TyperGroup
 
-from pyjoystick.cli import (
-    budget,
-    compare,
-    fit,
-    free_oscillation,
-    imports,
-    info,
-    parameters,
-    peaks,
-    report,
-    ssp,
-    sweep,
-    torque,
-)
+from pyjoystick import support
 from pyjoystick.cli.console import print_error, print_traceback
-from pyjoystick.support import PyJoystickError, version_of
+from pyjoystick.support import PyJoystickError
 
 __all__ = ["app", "main"]
 
-#: The commands as one comes to need them: the joystick, what was measured, what is simulated, what is judged.
-_ORDER: Final = (
-    "info",
-    "parameters",
-    "import",
-    "peaks",
-    "fit",
-    "budget",
-    "free-oscillation",
-    "torque",
-    "sweep",
-    "compare",
-    "ssp",
-    "report",
-)
+#: The commands in the order of work: the joystick, what was measured, what is simulated, what is judged.
+_COMMANDS: Final = {
+    "info": "Show the interfaces, platforms and variables of an FMU.",
+    "parameters": "Check, change and print a parameter file.",
+    "import": "Make records and parameters from laboratory files.",
+    "peaks": "Estimate the damping from the peaks of free oscillations.",
+    "fit": "Fit parameters to measured motion, with uncertainties.",
+    "budget": "Show what each measured quantity adds to the errors.",
+    "free-oscillation": "Release the joystick from rest and print its peaks.",
+    "torque": "Compute the torque that a motion requires (eq. 13).",
+    "sweep": "Run an FMU for many values of its parameters.",
+    "compare": "Compare an FMU with the reference or another FMU.",
+    "ssp": "Write a system of coupled FMUs as one SSP file.",
+    "report": "Write a report on a joystick as one HTML file.",
+}
+_IMPORTS: Final = {
+    "markers": "Make a record of the angle from motion capture.",
+    "accelerometer": "Compare an accelerometer with the differentiated angle.",
+    "load-curve": "Fit the springs of one side to a load-deflection curve.",
+    "swing": "Find the moment of inertia from the period as a pendulum.",
+    "parts": "Compute mass, center of mass and inertia from parts.",
+}
 
 
 class _InOrder(TyperGroup):
-    """The commands in the order above, any others after them."""
+    """The commands in the order above; Typer would list groups last."""
 
     def list_commands(self, ctx: object) -> list[str]:
-        return sorted(self.commands, key=lambda name: (*_ORDER, name).index(name))
+        return list(_COMMANDS)
 
 
-app = typer.Typer(
+class LazyCommand(TyperCommand):
+    """A command in the list of a group, which loads its module when something is asked of it."""
+
+    prefix = ""
+
+    def load(self) -> Any:
+        """The command itself."""
+        assert self.name is not None
+        module = import_module(f"pyjoystick.cli.{self.prefix}{self.name.replace('-', '_')}")
+        program = _program()
+        program.command(self.name, epilog=module.EXAMPLES)(module.run)
+        return typer.main.get_command(program)
+
+    def make_context(self, info_name: str | None, args: list[str], parent: Any = None, **extra: Any) -> Any:
+        """The context of the command itself, with its arguments read."""
+        return self.load().make_context(info_name, args, parent, **extra)
+
+
+class LazyImport(LazyCommand):
+    """A command of ``pyjoystick import``."""
+
+    prefix = "import_"
+
+
+def _program(**settings: Any) -> typer.Typer:
+    return typer.Typer(
+        add_completion=False,
+        no_args_is_help=True,
+        pretty_exceptions_enable=False,
+        rich_markup_mode="markdown",
+        **settings,
+    )
+
+
+def _list(program: typer.Typer, commands: Mapping[str, str], kind: type[LazyCommand]) -> None:
+    for name, summary in commands.items():
+        if name != "import":
+            program.command(name, cls=kind, help=summary)(lambda: None)
+
+
+app = _program(
     cls=_InOrder,
-    add_completion=False,
-    no_args_is_help=True,
-    pretty_exceptions_enable=False,
-    rich_markup_mode="markdown",
-    help="Simulate joysticks with opposing restrained preloaded springs by their FMUs.",
+    help="Simulate joysticks with opposing restrained preloaded springs by means of their FMUs.",
     epilog="`pyjoystick COMMAND --help` shows the options of a command, with examples.",
 )
-app.command("free-oscillation", epilog=free_oscillation.EXAMPLES)(free_oscillation.run)
-app.command("budget", epilog=budget.EXAMPLES)(budget.run)
-app.command("compare", epilog=compare.EXAMPLES)(compare.run)
-app.command("info", epilog=info.EXAMPLES)(info.run)
-app.command("fit", epilog=fit.EXAMPLES)(fit.run)
-app.add_typer(imports.app, name="import")
-app.command("parameters", epilog=parameters.EXAMPLES)(parameters.run)
-app.command("peaks", epilog=peaks.EXAMPLES)(peaks.run)
-app.command("report", epilog=report.EXAMPLES)(report.run)
-app.command("ssp", epilog=ssp.EXAMPLES)(ssp.run)
-app.command("sweep", epilog=sweep.EXAMPLES)(sweep.run)
-app.command("torque", epilog=torque.EXAMPLES)(torque.run)
+_list(app, _COMMANDS, LazyCommand)
+_imports = _program()
+_list(_imports, _IMPORTS, LazyImport)
+app.add_typer(_imports, name="import", help=_COMMANDS["import"])
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line and return its exit code: 0 done, 1 failed or a limit exceeded, 2 wrong usage.
 
     Args:
-        arguments: without the name of the program; those of this process where not given
+        arguments: without the name of the program; those of this process by default
     """
     _state.debug = False
     try:
@@ -101,7 +130,7 @@ def _failed(message: str) -> int:
 
 
 class _State:
-    """What the options before the command say."""
+    """The options before the command."""
 
     debug = False
 
@@ -111,7 +140,7 @@ _state = _State()
 
 def _print_version(wanted: bool) -> None:
     if wanted:
-        typer.echo(f"pyjoystick {version_of('pyjoystick')}")
+        typer.echo(f"pyjoystick {support.version_of('pyjoystick')}")
         raise typer.Exit
 
 
@@ -120,6 +149,6 @@ def _options(
     version: Annotated[
         bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Show the version.")
     ] = False,
-    debug: Annotated[bool, typer.Option("--debug", help="Show where an error comes from.")] = False,
+    debug: Annotated[bool, typer.Option("--debug", help="Show a traceback when an error occurs.")] = False,
 ) -> None:
     _state.debug = debug

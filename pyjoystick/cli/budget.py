@@ -3,36 +3,27 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Final
+from typing import Annotated, Final
 
 import typer
 
+from pyjoystick import fmu, identification, laboratory, model, motion
+from pyjoystick.cli import options
 from pyjoystick.cli.console import messages, output, print_error, print_note
+from pyjoystick.cli.fit import DOUBTFUL, failed_checks
 from pyjoystick.cli.fmus import found_or_built
-from pyjoystick.cli.options import (
-    DEFAULT_RELEASE_ANGLE,
-    ReleaseAngle,
-    parse_angle,
-    parse_assignments,
-    parse_names,
-)
 from pyjoystick.cli.parameter_updates import write_update
-from pyjoystick.model import SIDES, ParameterFile, Side, law_name, read_parameter_file, rounded
 from pyjoystick.support import ParameterError, check_outputs
 
-if TYPE_CHECKING:
-    from pyjoystick.identification import Bench
-    from pyjoystick.laboratory import LoadCurveFit
-
-EXAMPLES = """
+EXAMPLES: Final = """
 Examples:
 
     pyjoystick budget trial1.csv trial2.csv -p joystick.toml --curve forward=forward.csv \\
         --curve backward=backward.csv --uncertainty a=1e-5 --uncertainty scale=0.002 --update
 
-docs/your-joystick.md shows it at the end of the way from the bench to the fit.
+docs/your-joystick.md shows the whole procedure from the bench to the fit.
 """
-#: Places in a parameter file of what may be uncertain.
+#: Quantities that may have an uncertainty, and their places in a parameter file.
 _PLACES: Final = {
     "m": "body.m",
     "h": "body.h",
@@ -44,90 +35,87 @@ _PLACES: Final = {
 
 
 def run(
-    records: Annotated[
-        list[Path],
-        typer.Argument(metavar="RECORD.csv...", help="One file a release: columns time (s), theta (deg)."),
-    ],
+    records: options.Records,
     parameters: Annotated[
         Path,
         typer.Option(
             "--parameters",
             "-p",
             metavar="FILE",
-            help="The joystick, with constant damping and the uncertainties that it states.",
+            help="Parameter file of the joystick, with constant damping; its uncertainties are used.",
         ),
     ],
     curves: Annotated[
         list[str] | None,
-        typer.Option("--curve", metavar="SIDE=FILE.csv", help="A load-deflection curve that is in the file."),
+        typer.Option(
+            "--curve",
+            metavar="SIDE=FILE.csv",
+            help="Load-deflection curve of one side; repeatable.",
+        ),
     ] = None,
     uncertainties: Annotated[
         list[str] | None,
-        typer.Option(
-            "--uncertainty",
-            metavar="NAME=VALUE",
-            help="Standard uncertainty of m, h, J, g, a, b (SI) or of the angle's scale, in parts of it.",
-        ),
+        options.uncertainty("m, h, J, g, a or b (SI units), or scale, the relative one of the angle"),
     ] = None,
-    release_angle: ReleaseAngle = DEFAULT_RELEASE_ANGLE,
+    release_angle: options.ReleaseAngle = options.DEFAULT_RELEASE_ANGLE,
     update: Annotated[
-        bool, typer.Option("--update", help="Write J and C with their whole uncertainty into the file.")
+        bool,
+        typer.Option("--update", help="Save J and C with their combined uncertainties."),
     ] = False,
 ) -> None:
-    """Say what each measured quantity adds to the errors of a run, and of J and C fitted to releases.
+    """Show what each measured quantity adds to the errors of a run, and of J and C fitted to releases.
 
-    The standard errors of `pyjoystick fit` have the noise of the records alone. This fits J and C again with
-    each quantity moved by its uncertainty, those of a load-deflection curve with their correlations.
+    The standard errors of `pyjoystick fit` cover only the noise of the records. This command repeats the fit
+    with each quantity shifted by its standard uncertainty; those of a load-deflection curve are correlated.
     """
     check_outputs(parameters)
-    angle = parse_angle(release_angle)
-    before = read_parameter_file(parameters)
-    errors = parse_assignments(uncertainties or [], "--uncertainty")
-    files = {side: Path(file) for side, file in parse_names(curves, "--curve").items()}
-    # SciPy and lmfit take a while to load, which the other commands need not wait for.
-    from pyjoystick.cli.fit_steps import DOUBTFUL
-    from pyjoystick.fmu import Fmu
-    from pyjoystick.identification import FITTED, combined, contribution_table, fit_contributions
-    from pyjoystick.motion import read_repeats
-
+    angle = options.parse_angle(release_angle)
+    before = model.read_parameter_file(parameters)
+    errors = options.parse_assignments(uncertainties, "--uncertainty")
+    files = {side: Path(file) for side, file in options.parse_names(curves, "--curve").items()}
     bench = _bench(before, files, errors)
-    releases = read_repeats(records)
-    with Fmu(found_or_built("Joystick")) as fmu, messages().status("fitting with each quantity moved"):
-        found, contributions = fit_contributions(releases, bench, fmu, release_angle=angle)
-    output().print(contribution_table(contributions), markup=False)
-    values = [found.value(name) for name in FITTED]
-    wholes = [value * part for value, part in zip(values, combined(contributions), strict=True)]
-    for name, value, whole in zip(FITTED, values, wholes, strict=True):
-        output().print(f"{name} = {rounded(value, whole):.9g}, standard uncertainty {whole:.2g} (SI units)")
+    releases = motion.read_repeats(records)
+    with (
+        fmu.Fmu(found_or_built("Joystick")) as opened,
+        messages().status("fitting"),
+    ):
+        found, contributions = identification.fit_contributions(releases, bench, opened, release_angle=angle)
+    output().print(identification.contribution_table(contributions), markup=False)
+    names = identification.FITTED
+    values = [found.value(name) for name in names]
+    parts = identification.combined(contributions)
+    wholes = [value * part for value, part in zip(values, parts, strict=True)]
+    rounded = [model.rounded(value, whole) for value, whole in zip(values, wholes, strict=True)]
+    for name, value, whole in zip(names, rounded, wholes, strict=True):
+        output().print(f"{name} = {value:.9g}, standard uncertainty {whole:.2g} (SI units)")
     if not found.trusted:
-        failed = ", ".join(check.name for check in found.checks if not check.passed)
-        print_error(f"the fit is not to be trusted: {failed}; pyjoystick fit says why")
+        print_error(f"do not trust the fit: it failed {failed_checks(found)}; pyjoystick fit shows why")
         raise typer.Exit(DOUBTFUL)
     if update:
-        changes = {n: rounded(v, u) for n, v, u in zip(FITTED, values, wholes, strict=True)}
+        changes = dict(zip(names, rounded, strict=True))
         places = dict(zip(("body.J", "damping.constant.C"), wholes, strict=True))
         source = f"fit to {', '.join(path.name for path in records)}, uncertainty from the budget"
         joystick = bench.joystick.replace(changes)
         write_update(parameters, joystick, places, {"body": source, "damping.constant": source})
 
 
-def _bench(file: ParameterFile, curves: dict[str, Path], errors: dict[str, float]) -> Bench:
-    """What the file and the options say, with notes on what is taken as exact."""
-    from pyjoystick.identification import Bench
-
+def _bench(
+    file: model.ParameterFile, curves: dict[str, Path], errors: dict[str, float]
+) -> identification.Bench:
+    """The measurements of the file and the options; quantities without an uncertainty are reported."""
     for name, value in errors.items():
         if name not in (*_PLACES, "scale"):
             raise ParameterError(name, value, f"one of {', '.join(_PLACES)}, scale")
-    if law_name(file.joystick.damping) != "constant":
+    if file.law != "constant":
         raise typer.BadParameter("the file must choose constant damping", param_hint="--parameters")
     stated = {name: file.uncertainties.get(place, 0.0) for name, place in _PLACES.items()}
     exact = [name for name in ("m", "h", "a") if not errors.get(name, stated[name]) > 0.0]
-    exact += [f"load curve {side}" for side in SIDES if side not in curves]
+    exact += [f"load curve {side}" for side in model.SIDES if side not in curves]
     if not errors.get("scale", 0.0) > 0.0:
         exact.append("scale")
     if exact:
         print_note(f"taken as exact: {', '.join(exact)}")
-    return Bench(
+    return identification.Bench(
         joystick=file.joystick,
         curves=_fitted(file, curves),
         uncertainties={**stated, **{name: value for name, value in errors.items() if name != "scale"}},
@@ -135,20 +123,18 @@ def _bench(file: ParameterFile, curves: dict[str, Path], errors: dict[str, float
     )
 
 
-def _fitted(file: ParameterFile, curves: dict[str, Path]) -> dict[Side, LoadCurveFit]:
-    """The fits of the curves, which must be those that the file has."""
-    from pyjoystick.laboratory import fit_load_curve, read_load_curve
-
-    found: dict[Side, LoadCurveFit] = {}
+def _fitted(file: model.ParameterFile, curves: dict[str, Path]) -> dict[model.Side, laboratory.LoadCurveFit]:
+    """Fits of the curves, which must be those that the file was made from."""
+    found: dict[model.Side, laboratory.LoadCurveFit] = {}
     for name, path in curves.items():
-        side = next((one for one in SIDES if one == name), None)
+        side = next((one for one in model.SIDES if one == name), None)
         if side is None:
             raise typer.BadParameter(f"{name!r} must be forward or backward", param_hint="--curve")
-        found[side] = fit = fit_load_curve(read_load_curve(path))
+        found[side] = fit = laboratory.fit_load_curve(laboratory.read_load_curve(path))
         known = file.curves[side]
         errors = (*fit.x_errors, *fit.k_errors)
         pairs = zip((*fit.table.x, *fit.table.k), (*known.x, *known.k), errors, strict=True)
         if any(abs(value - written) > error for value, written, error in pairs):
-            what = f"{path} is not the curve that [{side}] of {file.path} is from"
+            what = f"[{side}] of {file.path} does not come from {path}"
             raise typer.BadParameter(f"{what}; import it first", param_hint="--curve")
     return found

@@ -2,16 +2,25 @@
 
 from __future__ import annotations
 
-from enum import StrEnum
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, Final
+from typing import TYPE_CHECKING, Annotated, Final, Literal
 
 import typer
+from rich.markup import escape
 
+from pyjoystick import fmu, model, runs, support
 from pyjoystick.cli import options
-from pyjoystick.support import DEFAULT_TOLERANCE
+from pyjoystick.cli.comparison_tables import print_comparison, print_differences, solver_text
+from pyjoystick.cli.console import messages, output, write
+from pyjoystick.cli.fmus import found_or_built, law_of, opened
+from pyjoystick.support import check_outputs, write_text
 
-EXAMPLES = """
+if TYPE_CHECKING:
+    pass
+
+EXAMPLES: Final = """
 Examples:
 
     pyjoystick compare
@@ -21,23 +30,60 @@ Examples:
     pyjoystick compare First.fmu Second.fmu --variable x --inputs driven.csv --json comparison.json
 """
 
-_TWO_ONLY: Final = "is for two FMUs"
+_INTERFACES: Final[Mapping[str, fmu.Interface]] = {"me": "ModelExchange", "cs": "CoSimulation"}
 
 
-class InterfaceName(StrEnum):
-    """The interfaces of FMI by short names."""
+@dataclass(frozen=True, slots=True)
+class _Request:
+    """Options of both forms of the command; None stands for a default that depends on the FMUs.
 
-    ME = "me"
-    CS = "cs"
+    Attributes:
+        angles: of release (rad)
+        duration, output_interval: of each run (s)
+        interface: how the FMUs are run
+        limits: by name of the variable
+        tolerances: of the integrators
+        json: file for all results
+        every_run: show all runs instead of the worst one of each variable
+    """
+
+    angles: Sequence[float] | None
+    duration: float | None
+    output_interval: float | None
+    interface: fmu.Interface | None
+    limits: Mapping[str, float]
+    tolerances: runs.Tolerances
+    json: Path | None
+    every_run: bool
+
+
+@dataclass(frozen=True, slots=True)
+class _BetweenFmus:
+    """Further options of the form for two FMUs.
+
+    Attributes:
+        parameters: a parameter file for both
+        settings: parameters and inputs of both by name, which take precedence over the file
+        relative_limit: of the variables without a limit of their own; None for the default
+        cs_limits: limits in Co-Simulation, by name of the variable
+        variables: the variables to compare; None for the outputs
+        inputs: a CSV file
+    """
+
+    parameters: Path | None
+    settings: Mapping[str, float]
+    relative_limit: float | None
+    cs_limits: Mapping[str, float]
+    variables: Sequence[str] | None
+    inputs: Path | None
 
 
 def run(
     fmus: Annotated[
         list[str] | None,
         typer.Argument(
-            metavar="[FMU [OTHER]]",
-            help="One FMU, to compare with the reference, or two. The FMU of --damping if none is given.",
-            show_default=False,
+            metavar="FMU",
+            help="One FMU to compare with the reference, or two FMUs. Default: the FMU of --damping.",
         ),
     ] = None,
     release_angle: Annotated[
@@ -46,9 +92,8 @@ def run(
             "--release-angle",
             "-a",
             metavar="ANGLE",
-            help="Angle at which joysticks are let go: -20deg or -0.35rad; a bare number is in degrees; "
-            "repeatable. -20deg against the reference, and several with two FMUs.",
-            show_default=False,
+            help="Release angle of joysticks: -20deg or -0.35rad; a bare number is in degrees; repeatable. "
+            "Default: -20deg with the reference, several angles with two FMUs.",
         ),
     ] = None,
     duration: Annotated[
@@ -57,23 +102,20 @@ def run(
             "--duration",
             "-d",
             metavar="SECONDS",
-            help="Length of a run: 1.5 for joysticks, what the FMU proposes for others.",
-            show_default=False,
+            help="Length of a run. Default: 1.5 for joysticks, else the FMU's default experiment.",
         ),
     ] = None,
     damping: options.Law = None,
     parameters: options.Parameters = None,
     assignments: options.Set = None,
-    fmu: options.FmuFile = None,
+    fmu_file: options.FmuFile = None,
     limit: Annotated[
         list[str] | None,
         typer.Option(
             "--limit",
             "-l",
             metavar="NAME=VALUE",
-            help="Largest difference allowed in a variable, in SI units, in place of the preset one; "
-            "repeatable.",
-            show_default=False,
+            help="Largest allowed difference of a variable, in SI units; repeatable.",
         ),
     ] = None,
     relative_limit: Annotated[
@@ -81,9 +123,8 @@ def run(
         typer.Option(
             "--relative-limit",
             metavar="NUMBER",
-            help="Two FMUs: largest difference of the variables without --limit in parts of their largest "
-            "value, 1e-4 if not given.",
-            show_default=False,
+            help="Two FMUs: largest allowed difference of variables without --limit, relative to their "
+            "largest value. Default: 1e-4.",
         ),
     ] = None,
     cs_limit: Annotated[
@@ -91,17 +132,15 @@ def run(
         typer.Option(
             "--cs-limit",
             metavar="NAME=VALUE",
-            help="Two FMUs: judge a variable in Co-Simulation too, by this limit; repeatable.",
-            show_default=False,
+            help="Two FMUs: apply this limit to a variable in Co-Simulation as well; repeatable.",
         ),
     ] = None,
     interface: Annotated[
-        InterfaceName | None,
+        Literal["me", "cs"] | None,
         typer.Option(
             "--interface",
-            help="Model Exchange, run by CVode, or Co-Simulation. If not given: cs against the reference, "
-            "with two FMUs all that both have.",
-            show_default=False,
+            help="Model Exchange (with CVode) or Co-Simulation. Default: cs with the reference, all common "
+            "interfaces with two FMUs.",
         ),
     ] = None,
     variable: Annotated[
@@ -109,8 +148,7 @@ def run(
         typer.Option(
             "--variable",
             metavar="NAME",
-            help="Two FMUs: compare this variable; repeatable. All outputs that both have if not given.",
-            show_default=False,
+            help="Two FMUs: compare this variable; repeatable. Default: all common outputs.",
         ),
     ] = None,
     inputs: Annotated[
@@ -118,8 +156,7 @@ def run(
         typer.Option(
             "--inputs",
             metavar="FILE",
-            help="Two FMUs: inputs over time, CSV with a heading: time (s), names of inputs.",
-            show_default=False,
+            help="Two FMUs: CSV file of inputs over time; headings: time (s) and names of inputs.",
         ),
     ] = None,
     output_interval: Annotated[
@@ -127,79 +164,147 @@ def run(
         typer.Option(
             "--output-interval",
             metavar="SECONDS",
-            help="Time between two instants that are compared, in Co-Simulation the communication step: "
-            "0.001 for joysticks.",
-            show_default=False,
+            help="Time between compared instants, in Co-Simulation the communication step. Default: 0.001 "
+            "for joysticks.",
         ),
     ] = None,
-    tolerance: options.Tolerance = DEFAULT_TOLERANCE,
+    tolerance: options.Tolerance = support.DEFAULT_TOLERANCE,
     cvode_tolerance: Annotated[
-        float, typer.Option("--cvode-tolerance", metavar="NUMBER", min=1e-13, max=1e-2, help="That of CVode.")
+        float,
+        typer.Option("--cvode-tolerance", metavar="NUMBER", min=1e-13, max=1e-2, help="Tolerance of CVode."),
     ] = 1e-10,
-    json: Annotated[
-        Path | None,
-        typer.Option("--json", metavar="FILE", help="Write everything as JSON.", show_default=False),
-    ] = None,
+    json: Annotated[Path | None, options.json("all results")] = None,
     everything: Annotated[
-        bool, typer.Option("--all", help="Show every run, and internal variables that one FMU lacks.")
+        bool, typer.Option("--all", help="Show every run, and internal variables of only one FMU.")
     ] = False,
 ) -> None:
     """Compare an FMU with the pure-Python reference, or two FMUs with each other.
 
-    Says for every variable how far the two lie apart at most, when, and when they first pass the limit; the
-    exit code is 1 where a limit is exceeded.
+    The output shows the largest difference of each variable, when it occurs, and when the limit is first
+    exceeded. The exit code is 1 if a limit is exceeded.
 
-    Two FMUs are run through the same experiments by both interfaces: joysticks are let go at several angles
-    and driven by a torque, JoystickInverse is led through sines, any other FMU is run as it proposes.
-    Co-Simulation is shown without being judged, because its solver and step are each FMU's own, unless there
-    is a --cs-limit.
+    Two FMUs run through the same experiments with both interfaces: joysticks are released at several angles
+    and driven by a torque, JoystickInverse follows sines, and any other FMU runs its default experiment.
+    Without --cs-limit, Co-Simulation is shown but not judged, because each FMU has its own solver and step.
     """
-    # What compares is loaded when it is wanted, so that the other commands start quickly.
-    from pyjoystick.cli import comparisons
-    from pyjoystick.runs import Tolerances
-
-    names = _names(fmus or [], fmu)
-    angles = None if release_angle is None else [options.parse_angle(text) for text in release_angle]
-    request = comparisons.Request(
-        angles=angles,
+    names = _names(fmus or [], fmu_file)
+    request = _Request(
+        angles=None if release_angle is None else [options.parse_angle(text) for text in release_angle],
         duration=duration,
         output_interval=output_interval,
-        interface=None if interface is None else comparisons.INTERFACES[interface.value],
-        limits=options.parse_assignments(limit or [], "--limit"),
-        tolerances=Tolerances(tolerance, cvode_tolerance),
+        interface=None if interface is None else _INTERFACES[interface],
+        limits=options.parse_assignments(limit, "--limit"),
+        tolerances=runs.Tolerances(tolerance, cvode_tolerance),
         json=json,
         every_run=everything,
     )
+    check_outputs(json)
     if len(names) < 2:
-        for option, value in (
-            ("--relative-limit", relative_limit),
-            ("--cs-limit", cs_limit),
-            ("--variable", variable),
-            ("--inputs", inputs),
-        ):
-            if value is not None:
-                raise typer.BadParameter(_TWO_ONLY, param_hint=option)
-        kept = comparisons.with_reference(
-            names[0] if names else None, damping, parameters, assignments, request
-        )
+        for_two = {
+            "--relative-limit": relative_limit,
+            "--cs-limit": cs_limit,
+            "--variable": variable,
+            "--inputs": inputs,
+        }
+        options.refuse_given("is for two FMUs", for_two)
+        name = names[0] if names else None
+        with opened(damping, name, assignments, parameters) as (one, joystick):
+            kept = _with_reference(one.description, joystick, request)
     else:
-        if damping is not None:
-            raise typer.BadParameter("the damping laws of given FMUs are their own", param_hint="--damping")
-        between = comparisons.BetweenFmus(
+        options.refuse_given("given FMUs have their own damping laws", {"--damping": damping})
+        between = _BetweenFmus(
             parameters=parameters,
-            settings=options.parse_assignments(assignments or [], "--set"),
+            settings=options.parse_assignments(assignments, "--set"),
             relative_limit=relative_limit,
-            cs_limits=options.parse_assignments(cs_limit or [], "--cs-limit"),
+            cs_limits=options.parse_assignments(cs_limit, "--cs-limit"),
             variables=variable,
             inputs=inputs,
         )
-        kept = comparisons.of_two(names[0], names[1], between, request)
+        kept = _of_two(names[0], names[1], between, request)
     if not kept:
         raise typer.Exit(1)
 
 
+def _with_reference(
+    description: fmu.FmuDescription, joystick: model.JoystickParameters, request: _Request
+) -> bool:
+    """Compare an FMU with the reference and print the result; False if a limit is exceeded."""
+    interface = request.interface or "CoSimulation"
+    angles = request.angles or [options.parse_angle(options.DEFAULT_RELEASE_ANGLE)]
+    duration = support.DEFAULT_DURATION if request.duration is None else request.duration
+    step = support.DEFAULT_OUTPUT_INTERVAL if request.output_interval is None else request.output_interval
+    with messages().status("") as status:
+        found = runs.compare_with_reference(
+            description.path,
+            joystick,
+            angles,
+            duration=duration,
+            output_interval=step,
+            interface=interface,
+            limits=request.limits,
+            tolerances=request.tolerances,
+            on_run=status.update,
+        )
+    releases = ", ".join(run.experiment for run in found)
+    console = output()
+    console.print(
+        f"{escape(description.path.name)} against the reference: free oscillation from {releases}, "
+        f"{duration:g} s, {solver_text(interface, request.tolerances)}"
+    )
+    print_differences(console, found, every_run=request.every_run)
+    _write_json([description], found, request)
+    return all(run.within_limits for run in found)
+
+
+def _of_two(first: str, second: str, between: _BetweenFmus, request: _Request) -> bool:
+    """Compare two FMUs and print the result; False if a limit is exceeded."""
+    paths = found_or_built(first), found_or_built(second)
+    descriptions = [fmu.read_description(path) for path in paths]
+    experiments = runs.experiments_for(
+        *descriptions,
+        angles=request.angles,
+        duration=request.duration,
+        output_interval=request.output_interval,
+        settings={**_joystick(between, descriptions[0]), **between.settings},
+        inputs=None if between.inputs is None else fmu.read_inputs(between.inputs, descriptions[0]),
+    )
+    limits = runs.Limits(absolute=request.limits, co_simulation=between.cs_limits)
+    if between.relative_limit is not None:
+        limits = runs.Limits(request.limits, between.relative_limit, between.cs_limits)
+    with messages().status("") as status:
+        comparison = runs.compare_fmus(
+            *paths,
+            experiments=experiments,
+            interfaces=None if request.interface is None else [request.interface],
+            variables=between.variables,
+            limits=limits,
+            tolerances=request.tolerances,
+            on_run=status.update,
+        )
+    print_comparison(output(), comparison, request.every_run)
+    _write_json([comparison.first, comparison.second], comparison.runs, request, comparison.declarations)
+    return comparison.within_limits
+
+
+def _joystick(between: _BetweenFmus, description: fmu.FmuDescription) -> Mapping[str, float]:
+    """The values of the parameter file, with the damping law of the FMU."""
+    if between.parameters is None:
+        return {}
+    return options.parameter_file(between.parameters).with_law(law_of(description)).to_names()
+
+
+def _write_json(
+    fmus: Sequence[fmu.FmuDescription],
+    found: Sequence[runs.RunComparison],
+    request: _Request,
+    declarations: runs.Declarations | None = None,
+) -> None:
+    text = runs.as_json(fmus, found, request.tolerances, declarations=declarations)
+    write(request.json, lambda path: write_text(path, text))
+
+
 def _names(arguments: list[str], option: str | None) -> list[str]:
-    """The FMUs that are given, by arguments or by --fmu."""
+    """The FMUs given as arguments or by --fmu."""
     if len(arguments) > 2:
         raise typer.BadParameter(f"at most two FMUs can be compared, not {len(arguments)}")
     if option is not None and arguments:

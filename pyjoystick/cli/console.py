@@ -1,19 +1,26 @@
-"""Where the command line writes: results to standard output, everything else to standard error."""
+"""What the command line prints and writes: results to standard output, everything else to standard error."""
 
 from __future__ import annotations
 
+import math
 import os
+from collections.abc import Callable, Iterable
+from pathlib import Path
 from typing import Final
 
 from rich.console import Console
 from rich.markup import escape
 
-#: Columns for tables where nobody looks on: more than any of them takes.
+from pyjoystick import model
+
+#: Width of tables that are not shown on a terminal: more than any of them takes.
 _UNBOUNDED: Final = 10_000
+#: Part of the paper's stop angle, "about" 20 degrees, from which on an angle is beyond the stops.
+_ABOUT: Final = 1.05
 
 
 def output() -> Console:
-    """Standard output; where it is no terminal nothing is wrapped or cut short, so that it can be piped."""
+    """Standard output; unless it is a terminal, nothing is wrapped or truncated, so that it can be piped."""
     console = Console(highlight=False, soft_wrap=True)
     if not console.is_terminal and "COLUMNS" not in os.environ:
         console.width = _UNBOUNDED
@@ -26,15 +33,43 @@ def messages() -> Console:
 
 
 def print_error(message: str) -> None:
-    """One message on what went wrong."""
+    """A message that reports an error."""
     messages().print(f"[bold red]error:[/bold red] {escape(message)}")
 
 
 def print_note(message: str) -> None:
-    """A line on what is being done."""
+    """A line about what is being done."""
     messages().print(f"[dim]{escape(message)}[/dim]")
 
 
+def print_notes(source: object, notes: Iterable[str]) -> None:
+    """Notes on a file or a record."""
+    for note in notes:
+        print_note(f"{source}: {note}")
+
+
 def print_traceback() -> None:
-    """Where the present exception comes from."""
+    """The traceback of the current exception."""
     messages().print_exception()
+
+
+def write(path: Path | None, writer: Callable[[Path], object], remark: str = "") -> None:
+    """Write a result if its file was given, and report it.
+
+    Args:
+        path: the file, None if its option was not given
+        writer: writes the result to a path
+        remark: is added to the report
+    """
+    if path is not None:
+        writer(path)
+        print_note(f"wrote {path}{remark}")
+
+
+def note_stops(largest: float) -> None:
+    """Report an angle (rad) beyond the stops of the real joystick, which the models do not have."""
+    if largest > _ABOUT * model.STOP_ANGLE:
+        print_note(
+            f"note: {math.degrees(largest):.4g} degrees are beyond the paper's stops at about "
+            f"{math.degrees(model.STOP_ANGLE):.0f}, which are not modeled"
+        )

@@ -1,46 +1,80 @@
-"""FMUs of the command line: found, or built where the tools for it are installed."""
+"""The FMUs that commands run: found, or built where the tools for it are installed."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from importlib.util import find_spec
 from pathlib import Path
+from typing import Final
 
+import typer
+
+from pyjoystick import fmu, model, runs
 from pyjoystick.cli.console import messages, print_note
+from pyjoystick.cli.options import joystick_of, parameter_file, parse_assignments
 from pyjoystick.support import PyJoystickError
 
-_TOOLS = ("fmu_build", "rumoca", "ziglang")
+_TOOLS: Final = ("fmu_build", "rumoca", "ziglang")
 
 
 class FmuBuildError(PyJoystickError):
-    """An FMU that was missing could not be built."""
+    """A missing FMU could not be built."""
 
 
-def found_or_built(fmu: str) -> Path:
-    """The path of an FMU given by name or path; one of the checkout's own that is missing is built.
+@contextmanager
+def opened(
+    law: model.LawName | None, name: str | None, assignments: list[str] | None, parameters: Path | None = None
+) -> Iterator[tuple[fmu.Fmu, model.JoystickParameters]]:
+    """The FMU of --damping or --fmu, and the joystick of --parameters and --set.
+
+    Raises:
+        BadParameter: both --damping and --fmu are given
+        PyJoystickError: the FMU or a parameter cannot be used
+    """
+    file = parameter_file(parameters)
+    changes = parse_assignments(assignments, "--set")
+    if law is not None and name is not None:
+        raise typer.BadParameter("give --damping or --fmu: an FMU has its own damping law")
+    if name is None:
+        joystick = joystick_of(law, changes, file)
+        with fmu.Fmu(found_or_built(runs.fmu_of_damping(joystick.damping))) as one:
+            yield one, joystick
+    else:
+        with fmu.Fmu(found_or_built(name)) as one:
+            yield one, joystick_of(law_of(one.description), changes, file)
+
+
+def law_of(description: fmu.FmuDescription) -> model.LawName:
+    """The damping law of an FMU's parameters."""
+    return "power-law" if "damping.alpha" in description.variables else "constant"
+
+
+def found_or_built(name: str) -> Path:
+    """The path of an FMU given by name or path; a missing one of this project is built.
 
     Raises:
         FmuNotFoundError: there is no such file, and it cannot be built here
         FmuBuildError: building it failed
     """
-    # What finds FMUs comes with what runs them, which help need not wait for.
-    from pyjoystick.fmu import MODELS, FmuNotFoundError, build_folder, find_fmu
-
     try:
-        return find_fmu(fmu)
-    except FmuNotFoundError:
-        folder = build_folder()
-        if fmu not in MODELS or folder is None or not all(find_spec(tool) for tool in _TOOLS):
+        return fmu.find_fmu(name)
+    except fmu.FmuNotFoundError:
+        folder = fmu.build_folder()
+        if name not in fmu.MODELS or folder is None or not all(find_spec(tool) for tool in _TOOLS):
             raise
-        return _build(MODELS[fmu], folder)
+        return _build(fmu.MODELS[name], folder)
 
 
-def _build(model: str, folder: Path) -> Path:
-    from fmu_build import BuildError, build_fmu
+def _build(model_name: str, folder: Path) -> Path:
+    from fmu_build import BuildError, build_fmu  # needs packages that only builds need
 
-    with messages().status(f"building the FMU of {model}") as status:
+    with messages().status(f"building the FMU of {model_name}") as status:
         try:
-            result = build_fmu(model, folder, on_stage=lambda stage: status.update(f"{model}: {stage}"))
+            result = build_fmu(
+                model_name, folder, on_stage=lambda stage: status.update(f"{model_name}: {stage}")
+            )
         except BuildError as error:
-            raise FmuBuildError(f"the FMU of {model} could not be built: {error}") from error
+            raise FmuBuildError(f"the FMU of {model_name} could not be built: {error}") from error
     print_note(f"built {result.path} in {result.seconds:.1f} s, as it was missing")
     return result.path

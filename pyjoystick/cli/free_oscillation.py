@@ -4,22 +4,20 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Final
 
-import typer
 from rich.table import Table
 
+from pyjoystick import motion, runs, support
 from pyjoystick.cli import options
-from pyjoystick.cli.console import messages, output, print_note
-from pyjoystick.cli.setup import opened
-from pyjoystick.cli.stops import note_stops
-from pyjoystick.support import DEFAULT_DURATION, DEFAULT_OUTPUT_INTERVAL, DEFAULT_TOLERANCE, check_outputs
+from pyjoystick.cli.console import messages, note_stops, output, write
+from pyjoystick.cli.fmus import opened
 
 if TYPE_CHECKING:
     import pandas as pd
 
-_PEAKS_SHOWN = 10
-EXAMPLES = """
+_PEAKS_SHOWN: Final = 10
+EXAMPLES: Final = """
 Examples:
 
     pyjoystick free-oscillation --csv run.csv --plot run.png
@@ -31,45 +29,26 @@ Examples:
 
 def run(
     release_angle: options.ReleaseAngle = options.DEFAULT_RELEASE_ANGLE,
-    duration: options.Duration = DEFAULT_DURATION,
+    duration: options.Duration = support.DEFAULT_DURATION,
     damping: options.Law = None,
     parameters_file: options.Parameters = None,
     assignments: options.Set = None,
     fmu: options.FmuFile = None,
-    csv: Annotated[
-        Path | None,
-        typer.Option(
-            "--csv", metavar="FILE", help="Write the motion as CSV, in SI units.", show_default=False
-        ),
-    ] = None,
-    plot: Annotated[
-        Path | None,
-        typer.Option(
-            "--plot",
-            metavar="FILE",
-            help="Draw displacement, velocity and acceleration: .png, .pdf or .svg.",
-            show_default=False,
-        ),
-    ] = None,
-    output_interval: options.OutputInterval = DEFAULT_OUTPUT_INTERVAL,
-    tolerance: options.Tolerance = DEFAULT_TOLERANCE,
+    csv: Annotated[Path | None, options.csv("the motion")] = None,
+    plot: Annotated[Path | None, options.plot("displacement, velocity and acceleration")] = None,
+    output_interval: options.OutputInterval = support.DEFAULT_OUTPUT_INTERVAL,
+    tolerance: options.Tolerance = support.DEFAULT_TOLERANCE,
 ) -> None:
-    """Release the joystick from rest and let it oscillate; prints the peaks of its motion."""
-    # What it takes is loaded when it is wanted, so that the other commands start quickly.
-    from pyjoystick.motion import write_csv
-    from pyjoystick.runs import free_oscillation as released
-
+    """Release the joystick from rest, let it oscillate, and print the peaks of its motion."""
     start = options.parse_angle(release_angle)
     if plot is not None:
-        from pyjoystick.support import check_figure_path, plot_motion, save_figure
-
-        check_figure_path(plot)
-    check_outputs(csv, plot)
+        support.check_figure_path(plot)
+    support.check_outputs(csv, plot)
     with (
         opened(damping, fmu, assignments, parameters_file) as (joystick, parameters),
         messages().status("simulating"),
     ):
-        table = released(
+        table = runs.free_oscillation(
             start,
             fmu=joystick,
             parameters=parameters,
@@ -81,22 +60,17 @@ def run(
     degrees = math.degrees(start)
     note_stops(abs(start))
     _print_peaks(table, f"{name}: free oscillation from {degrees:.6g} deg ({start:.6g} rad), {duration:g} s")
-    if csv is not None:
-        write_csv(table, csv)
-        print_note(f"wrote {csv}")
-    if plot is not None:
-        save_figure(plot_motion({name: table}, title=f"Free oscillation from {degrees:.6g} deg"), plot)
-        print_note(f"wrote {plot}")
+    write(csv, lambda path: motion.write_csv(table, path))
+    title = f"Free oscillation from {degrees:.6g} deg"
+    write(plot, lambda path: support.save_figure(support.plot_motion({name: table}, title=title), path))
 
 
-def _print_peaks(motion: pd.DataFrame, title: str) -> None:
-    from pyjoystick.motion import find_peaks
-
-    peaks = find_peaks(motion.index, motion["theta"], motion["omega"]) if len(motion) > 2 else None
+def _print_peaks(run: pd.DataFrame, title: str) -> None:
+    peaks = motion.find_peaks(run.index, run["theta"], run["omega"]) if len(run) > 2 else None
     console = output()
     console.print(title)
     if peaks is None or peaks.empty:
-        console.print("no peak of the displacement within the run")
+        console.print("the run has no peak of the displacement")
         return
     table = Table("peak", "time (s)", "displacement (deg)", "half period (s)", box=None)
     for column in table.columns:

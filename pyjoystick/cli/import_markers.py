@@ -3,30 +3,30 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Final
 
 import typer
 
-from pyjoystick.cli import chain_options
-from pyjoystick.cli.chain_options import PAPER, chain_of
-from pyjoystick.cli.console import output, print_note
-from pyjoystick.cli.options import Released, SideName, parameter_file, side_of
+from pyjoystick import laboratory, model, motion
+from pyjoystick.cli import options
+from pyjoystick.cli.console import output, print_notes, write
 from pyjoystick.support import check_outputs
 
-EXAMPLES = """
+_PAPER: Final = laboratory.Chain()
+EXAMPLES: Final = """
 Examples:
 
     pyjoystick import markers trial1.c3d --top TOP --base BASE1 BASE2 --output trial1.csv
 
-    pyjoystick import markers nexus.csv --top TOP --base BASE1 BASE2 --forward -y --released backward \\
-        --output trial1.csv --motion motion1.csv
+    pyjoystick import markers nexus.csv --top TOP --base BASE1 BASE2 --forward -y \\
+        --released backward --output trial1.csv --motion motion1.csv
 
-    pyjoystick import markers trial1.c3d --top TOP --base BASE1 BASE2 --radius 0.266 --rests backward \\
-        --parameters joystick.toml --output trial1.csv
+    pyjoystick import markers trial1.c3d --top TOP --base BASE1 BASE2 --radius 0.266 \\
+        --rests backward --parameters joystick.toml --output trial1.csv
 
-The record has the angle as measured, which `pyjoystick peaks` and `pyjoystick fit` want: the filter of the
-chain lowers the peaks of the velocity and makes the noise of neighboring samples alike. The motion is what
-the chain gives: angle, velocity and acceleration.
+The record contains the unfiltered angle, as `pyjoystick peaks` and `pyjoystick fit` require: the filter would
+lower the peaks of the velocity and correlate the noise of neighboring samples. The motion contains the
+filtered angle, velocity and acceleration.
 """
 
 
@@ -37,10 +37,10 @@ def run(
         tuple[str, str], typer.Option("--base", metavar="NAME NAME", help="The two markers on the base.")
     ],
     record_file: Annotated[
-        Path, typer.Option("--output", "-o", metavar="FILE", help="Where the record goes: time and angle.")
+        Path, typer.Option("--output", "-o", metavar="FILE", help="File for the record: time and angle.")
     ],
     motion_file: Annotated[
-        Path | None, typer.Option("--motion", metavar="FILE", help="Where the filtered motion goes.")
+        Path | None, typer.Option("--motion", metavar="FILE", help="File for the filtered motion.")
     ] = None,
     forward: Annotated[
         str, typer.Option("--forward", metavar="AXIS", help="Axis that points forward: x, -x, y, -y, z, -z.")
@@ -48,78 +48,69 @@ def run(
     up: Annotated[
         str | None,
         typer.Option(
-            "--up", metavar="AXIS", help="Axis in the plane of motion, where this is not to be found."
+            "--up",
+            metavar="AXIS",
+            help="Axis in the plane of motion, if it cannot be found from the markers.",
         ),
     ] = None,
     middle: Annotated[
-        bool, typer.Option("--middle", help="The pivot is the middle of the base, not the center of the arc.")
+        bool,
+        typer.Option(
+            "--middle", help="Use the middle of the base as the pivot instead of the center of the arc."
+        ),
     ] = False,
     radius: Annotated[
         float | None,
         typer.Option(
             "--radius",
-            metavar="METRES",
-            help="From the pivot to the top marker, where measured; that of its arc if not given.",
+            metavar="METERS",
+            help="Measured distance from the pivot to the top marker. Default: the radius of its arc.",
         ),
     ] = None,
     moving_base: Annotated[
-        bool, typer.Option("--moving-base", help="Take the angle relative to the base in each frame.")
+        bool, typer.Option("--moving-base", help="Measure the angle relative to the base in each frame.")
     ] = False,
-    rest: Annotated[
-        tuple[float, float] | None,
-        typer.Option(
-            "--rest", metavar="START END", help="Stretch at rest (s); the last 0.25 s if not given."
-        ),
-    ] = None,
+    rest: options.Rest = None,
     rests: Annotated[
-        SideName | None,
+        model.Side | None,
         typer.Option(
             "--rests",
-            help="Side to which it leans at rest: zero is then the middle of the clearance of --parameters.",
-            show_default=False,
+            help="Side to which the joystick leans at rest; the zero of the angle is then the middle of the "
+            "clearance of --parameters.",
         ),
     ] = None,
     parameters: Annotated[
         Path | None,
         typer.Option(
-            "--parameters", "-p", metavar="FILE", help="The joystick, for --rests.", show_default=False
+            "--parameters", "-p", metavar="FILE", help="Parameter file of the joystick, for --rests."
         ),
     ] = None,
-    released: Released = None,
+    released: options.Released = None,
     unit: Annotated[
-        str | None, typer.Option("--unit", metavar="UNIT", help="m, cm or mm, where the file does not say.")
+        str | None, typer.Option("--unit", metavar="UNIT", help="m, cm or mm, if the file gives no unit.")
     ] = None,
-    rate: chain_options.Rate = PAPER.rate,
-    cutoff: chain_options.Cutoff = PAPER.low_pass.cutoff,
-    order: chain_options.Order = PAPER.low_pass.order,
-    corrected: chain_options.Corrected = False,
-    longest_gap: chain_options.LongestGap = PAPER.longest_gap,
-    velocity_points: chain_options.VelocityPoints = PAPER.velocity_points,
-    acceleration_points: chain_options.AccelerationPoints = PAPER.acceleration_points,
+    rate: options.Rate = _PAPER.rate,
+    cutoff: options.Cutoff = _PAPER.low_pass.cutoff,
+    order: options.Order = _PAPER.low_pass.order,
+    corrected: options.Corrected = False,
+    longest_gap: options.LongestGap = _PAPER.longest_gap,
+    velocity_points: options.VelocityPoints = _PAPER.velocity_points,
+    acceleration_points: options.AccelerationPoints = _PAPER.acceleration_points,
 ) -> None:
     """Make a record of the joystick's angle from motion capture (section 2 of the paper)."""
-    # What it takes is loaded when it is wanted, so that the other commands start quickly.
-    from pyjoystick.laboratory import (
-        chain_report,
-        markers_report,
-        measure_angle,
-        read_markers,
-        rest_angle,
-        write_motion,
-        write_record,
+    chain = options.chain_of(
+        rate, cutoff, order, corrected, longest_gap, velocity_points, acceleration_points
     )
-    from pyjoystick.motion import check_free_oscillation
-
-    chain = chain_of(rate, cutoff, order, corrected, longest_gap, velocity_points, acceleration_points)
     if (rests is None) != (parameters is None):
         raise typer.BadParameter("give --rests and --parameters together")
     if middle and radius is not None:
         raise typer.BadParameter("give --middle or --radius: the pivot is one or the other")
     check_outputs(record_file, motion_file)
-    leaning = side_of(rests)
-    at_rest = 0.0 if leaning is None else rest_angle(parameter_file(parameters).joystick, leaning)
-    markers = read_markers(file, unit=unit)
-    measured = measure_angle(
+    at_rest = 0.0
+    if rests is not None:
+        at_rest = laboratory.rest_angle(options.parameter_file(parameters).joystick, rests)
+    markers = laboratory.read_markers(file, unit=unit)
+    measured = laboratory.measure_angle(
         markers,
         top=top,
         base=base,
@@ -133,18 +124,14 @@ def run(
     )
     record = measured.record(record_file.stem)
     if released is not None:
-        record = check_free_oscillation(record, released=side_of(released))
-    for note in record.notes:
-        print_note(f"{file}: {note}")
-    motion = chain.run(measured.time, measured.theta)
+        record = motion.check_free_oscillation(record, released=released)
+    print_notes(file, record.notes)
+    filtered = chain.run(measured.time, measured.theta)
     origin = f"angle from {file.name}: top {top}, base {base[0]} and {base[1]}, forward {forward}"
-    write_record(record, record_file, [origin])
-    print_note(f"wrote {record_file}")
-    if motion_file is not None:
-        filtered = f"filtered at {cutoff:g} Hz, order {order}, forward and reverse, {rate:g} Hz"
-        write_motion(motion, motion_file, [origin, filtered])
-        print_note(f"wrote {motion_file}")
+    write(record_file, lambda path: laboratory.write_record(record, path, [origin]))
+    how = f"filtered at {cutoff:g} Hz, order {order}, forward and reverse, {rate:g} Hz"
+    write(motion_file, lambda path: laboratory.write_motion(filtered, path, [origin, how]))
     console = output()
-    console.print(markers_report(markers, (top, *base), measured))
+    console.print(laboratory.markers_report(markers, (top, *base), measured))
     console.print()
-    console.print(chain_report(chain, motion))
+    console.print(laboratory.chain_report(chain, filtered))

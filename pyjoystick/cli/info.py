@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated, Final
 
 import typer
 from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
+from pyjoystick import fmu
 from pyjoystick.cli.console import output
 from pyjoystick.cli.fmus import found_or_built
 
-if TYPE_CHECKING:
-    from pyjoystick.fmu import DefaultExperiment, FmuDescription, Variable
-
-_GROUPS = (
+_GROUPS: Final = (
     ("input", "Inputs"),
     ("output", "Outputs"),
     ("parameter", "Parameters"),
@@ -32,22 +30,18 @@ Examples:
 
 
 def run(
-    fmu: Annotated[
+    name: Annotated[
         str,
         typer.Argument(
             metavar="FMU",
             help="Path of any .fmu file, or Joystick, JoystickPowerLaw, JoystickInverse or "
             "JoystickInversePowerLaw.",
-            show_default=False,
         ),
     ],
     everything: Annotated[bool, typer.Option("--all", help="Show local variables too.")] = False,
 ) -> None:
-    """Show what an FMU is: model, interfaces, platforms, variables; nothing of it is run."""
-    # What it takes is loaded when it is wanted, so that the other commands start quickly.
-    from pyjoystick.fmu import read_description
-
-    description = read_description(found_or_built(fmu))
+    """Show the model, interfaces, platforms and variables of an FMU, without running it."""
+    description = fmu.read_description(found_or_built(name))
     console = output()
     _print_facts(console, description)
     for causality, title in _GROUPS:
@@ -59,7 +53,7 @@ def run(
             console.print(_variables([description.variables[name] for name in names]))
 
 
-def _print_facts(console: Console, description: FmuDescription) -> None:
+def _print_facts(console: Console, description: fmu.FmuDescription) -> None:
     facts = {
         "file": str(description.path),
         "model": description.model_name,
@@ -78,7 +72,7 @@ def _print_facts(console: Console, description: FmuDescription) -> None:
     console.print(table)
 
 
-def _experiment(experiment: DefaultExperiment) -> str:
+def _experiment(experiment: fmu.DefaultExperiment) -> str:
     parts = (
         ("from", experiment.start_time, "s"),
         ("to", experiment.stop_time, "s"),
@@ -88,7 +82,7 @@ def _experiment(experiment: DefaultExperiment) -> str:
     return ", ".join(f"{name} {value:g} {unit}".rstrip() for name, value, unit in parts if value is not None)
 
 
-def _variables(variables: list[Variable]) -> Table:
+def _variables(variables: list[fmu.Variable]) -> Table:
     table = Table("name", "unit", "start", "range", "description", box=None, padding=(0, 2, 0, 0))
     table.columns[0].no_wrap = True
     table.columns[2].justify = "right"
@@ -100,7 +94,7 @@ def _variables(variables: list[Variable]) -> Table:
     return table
 
 
-def _range(variable: Variable) -> str:
+def _range(variable: fmu.Variable) -> str:
     low, high = variable.minimum, variable.maximum
     if variable.must_be_positive and high is None:
         return "> 0"

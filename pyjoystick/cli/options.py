@@ -1,44 +1,27 @@
-"""Options that commands share, and how their text is understood."""
+"""Options that commands share, and how their values are read."""
 
 from __future__ import annotations
 
 import math
 import re
-from collections.abc import Sequence
-from enum import StrEnum
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated, Any, Final
 
 import typer
 
-from pyjoystick.model import PAPER, SIDES, JoystickParameters, ParameterFile, Side, read_parameter_file
+from pyjoystick import laboratory, model
 from pyjoystick.support import ParameterError
 
-if TYPE_CHECKING:
-    from pyjoystick.fmu import FmuDescription
-
-_ANGLE = re.compile(r"(?P<number>[-+0-9.eE]+)\s*(?P<unit>deg|rad|)")
-
-
-class DampingLaw(StrEnum):
-    """The damping laws of the paper."""
-
-    CONSTANT = "constant"
-    POWER_LAW = "power-law"
-
-
-class SideName(StrEnum):
-    """The sides of the joystick."""
-
-    FORWARD = "forward"
-    BACKWARD = "backward"
+_ANGLE: Final = re.compile(r"(?P<number>[-+0-9.eE]+)\s*(?P<unit>deg|rad|)")
+DEFAULT_RELEASE_ANGLE: Final = "-20deg"
 
 
 def parse_angle(text: str, option: str = "--release-angle") -> float:
     """An angle in rad from text such as ``-20``, ``-20deg`` or ``-0.35rad``; a bare number is in degrees.
 
     Raises:
-        BadParameter: it is no angle, or 90 degrees or more
+        BadParameter: the text is not an angle, or 90 degrees or more
     """
     match = _ANGLE.fullmatch(text.strip())
     try:
@@ -46,7 +29,7 @@ def parse_angle(text: str, option: str = "--release-angle") -> float:
     except ValueError:
         number = math.nan
     if match is None or not math.isfinite(number):
-        raise typer.BadParameter(f"{text!r} is no angle; write it as -20deg or -0.35rad", param_hint=option)
+        raise typer.BadParameter(f"{text!r} is not an angle; write -20deg or -0.35rad", param_hint=option)
     angle = number if match["unit"] == "rad" else math.radians(number)
     if abs(angle) >= math.pi / 2.0:
         hint = f"; did you mean {number:g}deg?" if match["unit"] == "rad" and abs(number) < 90.0 else ""
@@ -54,14 +37,14 @@ def parse_angle(text: str, option: str = "--release-angle") -> float:
     return angle
 
 
-def parse_assignments(texts: list[str], option: str) -> dict[str, float]:
+def parse_assignments(texts: Sequence[str] | None, option: str) -> dict[str, float]:
     """Numbers by name from texts such as ``damping.C=0.05``; each name at most once.
 
     Raises:
-        BadParameter: it is not of that form, or a name is given twice
+        BadParameter: a text does not have that form, or a name is given twice
     """
     values: dict[str, float] = {}
-    for text in texts:
+    for text in texts or []:
         name, sign, value = (part.strip() for part in text.partition("="))
         try:
             number = float(value)
@@ -79,10 +62,10 @@ def parse_assignments(texts: list[str], option: str) -> dict[str, float]:
 
 
 def parse_names(texts: Sequence[str] | None, option: str) -> dict[str, str]:
-    """Names and what they stand for from texts such as ``theta=Angle``.
+    """Texts by name from texts such as ``theta=Angle``.
 
     Raises:
-        BadParameter: it is not of that form
+        BadParameter: a text does not have that form
     """
     found = {}
     for text in texts or []:
@@ -93,61 +76,109 @@ def parse_names(texts: Sequence[str] | None, option: str) -> dict[str, str]:
     return found
 
 
-def parameter_file(path: Path | None) -> ParameterFile:
-    """The file of --parameters; the paper's where none is given.
+def parse_headings(columns: Sequence[str] | None, units: Sequence[str] | None) -> dict[str, dict[str, str]]:
+    """The keyword arguments ``columns`` and ``units`` of a reader from --column and --unit."""
+    return {"columns": parse_names(columns, "--column"), "units": parse_names(units, "--unit")}
+
+
+def refuse_given(reason: str, values: Mapping[str, object]) -> None:
+    """Raise BadParameter for the first option that was given.
+
+    Args:
+        reason: why it is not allowed
+        values: by option; None for an option that was not given
+    """
+    for option, value in values.items():
+        if value is not None:
+            raise typer.BadParameter(reason, param_hint=option)
+
+
+def parameter_file(path: Path | None) -> model.ParameterFile:
+    """The file of --parameters; the paper's by default.
 
     Raises:
         InputFileError, SettingsError: the file cannot be used
     """
-    return PAPER if path is None else read_parameter_file(path)
+    return model.PAPER if path is None else model.read_parameter_file(path)
 
 
 def joystick_of(
-    law: DampingLaw | None, changes: dict[str, float], file: ParameterFile = PAPER
-) -> JoystickParameters:
-    """The joystick of a parameter file with a damping law, its own where None, and some parameters changed.
+    law: model.LawName | None, changes: Mapping[str, float], file: model.ParameterFile | None = None
+) -> model.JoystickParameters:
+    """The joystick of a parameter file, the paper's by default, with some parameters changed.
+
+    Args:
+        law: damping law; that of the file by default
+        changes: values by name (SI units)
+        file: the parameter file
 
     Raises:
         UnknownParameterError, ParameterError: a name or value is not allowed
-        SettingsError: the file has no numbers of that damping law
+        SettingsError: the file has no parameters of that damping law
     """
     for name in ("theta_start", "omega_start"):
         if name in changes:
-            raise ParameterError(name, changes[name], "left out", "the release is --release-angle, from rest")
-    joystick = file.joystick if law is None else file.with_law(law.value)
-    return joystick.replace(changes)
+            raise ParameterError(name, changes[name], "left out", "set the release with --release-angle")
+    file = file or model.PAPER
+    return (file.joystick if law is None else file.with_law(law)).replace(changes)
 
 
-def side_of(name: SideName | None) -> Side | None:
-    """The side as the rest of the package takes it."""
-    return next((side for side in SIDES if side == name), None)
+def chain_of(
+    rate: float,
+    cutoff: float,
+    order: int,
+    corrected: bool,
+    longest_gap: float,
+    velocity: int,
+    acceleration: int,
+) -> laboratory.Chain:
+    """The signal chain of these options; raises ParameterError."""
+    low_pass = laboratory.LowPass(cutoff, order, corrected)
+    return laboratory.Chain(rate, low_pass, velocity, acceleration, longest_gap)
 
 
-def law_of(fmu: FmuDescription) -> DampingLaw:
-    """The damping law that an FMU's parameters belong to."""
-    has_power_law = "damping.alpha" in fmu.variables
-    return DampingLaw.POWER_LAW if has_power_law else DampingLaw.CONSTANT
+def column(names: str) -> Any:
+    """--column of a file with these columns."""
+    return typer.Option("--column", metavar="NAME=HEADING", help=f"Heading of {names}; repeatable.")
 
 
-DEFAULT_RELEASE_ANGLE = "-20deg"
+def plot(what: str) -> Any:
+    """--plot."""
+    return typer.Option("--plot", metavar="FILE", help=f"Plot {what}: .png, .pdf or .svg.")
 
+
+def json(what: str) -> Any:
+    """--json."""
+    return typer.Option("--json", metavar="FILE", help=f"Write {what} as JSON.")
+
+
+def csv(what: str) -> Any:
+    """--csv."""
+    return typer.Option("--csv", metavar="FILE", help=f"Write {what} as CSV, in SI units.")
+
+
+def uncertainty(names: str) -> Any:
+    """--uncertainty."""
+    return typer.Option("--uncertainty", metavar="NAME=VALUE", help=f"Standard uncertainty of {names}.")
+
+
+Records = Annotated[
+    list[Path],
+    typer.Argument(metavar="RECORD.csv", help="One file per release: columns time (s), theta (deg)."),
+]
 ReleaseAngle = Annotated[
     str,
     typer.Option(
         "--release-angle",
         "-a",
         metavar="ANGLE",
-        help="Angle at which the joystick is let go: -20deg or -0.35rad; a bare number is in degrees.",
+        help="Release angle: -20deg or -0.35rad; a bare number is in degrees.",
     ),
 ]
 Duration = Annotated[float, typer.Option("--duration", "-d", metavar="SECONDS", help="Length of the run.")]
 Law = Annotated[
-    DampingLaw | None,
-    typer.Option(
-        "--damping",
-        help="Damping law; if not given that of --parameters or of an FMU, constant without either.",
-        show_default=False,
-    ),
+    model.LawName | None,
+    typer.Option("--damping", help="Damping law. Default: that of --parameters or --fmu, else constant."),
 ]
 Parameters = Annotated[
     Path | None,
@@ -155,36 +186,29 @@ Parameters = Annotated[
         "--parameters",
         "-p",
         metavar="FILE",
-        help="The joystick, a TOML file as `pyjoystick parameters` writes it; the paper's if not given. "
-        "What other options say takes precedence.",
-        show_default=False,
+        help="Parameter file of the joystick (see `pyjoystick parameters`). Default: the paper's joystick. "
+        "Other options take precedence.",
     ),
 ]
-Columns = Annotated[
-    list[str] | None,
+ParametersToUpdate = Annotated[
+    Path | None,
     typer.Option(
-        "--column",
-        metavar="NAME=HEADING",
-        help="Where time, theta or omega is found; repeatable.",
-        show_default=False,
+        "--parameters",
+        "-p",
+        metavar="FILE",
+        help="Parameter file to update; a new one starts with the paper's values.",
     ),
 ]
+Columns = Annotated[list[str] | None, column("time, theta or omega")]
 Units = Annotated[
     list[str] | None,
     typer.Option(
-        "--unit",
-        metavar="NAME=UNIT",
-        help="Unit of a column that has none in its heading; repeatable.",
-        show_default=False,
+        "--unit", metavar="NAME=UNIT", help="Unit of a column whose heading gives none; repeatable."
     ),
 ]
 Released = Annotated[
-    SideName | None,
-    typer.Option(
-        "--released",
-        help="Side of release, where it is known: other records are refused.",
-        show_default=False,
-    ),
+    model.Side | None,
+    typer.Option("--released", help="Side of the release, if known; other records are rejected."),
 ]
 Set = Annotated[
     list[str] | None,
@@ -193,7 +217,6 @@ Set = Annotated[
         "-s",
         metavar="NAME=VALUE",
         help="Set a parameter, in SI units; repeatable. `pyjoystick info Joystick` lists them.",
-        show_default=False,
     ),
 ]
 FmuFile = Annotated[
@@ -201,8 +224,7 @@ FmuFile = Annotated[
     typer.Option(
         "--fmu",
         metavar="FILE",
-        help="Another FMU with the interface of Joystick.fmu; the damping law is then its own.",
-        show_default=False,
+        help="Run this FMU, which has its own damping law, instead of Joystick.fmu.",
     ),
 ]
 OutputInterval = Annotated[
@@ -215,6 +237,29 @@ Tolerance = Annotated[
         metavar="NUMBER",
         min=1e-13,
         max=1e-2,
-        help="Tolerance that the FMU's integrator keeps, 1e-13 to 0.01.",
+        help="Tolerance of the FMU's integrator.",
     ),
+]
+Rest = Annotated[
+    tuple[float, float] | None,
+    typer.Option("--rest", metavar="START END", help="Interval at rest (s). Default: the last 0.25 s."),
+]
+Rate = Annotated[float, typer.Option("--rate", metavar="HZ", help="Sampling rate after interpolation.")]
+Cutoff = Annotated[
+    float, typer.Option("--cutoff", metavar="HZ", help="Cut-off frequency of the Butterworth filter.")
+]
+Order = Annotated[int, typer.Option("--order", metavar="N", help="Filter order of a single pass.")]
+Corrected = Annotated[
+    bool,
+    typer.Option("--corrected", help="Raise the cut-off so that both passes together give -3 dB there."),
+]
+LongestGap = Annotated[
+    float, typer.Option("--longest-gap", metavar="SECONDS", help="Longest gap between frames to bridge.")
+]
+VelocityPoints = Annotated[
+    int, typer.Option("--velocity-points", metavar="N", help="Points of the first derivative: 3, 5 or 7.")
+]
+AccelerationPoints = Annotated[
+    int,
+    typer.Option("--acceleration-points", metavar="N", help="Points of the second derivative: 3, 5 or 7."),
 ]

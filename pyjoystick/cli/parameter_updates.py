@@ -5,38 +5,34 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
+from pyjoystick import model
 from pyjoystick.cli.console import print_note
-from pyjoystick.model import (
-    PAPER,
-    JoystickParameters,
-    ParameterFile,
-    read_parameter_file,
-    rounded_error,
-    write_parameters,
-)
 
 
-def file_to_update(path: Path) -> ParameterFile:
-    """The file as it is; the paper's where there is none yet.
+def file_to_update(path: Path | None) -> model.ParameterFile:
+    """The parameter file; the paper's if none was given or it does not exist yet.
 
     Raises:
         InputFileError, SettingsError: the file cannot be used
     """
-    return read_parameter_file(path) if path.exists() else PAPER
+    return model.PAPER if path is None or not path.exists() else model.read_parameter_file(path)
 
 
 def write_update(
-    path: Path, joystick: JoystickParameters, uncertainties: Mapping[str, float], sources: Mapping[str, str]
+    path: Path,
+    joystick: model.JoystickParameters,
+    uncertainties: Mapping[str, float],
+    sources: Mapping[str, str],
 ) -> None:
-    """Update the file, or begin one, and say what is in it.
+    """Update or create the file, and report what was written.
 
     Raises:
-        SettingsError, OutputFileError: it cannot be written; what was there before is still there
+        SettingsError, OutputFileError: it cannot be written; an existing file is left as it was
     """
     new = not path.exists()
-    shown = {place: rounded_error(value) for place, value in uncertainties.items()}
-    write_parameters(path, joystick, uncertainties=shown, sources=sources)
+    shown = {place: model.rounded_error(value) for place, value in uncertainties.items()}
+    model.write_parameters(path, joystick, uncertainties=shown, sources=sources)
     tables = ", ".join(f"[{table}]" for table in sources)
     print_note(f"wrote {tables} of {path}")
     if new:
-        print_note(f"{path} is new: everything but {tables} is the paper's")
+        print_note(f"{path} is new: all other values are the paper's")

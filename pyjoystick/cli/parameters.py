@@ -7,9 +7,9 @@ from typing import Annotated
 
 import typer
 
+from pyjoystick import model
 from pyjoystick.cli import options
-from pyjoystick.cli.console import output, print_note
-from pyjoystick.model import updated_text
+from pyjoystick.cli.console import output, write
 from pyjoystick.support import OutputFileError, write_text
 
 EXAMPLES = """
@@ -26,26 +26,24 @@ docs/parameters.md describes the file.
 def run(
     parameters: options.Parameters = None,
     damping: Annotated[
-        options.DampingLaw | None,
-        typer.Option("--damping", help="Choose this damping law.", show_default=False),
+        model.LawName | None, typer.Option("--damping", help="Choose this damping law.")
     ] = None,
     assignments: options.Set = None,
     target: Annotated[
         Path | None,
-        typer.Option("--output", "-o", metavar="FILE", help="Write the file there.", show_default=False),
+        typer.Option("--output", "-o", metavar="FILE", help="Write to this file instead of printing."),
     ] = None,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace FILE if it exists.")] = False,
 ) -> None:
-    """Check a parameter file and print it, the paper's joystick if none is given, perhaps with changes."""
+    """Check a parameter file, change values in it if requested, and print it or write it to another file."""
     file = options.parameter_file(parameters)
-    changes = options.parse_assignments(assignments or [], "--set")
+    changes = options.parse_assignments(assignments, "--set")
     # A changed joystick is no longer the one that the title names.
     title = target.stem if target is not None and changes else None
-    text = updated_text(file, options.joystick_of(damping, changes, file), title=title)
+    text = model.updated_text(file, options.joystick_of(damping, changes, file), title=title)
     if target is None:
         output().print(text, end="", markup=False)
         return
     if target.exists() and not overwrite:
         raise OutputFileError(target, "it exists; --overwrite replaces it")
-    write_text(target, text)
-    print_note(f"wrote {target}")
+    write(target, lambda path: write_text(path, text))

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Final
 
-import typer
+import numpy as np
 
+from pyjoystick import identification, model, motion, runs, support
 from pyjoystick.cli import options
+from pyjoystick.cli.console import messages, output, print_notes, write
+from pyjoystick.cli.fmus import found_or_built
 
-EXAMPLES = """
+EXAMPLES: Final = """
 Examples:
 
     pyjoystick peaks trial1.csv trial2.csv trial3.csv trial4.csv
@@ -19,36 +22,38 @@ Examples:
 
 
 def run(
-    records: Annotated[
-        list[Path],
-        typer.Argument(metavar="RECORD.csv...", help="One file a repeat: columns time (s), theta (deg)."),
-    ],
+    records: options.Records,
     columns: options.Columns = None,
     units: options.Units = None,
     released: options.Released = None,
     parameters: options.Parameters = None,
     assignments: options.Set = None,
-    plot: Annotated[
-        Path | None,
-        typer.Option("--plot", metavar="FILE", help="Draw C over the peaks: .png, .pdf or .svg."),
-    ] = None,
+    plot: Annotated[Path | None, options.plot("C over the peaks")] = None,
 ) -> None:
-    """Estimate the damping from the peaks of free oscillations (eqs. 9 and 10), beside the bias of that."""
+    """Estimate the damping from the peaks of free oscillations (eqs. 9 and 10), and its bias."""
     if plot is not None:
-        from pyjoystick.support import check_figure_path
-
-        check_figure_path(plot)
-    joystick = options.joystick_of(
-        None, options.parse_assignments(assignments or [], "--set"), options.parameter_file(parameters)
-    )
-    # SciPy takes a while to load, which the other commands need not wait for.
-    from pyjoystick.cli.peaks_steps import estimate_and_show
-
-    estimate_and_show(
-        records,
-        joystick,
-        columns=options.parse_names(columns, "--column"),
-        units=options.parse_names(units, "--unit"),
-        released=options.side_of(released),
-        plot=plot,
+        support.check_figure_path(plot)
+    changes = options.parse_assignments(assignments, "--set")
+    joystick = options.joystick_of(None, changes, options.parameter_file(parameters))
+    read = motion.read_repeats(records, **options.parse_headings(columns, units), released=released)
+    for record in read:
+        print_notes(record.name, record.notes)
+    releases = [motion.measured_peaks(record) for record in read]
+    estimate = identification.estimate_damping(releases, joystick.J)
+    for law in (model.NOMINAL, model.NOMINAL_POWER_LAW):
+        found_or_built(runs.fmu_of_damping(law.damping))
+    angle = float(np.mean([release.release_angle for release in releases]))
+    with runs.SimulatedReleases() as simulate, messages().status("simulating"):
+        constants = identification.constant_bias(estimate, joystick, angle, simulate)
+        lines = identification.line_bias(estimate, joystick, angle, simulate)
+    console = output()
+    console.print(identification.releases_report(releases))
+    console.print()
+    console.print(identification.damping_report(estimate, constants, lines))
+    constant = constants["both"].corrected
+    write(
+        plot,
+        lambda path: support.save_figure(
+            identification.plot_damping_estimate(estimate, constant=constant), path
+        ),
     )

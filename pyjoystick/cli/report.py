@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Final
 
 import typer
 
+from pyjoystick import reports
 from pyjoystick.cli import options
-from pyjoystick.cli.console import messages, print_note
-from pyjoystick.cli.fmus import found_or_built
-from pyjoystick.cli.setup import opened
+from pyjoystick.cli.console import messages, write
+from pyjoystick.cli.fmus import found_or_built, opened
 from pyjoystick.support import check_outputs, write_text
 
-EXAMPLES = """
+EXAMPLES: Final = """
 Examples:
 
     pyjoystick report --output joystick.html
@@ -23,37 +23,31 @@ Examples:
 
 
 def run(
-    target: Annotated[
-        Path, typer.Option("--output", "-o", metavar="FILE", help="Write the page there, .html.")
-    ],
+    target: Annotated[Path, typer.Option("--output", "-o", metavar="FILE", help="HTML file to write.")],
     parameters_file: options.Parameters = None,
     damping: options.Law = None,
     assignments: options.Set = None,
     release_angle: options.ReleaseAngle = options.DEFAULT_RELEASE_ANGLE,
     title: Annotated[
-        str, typer.Option("--title", help="Heading; that of --parameters if not given.", show_default=False)
+        str, typer.Option("--title", help="Heading. Default: the title of --parameters.", show_default=False)
     ] = "",
 ) -> None:
-    """Write a report on a joystick: one HTML file with figures, tables, parameters and versions inside.
+    """Write a report on a joystick: a self-contained HTML file with figures, tables, parameters and versions.
 
-    About the paper's own joystick it also has a table of the paper's statements and of what comes out.
+    The report on the paper's joystick also compares the statements of the paper with the results.
     """
     if target.suffix.lower() not in (".html", ".htm"):
         raise typer.BadParameter(f"{target} must end in .html", param_hint="--output")
     start = options.parse_angle(release_angle)
     check_outputs(target)
-    # Matplotlib and SciPy take a while to load, which the other commands need not wait for.
-    from pyjoystick.reports import Study, joystick_report
-
     file = options.parameter_file(parameters_file)
-    found_or_built("Joystick")  # which the table of the paper's statements runs
+    found_or_built("Joystick")  # for the table of the paper's statements
     with (
         opened(damping, None, assignments, parameters_file) as (fmu, joystick),
         messages().status("report") as status,
     ):
-        study = Study(joystick, fmu, start, file.pivot_to_top)
-        text = joystick_report(
+        study = reports.Study(joystick, fmu, start, file.pivot_to_top)
+        text = reports.joystick_report(
             study, title=title or file.title, on_section=lambda name: status.update(f"report: {name}")
         )
-    write_text(target, text)
-    print_note(f"wrote {target}, {len(text.encode()) / 1e6:.1f} MB")
+    write(target, lambda path: write_text(path, text), f", {len(text.encode()) / 1e6:.1f} MB")

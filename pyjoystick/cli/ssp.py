@@ -8,7 +8,8 @@ from typing import Annotated
 
 import typer
 
-from pyjoystick.cli.console import output
+from pyjoystick import runs
+from pyjoystick.cli.console import write
 
 EXAMPLES = """
 Examples:
@@ -35,8 +36,4 @@ def run(
     ] = Version.V2,
 ) -> None:
     """Write operator and joystick, coupled FMU to FMU, as an SSP archive that other tools can run."""
-    # What it takes is loaded when it is wanted, so that the other commands start quickly.
-    from pyjoystick.runs import operator_and_joystick, write_ssp
-
-    write_ssp(operator_and_joystick(), file, version=version.value)
-    output().print(f"wrote {file}")
+    write(file, lambda path: runs.write_ssp(runs.operator_and_joystick(), path, version=version.value))

@@ -2,12 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
+from rich.markup import escape
+from rich.table import Table
 
-EXAMPLES = """
+from pyjoystick import runs, support
+from pyjoystick.cli.console import output, print_note, write
+from pyjoystick.cli.fmus import found_or_built
+from pyjoystick.cli.sweep_progress import progress
+from pyjoystick.support import OutputFileError, UnknownVariableError, check_outputs, write_text
+
+if TYPE_CHECKING:
+    import pandas as pd
+    from matplotlib.figure import Figure
+
+EXAMPLES: Final = """
 Examples:
 
     pyjoystick sweep scenarios/sweeps/release.toml --plot release.png
@@ -18,18 +31,20 @@ docs/sweeps.md describes the settings file and how to use a cluster.
 """
 
 
+#: Exit code after Ctrl-C, as in shells.
+INTERRUPTED: Final = 130
+_MESSAGES_SHOWN: Final = 5
+
+
 def run(
-    settings: Annotated[
-        Path, typer.Argument(metavar="SETTINGS", help="The settings, a TOML file.", show_default=False)
-    ],
+    settings: Annotated[Path, typer.Argument(metavar="SETTINGS", help="Settings of the sweep, a TOML file.")],
     target: Annotated[
         Path | None,
         typer.Option(
             "--output",
             "-o",
             metavar="FILE",
-            help="Where the results go, .parquet or .csv; SETTINGS with .csv if not given.",
-            show_default=False,
+            help="File for the results, .parquet or .csv. Default: SETTINGS with the suffix .csv.",
         ),
     ] = None,
     threads: Annotated[
@@ -38,8 +53,7 @@ def run(
             "--threads",
             metavar="NUMBER",
             min=1,
-            help="Threads on this machine; all cores if not given.",
-            show_default=False,
+            help="Number of threads on this machine. Default: one per core.",
         ),
     ] = None,
     scheduler: Annotated[
@@ -48,57 +62,180 @@ def run(
             "--scheduler",
             metavar="ADDRESS",
             help="Run on the workers of a Dask scheduler, tcp://HOST:PORT.",
-            show_default=False,
         ),
     ] = None,
-    plot: Annotated[
+    plots: Annotated[
         list[Path] | None,
         typer.Option(
             "--plot",
             metavar="FILE",
-            help="Draw the Sobol indices of a saltelli sweep, results over parameters of any other: "
-            ".png, .pdf or .svg; repeatable.",
-            show_default=False,
+            help="Plot the Sobol indices of a saltelli sweep, or the results of any other over the "
+            "parameters: .png, .pdf or .svg; repeatable.",
         ),
     ] = None,
-    scatter: Annotated[
+    scatters: Annotated[
         list[Path] | None,
         typer.Option(
             "--scatter",
             metavar="FILE",
-            help="Draw results over parameters, whatever the method; repeatable.",
-            show_default=False,
+            help="Plot results over the parameters, whatever the sampling method; repeatable.",
         ),
     ] = None,
     indices: Annotated[
         Path | None,
-        typer.Option("--indices", metavar="FILE", help="Write the Sobol indices as CSV.", show_default=False),
+        typer.Option("--indices", metavar="FILE", help="Write the Sobol indices as CSV."),
     ] = None,
-    result: Annotated[
+    results: Annotated[
         list[str] | None,
         typer.Option(
             "--result",
             metavar="NAME",
-            help="Show and draw this result, such as theta.peak1; repeatable; all if not given.",
-            show_default=False,
+            help="Show and plot this result, such as theta.peak1; repeatable. Default: all results.",
         ),
     ] = None,
     overwrite: Annotated[
-        bool, typer.Option("--overwrite", help="Begin anew, whatever has been kept and written.")
+        bool, typer.Option("--overwrite", help="Discard saved progress and results, and start over.")
     ] = False,
 ) -> None:
-    """Run an FMU for many values of its parameters, as a settings file says.
+    """Run an FMU for many values of its parameters, as described in a settings file.
 
-    What is done is kept: after Ctrl-C or a crash the same command goes on where it stopped. Runs that fail
-    are counted and stand in the results with their message; the exit code is 1 only if all of them failed,
-    and 130 after Ctrl-C.
+    Progress is saved: after Ctrl-C or a crash, the same command continues where it stopped. Failed runs are
+    counted and listed in the results with their messages. The exit code is 1 only if every run failed, and
+    130 after Ctrl-C.
     """
     if threads is not None and scheduler is not None:
-        raise typer.BadParameter("give --threads or --scheduler: the workers have threads of their own")
-    # SciPy and Matplotlib take a while to load, which the other commands need not wait for.
-    from pyjoystick.cli.sweep_steps import Wanted, sweep_and_show
+        raise typer.BadParameter("give --threads or --scheduler: the workers choose their own threads")
+    figures = plots or [], scatters or []
+    for path in (*figures[0], *figures[1]):
+        support.check_figure_path(path)
+    target = target or settings.with_suffix(".csv")
+    check_outputs(target, *figures[0], *figures[1], indices)
+    sweep = runs.Sweep(runs.read_settings(settings, found_or_built))
+    names = tuple(results or ())
+    _check(sweep, names, indices)
+    with progress(len(sweep.design)) as bar:
+        outcome = runs.run_sweep(
+            sweep,
+            target,
+            threads=threads,
+            scheduler=scheduler,
+            overwrite=overwrite,
+            on_progress=bar.show,
+            on_note=bar.note,
+        )
+    _print_outcome(sweep, outcome)
+    if outcome.table is None:
+        raise typer.Exit(INTERRUPTED)
+    if outcome.failed == outcome.done:
+        raise typer.Exit(1)
+    found = None
+    if sweep.settings.sampling.method == "saltelli":
+        found = _print_sensitivity(outcome.table, names)
+    if indices is not None:
+        _write_indices(found, indices)
+    _draw(sweep, outcome.table, found, names, *figures)
 
-    wanted = Wanted(tuple(result or ()), tuple(plot or ()), tuple(scatter or ()), indices)
-    code = sweep_and_show(settings, target, threads, scheduler, overwrite, wanted)
-    if code:
-        raise typer.Exit(code)
+
+def _check(sweep: runs.Sweep, names: Sequence[str], indices: Path | None) -> None:
+    """Reject options before the sweep that could not be fulfilled after it."""
+    method = sweep.settings.sampling.method
+    if indices is not None and method != "saltelli":
+        raise runs.SensitivityError(
+            f"--indices requires the sampling method saltelli; this sweep has {method}"
+        )
+    for name in names:
+        if name not in sweep.columns:
+            raise UnknownVariableError(name, sweep.columns)
+
+
+def _print_outcome(sweep: runs.Sweep, outcome: runs.Outcome) -> None:
+    total = len(sweep.design)
+    fmu = sweep.settings.fmu.path.name
+    title = f"{sweep.settings.title}: " if sweep.settings.title else ""
+    failed = f", {outcome.failed} failed" if outcome.failed else ""
+    console = output()
+    console.print(escape(f"{title}{outcome.done} of {total} runs of {fmu} done{failed}"))
+    for line in _failures(outcome.messages):
+        console.print(escape(line))
+    if outcome.interrupted:
+        print_note("interrupted; finished runs are kept, and the same command continues from here")
+    elif outcome.found == total:
+        print_note(f"{outcome.path} was already complete; nothing was run")
+    else:
+        before = f" ({outcome.found} runs were finished before)" if outcome.found else ""
+        print_note(f"wrote {outcome.path}{before}")
+
+
+def _failures(failures: dict[int, str]) -> list[str]:
+    lines = [f"  run {run}: {message}" for run, message in list(failures.items())[:_MESSAGES_SHOWN]]
+    more = len(failures) - len(lines)
+    return [*lines, f"  and {more} more; all are in the column `message`"] if more > 0 else lines
+
+
+def _print_sensitivity(table: pd.DataFrame, results: Sequence[str]) -> pd.DataFrame | None:
+    """Print the indices; without any, print why and return None."""
+    console = output()
+    try:
+        found = runs.sensitivity(table, results)
+    except runs.SensitivityError as error:
+        print_note(f"no Sobol indices: {error}")
+        return None
+    for name, reason in found.attrs["left_out"].items():
+        print_note(f"no Sobol indices of {name}: it {reason}")
+    shown = Table("", "first order", "95 %", "total", "95 %", box=None)
+    shown.columns[0].overflow = "fold"
+    for column in shown.columns[1:]:
+        column.justify = "right"
+        column.no_wrap = True
+    for result, rows in found.groupby("result", sort=False):
+        shown.add_row(escape(str(result)))
+        for row in rows.itertuples(index=False):
+            first = (f"{row.first:z.2f}", f"{row.first_low:z.2f} to {row.first_high:z.2f}")
+            total = (f"{row.total:z.2f}", f"{row.total_low:z.2f} to {row.total_high:z.2f}")
+            shown.add_row(f"  {escape(str(row.parameter))}", *first, *total)
+    console.print("Sobol indices: share of the variance due to each parameter")
+    console.print(shown)
+    return found
+
+
+def _write_indices(found: pd.DataFrame | None, path: Path) -> None:
+    if found is None:
+        raise OutputFileError(path, "there are no Sobol indices")
+    text = found.to_csv(index=False, lineterminator="\n")
+    write(path, lambda path: write_text(path, text))
+
+
+def _draw(
+    sweep: runs.Sweep,
+    table: pd.DataFrame,
+    indices: pd.DataFrame | None,
+    names: Sequence[str],
+    plots: Sequence[Path],
+    scatters: Sequence[Path],
+) -> None:
+    """Plot the Sobol indices or, for other sampling methods, the results; the results again in `scatters`."""
+    title = sweep.settings.title
+    if sweep.settings.sampling.method != "saltelli":
+        scatters = (*plots, *scatters)
+    elif plots:
+        if indices is None:
+            raise OutputFileError(plots[0], "there are no Sobol indices to draw")
+        drawn = _first(list(dict.fromkeys(indices["result"])))
+        _save(runs.plot_sensitivity(indices[indices["result"].isin(drawn)], title=title), plots)
+    if scatters:
+        drawn = _first(list(names or sweep.columns))
+        _save(runs.plot_scatter(table, drawn, title=title), scatters)
+
+
+def _save(figure: Figure, paths: Sequence[Path]) -> None:
+    for path in paths:
+        write(path, lambda path: support.save_figure(figure, path))
+
+
+def _first(results: list[str]) -> list[str]:
+    if len(results) > runs.MOST_RESULTS:
+        left_out = ", ".join(results[runs.MOST_RESULTS :])
+        print_note(
+            f"a figure has room for {runs.MOST_RESULTS} results; left out: {left_out} (--result chooses)"
+        )
+    return results[: runs.MOST_RESULTS]

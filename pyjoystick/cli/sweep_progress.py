@@ -20,7 +20,7 @@ from pyjoystick.cli.console import messages, print_note
 
 
 class _Rate(ProgressColumn):
-    """Runs a second."""
+    """Runs per second."""
 
     def render(self, task: Task) -> Text:
         speed = task.finished_speed or task.speed
@@ -37,7 +37,7 @@ class SweepProgress:
         self._begun = False
 
     def show(self, done: int) -> None:
-        """So many runs are done."""
+        """Set the number of finished runs."""
         if not self._begun:
             # Runs of an earlier session count as done, but not for the rate.
             self._bar.reset(self._task, completed=done)
@@ -45,11 +45,11 @@ class SweepProgress:
         self._bar.update(self._task, completed=done)
 
     def refresh(self) -> None:
-        """Draw now instead of at the next of ten times a second."""
+        """Redraw now; the bar redraws itself ten times per second."""
         self._bar.refresh()
 
     def note(self, text: str) -> None:
-        """Say something that is no progress."""
+        """Print a note, unless it was printed before."""
         if text not in self._said:
             self._said.add(text)
             print_note(text)
@@ -57,7 +57,7 @@ class SweepProgress:
 
 @contextmanager
 def progress(total: int) -> Iterator[SweepProgress]:
-    """The progress of `total` runs; nothing is drawn where standard error is no terminal."""
+    """The progress of `total` runs; nothing is drawn unless standard error is a terminal."""
     console = messages()
     columns = (
         TextColumn("{task.description}"),

@@ -2,18 +2,29 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any, Final
 
 import typer
 
-from pyjoystick.cli import chain_options, options
-from pyjoystick.cli.console import messages, output, print_note
-from pyjoystick.cli.stops import note_stops
-from pyjoystick.cli.torque_motion import MotionOptions, refuse_given
-from pyjoystick.support import DEFAULT_OUTPUT_INTERVAL, check_outputs, write_text
+from pyjoystick import forced_motion, laboratory, model, motion, support
+from pyjoystick.cli import options, torque_results
+from pyjoystick.cli.console import messages, note_stops, output, print_note, write
+from pyjoystick.support import ParameterError, check_outputs, write_text
 
-EXAMPLES = """
+_PAPER: Final = laboratory.Chain()
+_DEFAULTS: Final[Mapping[str, Any]] = {"amplitude": "15deg", "rise": 0.15, "shape": "minimum-jerk"}
+#: Options of a motion in closed form, by the attributes of `ForwardAndReturn`.
+_OPTIONS: Final = {
+    "amplitude": "--angle",
+    "rise": "--stroke-time",
+    "fall": "--return-time",
+    "dwell": "--dwell",
+    "shape": "--shape",
+    "flat": "--flat",
+}
+EXAMPLES: Final = """
 Examples:
 
     pyjoystick torque --angle 18deg --stroke-time 0.12 --plot torque.png
@@ -23,9 +34,9 @@ Examples:
 
     pyjoystick torque motion.csv --parameters joystick.toml --json torque.json
 
-A measured motion is a CSV file with the columns time, theta and perhaps omega and alpha, such as `pyjoystick
-import markers --motion` writes. Where omega or alpha is missing, the angle goes through the paper's filter
-and rules of differentiation first. docs/forced-motion.md tells the rest.
+A measured motion is a CSV file with the columns time and theta and optionally omega and alpha, such as
+`pyjoystick import markers --motion` writes. Without omega or alpha, the angle is filtered and differentiated
+as in the paper. docs/forced-motion.md describes the details.
 """
 
 
@@ -33,9 +44,8 @@ def run(
     record: Annotated[
         Path | None,
         typer.Argument(
-            metavar="[MOTION.csv]",
-            help="A measured motion; if not given, a stroke and its return in closed form.",
-            show_default=False,
+            metavar="MOTION.csv",
+            help="Measured motion. Default: a stroke and its return in closed form.",
         ),
     ] = None,
     angle: Annotated[
@@ -44,33 +54,29 @@ def run(
             "--angle",
             "-a",
             metavar="ANGLE",
-            help="How far the stroke goes: 15deg if not given.",
-            show_default=False,
+            help="Amplitude of the stroke. Default: 15deg.",
         ),
     ] = None,
     stroke_time: Annotated[
         float | None,
-        typer.Option(
-            "--stroke-time", metavar="SECONDS", help="Time of the stroke: 0.15.", show_default=False
-        ),
+        typer.Option("--stroke-time", metavar="SECONDS", help="Duration of the stroke. Default: 0.15."),
     ] = None,
     return_time: Annotated[
         float | None,
         typer.Option(
-            "--return-time", metavar="SECONDS", help="Time of the return: as the stroke.", show_default=False
+            "--return-time", metavar="SECONDS", help="Duration of the return. Default: --stroke-time."
         ),
     ] = None,
     dwell: Annotated[
         float | None,
-        typer.Option("--dwell", metavar="SECONDS", help="Time held at the angle: 0.", show_default=False),
+        typer.Option("--dwell", metavar="SECONDS", help="Time held at the angle. Default: 0."),
     ] = None,
     shape: Annotated[
         str | None,
         typer.Option(
             "--shape",
             metavar="NAME",
-            help="minimum-jerk (if not given), raised-cosine, or trapezoid (of the velocity).",
-            show_default=False,
+            help="minimum-jerk, raised-cosine or trapezoid (velocity profile). Default: minimum-jerk.",
         ),
     ] = None,
     flat: Annotated[
@@ -78,25 +84,16 @@ def run(
         typer.Option(
             "--flat",
             metavar="PART",
-            help="Trapezoid: part of a stroke at constant velocity, a third if not given.",
-            show_default=False,
+            help="Trapezoid: fraction of the stroke at constant velocity. Default: 1/3.",
         ),
     ] = None,
-    columns: Annotated[
-        list[str] | None,
-        typer.Option("--column", metavar="NAME=HEADING", help="Where time, theta, omega or alpha is found."),
-    ] = None,
-    units: Annotated[
-        list[str] | None,
-        typer.Option("--unit", metavar="NAME=UNIT", help="Unit of a column that has none in its heading."),
-    ] = None,
-    rate: chain_options.Rate = chain_options.PAPER.rate,
-    cutoff: chain_options.Cutoff = chain_options.PAPER.low_pass.cutoff,
+    columns: Annotated[list[str] | None, options.column("time, theta, omega or alpha")] = None,
+    units: options.Units = None,
+    rate: options.Rate = _PAPER.rate,
+    cutoff: options.Cutoff = _PAPER.low_pass.cutoff,
     damping: Annotated[
-        options.DampingLaw | None,
-        typer.Option(
-            "--damping", help="One damping law; both that --parameters has if not given.", show_default=False
-        ),
+        model.LawName | None,
+        typer.Option("--damping", help="Damping law. Default: all laws of --parameters."),
     ] = None,
     parameters: options.Parameters = None,
     assignments: options.Set = None,
@@ -105,65 +102,57 @@ def run(
         typer.Option(
             "--pivot-to-handle",
             metavar="METERS",
-            help="Where the hand is: pivot_to_top of --parameters if not given.",
-            show_default=False,
+            help="Distance from the pivot to the hand. Default: pivot_to_top of --parameters.",
         ),
     ] = None,
-    csv: Annotated[
-        Path | None,
-        typer.Option(
-            "--csv", metavar="FILE", help="Write motion, torque and parts (SI units).", show_default=False
-        ),
-    ] = None,
-    json: Annotated[
-        Path | None,
-        typer.Option("--json", metavar="FILE", help="Write the numbers in full as JSON.", show_default=False),
-    ] = None,
-    plot: Annotated[
-        Path | None,
-        typer.Option(
-            "--plot", metavar="FILE", help="Draw the torque and its parts (Fig. 15).", show_default=False
-        ),
-    ] = None,
-    output_interval: options.OutputInterval = DEFAULT_OUTPUT_INTERVAL,
+    csv: Annotated[Path | None, options.csv("motion, torque and its parts")] = None,
+    json: Annotated[Path | None, options.json("all numbers")] = None,
+    plot: Annotated[Path | None, options.plot("the torque and its parts (Fig. 15)")] = None,
+    output_interval: options.OutputInterval = support.DEFAULT_OUTPUT_INTERVAL,
 ) -> None:
-    """Compute the torque that a motion needs (eq. 13) by the inverse FMUs: parts, force, work, shares.
+    """Compute the torque that a motion requires (eq. 13) with the inverse FMUs: parts, force, work, shares.
 
-    With --csv the damping law is the chosen one, or that of the parameter file.
+    The table of --csv is for the damping law of --damping, else for that of the parameter file.
     """
-    # What it takes is loaded when it is wanted, so that the other commands start quickly.
-    from pyjoystick.cli import torque_results
-    from pyjoystick.laboratory import Chain, LowPass
-    from pyjoystick.motion import write_csv
-    from pyjoystick.support import check_figure_path
-
     if plot is not None:
-        check_figure_path(plot)
+        support.check_figure_path(plot)
     check_outputs(csv, json, plot)
-    chosen = MotionOptions(angle, stroke_time, return_time, dwell, shape, flat)
+    given = dict(zip(_OPTIONS, (angle, stroke_time, return_time, dwell, shape, flat), strict=True))
     file = options.parameter_file(parameters)
-    changes = options.parse_assignments(assignments or [], "--set")
+    changes = options.parse_assignments(assignments, "--set")
     joysticks = torque_results.joysticks_of(file, damping, changes)
     if record is None:
-        refuse_given("is for a measured motion", {"--column": columns, "--unit": units})
-        motion = torque_results.in_closed_form(chosen.motion(), output_interval)
+        options.refuse_given("is for a measured motion", {"--column": columns, "--unit": units})
+        chosen = torque_results.in_closed_form(_motion(given), output_interval)
     else:
-        chosen.refuse_all()
-        chain = Chain(rate=rate, low_pass=LowPass(cutoff=cutoff))
-        headings = options.parse_names(columns, "--column")
-        motion = torque_results.from_file(record, chain, headings, options.parse_names(units, "--unit"))
-    for note in motion.notes:
+        reason = "is for a motion in closed form, and MOTION.csv is a measured one"
+        options.refuse_given(reason, {option: given[name] for name, option in _OPTIONS.items()})
+        chain = laboratory.Chain(rate=rate, low_pass=laboratory.LowPass(cutoff=cutoff))
+        chosen = torque_results.from_file(record, chain, **options.parse_headings(columns, units))
+    for note in chosen.notes:
         print_note(note)
     with messages().status("computing"):
-        results = torque_results.compute(motion, joysticks, torque_results.arm_of(file, arm))
-    note_stops(float(next(iter(results.values())).table["theta"].abs().max()))
-    output().print(torque_results.text(motion, results), markup=False)
-    if csv is not None:
-        write_csv(next(iter(results.values())).table, csv)
-        print_note(f"wrote {csv}")
-    if json is not None:
-        write_text(json, torque_results.as_json(motion, results))
-        print_note(f"wrote {json}")
-    if plot is not None:
-        torque_results.draw(results, plot)
-        print_note(f"wrote {plot}")
+        results = torque_results.compute(chosen, joysticks, torque_results.arm_of(file, arm))
+    table = next(iter(results.values())).table
+    note_stops(float(table["theta"].abs().max()))
+    output().print(torque_results.text(chosen, results), markup=False)
+    write(csv, lambda path: motion.write_csv(table, path))
+    write(json, lambda path: write_text(path, torque_results.as_json(chosen, results)))
+    write(plot, lambda path: torque_results.draw(results, path))
+
+
+def _motion(given: Mapping[str, Any]) -> forced_motion.ForwardAndReturn:
+    """The motion in closed form of these options; None stands for the default.
+
+    Raises:
+        BadParameter: a value is not allowed
+    """
+    if given["flat"] is not None and given["shape"] != "trapezoid":
+        raise typer.BadParameter("is for --shape trapezoid", param_hint="--flat")
+    values = {**_DEFAULTS} | {name: value for name, value in given.items() if value is not None}
+    angle = options.parse_angle(values.pop("amplitude"), "--angle")
+    try:
+        return forced_motion.ForwardAndReturn(amplitude=angle, **values)
+    except ParameterError as error:
+        text = f"{error.value} must be {error.allowed}"
+        raise typer.BadParameter(text, param_hint=_OPTIONS[error.field]) from None

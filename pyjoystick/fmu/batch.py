@@ -17,7 +17,7 @@ from pyjoystick.fmu.errors import FmuFileError
 from pyjoystick.fmu.library import InstancePool
 from pyjoystick.fmu.runner import Job, Runner
 from pyjoystick.fmu.stepping.program import OK, STOPPED
-from pyjoystick.support import FloatArray, ParameterError, PyJoystickError
+from pyjoystick.support import FloatArray, PyJoystickError, whole_number
 
 #: Called in the calling thread with the number of runs that are done and the number of all runs.
 OnProgress = Callable[[int, int], None]
@@ -58,8 +58,7 @@ def number_of_threads(threads: int | None, runs: int, *, one_instance: bool) -> 
     """How many threads a batch is given; raises ParameterError for what is no number above zero."""
     if threads is None:
         threads = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    elif isinstance(threads, bool) or not isinstance(threads, int) or threads < 1:
-        raise ParameterError("threads", threads, "a whole number, 1 or more")
+    threads = whole_number("threads", threads, 1)
     return 1 if one_instance else max(1, min(threads, runs))
 
 

@@ -134,7 +134,7 @@ class FmuDescription:
 
 
 def read_description(path: Path) -> FmuDescription:
-    """Read the description without loading the FMU's binary; FMI 2.0 and 3.0 are understood.
+    """Read the description without loading the FMU's binary; FMI 2.0 and 3.0 are supported.
 
     Raises:
         FmuFileError: the file is not a ZIP archive, or its modelDescription.xml is missing or unreadable
@@ -166,7 +166,7 @@ def _require_known_version(path: Path) -> None:
     if version is None:
         raise FmuFileError(path, f"its modelDescription.xml names no FMI version in its element {root.tag}")
     if not re.fullmatch(r"2\.0|3\..*", version):
-        raise UnsupportedFmuError(path, f"is an FMU of FMI {version}; FMI 2.0 and 3.0 are understood")
+        raise UnsupportedFmuError(path, f"is an FMU of FMI {version}; FMI 2.0 and 3.0 are supported")
 
 
 def _description(path: Path, files: list[str], model: Any) -> FmuDescription:

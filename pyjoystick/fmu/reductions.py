@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from pyjoystick.fmu.stepping.reducing import EXTREMES, FINAL, LOSS, PEAKS, Operation
-from pyjoystick.support import ParameterError, UnknownVariableError, not_negative
+from pyjoystick.support import ParameterError, UnknownVariableError, not_negative, whole_number
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,8 +59,7 @@ class Peaks:
     minimum_prominence: float = 0.0
 
     def __post_init__(self) -> None:
-        if isinstance(self.count, bool) or not isinstance(self.count, int) or self.count < 1:
-            raise ParameterError("count", self.count, "a whole number, 1 or more")
+        whole_number("count", self.count, 1)
         not_negative("minimum_height", self.minimum_height)
         not_negative("minimum_prominence", self.minimum_prominence)
 

@@ -59,7 +59,7 @@ def require_joystick_in(settings: FitSettings) -> None:
     if own:
         raise _one_for_each_record(own)
     if not any(name in _NAMES for name in (*(one.name for one in settings.free), *settings.ties)):
-        raise FitError("the joystick", "nothing of it is fitted, so that there is nothing to be written")
+        raise FitError("the joystick", "none of its parameters is fitted, so there is nothing to save")
 
 
 def _one_for_each_record(names: Iterable[str]) -> FitError:

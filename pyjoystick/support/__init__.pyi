@@ -1,14 +1,15 @@
 from .checks import (
+    DEFAULT_DURATION as DEFAULT_DURATION,
+    DEFAULT_OUTPUT_INTERVAL as DEFAULT_OUTPUT_INTERVAL,
+    DEFAULT_TOLERANCE as DEFAULT_TOLERANCE,
+    FloatArray as FloatArray,
+    Torque as Torque,
     angle as angle,
     finite as finite,
     increasing_times as increasing_times,
     not_negative as not_negative,
     positive as positive,
-)
-from .defaults import (
-    DEFAULT_DURATION as DEFAULT_DURATION,
-    DEFAULT_OUTPUT_INTERVAL as DEFAULT_OUTPUT_INTERVAL,
-    DEFAULT_TOLERANCE as DEFAULT_TOLERANCE,
+    whole_number as whole_number,
 )
 from .errors import (
     InputFileError as InputFileError,
@@ -44,14 +45,19 @@ from .figure_style import (
     legend_above as legend_above,
     line_style as line_style,
 )
-from .output import check_outputs as check_outputs, replacing as replacing, write_text as write_text
+from .output import (
+    check_outputs as check_outputs,
+    json_text as json_text,
+    replacing as replacing,
+    version_of as version_of,
+    versions as versions,
+    write_text as write_text,
+)
 from .plots import (
     check_figure_path as check_figure_path,
     plot_motion as plot_motion,
     save_figure as save_figure,
+    save_results as save_results,
 )
-from .provenance import version_of as version_of, versions as versions
-from .results import save_results as save_results
 from .text_table import TextTable as TextTable
 from .toml_table import Table as Table, read_toml as read_toml
-from .types import FloatArray as FloatArray, Torque as Torque

@@ -1,26 +1,38 @@
-"""Checks of values that a user gives: each returns what was checked, or raises ParameterError."""
+"""Values that a user gives: types, defaults, and checks, which return the value or raise ParameterError."""
 
 from __future__ import annotations
 
 import math
-from numbers import Real
+from collections.abc import Callable
+from numbers import Integral, Real
+from typing import Final
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from pyjoystick.support.errors import ParameterError
-from pyjoystick.support.types import FloatArray
+
+FloatArray = NDArray[np.float64]
+#: Torque about the pivot (N m) as a function of time (s).
+Torque = Callable[[float], float]
+
+#: Tolerance of an FMU's integrator.
+DEFAULT_TOLERANCE: Final = 1e-8
+#: Length of a free oscillation (s): the joystick of the paper is at rest by then.
+DEFAULT_DURATION: Final = 1.5
+#: Time between two rows of a table (s).
+DEFAULT_OUTPUT_INTERVAL: Final = 1e-3
 
 
 def finite(field: str, value: object, unit: str = "", allowed: str = "a finite number") -> float:
-    """`value` as a float; refuses text, complex numbers, NaN and infinities."""
+    """`value` as a float; text, complex numbers, NaN and infinities are rejected."""
     if isinstance(value, bool) or not isinstance(value, Real) or not math.isfinite(value):
         raise ParameterError(field, value, f"{allowed} ({unit})" if unit else allowed)
     return float(value)
 
 
 def positive(field: str, value: object, unit: str = "") -> float:
-    """`value` as a float; refuses what is not above zero."""
+    """`value` as a float; it must be above zero."""
     allowed = f"a finite number above 0 {unit}".rstrip()
     number = finite(field, value, allowed=allowed)
     if number <= 0.0:
@@ -29,7 +41,7 @@ def positive(field: str, value: object, unit: str = "") -> float:
 
 
 def not_negative(field: str, value: object, unit: str = "") -> float:
-    """`value` as a float; refuses what is below zero."""
+    """`value` as a float; it must not be below zero."""
     allowed = f"a finite number, 0 {unit} or more".replace("0  or", "0 or")
     number = finite(field, value, allowed=allowed)
     if number < 0.0:
@@ -37,8 +49,17 @@ def not_negative(field: str, value: object, unit: str = "") -> float:
     return number
 
 
+def whole_number(field: str, value: object, least: int, most: int | None = None) -> int:
+    """`value` as an integer from `least` to `most`; floats and Booleans are rejected."""
+    number = -math.inf if isinstance(value, bool) or not isinstance(value, Integral) else int(value)
+    if not least <= number <= (math.inf if most is None else most):
+        limits = f", {least} or more" if most is None else f" from {least} to {most}"
+        raise ParameterError(field, value, f"a whole number{limits}")
+    return int(number)
+
+
 def angle(field: str, value: object) -> float:
-    """`value` in rad as a float; refuses |value| >= pi/2, where the cam geometry ends (eq. 3)."""
+    """`value` in rad as a float; |value| must be below pi/2, where the cam geometry ends (eq. 3)."""
     allowed = "an angle in rad strictly between -pi/2 and pi/2"
     number = finite(field, value, allowed=allowed)
     if abs(number) >= math.pi / 2.0:
@@ -48,7 +69,7 @@ def angle(field: str, value: object) -> float:
 
 
 def increasing_times(time: ArrayLike) -> FloatArray:
-    """`time` (s) as an array (n,), refused unless it has two or more finite, increasing instants."""
+    """`time` (s) as an array (n,) of two or more finite, increasing instants."""
     try:
         instants = np.array(time, dtype=np.float64)
     except (TypeError, ValueError):

@@ -1,7 +1,7 @@
-"""How figures look: one meaning has one color in all of them.
+"""The style of figures, in which each color has one meaning.
 
-The colors are those of Okabe and Ito, which the color-blind can tell apart; lines that share a panel also
-differ in their dashes, for gray print.
+The colors are those of Okabe and Ito, which color-blind readers can tell apart; lines that share a panel also
+have different dashes, for printing in gray.
 """
 
 from __future__ import annotations
@@ -24,9 +24,9 @@ VERMILION: Final = "#D55E00"
 PURPLE: Final = "#CC79A7"
 GRAY: Final = "0.6"
 
-#: What was measured, or stands for it.
+#: Measurements, or synthetic data in their place.
 MEASURED: Final = BLACK
-#: What is fitted to it, and how sure that is.
+#: Fits to them, and confidence bands.
 FITTED: Final = VERMILION
 BAND: Final = BLUE
 #: The two damping laws.
@@ -89,7 +89,7 @@ def line_style(role: Role) -> LineStyle:
 
 
 def dress(axes: Axes, *, zero: bool = False) -> None:
-    """A light grid and no frame at the top and on the right; with `zero` a line where the value is 0."""
+    """Add a light grid and remove the frame at the top and on the right; `zero` adds a line at zero."""
     if zero:
         axes.axhline(0.0, color=GRAY, linewidth=0.6, zorder=0)
     axes.grid(visible=True, color="0.9", linewidth=0.6)

@@ -1,21 +1,29 @@
-"""Files that appear whole or not at all."""
+"""Results as files, each written whole or not at all, and the versions of what they were made with."""
 
 from __future__ import annotations
 
+import json
+import math
 import os
+import platform
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from importlib import metadata
 from pathlib import Path
+from typing import Any, Final
 
 from pyjoystick.support.errors import OutputFileError
+
+#: Packages that results depend on.
+_PACKAGES: Final = ("pyjoystick", "fmpy", "numpy", "scipy", "pandas")
 
 
 @contextmanager
 def replacing(path: Path) -> Iterator[Path]:
-    """A path beside `path` to write to, with the same suffix; on leaving it takes the place of `path`.
+    """A path beside `path` to write to, with the same suffix; on leaving, it replaces `path`.
 
-    Missing folders are made. Where the body raises, what was written is removed and `path` stays as it was.
+    Missing folders are created. If the body raises an error, `path` stays as it was.
 
     Raises:
         OutputFileError: the file cannot be written there
@@ -24,7 +32,7 @@ def replacing(path: Path) -> Iterator[Path]:
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise OutputFileError(path, f"its folder cannot be made: {error.strerror}") from error
+        raise OutputFileError(path, f"its folder cannot be created: {error.strerror}") from error
     try:
         yield temporary
         temporary.replace(path)
@@ -35,13 +43,13 @@ def replacing(path: Path) -> Iterator[Path]:
 
 
 def check_outputs(*paths: Path | None) -> None:
-    """Find out before a run whether its results can be written; None stands for a result that is not wanted.
+    """Check before a run that its results can be written; None stands for a result not requested.
 
-    Nothing is made. What can still go wrong later, such as a full disk, is said by `replacing`.
+    Nothing is created. Problems that arise later, such as a full disk, are reported by `replacing`.
 
     Raises:
-        OutputFileError: a path is a folder, its folder can neither be written to nor made, or two paths are
-            the same file
+        OutputFileError: a path is a folder, its folder cannot be written to or created, or two paths are the
+            same file
     """
     wanted = [path for path in paths if path is not None]
     for i, path in enumerate(wanted):
@@ -61,3 +69,37 @@ def write_text(path: Path, text: str) -> None:
     """Write a text file (UTF-8), whole or not at all; raises OutputFileError."""
     with replacing(path) as temporary:
         temporary.write_text(text, encoding="utf-8", newline="\n")
+
+
+def json_text(content: Mapping[str, Any]) -> str:
+    """A result as JSON text, with the versions as ``made_with``.
+
+    Numbers are written in full, arrays as lists; NaN and infinities, which JSON lacks, are null.
+    """
+    document = _plain({**content, "made_with": versions()})
+    return json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, Mapping):
+        return {str(key): _plain(one) for key, one in value.items()}
+    if hasattr(value, "tolist"):  # an array or a number of NumPy
+        value = value.tolist()
+    if isinstance(value, list | tuple):
+        return [_plain(one) for one in value]
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
+    return value
+
+
+def version_of(package: str) -> str:
+    """The version of an installed package, or ``not installed``, as in a bare checkout."""
+    try:
+        return metadata.version(package)
+    except metadata.PackageNotFoundError:
+        return "not installed"
+
+
+def versions() -> dict[str, str]:
+    """Versions of Python and of the packages that results depend on, by name."""
+    return {"Python": platform.python_version()} | {package: version_of(package) for package in _PACKAGES}

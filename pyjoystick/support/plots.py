@@ -1,4 +1,4 @@
-"""Figures of runs. They are Matplotlib `Figure` objects apart from pyplot, so nothing is kept or shown."""
+"""Figures of runs and results as files. Figures are not made by pyplot, so that nothing is kept or shown."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 
 from pyjoystick.support.errors import OutputFileError, ParameterError, UnknownVariableError
 from pyjoystick.support.figure_style import SERIES, LineStyle, dress, legend_above
-from pyjoystick.support.output import replacing
+from pyjoystick.support.output import replacing, write_text
 
 AngleUnit = Literal["deg", "rad"]
 
@@ -75,12 +75,12 @@ def plot_motion(
 
 
 def save_figure(figure: Figure, path: Path, *, resolution: float = 200.0) -> None:
-    """Write a figure, whole or not at all; the suffix of the path says the format: .png, .pdf or .svg.
+    """Write a figure, whole or not at all, in the format of the suffix: .png, .pdf or .svg.
 
     Args:
         figure: the figure
-        path: where to
-        resolution: dots per inch of a .png
+        path: the file
+        resolution: of a .png (dots per inch)
 
     Raises:
         OutputFileError: another suffix, or the file cannot be written
@@ -92,7 +92,26 @@ def save_figure(figure: Figure, path: Path, *, resolution: float = 200.0) -> Non
         figure.savefig(temporary, dpi=resolution, metadata=metadata)
 
 
+def save_results(folder: Path, summary: str, figures: Mapping[str, Figure]) -> None:
+    """Print the summary of a scenario, and write it and the figures as PNG and PDF.
+
+    Args:
+        folder: the target; created if missing
+        summary: text in Markdown, for ``summary.md``
+        figures: by file name without suffix
+
+    Raises:
+        OutputFileError: a file cannot be written
+    """
+    for name, figure in figures.items():
+        for suffix in ("png", "pdf"):
+            save_figure(figure, folder / f"{name}.{suffix}")
+    text = summary.rstrip("\n")
+    write_text(folder / "summary.md", f"{text}\n")
+    print(text)
+
+
 def check_figure_path(path: Path) -> None:
-    """Raise OutputFileError unless the suffix is one that `save_figure` knows."""
+    """Raise OutputFileError unless `save_figure` knows the suffix."""
     if path.suffix.lower() not in _SUFFIXES:
         raise OutputFileError(path, f"the name must end in {', '.join(_SUFFIXES)}")

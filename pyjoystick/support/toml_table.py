@@ -7,7 +7,6 @@ on the file, which refuses whatever was not asked for.
 from __future__ import annotations
 
 import difflib
-import math
 import re
 import tomllib
 from collections.abc import Iterator, Sequence
@@ -15,6 +14,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, Final
 
+from pyjoystick.support.checks import finite, whole_number
 from pyjoystick.support.errors import InputFileError, ParameterError, SettingsError, UnknownNameError
 
 _BARE_KEY: Final = re.compile(r"[A-Za-z0-9_-]+")
@@ -26,7 +26,7 @@ class Table:
 
     Attributes:
         path: the file
-        name: of the table, as it stands between its brackets
+        name: name of the table, as written between its brackets
         content: its keys and values
     """
 
@@ -69,7 +69,7 @@ class Table:
         return key in self.content
 
     def value(self, key: str) -> Any:
-        """The value of a key that must be there, as TOML has it."""
+        """The value of a required key, as read from TOML."""
         if self.optional(key) is None:
             raise self.error(key, "is missing")
         return self.content[key]
@@ -81,17 +81,17 @@ class Table:
 
     def number(self, key: str, default: object = _ABSENT) -> float:
         """A finite number."""
-        value = self._given(key, default)
-        if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
-            raise self.error(key, "must be a finite number")
-        return float(value)
+        try:
+            return finite(key, self._given(key, default))
+        except ParameterError as error:
+            raise self.refused(key, error) from None
 
     def integer(self, key: str, least: int, default: object = _ABSENT) -> int:
         """A whole number, `least` or more."""
-        value = self._given(key, default)
-        if isinstance(value, bool) or not isinstance(value, int) or value < least:
-            raise self.error(key, f"must be a whole number, {least} or more")
-        return value
+        try:
+            return whole_number(key, self._given(key, default), least)
+        except ParameterError as error:
+            raise self.refused(key, error) from None
 
     def text(self, key: str, default: object = _ABSENT) -> str:
         """Text."""
@@ -117,7 +117,7 @@ class Table:
         return value
 
     def entries(self, key: str) -> list[Any]:
-        """A list with one entry or more."""
+        """A list of one or more entries."""
         value = self.value(key)
         if not isinstance(value, list) or not value:
             raise self.error(key, "must be a list with one entry or more")

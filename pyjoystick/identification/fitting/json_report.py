@@ -1,19 +1,16 @@
-"""A fit as JSON: every number in full, nothing that is no JSON (infinities and NaN are null)."""
+"""A fit as JSON."""
 
 from __future__ import annotations
 
-import json
-import math
 from typing import Any
-
-import numpy as np
 
 from pyjoystick.identification.fitting.result import Fit
 from pyjoystick.identification.fitting.settings_file import as_document
+from pyjoystick.support import json_text
 
 
 def as_json(fit: Fit) -> str:
-    """The whole result as JSON text."""
+    """The whole result as JSON text, as `json_text` writes it."""
     document = {
         "trusted": fit.trusted,
         "interrupted": fit.interrupted,
@@ -47,7 +44,7 @@ def as_json(fit: Fit) -> str:
         "seconds": fit.seconds,
         "settings": as_document(fit.settings),
     }
-    return json.dumps(_plain(document), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+    return json_text(document)
 
 
 def _parameter(fit: Fit, place: int) -> dict[str, Any]:
@@ -73,15 +70,3 @@ def _parameter(fit: Fit, place: int) -> dict[str, Any]:
         found["bootstrap_error"] = fit.bootstrap.errors()[place]
         found["bootstrap_interval"] = fit.bootstrap.intervals(fit.settings.uncertainty.level)[place]
     return found
-
-
-def _plain(value: Any) -> Any:
-    if isinstance(value, dict):
-        return {str(key): _plain(one) for key, one in value.items()}
-    if isinstance(value, np.ndarray | list | tuple):
-        return [_plain(one) for one in value]
-    if isinstance(value, np.generic):
-        value = value.item()
-    if isinstance(value, float) and not math.isfinite(value):
-        return None
-    return value

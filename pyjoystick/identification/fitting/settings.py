@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from typing import Final, Literal, get_args
 
 from pyjoystick.fmu import Value
-from pyjoystick.support import ParameterError, finite, positive
+from pyjoystick.support import ParameterError, finite, positive, whole_number
 
 #: The instant of a record's clock at which the FMU starts; until then the record shows the start values.
 RELEASE_TIME: Final = "release_time"
@@ -217,13 +217,6 @@ class FitSettings:
 def _names(given: object) -> bool:
     """Whether something is a tuple of names."""
     return isinstance(given, tuple) and all(isinstance(name, str) for name in given)
-
-
-def whole_number(name: str, value: object, least: int) -> int:
-    """`value` if it is a whole number, `least` or more; else raises ParameterError."""
-    if isinstance(value, bool) or not isinstance(value, int) or value < least:
-        raise ParameterError(name, value, f"a whole number, {least} or more")
-    return value
 
 
 def with_values(

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from scipy.special import ellipk
 
 from pyjoystick.laboratory.inertia.budget import Estimate, Measured, combined
-from pyjoystick.support import FloatArray, ParameterError, angle, not_negative, positive
+from pyjoystick.support import FloatArray, ParameterError, angle, not_negative, positive, whole_number
 
 #: Standard uncertainty of the difference of the reactions at start and stop of a stopwatch (s).
 REACTION_TIME: Final = 0.05
@@ -82,8 +82,7 @@ def period_of_readings(
     Raises:
         ParameterError: no reading, a reading or number that is not above 0, an amplitude out of range
     """
-    if isinstance(swings, bool) or not isinstance(swings, int) or swings < 1:
-        raise ParameterError("swings", swings, "a whole number, 1 or more")
+    whole_number("swings", swings, 1)
     if not readings:
         raise ParameterError("readings", "none", "one time or more (s)")
     times = np.array([positive(f"readings[{i}]", time, "s") for i, time in enumerate(readings)])

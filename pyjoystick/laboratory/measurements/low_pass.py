@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pyjoystick.support import FloatArray, ParameterError, SeriesError, positive
+from pyjoystick.support import FloatArray, ParameterError, SeriesError, positive, whole_number
 
 #: Both ends are prolonged by this many periods of the cut-off, turned about the end point.
 _PROLONGED = 6.0
@@ -39,8 +39,7 @@ class LowPass:
 
     def __post_init__(self) -> None:
         positive("cutoff", self.cutoff, "Hz")
-        if isinstance(self.order, bool) or not isinstance(self.order, int) or not 1 <= self.order <= 10:
-            raise ParameterError("order", self.order, "a whole number from 1 to 10")
+        whole_number("order", self.order, 1, 10)
 
     def design_cutoff(self, rate: float) -> float:
         """Cut-off of one run (Hz) for samples at `rate` (Hz)."""

@@ -14,7 +14,7 @@ import numpy as np
 from pyjoystick.model.parameters.joystick import JoystickParameters
 from pyjoystick.model.reference.branches import Acceleration, PiecewiseEquation
 from pyjoystick.model.reference.trajectory import Trajectory, trajectory
-from pyjoystick.support import ParameterError, SimulationError, Torque, angle, finite, positive
+from pyjoystick.support import SimulationError, Torque, angle, finite, positive, whole_number
 
 #: Section 4: time step (s), and what it is divided by near the steep slopes.
 PAPER_STEP: Final = 1e-3
@@ -55,8 +55,7 @@ def simulate_rk4(
     """
     theta, omega = angle("theta_start", theta_start), finite("omega_start", omega_start, "rad/s")
     step = positive("step", step, "s")
-    if not isinstance(refinement, int) or refinement < 1:
-        raise ParameterError("refinement", refinement, "a whole number, 1 or more")
+    whole_number("refinement", refinement, 1)
     count = max(1, round(positive("duration", duration, "s") / step))
     equation = PiecewiseEquation(parameters, torque)
     steep = [(branch.lower, branch.upper) for branch in equation.branches if branch.steep]

@@ -155,7 +155,7 @@ def _durations(
         first = last + slope * (outer - inner)
         squared = speed**2 + (first + last) * (outer - inner) / inertia
         if squared < 0.0 or (speed == 0.0 and first <= 0.0):
-            raise NoOscillationError(release, "it turns back, or stays, before the middle")
+            raise NoOscillationError(release, "it stops or turns back before the middle")
         slower, speed = speed, math.sqrt(squared)
         yield segment, inner, outer, _time(inertia, slope, outer - inner, (slower, first), (speed, last))
 

@@ -196,7 +196,7 @@ class _Well:
         def slowness(s: float) -> float:
             kinetic = passed + self._drop(piece, s * s)
             if kinetic <= 0.0:
-                raise NoOscillationError(release, "it turns back, or stays, before the middle")
+                raise NoOscillationError(release, "it stops or turns back before the middle")
             return 2.0 * s * math.sqrt(0.5 * self._inertia / kinetic)
 
         end = math.sqrt(piece.outer - piece.inner)

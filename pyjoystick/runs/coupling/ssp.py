@@ -187,7 +187,7 @@ def system_of(path: Path, root: Element, folder: Path) -> CoupledSystem:
     """The system of a SystemStructure.ssd, its FMUs as files under `folder`.
 
     Raises:
-        InputFileError: the XML of the archive `path` has something that is not understood
+        InputFileError: the XML of the archive `path` has something that is not supported
     """
     top = root.find("ssd:System", _NAMESPACES)
     if top is None:
@@ -211,7 +211,7 @@ def _component(path: Path, element: Element, folder: Path) -> Component:
     kind = element.get("type", _FMU_TYPE)
     source = PurePosixPath(element.get("source", ""))
     if element.tag != _tag("ssd:Component") or kind != _FMU_TYPE:
-        raise InputFileError(path, f"element {name!r} is not an FMU; no other elements are understood")
+        raise InputFileError(path, f"element {name!r} is not an FMU; other elements are not supported")
     if source.is_absolute() or ".." in source.parts or source.suffix != ".fmu" or ":" in str(source):
         raise InputFileError(
             path, f"component {name!r}: its source {str(source)!r} is not an FMU in the archive"
@@ -222,7 +222,7 @@ def _component(path: Path, element: Element, folder: Path) -> Component:
 def _parameters(path: Path, element: Element) -> Iterator[tuple[str, Value]]:
     for binding in element.iterfind("ssd:ParameterBindings/ssd:ParameterBinding", _NAMESPACES):
         if binding.get("source") or binding.get("prefix") or len(binding) != 1:
-            reason = "parameters from a file, with a prefix or a mapping are not understood"
+            reason = "parameters from a file, with a prefix or a mapping are not supported"
             raise InputFileError(path, f"component {element.get('name')!r}: {reason}")
         for parameter in binding.iterfind(".//ssv:Parameter", _NAMESPACES):
             yield parameter.get("name", ""), _value(path, parameter)
@@ -242,7 +242,7 @@ def _value(path: Path, parameter: Element) -> Value:
         kind = f"{kind} {text!r}"
     if kind == "String":
         return text
-    raise InputFileError(path, f"parameter {parameter.get('name')!r}: a value of {kind} is not understood")
+    raise InputFileError(path, f"parameter {parameter.get('name')!r}: a value of {kind} is not supported")
 
 
 def _connections(path: Path, top: Element) -> Iterator[Connection]:
@@ -250,18 +250,18 @@ def _connections(path: Path, top: Element) -> Iterator[Connection]:
         ends = [element.get(key) for key in ("startElement", "startConnector", "endElement", "endConnector")]
         if None in ends:
             raise InputFileError(
-                path, f"connection {element.attrib}: only those between components are understood"
+                path, f"connection {element.attrib}: only those between components are supported"
             )
         transformations = [child for child in element if child.tag.endswith("Transformation")]
         if transformations:
-            raise InputFileError(path, f"connection {element.attrib}: transformations are not understood")
+            raise InputFileError(path, f"connection {element.attrib}: transformations are not supported")
         yield Connection(f"{ends[0]}.{ends[1]}", f"{ends[2]}.{ends[3]}")
 
 
 def _refuse(path: Path, element: Element, *tags: str) -> None:
     for tag in tags:
         if element.find(tag, _NAMESPACES) is not None:
-            raise InputFileError(path, f"{tag.partition(':')[2]} of a system are not understood")
+            raise InputFileError(path, f"{tag.partition(':')[2]} of a system are not supported")
 
 
 def _tag(name: str) -> str:

@@ -71,7 +71,7 @@ class CoupledSystem:
         """
         for name, count in Counter(component.name for component in self.components).items():
             if count > 1 or "." in name or not name:
-                raise CouplingError(self.name, name, "a component needs a name of its own, without a dot")
+                raise CouplingError(self.name, name, "component names must be unique and contain no dot")
         described = {c.name: read_description(find_fmu(c.fmu)) for c in self.components}
         for component in self.components:
             checked_parameters(described[component.name], component.parameters)

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import json
-import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import asdict
 from typing import Any
 
@@ -12,6 +10,7 @@ from pyjoystick.fmu import FmuDescription
 from pyjoystick.runs.fmu_comparison.compare import RunComparison
 from pyjoystick.runs.fmu_comparison.declarations import Declarations
 from pyjoystick.runs.fmu_comparison.experiments import Tolerances
+from pyjoystick.support import json_text
 
 
 def as_json(
@@ -20,7 +19,6 @@ def as_json(
     tolerances: Tolerances,
     *,
     declarations: Declarations | None = None,
-    versions: Mapping[str, str],
 ) -> str:
     """Everything that is known of a comparison, as text.
 
@@ -31,18 +29,16 @@ def as_json(
         runs: what came of it
         tolerances: what the integrators were asked to keep
         declarations: what the FMUs declare, where there are two
-        versions: what it was made with, by name
     """
     content: dict[str, Any] = {
         "fmus": [_fmu(one) for one in fmus],
         "tolerances": asdict(tolerances),
         "within_limits": all(run.within_limits for run in runs),
         "runs": [_run(run) for run in runs],
-        "made_with": dict(versions),
     }
     if declarations is not None:
         content["declarations"] = asdict(declarations)
-    return json.dumps(content, indent=2, allow_nan=False) + "\n"
+    return json_text(content)
 
 
 def _fmu(fmu: FmuDescription) -> dict[str, str]:
@@ -57,8 +53,7 @@ def _fmu(fmu: FmuDescription) -> dict[str, str]:
 
 def _run(run: RunComparison) -> dict[str, Any]:
     differences = [
-        {name: _number(value) for name, value in asdict(one).items()}
-        | {"judged": one.variable in run.judged, "within_limit": one.within_limit}
+        asdict(one) | {"judged": one.variable in run.judged, "within_limit": one.within_limit}
         for one in run.differences
     ]
     return {
@@ -68,7 +63,3 @@ def _run(run: RunComparison) -> dict[str, Any]:
         "failures": list(run.failures),
         "differences": differences,
     }
-
-
-def _number(value: object) -> object:
-    return None if isinstance(value, float) and not math.isfinite(value) else value

@@ -179,7 +179,7 @@ def _client(address: str, on_note: OnNote) -> Client:
         # A client that cannot understand its address would hang when it is collected.
         get_address_host_port(address)
     except ValueError as error:
-        raise ClusterError(address, f"is no address like tcp://HOST:PORT: {error}") from error
+        raise ClusterError(address, f"is not an address like tcp://HOST:PORT: {error}") from error
     with warnings.catch_warnings(record=True) as said:
         warnings.simplefilter("always")
         try:

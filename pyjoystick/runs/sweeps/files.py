@@ -63,7 +63,7 @@ def read_sweep(path: str | PathLike[str]) -> pd.DataFrame:
     The columns are the varied parameters, the results, ``failed`` and ``message``; the index is ``run``.
 
     Raises:
-        SweepFileError: there is no such file, or it is no result of a sweep
+        SweepFileError: there is no such file, or it is not a result of a sweep
         MissingPackageError: Parquet without pyarrow
     """
     path = Path(path)
@@ -73,9 +73,9 @@ def read_sweep(path: str | PathLike[str]) -> pd.DataFrame:
     except FileNotFoundError as error:
         raise SweepFileError(path, "the file does not exist") from error
     except (OSError, ValueError, KeyError) as error:
-        raise SweepFileError(path, f"is no result of a sweep: {error}") from error
+        raise SweepFileError(path, f"is not a result of a sweep: {error}") from error
     if ATTRIBUTE not in table.attrs:
-        raise SweepFileError(path, "is no result of a sweep: it carries no settings")
+        raise SweepFileError(path, "is not a result of a sweep: it has no settings")
     return table
 
 

@@ -163,7 +163,7 @@ def _outcome(path: Path, table: pd.DataFrame, found: int) -> Outcome:
 
 def _unfinished(path: Path, whole: Part, done: int, found: int, interrupted: bool) -> Outcome:
     if not interrupted:
-        raise SweepFileError(path, "runs are missing although all were carried out")
+        raise SweepFileError(path, "runs are missing although all were executed")
     messages = {int(run): whole.messages[run] for run in np.flatnonzero(whole.failed)}
     return Outcome(path, None, done, len(messages), messages, interrupted=True, found=found)
 

@@ -69,7 +69,7 @@ def test_another_curve_and_another_law_are_refused(command: Command, record: str
     outcome = command("budget", record, "-p", "joystick.toml", "--curve", "forward=other.csv")
     assert outcome.code == 2
     words = " ".join(outcome.err.replace("│", " ").split())
-    assert "other.csv is not the curve that [forward] of joystick.toml is from; import it first" in words
+    assert "[forward] of joystick.toml does not come from other.csv; import it first" in words
     assert command("parameters", "--damping", "power-law", "-o", "power.toml").code == 0
     outcome = command("budget", record, "-p", "power.toml")
     assert outcome.code == 2
@@ -85,5 +85,5 @@ def test_a_fit_that_is_not_to_be_trusted_is_not_written(command: Command, record
     assert before != text
     outcome = command("budget", record, "-p", "joystick.toml", "--update")
     assert outcome.code == 3
-    assert "not to be trusted: whiteness" in outcome.err
+    assert "do not trust the fit: it failed whiteness" in outcome.err
     assert Path("joystick.toml").read_text(encoding="utf-8") == before

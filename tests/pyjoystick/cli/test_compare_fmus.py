@@ -36,12 +36,12 @@ def test_two_fmus_that_part(command: Command, first: str, second: str) -> None:
     assert lines[1].startswith(f"second {second} Pair.Second made by pyjoystick")
     assert "only in the first: own" in lines
     assert "only in the second: z" in lines
-    assert "internal variables of one alone: 1 of the first, 2 of the second (--all)" in lines
+    assert "internal variables of only one FMU: 1 of the first, 2 of the second (--all)" in lines
     assert "k unit 1/s Hz" in lines
     assert "k max none 4.0" in lines
     assert "Model Exchange, CVode at tolerance 1e-10: 0 to 2 s" in lines
     assert "Co-Simulation, tolerance 1e-08: 0 to 2 s" in lines
-    assert sum("shown, not judged" in line for line in lines) == 1
+    assert sum("not judged, because each FMU has its own solver" in line for line in lines) == 1
     exchange, simulation = _rows(outcome.out, "x")
     assert exchange == ["x", "m", "1.35e-03", "1.3e-03", "0.996", "1.0e-04", "0.516", "exceeded"]
     assert simulation == exchange[:-1]
@@ -138,8 +138,8 @@ def test_one_fmu_is_compared_with_the_reference(command: Command, fmus_by_name: 
     [
         (("a.fmu", "b.fmu", "c.fmu"), "at most two FMUs can be compared, not 3"),
         (("a.fmu", "--fmu", "b.fmu"), "give the FMU as an argument or by --fmu, not both"),
-        (("a.fmu", "b.fmu", "--damping", "constant"), "the damping laws of given FMUs are their own"),
-        (("a.fmu", "--damping", "constant"), "the damping law of a given FMU is its own"),
+        (("a.fmu", "b.fmu", "--damping", "constant"), "given FMUs have their own damping laws"),
+        (("a.fmu", "--damping", "constant"), "an FMU has its own damping law"),
         (("--cs-limit", "theta=1"), "is for two FMUs"),
         (("--relative-limit", "1"), "is for two FMUs"),
         (("--inputs", "in.csv"), "is for two FMUs"),

@@ -6,8 +6,8 @@ import pytest
 from rich.console import Console
 from rich.table import Table
 
+from pyjoystick.cli.comparison_tables import print_differences
 from pyjoystick.cli.console import output
-from pyjoystick.cli.difference_table import print_differences
 from pyjoystick.motion import Difference
 from pyjoystick.runs import RunComparison
 

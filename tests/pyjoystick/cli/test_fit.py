@@ -42,6 +42,7 @@ def test_report_and_files(command: Command, tmp_path: Path) -> None:
     assert outcome.code == 0, outcome.err
     assert "runs of the FMU in" in outcome.out
     found = json.loads((tmp_path / "out" / "fit.json").read_text(encoding="utf-8"))
+    assert "numpy" in found["made_with"]
     damping = found["parameters"][0]
     assert damping["name"] == "damping.C"
     low, high = damping["profile"]["interval"]
@@ -69,7 +70,7 @@ def test_doubtful_fit(command: Command) -> None:
     outcome = command("fit", str(DATA / "synthetic_power_law_1.csv"))
     assert outcome.code == 3
     assert "NOT TO BE TRUSTED: whiteness" in outcome.out
-    assert "not to be trusted: whiteness" in outcome.err
+    assert "do not trust this fit: it failed whiteness" in outcome.err
 
 
 @pytest.mark.usefixtures("fmus_by_name")
@@ -128,7 +129,7 @@ def test_a_new_file_begins_as_the_paper_s(command: Command, tmp_path: Path) -> N
     path = tmp_path / "new.toml"
     outcome = command("fit", RECORDS[0], "--parameters", str(path), "--update")
     assert outcome.code == 0, outcome.err
-    assert "is new: everything but [damping.constant] is the paper's" in outcome.err
+    assert "is new: all other values are the paper's" in outcome.err
     assert read_parameter_file(path).joystick.J == PAPER.joystick.J
 
 
@@ -137,7 +138,7 @@ def test_a_doubtful_fit_leaves_the_file_alone_unless_told(command: Command, joys
     arguments = ("fit", str(DATA / "synthetic_power_law_1.csv"), "--parameters", str(joystick), "--update")
     outcome = command(*arguments)
     assert outcome.code == 3
-    assert "joystick.toml is left as it was; --even-if-doubtful writes" in outcome.err
+    assert "joystick.toml is unchanged; --even-if-doubtful saves" in outcome.err
     assert joystick.read_bytes() == before
     outcome = command(*arguments, "--even-if-doubtful")
     assert outcome.code == 3
@@ -153,7 +154,7 @@ def test_wrong_usage_of_update(command: Command, joystick: Path, tmp_path: Path)
     settings.write_text(release, encoding="utf-8")
     outcome = command("fit", RECORDS[0], "-p", str(joystick), "--settings", str(settings), "--update")
     assert outcome.code == 1
-    assert outcome.message == "the joystick: nothing of it is fitted, so that there is nothing to be written"
+    assert outcome.message == "the joystick: none of its parameters is fitted, so there is nothing to save"
 
 
 def test_a_folder_that_cannot_be_is_found_out_before_the_fit(command: Command, tmp_path: Path) -> None:
@@ -168,7 +169,7 @@ def test_a_figure_of_an_earlier_fit_is_named(command: Command, tmp_path: Path) -
     (tmp_path / "profiles.png").write_text("kept", encoding="utf-8")
     outcome = command("fit", RECORDS[0], "--settings", "fit.toml", "--output", str(tmp_path))
     assert outcome.code == 0, outcome.err
-    assert "profiles.png is of an earlier fit" in outcome.err
+    assert "profiles.png belongs to an earlier fit" in outcome.err
     assert (tmp_path / "profiles.png").read_text(encoding="utf-8") == "kept"
 
 
@@ -194,5 +195,5 @@ def test_ctrl_c(
         assert (outcome.out, outcome.message) == ("", "the fit was stopped before it had a result")
     else:
         assert "Stopped before everything was done." in outcome.out
-        assert "is left as it was" in outcome.err
+        assert "joystick.toml is unchanged" in outcome.err
         assert (tmp_path / "out" / "fit.json").exists()

@@ -66,7 +66,7 @@ def test_too_short_for_a_peak(command: Command) -> None:
     for interval in ("0.001", "0.01"):
         outcome = command("free-oscillation", "-d", "0.01", "--output-interval", interval)
         assert outcome.code == 0
-        assert outcome.out.splitlines()[1:] == ["no peak of the displacement within the run"]
+        assert outcome.out.splitlines()[1:] == ["the run has no peak of the displacement"]
 
 
 @pytest.mark.parametrize(
@@ -103,7 +103,7 @@ def test_wrong_input_is_one_message_and_writes_nothing(
         (("--tolerance", "1e-30"), "'--tolerance'"),
         (("-a", "-20rad"), "'-20rad' must lie between -90deg and 90deg; did you mean -20deg?"),
         (("-a", "100"), "'100' must lie between -90deg and 90deg"),
-        (("-a", "steep"), "'steep' is no angle"),
+        (("-a", "steep"), "'steep' is not an angle"),
         (("--set", "J"), "'J' must be NAME=NUMBER"),
         (("--damping", "cubic"), "'cubic' is not one of 'constant', 'power-law'"),
         (("--damping", "constant", "--fmu", "Joystick"), "give --damping or --fmu"),

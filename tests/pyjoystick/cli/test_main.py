@@ -78,7 +78,7 @@ def test_an_interrupt_ends_the_program_quietly(command: Command, monkeypatch: py
     def interrupted(*_: object, **__: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("pyjoystick.cli.comparisons.compare_with_reference", interrupted)
+    monkeypatch.setattr("pyjoystick.runs.compare_with_reference", interrupted)
     outcome = command("compare", "-d", "0.1")
     assert (outcome.code, outcome.out) == (130, "")
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -45,7 +47,12 @@ runpy.run_module("pyjoystick", run_name="__main__", alter_sys=True)
 
 def _python(program: str, *arguments: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
-        [sys.executable, "-c", program, *arguments], cwd=ROOT, capture_output=True, text=True, check=False
+        [sys.executable, "-c", program, *arguments],
+        cwd=ROOT,
+        env=os.environ | {"COLUMNS": "80"},
+        capture_output=True,
+        text=True,
+        check=False,
     )
 
 
@@ -58,6 +65,25 @@ def test_help_waits_for_nothing_heavy(tmp_path: Path) -> None:
     assert [line for line in helps if not (line.startswith("0 True ") and line.endswith(" loads"))] == []
     assert last.startswith("1 False info ")
     assert "pandas" in last
+
+
+def test_the_lists_of_commands_load_no_command() -> None:
+    program = """
+import sys
+from pyjoystick.cli import main
+main(["--help"]), main(["import", "--help"])
+print(*(name for name in sys.modules if name == "numpy" or name.startswith("pyjoystick.cli.")))
+"""
+    done = _python(program)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.splitlines()[-1] == "pyjoystick.cli.console"
+
+
+def test_every_command_has_one_line_in_its_list() -> None:
+    done = _python("from pyjoystick.cli import main; main(['--help']), main(['import', '--help'])")
+    listed = [line for line in done.stdout.splitlines() if line.startswith("│ ") and "--" not in line]
+    assert len(listed) == 16
+    assert all(re.fullmatch(r"│ [a-z-]+ +[A-Z].*\. +│", line) for line in listed), listed
 
 
 @pytest.mark.parametrize(

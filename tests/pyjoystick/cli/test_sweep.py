@@ -7,7 +7,7 @@ from pathlib import Path
 import pandas as pd
 import pytest
 
-from pyjoystick.cli import sweep_steps
+from pyjoystick import runs
 from pyjoystick.runs import Outcome, read_sweep
 from tests.pyjoystick.cli.conftest import Command
 
@@ -57,7 +57,7 @@ def test_results_go_beside_the_settings(command: Command, settings: Path, tmp_pa
     table = read_sweep(tmp_path / "two.csv")
     assert table.shape == (4, 2 + 8 + 1 + 2)
     again = command("sweep", "two.toml")
-    assert (again.code, again.err) == (0, "two.csv was complete already; nothing was run\n")
+    assert (again.code, again.err) == (0, "two.csv was already complete; nothing was run\n")
 
 
 def test_figures_and_another_format(command: Command, settings: Path, tmp_path: Path) -> None:
@@ -112,7 +112,7 @@ def test_failed_runs_are_listed(command: Command, settings: Path, mixed_path: Pa
     lines = outcome.out.splitlines()
     assert lines[0] == "7 of 7 runs of Mixed.fmu done, 7 failed"
     assert lines[1].startswith("  run 0: Mixed.fmu at t = 0 s: ")
-    assert lines[-1] == "  and 2 more; column `message` has them all"
+    assert lines[-1] == "  and 2 more; all are in the column `message`"
     assert len(lines) == 7
     assert read_sweep(tmp_path / "two.csv")["failed"].all()
 
@@ -132,17 +132,17 @@ def test_an_interruption_says_how_to_go_on(
     command: Command, settings: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     stopped = Outcome(Path("two.csv"), None, 3, 1, {2: "broke"}, interrupted=True, found=0)
-    monkeypatch.setattr(sweep_steps, "run_sweep", lambda *arguments, **options: stopped)
+    monkeypatch.setattr(runs, "run_sweep", lambda *arguments, **options: stopped)
     outcome = command("sweep", "two.toml")
     assert outcome.code == 130
     assert outcome.out == "Two by two: 3 of 4 runs of Joystick.fmu done, 1 failed\n  run 2: broke\n"
-    assert outcome.err == "interrupted; what is done is kept, and the same command goes on from here\n"
+    assert outcome.err == "interrupted; finished runs are kept, and the same command continues from here\n"
 
 
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (("--indices", "i.csv"), "--indices needs a sweep with method saltelli, this one has grid"),
+        (("--indices", "i.csv"), "--indices requires the sampling method saltelli; this sweep has grid"),
         (("--result", "E.losses"), "there is no variable 'E.losses'; did you mean E.loss?"),
         (("--plot", "a.gif"), "cannot write a.gif: the name must end in .png, .pdf, .svg"),
         (

@@ -102,7 +102,7 @@ def test_a_broken_model_description(text: str, message: str, joystick_path: Path
 def test_another_fmi_version_is_named(version: str, joystick_path: Path, tmp_path: Path) -> None:
     text = f'<fmiModelDescription fmiVersion="{version}" modelName="M" modelIdentifier="M" guid="g"/>'
     path = doctored(joystick_path, tmp_path / "other.fmu", description=lambda _: text)
-    message = rf"other\.fmu: is an FMU of FMI {version}; FMI 2\.0 and 3\.0 are understood"
+    message = rf"other\.fmu: is an FMU of FMI {version}; FMI 2\.0 and 3\.0 are supported"
     for read in (read_description, Fmu):
         with pytest.raises(UnsupportedFmuError, match=message):
             read(path)

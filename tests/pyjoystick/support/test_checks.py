@@ -39,3 +39,16 @@ def test_degrees_given_for_radians_are_recognized() -> None:
         checks.angle("theta_start", -20)
     with pytest.raises(ParameterError):
         checks.angle("theta_start", math.pi / 2.0)
+
+
+@pytest.mark.parametrize("value", [True, 0, 11, 3.0, "3", None, math.nan, math.inf])
+def test_what_is_no_whole_number_in_range_is_refused(value: object) -> None:
+    with pytest.raises(ParameterError, match=r": must be a whole number from 1 to 10$"):
+        checks.whole_number("order", value, 1, 10)
+
+
+def test_whole_numbers_become_integers() -> None:
+    assert [checks.whole_number("order", value, 1, 10) for value in (1, 10)] == [1, 10]
+    assert type(checks.whole_number("count", np.int64(10**12), 0)) is int
+    with pytest.raises(ParameterError, match=r"^count = -1: must be a whole number, 0 or more$"):
+        checks.whole_number("count", -1, 0)

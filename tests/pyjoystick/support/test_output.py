@@ -1,13 +1,25 @@
-"""Files appear whole or not at all."""
+"""Files appear whole or not at all; JSON has the versions."""
 
 from __future__ import annotations
 
+import json
+import math
 import os
+import platform
 from pathlib import Path
 
+import numpy as np
 import pytest
 
-from pyjoystick.support import OutputFileError, check_outputs, replacing, write_text
+from pyjoystick.support import (
+    OutputFileError,
+    check_outputs,
+    json_text,
+    replacing,
+    version_of,
+    versions,
+    write_text,
+)
 
 
 def test_folders_are_made_and_files_replaced(tmp_path: Path) -> None:
@@ -44,7 +56,7 @@ def test_the_suffix_is_kept_for_those_who_go_by_it(tmp_path: Path) -> None:
 def test_a_path_that_cannot_be_written_is_named(tmp_path: Path) -> None:
     (tmp_path / "file").touch()
     (tmp_path / "folder").mkdir()
-    with pytest.raises(OutputFileError, match=r"cannot write .*file/x\.txt: its folder cannot be made"):
+    with pytest.raises(OutputFileError, match=r"cannot write .*file/x\.txt: its folder cannot be created"):
         write_text(tmp_path / "file" / "x.txt", "text")
     with pytest.raises(OutputFileError, match=r"cannot write .*folder: "):
         write_text(tmp_path / "folder", "text")
@@ -82,3 +94,20 @@ def test_two_outputs_in_one_file_are_refused(tmp_path: Path) -> None:
     for other in (path, tmp_path / "folder" / ".." / "folder" / "x.png", tmp_path / "link" / "x.png"):
         with pytest.raises(OutputFileError, match=r"x\.png: another result is written there too"):
             check_outputs(path, None, other)
+
+
+def test_json_has_every_number_in_full_and_the_versions() -> None:
+    content = {
+        "x": np.array([[0.1, math.nan]]),
+        "y": (np.float64(1 / 3), -math.inf, np.int64(2)),
+        "z": {1: "ä"},
+    }
+    found = json.loads(json_text(content), parse_constant=lambda name: pytest.fail(name))
+    assert found.pop("made_with") == versions()
+    assert found == {"x": [[0.1, None]], "y": [1 / 3, None, 2], "z": {"1": "ä"}}
+
+
+def test_versions_are_those_of_the_packages() -> None:
+    assert versions()["Python"] == platform.python_version()
+    assert versions()["numpy"] == np.__version__
+    assert version_of("no-such-package") == "not installed"

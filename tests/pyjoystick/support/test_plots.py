@@ -11,10 +11,18 @@ import pandas as pd
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_rgb
+from matplotlib.figure import Figure
 
 from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW
 from pyjoystick.runs import reference_free_oscillation
-from pyjoystick.support import OutputFileError, ParameterError, UnknownVariableError, plot_motion, save_figure
+from pyjoystick.support import (
+    OutputFileError,
+    ParameterError,
+    UnknownVariableError,
+    plot_motion,
+    save_figure,
+    save_results,
+)
 
 
 @pytest.fixture(scope="module")
@@ -104,3 +112,19 @@ def test_what_cannot_be_drawn(runs: dict[str, pd.DataFrame]) -> None:
         plot_motion(runs, angle_unit="grad")  # type: ignore[arg-type]
     with pytest.raises(UnknownVariableError, match="no variable 'alpha'"):
         plot_motion({"": run.drop(columns="alpha")})
+
+
+def test_results_are_a_summary_and_figures(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    folder = tmp_path / "new" / "results"
+    save_results(folder, "## Numbers", {"one": Figure(), "two": Figure()})
+    assert capsys.readouterr().out == "## Numbers\n"
+    assert (folder / "summary.md").read_text(encoding="utf-8") == "## Numbers\n"
+    assert sorted(path.name for path in folder.iterdir()) == [
+        *("one.pdf", "one.png", "summary.md", "two.pdf", "two.png")
+    ]
+
+
+def test_a_file_in_the_way_of_results_is_named(tmp_path: Path) -> None:
+    (tmp_path / "results").write_text("in the way")
+    with pytest.raises(OutputFileError, match="results"):
+        save_results(tmp_path / "results", "", {"one": Figure()})

@@ -70,7 +70,7 @@ def test_a_side_that_does_not_turn_it_back() -> None:
 
 def test_a_release_that_falls_outward_or_stays() -> None:
     falls = LineSide((0.0, 1.0), (1.0, -1.0))
-    with pytest.raises(NoOscillationError, match="turns back, or stays"):
+    with pytest.raises(NoOscillationError, match="stops or turns back"):
         LineOscillator(1.0, falls, falls).oscillation(2.5)
     with pytest.raises(NoOscillationError, match="does not let it rise"):
         LineOscillator(1.0, LineSide((0.0,), (-1.0,)), falls).oscillation(0.1)

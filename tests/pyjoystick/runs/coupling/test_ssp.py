@@ -135,8 +135,8 @@ def test_a_file_that_is_no_archive(tmp_path: Path) -> None:
             '<ssd:ParameterBinding prefix="a.">',
             "parameters from a file, with a prefix",
         ),
-        ('value="0.012"', 'value="heavy"', "parameter 'J': a value of Real 'heavy' is not understood"),
-        ("ssv:Real", "ssv:Binary", "a value of Binary is not understood"),
+        ('value="0.012"', 'value="heavy"', "parameter 'J': a value of Real 'heavy' is not supported"),
+        ("ssv:Real", "ssv:Binary", "a value of Binary is not supported"),
         ("ssd:System>", "ssd:Nothing>", "cannot be read"),
     ],
 )

@@ -45,7 +45,7 @@ def test_an_input_has_one_source() -> None:
 def test_names_of_components(name: str) -> None:
     system = operator_and_joystick()
     other = replace(system, components=(*system.components, Component(name, "Joystick")))
-    with pytest.raises(CouplingError, match="needs a name of its own, without a dot"):
+    with pytest.raises(CouplingError, match="must be unique and contain no dot"):
         other.describe()
 
 

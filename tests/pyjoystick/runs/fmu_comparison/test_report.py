@@ -6,9 +6,12 @@ import json
 import math
 from pathlib import Path
 
+import pytest
+
 from pyjoystick.fmu import read_description
 from pyjoystick.motion import Difference
 from pyjoystick.runs import RunComparison, Tolerances, as_json, compare_declarations
+from pyjoystick.support import versions
 
 RUNS = [
     RunComparison(
@@ -26,16 +29,14 @@ RUNS = [
 
 def test_everything_is_there_and_it_is_json(pair: Path) -> None:
     fmus = [read_description(pair / f"{name}.fmu") for name in ("First", "Second")]
-    text = as_json(
-        fmus, RUNS, Tolerances(1e-7, 1e-9), declarations=compare_declarations(*fmus), versions={"Python": "3"}
-    )
+    text = as_json(fmus, RUNS, Tolerances(1e-7, 1e-9), declarations=compare_declarations(*fmus))
     assert text.endswith("}\n")
-    content = json.loads(text, parse_constant=lambda name: f"not JSON: {name}")
+    content = json.loads(text, parse_constant=lambda name: pytest.fail(name))
     assert [fmu["model"] for fmu in content["fmus"]] == ["Pair.First", "Pair.Second"]
     assert content["fmus"][0]["path"] == str(pair / "First.fmu")
     assert content["tolerances"] == {"co_simulation": 1e-7, "model_exchange": 1e-9}
     assert content["within_limits"] is False
-    assert content["made_with"] == {"Python": "3"}
+    assert content["made_with"] == versions()
     assert content["declarations"]["only_second"] == ["z"]
     assert {"variable": "n", "attribute": "start", "first": "3", "second": "4"} in content["declarations"][
         "differences"
@@ -59,6 +60,6 @@ def test_everything_is_there_and_it_is_json(pair: Path) -> None:
 
 
 def test_one_fmu_declares_nothing_else(pair: Path) -> None:
-    content = json.loads(as_json([read_description(pair / "First.fmu")], [], Tolerances(), versions={}))
+    content = json.loads(as_json([read_description(pair / "First.fmu")], [], Tolerances()))
     assert content["within_limits"] is True
     assert "declarations" not in content

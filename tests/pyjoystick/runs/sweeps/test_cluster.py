@@ -159,7 +159,7 @@ def test_a_scheduler_that_is_not_there(small_sweep: Sweep, tmp_path: Path) -> No
 
 @pytest.mark.parametrize("address", ["nonsense", "nonsense://x:1", "tcp://127.0.0.1"])
 def test_what_is_no_address_is_said_at_once(small_sweep: Sweep, tmp_path: Path, address: str) -> None:
-    with pytest.raises(ClusterError, match=f"{address}: is no address like tcp://HOST:PORT"):
+    with pytest.raises(ClusterError, match=f"{address}: is not an address like tcp://HOST:PORT"):
         run_sweep(small_sweep, tmp_path / "a.csv", scheduler=address)
 
 

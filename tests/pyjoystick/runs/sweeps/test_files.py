@@ -88,7 +88,7 @@ def test_files_that_are_no_sweep(tmp_path: Path, suffix: str) -> None:
     with pytest.raises(SweepFileError, match="does not exist"):
         read_sweep(path)
     path.write_text("x,y\n1,2\n")
-    with pytest.raises(SweepFileError, match="is no result of a sweep"):
+    with pytest.raises(SweepFileError, match="is not a result of a sweep"):
         read_sweep(path)
 
 

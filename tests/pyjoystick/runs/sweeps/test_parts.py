@@ -115,7 +115,7 @@ def test_a_second_process_is_refused_at_once_until_the_first_is_gone(tmp_path: P
 def test_a_folder_that_cannot_be_made(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("kept")
     parts = Parts(tmp_path / "file" / "a.csv")
-    with pytest.raises(OutputFileError, match="its folder cannot be made"), parts.opened(IDENTITY):
+    with pytest.raises(OutputFileError, match="its folder cannot be created"), parts.opened(IDENTITY):
         pytest.fail("must not be opened")
 
 

@@ -152,6 +152,6 @@ def test_an_interrupted_replacement_goes_on(written: Write, tmp_path: Path) -> N
 
 def test_a_file_of_another_kind_is_not_replaced(small_sweep: Sweep, tmp_path: Path) -> None:
     (tmp_path / "a.csv").write_text("x\n1\n")
-    with pytest.raises(SweepFileError, match="is no result of a sweep"):
+    with pytest.raises(SweepFileError, match="is not a result of a sweep"):
         run_sweep(small_sweep, tmp_path / "a.csv")
     assert (tmp_path / "a.csv").read_text() == "x\n1\n"

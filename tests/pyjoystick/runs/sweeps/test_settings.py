@@ -119,7 +119,7 @@ def test_types_other_than_real(written: Write, mixed_path: Path) -> None:
         ('"grid"', '"random"\ncount = true', "[sampling] count = true: must be a whole number, 1 or more"),
         ('"grid"', '"sobol"\ncount = 12', "[sampling] count = 12: must be a power of two"),
         ("damping.C", "damping.D", "did you mean damping.C?"),
-        ("theta_start", "omega", "[vary.omega]: is no parameter or start value that can be varied"),
+        ("theta_start", "omega", "[vary.omega]: is not a parameter or start value that can be varied"),
         (
             "0.045,",
             "-1,",

@@ -1,0 +1,154 @@
+"""``pyjoystick import swing``."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Annotated, Final
+
+import typer
+
+from pyjoystick import laboratory, model, motion
+from pyjoystick.cli.console import output, print_note
+from pyjoystick.cli.options import ParametersToUpdate, Set, parse_angle, parse_assignments, uncertainty
+from pyjoystick.cli.parameter_updates import file_to_update, write_update
+from pyjoystick.support import ParameterError, TextTable, check_outputs
+
+EXAMPLES: Final = """
+Examples:
+
+    pyjoystick import swing --time 8.09 --time 8.14 --time 8.05 --swings 10 --amplitude 10 \\
+        -p joystick.toml
+
+    pyjoystick import swing pendulum.csv -p joystick.toml --set m=0.87 --uncertainty m=0.001
+
+docs/parameters-from-measurements.md describes the test.
+"""
+#: Quantities that the moment of inertia depends on, and their places in a parameter file.
+_PLACES: Final = {"m": "body.m", "h": "body.h", "g": "gravity.g"}
+
+
+def run(
+    record: Annotated[
+        Path | None, typer.Argument(metavar="RECORD.csv", help="Recorded swing: time (s), theta (deg).")
+    ] = None,
+    times: Annotated[
+        list[float] | None,
+        typer.Option("--time", metavar="SECONDS", help="Stopwatch reading; repeatable."),
+    ] = None,
+    swings: Annotated[int, typer.Option(min=1, help="Number of full swings per reading.")] = 1,
+    amplitude: Annotated[
+        str | None, typer.Option(metavar="ANGLE", help="Amplitude at the start of a reading, such as 10deg.")
+    ] = None,
+    end_amplitude: Annotated[
+        str | None,
+        typer.Option(metavar="ANGLE", help="Amplitude at the end of a reading. Default: --amplitude."),
+    ] = None,
+    amplitude_uncertainty: Annotated[
+        str, typer.Option(metavar="ANGLE", help="Standard uncertainty of the amplitudes.")
+    ] = "1deg",
+    reaction_time: Annotated[
+        float | None,
+        typer.Option(metavar="SECONDS", help="Standard uncertainty common to all readings. Default: 0.05 s."),
+    ] = None,
+    parameters: ParametersToUpdate = None,
+    assignments: Set = None,
+    uncertainties: Annotated[list[str] | None, uncertainty("m, h or g (SI units)")] = None,
+) -> None:
+    """Find the moment of inertia from the period as a pendulum, hung upside down (section 3.2)."""
+    check_outputs(parameters)
+    before = file_to_update(parameters)
+    values = _known(before, assignments, uncertainties)
+    if (record is None) == (not times):
+        raise typer.BadParameter("give a recorded swing or stopwatch readings by --time")
+    if record is not None:
+        period = laboratory.period_of_record(motion.read_record(record, free_oscillation=False))
+    else:
+        period = _of_readings(
+            times or [], swings, amplitude, end_amplitude, amplitude_uncertainty, reaction_time
+        )
+    found = laboratory.inertia_of_swing(period.period, values["m"], values["h"], values["g"])
+    output().print(_period_text(period), markup=False)
+    print_estimates({"T (s)": period.period, "J (kg m2)": found})
+    if parameters is not None:
+        source = (
+            f"swing test {record.name}" if record is not None else f"swing test, {len(times or [])} readings"
+        )
+        changed = {name: one.value for name, one in values.items()}
+        joystick = before.joystick.replace(changed | {"J": model.rounded(found.value, found.uncertainty)})
+        errors = {_PLACES[name]: one.uncertainty for name, one in values.items() if one.uncertainty > 0.0}
+        write_update(parameters, joystick, errors | {"body.J": found.uncertainty}, {"body": source})
+
+
+def _known(
+    file: model.ParameterFile, assignments: list[str] | None, uncertainties: list[str] | None
+) -> Mapping[str, laboratory.Measured]:
+    """Mass, center of mass and gravity: from the options, else from the file."""
+    values = parse_assignments(assignments, "--set")
+    errors = parse_assignments(uncertainties, "--uncertainty")
+    for name, value in {**values, **errors}.items():
+        if name not in _PLACES:
+            raise ParameterError(name, value, "one of m, h, g")
+    known = {}
+    for name, place in _PLACES.items():
+        in_file = 0.0 if name in values else file.uncertainties.get(place, 0.0)
+        value = values.get(name, file.joystick.to_names()[name])
+        known[name] = laboratory.Measured(value, errors.get(name, in_file))
+        if known[name].uncertainty == 0.0 and name != "g":
+            print_note(
+                f"{name} = {value:g} has no uncertainty and is taken as exact: --uncertainty {name}=..."
+            )
+    return known
+
+
+def _of_readings(
+    times: list[float],
+    swings: int,
+    first: str | None,
+    last: str | None,
+    uncertainty: str,
+    reaction_time: float | None,
+) -> laboratory.SwingPeriod:
+    if first is None:
+        raise typer.BadParameter("is required: the period depends on it", param_hint="--amplitude")
+    error = parse_angle(uncertainty, "--amplitude-uncertainty")
+    return laboratory.period_of_readings(
+        times,
+        swings,
+        laboratory.Measured(parse_angle(first, "--amplitude"), error),
+        None if last is None else laboratory.Measured(parse_angle(last, "--end-amplitude"), error),
+        reaction_time=laboratory.REACTION_TIME if reaction_time is None else reaction_time,
+    )
+
+
+def _period_text(found: laboratory.SwingPeriod) -> str:
+    small = found.period
+    damping = found.damping_ratio
+    decay = (
+        ""
+        if damping is None
+        else f", damping ratio {damping.value:.5f} (standard error {damping.uncertainty:.1g})"
+    )
+    return (
+        f"Period {found.measured:.6g} s as measured; the amplitude lengthens it by "
+        f"{100.0 * (found.amplitude_factor - 1.0):.3g} %{decay}.\n"
+        f"Period T of small undamped swings {small.value:.6g} s."
+    )
+
+
+def print_estimates(estimates: Mapping[str, laboratory.Estimate]) -> None:
+    """Print estimates by name as a table, each with the parts of its uncertainty."""
+    rows = []
+    for name, one in estimates.items():
+        low, high = one.interval
+        rows.append([name, f"{one.value:.6g}", f"{one.uncertainty:.2g}", f"{low:.6g} to {high:.6g}"])
+        rows += [
+            [f"  from {quantity}", "", f"{part:.2g}", ""]
+            for quantity, part in one.budget.items()
+            if part > 0.0
+        ]
+    console = output()
+    console.print()
+    console.print(
+        TextTable(["", "value", "standard uncertainty", "95 % interval"], rows).markdown(), markup=False
+    )
