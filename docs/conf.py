@@ -64,7 +64,7 @@ nitpick_ignore = [
 ]
 # Other projects' lists of names are on the network, which a build does without.
 nitpick_ignore_regex = [
-    (r"py:.*", r"(collections|lmfit|matplotlib|numpy|os|pandas|pathlib)\..*"),
+    (r"py:.*", r"(collections|matplotlib|numpy|os|pandas|pathlib)\..*"),
 ]
 
 html_theme = "furo"

@@ -1,4 +1,4 @@
-"""The search for the minimum: lmfit's least squares from one start or from many."""
+"""The search for the minimum: bounded least squares from one start or from many."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
-import lmfit
 import numpy as np
+from scipy.optimize import least_squares
 from scipy.stats import qmc
 
 from pyjoystick.identification.fitting.problem import Problem
@@ -57,7 +57,7 @@ def search(
     held: Mapping[int, float] | None = None,
     tolerance: float = TOLERANCE,
 ) -> Minimum:
-    """One search by lmfit's ``least_squares`` (trust region reflective, which keeps the bounds).
+    """One search by SciPy's ``least_squares`` (trust region reflective, which keeps the bounds).
 
     Args:
         problem: what is minimized
@@ -74,39 +74,37 @@ def search(
     if not places:
         return Minimum(full, float(np.sum(problem.residuals(full) ** 2)), True, "nothing is free", 1)
 
-    def vector(parameters: lmfit.Parameters) -> FloatArray:
-        point = full.copy()
-        for j in places:
-            point[j] = parameters[f"v{j}"].value
-        return point
-
     best = _Best(full, math.inf)
 
-    def residuals(parameters: lmfit.Parameters) -> FloatArray:
-        point = vector(parameters)
-        found = problem.residuals(point)
-        best.offer(point, float(found @ found))
+    def point(own: FloatArray) -> FloatArray:
+        moved = full.copy()
+        moved[places] = own
+        return moved
+
+    def residuals(own: FloatArray) -> FloatArray:
+        x = point(own)
+        found = problem.residuals(x)
+        best.offer(x, float(found @ found))
         return found
 
+    def jacobian(own: FloatArray) -> FloatArray:
+        return problem.jacobian(point(own), central=False)[:, places]
+
     before = problem.evaluations
-    minimizer = lmfit.Minimizer(residuals, problem.variables.lmfit_parameters(full, held), scale_covar=False)
-    # lmfit works out standard errors of its own, which are nothing in a direction that the data do not see.
-    with np.errstate(all="ignore"):
-        result = minimizer.least_squares(
-            max_nfev=evaluations,
-            jac=lambda parameters: problem.jacobian(vector(parameters), central=False)[:, places],
-            x_scale="jac",
-            ftol=tolerance,
-            xtol=_STEP_TOLERANCE,
-            gtol=None,
-        )
-    return Minimum(
-        best.x,
-        best.cost,
-        bool(result.success),
-        str(result.message).rstrip("."),
-        problem.evaluations - before,
+    lower, upper = problem.variables.lower[places], problem.variables.upper[places]
+    result = least_squares(
+        residuals,
+        np.clip(full[places], lower, upper),
+        jac=jacobian,
+        bounds=(lower, upper),
+        x_scale="jac",
+        ftol=tolerance,
+        xtol=_STEP_TOLERANCE,
+        gtol=None,
+        max_nfev=evaluations,
     )
+    message = str(result.message).rstrip(".")
+    return Minimum(best.x, best.cost, bool(result.success), message, problem.evaluations - before)
 
 
 def staged_search(problem: Problem, x: FloatArray, *, evaluations: int, stages: Sequence[float]) -> Minimum:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import ast
+import io
 import math
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-import lmfit
+import asteval
 import numpy as np
 
 from pyjoystick.fmu import FmuDescription, checked_value
@@ -24,9 +26,9 @@ def names_in(expressions: Iterable[str]) -> set[str]:
 
 
 class Ties:
-    """Values of tied parameters from those of the free ones.
+    """Values of tied parameters from those of the free ones, by expressions.
 
-    lmfit's names are identifiers; those of the FMU, with dots, are translated.
+    Names in expressions are identifiers; those of the FMU, with dots, are translated.
     """
 
     def __init__(self, names: Sequence[str], ties: Mapping[str, str], description: FmuDescription) -> None:
@@ -41,12 +43,13 @@ class Ties:
             UnknownParameterError: the FMU has no such parameter, or an expression uses one that is not free
             ParameterError: an expression cannot be understood
         """
-        self._tied = [_identifier(name) for name in ties]
         self._own = [_identifier(name) for name in names]
-        self._parameters = lmfit.Parameters()
+        self._expressions: dict[str, tuple[str, ast.expr]] = {}
+        if not ties:
+            return
+        self._interpreter = asteval.Interpreter(err_writer=io.StringIO())
+        self._interpreter.symtable.update(dict.fromkeys(self._own, 1.0))
         known = {name: _identifier(name) for name in (*names, *ties)}
-        for name in self._own if ties else ():
-            self._parameters.add(name, value=1.0)
         for name, expression in ties.items():
             if name not in description.variables:
                 raise UnknownParameterError(name, description.settable_names())
@@ -55,19 +58,31 @@ class Ties:
                     raise UnknownParameterError(word, known)
             translated = _NAME.sub(lambda match: known.get(match[0], match[0]), expression)
             try:
-                self._parameters.add(_identifier(name), expr=translated)
-            except (NameError, SyntaxError, ValueError, TypeError):
+                self._expressions[_identifier(name)] = translated, ast.parse(translated, mode="eval").body
+                self._evaluate(_identifier(name))
+            except (NameError, SyntaxError, TypeError, ValueError):
                 allowed = f"an expression in {', '.join(names)}"
                 raise ParameterError(f"ties.{name}", expression, allowed) from None
 
     def values(self, own: Sequence[float]) -> list[float]:
-        """The tied values for the values of the free parameters."""
-        if not self._tied:
+        """The tied values for the values of the free parameters; NaN where an expression has none."""
+        if not self._expressions:
             return []
-        for name, value in zip(self._own, own, strict=True):
-            self._parameters[name].set(value=value)
-        self._parameters.update_constraints()
-        return [float(self._parameters[name].value) for name in self._tied]
+        self._interpreter.symtable.update(zip(self._own, map(float, own), strict=True))
+        return [self._evaluate(name) for name in self._expressions]
+
+    def _evaluate(self, name: str) -> float:
+        """A tied value, for those after it too; NaN where there is none, as for 1/0: the run then fails."""
+        text, parsed = self._expressions[name]
+        # The interpreter collects what it has seen, and does nothing after an error.
+        self._interpreter.code_text, self._interpreter.error = [], []
+        try:
+            with np.errstate(all="ignore"):
+                value = float(self._interpreter.run(parsed, expr=text))
+        except ArithmeticError:
+            value = math.nan
+        self._interpreter.symtable[name] = value
+        return value
 
 
 def _identifier(name: str) -> str:
@@ -192,15 +207,6 @@ class Variables:
     def concerns(self, variable: int, record: int) -> bool:
         """Whether a variable has an influence on a record."""
         return self.free[variable].record in (None, record)
-
-    def lmfit_parameters(self, x: FloatArray, held: Mapping[int, float] | None = None) -> lmfit.Parameters:
-        """The variables for lmfit, as ``v0``, ``v1``, ..., with those in `held` fixed at their values."""
-        parameters = lmfit.Parameters()
-        for i, variable in enumerate(self.free):
-            fixed = held is not None and i in held
-            value = held[i] if held is not None and i in held else float(x[i])
-            parameters.add(f"v{i}", value=value, min=variable.minimum, max=variable.maximum, vary=not fixed)
-        return parameters
 
     def _place(self, name: str, record: int) -> int | None:
         return next(

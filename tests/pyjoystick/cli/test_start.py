@@ -12,7 +12,7 @@ import pytest
 
 ROOT = Path(__file__).parents[3]
 #: What takes long to load, and what a command therefore loads only when it is run.
-HEAVY = ("fmpy", "lmfit", "matplotlib", "numba", "pandas", "scipy")
+HEAVY = ("fmpy", "asteval", "matplotlib", "numba", "pandas", "scipy")
 #: Asks for the help of the program and of all commands, and says what heavy modules each of them loads.
 HELP = f"""
 import contextlib, io, sys, typer.main

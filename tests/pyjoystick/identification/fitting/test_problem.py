@@ -109,6 +109,8 @@ def test_a_run_that_fails_turns_the_search_back(fmus_by_name: Path) -> None:
         ({"ties": {"q": "2*J"}}, UnknownParameterError, "'q'"),
         ({"ties": {"m": "2*damping.D"}}, UnknownParameterError, "damping.D"),
         ({"ties": {"m": "2*("}}, ParameterError, "an expression in damping.C"),
+        ({"ties": {"m": "import os"}}, ParameterError, "an expression in damping.C"),
+        ({"ties": {"m": "'heavy'"}}, ParameterError, "an expression in damping.C"),
         ({"noise": Noise(per_record=True)}, ParameterError, "left out for a single record"),
         ({"derivatives": {}}, UnknownVariableError, "derivative of theta"),
     ],
@@ -120,6 +122,14 @@ def test_settings_that_do_not_go_with_the_fmu(
     with Fmu("Joystick") as fmu, pytest.raises(error) as caught:
         _problem(fmu, settings, 1)
     assert words in str(caught.value)
+
+
+def test_a_tie_that_divides_by_zero_is_a_run_that_fails(fmus_by_name: Path) -> None:
+    settings = FitSettings(
+        fmu="Joystick", free=(Free("c", start=0.06), *RELEASE), ties={"damping.C": "1.0 / (c - 0.06)"}
+    )
+    with Fmu("Joystick") as fmu, pytest.raises(FitError, match="outside the range that the FMU allows"):
+        _problem(fmu, settings, 1)
 
 
 def test_there_must_be_a_record(fmus_by_name: Path) -> None:
