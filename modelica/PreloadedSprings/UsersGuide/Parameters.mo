@@ -17,7 +17,7 @@ class Parameters "The paper's values, and what is refused"
 </table>
 <p>Table 2 gives the handle: <code>m</code> = 0.87 kg, <code>J</code> = 0.01135 kg.m2, <code>h</code> = 82 mm,
 <code>a</code> = 23.98 mm, <code>b</code> = 5.0 mm. The acceleration of gravity is not in the paper.</p>
-<p>Parameters that cannot be are refused at the start of a simulation, with a message that names the component, the
+<p>Impossible parameter values are rejected at the start of a simulation, with a message that names the component, the
 parameter and its value: stiffnesses, <code>J</code>, <code>m</code> and <code>a</code> that are not positive;
 preloads, clearances, distances, damping coefficients and <code>g</code> that are negative; a balance spring that
 engages before the return spring; table travels that do not increase; a start angle of 90 degrees or more;

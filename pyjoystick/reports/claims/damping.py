@@ -50,11 +50,11 @@ def peak_method(bench: Workbench) -> Finding:
     constants = estimate_damping([bench.constant_release], NOMINAL.J).constants
     ratios = {name: constants[name].value / _C for name in ("displacement", "velocity")}
     here = (
-        f"of a simulation with constant C it finds {ratios['displacement']:.2f} times C from the "
+        f"for a simulation with constant C they give {ratios['displacement']:.2f} times C from the "
         "displacement and "
         f"{ratios['velocity']:.2f} times C from the velocity"
     )
-    remark = "a bias of the method, not of noise: docs/damping-from-peaks.md"
+    remark = "a bias of the method, not an effect of noise: docs/damping-from-peaks.md"
     off = [abs(ratio - 1.0) for ratio in ratios.values()]
     return Finding(verdict(max(off) < 0.1, max(off) < 0.5), here, remark)
 
@@ -65,12 +65,12 @@ def negative_slopes(bench: Workbench) -> Finding:
     lines = estimate_damping([bench.power_law_release], NOMINAL.J).lines
     found = {name: lines[name].exponent for name in ("positive", "negative", "velocity")}
     here = (
-        f"printed are n_pos = {_PRINTED.n_pos:+g}, n_neg = {_PRINTED.n_neg:+g}, m = "
+        f"the printed exponents are n_pos = {_PRINTED.n_pos:+g}, n_neg = {_PRINTED.n_neg:+g}, m = "
         f"{_PRINTED.m:+g}; the method "
         "finds " + ", ".join(f"{value:+.2f}" for value in found.values()) + " in a motion made with them"
     )
     remark = (
-        "the printed n_pos contradicts the sentence; its sign may have been lost (see the last line of "
+        "the printed n_pos contradicts the statement; its sign may have been lost (see the last line of "
         "Torque), or the highest peaks may have tilted the line"
     )
     printed = (_PRINTED.n_pos, _PRINTED.n_neg, _PRINTED.m)
@@ -83,12 +83,12 @@ def more_damping_forward(bench: Workbench) -> Finding:
     equal = (_PRINTED.A_neg / _PRINTED.A_pos) ** (1.0 / (_PRINTED.n_pos - _PRINTED.n_neg))
     angles = np.radians(np.geomspace(1.0, 20.0, 100))
     forward, backward = (_displacement_term(sign * angles) for sign in (1.0, -1.0))
-    here = f"true above {math.degrees(equal):.1f} degrees, the other way round below"
+    here = f"true above {math.degrees(equal):.1f} degrees, reversed below"
     remark = "a consequence of the printed exponents"
     return Finding(verdict(bool(np.all(forward > backward)), bool(forward[-1] > backward[-1])), here, remark)
 
 
-@claim("3.3, Fig. 9a", "the damping rises slightly as the amplitude falls, but for the highest peaks")
+@claim("3.3, Fig. 9a", "the damping rises slightly as the amplitude falls, except for the highest peaks")
 def damping_rises(bench: Workbench) -> Finding:
     """The displacement terms at 2 degrees over those at 15 degrees."""
     ratios = [
@@ -96,7 +96,7 @@ def damping_rises(bench: Workbench) -> Finding:
         for sign in (1.0, -1.0)
     ]
     here = (
-        f"from 15 to 2 degrees the printed terms change to {ratios[0]:.2f} (forward) and "
+        f"from 15 to 2 degrees the printed terms change by the factors {ratios[0]:.2f} (forward) and "
         f"{ratios[1]:.2f} (backward)"
     )
     remark = "follows from the sign of n_pos"
@@ -108,7 +108,7 @@ def singular(bench: Workbench) -> Finding:
     """The displacement term of the backward side at the rounding-off angle."""
     near = float(_displacement_term(-1e-12))
     far = float(_displacement_term(math.radians(-10.0)))
-    here = f"backward, at no angle: {near / far:.1f} times the value at 10 degrees, with |theta| rounded off"
+    here = f"backward, at zero angle: {near / far:.1f} times the value at 10 degrees, with |theta| smoothed"
     remark = (
         "the paper does not say how it keeps C finite; here |theta| becomes sqrt(theta^2 + eps^2) with "
         f"eps = {_PRINTED.eps_theta:g} rad, likewise |omega| with {_PRINTED.eps_omega:g} rad/s"
@@ -123,7 +123,7 @@ def discontinuities_do_little(bench: Workbench) -> Finding:
     other = peaks_of_run(reference_free_oscillation(RELEASE, parameters=rounder, output_interval=0.5e-3))
     errors = peak_errors(other, bench.power_law_release)
     here = (
-        f"ten times the rounding off changes nine peaks by {errors.displacement:.2f} % and their times by "
+        f"ten times the smoothing changes nine peaks by {errors.displacement:.2f} % and their times by "
         f"{errors.displacement_time:.2f} % on average"
     )
     return Finding(verdict(max(errors.displacement, errors.displacement_time) < 2.0), here)
@@ -143,8 +143,8 @@ def where_it_jumps(bench: Workbench) -> Finding:
         "zero displacement"
     )
     remark = (
-        "with the printed numbers the velocity term weighs beta*B = "
-        f"{_PRINTED.beta * _PRINTED.B:.4f} only, and the "
+        "with the printed numbers the velocity term has the weight beta*B = "
+        f"{_PRINTED.beta * _PRINTED.B:.4f}, and the "
         "two sides meet at theta = 0 with different coefficients and a negative exponent"
     )
     return Finding(verdict(bool(largest["omega"] > largest["theta"])), here, remark)
@@ -156,7 +156,7 @@ def mean_of_the_function(bench: Workbench) -> Finding:
     time = np.linspace(0.0, _NINE_PEAKS, 3001)
     run = simulate(NOMINAL_POWER_LAW, time=time, theta_start=RELEASE)
     mean, equivalent = mean_damping(run), equivalent_damping(run)
-    here = f"mean {mean:.3f}; a constant {equivalent:.3f} N m s/rad takes as much energy"
+    here = f"mean {mean:.3f}; a constant {equivalent:.3f} N m s/rad dissipates as much energy"
     remark = "the printed A, n, B, m at alpha = 0.9 damp more than C = 0.045 does"
     return Finding(verdict(abs(mean / _C - 1.0) < 0.15, abs(equivalent / _C - 1.0) < 0.15), here, remark)
 
@@ -170,7 +170,9 @@ def both_match(bench: Workbench) -> Finding:
         f"{errors.displacement_time:.0f} % "
         "in their times"
     )
-    remark = "so that with the printed numbers both cannot lie within 12 to 14 % (5 % in time) of one record"
+    remark = (
+        "with the printed numbers both therefore cannot lie within 12 to 14 % (5 % in time) of one record"
+    )
     # Two simulations within these errors of one record lie within their sum of one another.
     near = errors.displacement < 11.9 + 13.6 and errors.displacement_time < 5.1 + 5.4
     return Finding(verdict(near), here, remark)
@@ -186,10 +188,10 @@ def constant_does(bench: Workbench) -> Finding:
     best = int(np.argmin(errors["displacement"]))
     height, time = (float(errors[name].iloc[best]) for name in ("displacement", "displacement_time"))
     here = (
-        f"C = {values[best]:.3f} meets nine peaks of eq. (11) to {height:.1f} % and their times to "
+        f"C = {values[best]:.3f} reproduces nine peaks of eq. (11) to {height:.1f} % and their times to "
         f"{time:.1f} %"
     )
-    remark = f"with its own best constant, which is not {_C:g}"
+    remark = f"with the best constant, which is not {_C:g}"
     return Finding(verdict(max(height, time) < 6.0), here, remark)
 
 
@@ -198,9 +200,8 @@ def least_errors(bench: Workbench) -> Finding:
     """There is nothing to compute without the records."""
     here = "the paper's records are not published"
     remark = (
-        "nor can 5.4 % at C = 0.045, 13.6 % at C = 0.050 and the errors of the velocity be; in "
-        "synthetic records "
-        "made with alpha = 0.9 scenarios/fig11_peak_errors.py finds it again"
+        "the same holds for 5.4 % at C = 0.045, 13.6 % at C = 0.050 and the errors of the velocity; in "
+        "synthetic records made with alpha = 0.9 scenarios/fig11_peak_errors.py recovers that value"
     )
     return Finding(Verdict.OPEN, here, remark)
 

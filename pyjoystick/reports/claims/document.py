@@ -18,17 +18,16 @@ CHAPTERS: Final[Mapping[str, Sequence[Claim]]] = {
     "Torque": torque.CLAIMS,
 }
 _INTRODUCTION: Final = """\
-# What the paper says, and what comes out here
+# The paper's claims, checked
 
 <!-- Made by `make claims`; a test compares it with what the program gives today. Edit its source. -->
 
 Every statement of Rogers, Garland and Oliver (J. Sound Vib. 274 (2004) 73-89) that the model can check, in
-our words, with what we get for the joystick of Tables 1 and 2. This page is made by `make claims` from
-`pyjoystick/reports/claims/`, a small function for each line: it computes the numbers and decides the verdict
-by them. It is kept with the sources, though it is generated, because it is here to be read; a test keeps it
-true.
-The release is from rest at -20 degrees, the damping function is eq. (11) at alpha = 0.9, the constant is
-C = 0.045 N m s/rad, unless a line says more.
+our words, with our result for the joystick of Tables 1 and 2. `make claims` generates this page from
+`pyjoystick/reports/claims/`, where a small function for each line computes the numbers and derives the
+verdict from them; a test keeps the page up to date.
+Unless stated otherwise, the release is from rest at -20 degrees, the damping function is eq. (11) at
+alpha = 0.9, and the constant is C = 0.045 N m s/rad.
 """
 
 
@@ -54,7 +53,7 @@ def claims_page(found: Mapping[str, Sequence[tuple[Claim, Finding]]]) -> str:
 
 
 def text_of(finding: Finding) -> str:
-    """What we get, with the remark behind it."""
+    """The result, with the remark behind it."""
     text = f"{finding.here}; {finding.remark}" if finding.remark else finding.here
     return _cell(text)
 

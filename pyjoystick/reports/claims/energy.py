@@ -33,9 +33,9 @@ def energy_steps(bench: Workbench) -> Finding:
     part = 100.0 * float((rests["lost"] / rests["swing_lost"]).max())
     lengths = 1e3 * (rests["end"] - rests["start"])
     here = (
-        f"around the first {len(rests)} turning points the energy rests for {lengths.min():.0f} to "
+        f"around the first {len(rests)} turning points the energy stays level for {lengths.min():.0f} to "
         f"{lengths.max():.0f} ms "
-        f"and loses at most {part:.1f} % of what the swing before has taken"
+        f"and falls by at most {part:.1f} % of the loss in the swing before"
     )
     return Finding(verdict(part < 5.0), here)
 
@@ -45,7 +45,7 @@ def measured_energy_rises(bench: Workbench) -> Finding:
     """The paper's chain on a simulated motion."""
     effect = _through(Chain())
     part = 100.0 * effect.energy_rise / effect.energy_start
-    here = f"through the paper's chain the energy of a simulation seems to rise by {part:.1f} % of its start"
+    here = f"after the paper's chain the energy of a simulation appears to rise by {part:.1f} % of its start"
     return Finding(verdict(part > 1.0), here)
 
 
@@ -62,13 +62,13 @@ def cause_of_the_rise(bench: Workbench) -> Finding:
     wide = _through(Chain(low_pass=LowPass(cutoff=100.0)), camera_rate=240.0)
     here = (
         f"the first {PEAKS} peaks of the velocity lose {100.0 * effect.shortfall[0]:.0f} to "
-        f"{100.0 * effect.shortfall[:PEAKS].max():.0f} %; the 5-point rule alone takes {lost:.1f} "
+        f"{100.0 * effect.shortfall[:PEAKS].max():.0f} %; the 5-point rule alone removes {lost:.1f} "
         "% of the largest"
     )
     remark = (
         "the velocities are underestimated, but by the 13 Hz low-pass filter: at 100 Hz (and 240 "
         "frames a second) the "
-        f"energy rises by {100.0 * wide.energy_rise / wide.energy_start:.1f} % only"
+        f"energy rises by only {100.0 * wide.energy_rise / wide.energy_start:.1f} %"
     )
     return Finding(verdict(lost > 3.0, effect.shortfall[0] > 0.03), here, remark)
 
@@ -78,7 +78,7 @@ def sharper_peaks(bench: Workbench) -> Finding:
     """What the chain leaves of the peaks."""
     shortfall = _through(Chain()).shortfall[:PEAKS]
     here = (
-        f"the chain takes {100.0 * shortfall.min():.0f} to {100.0 * shortfall.max():.0f} % off the "
+        f"the signal chain removes {100.0 * shortfall.min():.0f} to {100.0 * shortfall.max():.0f} % of the "
         f"first {PEAKS} peaks"
     )
     return Finding(verdict(bool(np.all(shortfall > 0.0))), here)
@@ -91,10 +91,10 @@ def cutoff(bench: Workbench) -> Finding:
     response = float(chain.low_pass.response(np.array([chain.low_pass.cutoff]), chain.rate)[0])
     half_power = chain.low_pass.half_power_frequency(chain.rate)
     here = (
-        f"if 13 Hz is that of one run, both together leave {response:.2f} there and have -3 dB at "
+        f"if 13 Hz refers to one run, both together have a gain of {response:.2f} there and -3 dB at "
         f"{half_power:.1f} Hz"
     )
-    remark = "the paper does not say of which it is; one run is taken here"
+    remark = "the paper does not say which it refers to; one run is assumed here"
     return Finding(Verdict.SILENT, here, remark)
 
 

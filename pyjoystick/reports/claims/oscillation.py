@@ -45,7 +45,7 @@ def falling_period(bench: Workbench) -> Finding:
     exception = float(np.degrees(above["amplitude"].to_numpy()[1:][steps < 0.0]).mean())
     remark = (
         f"there are two exceptions that Fig. 4 does not show: a dent near {exception:.1f} degrees, where the "
-        "balance springs come in, and below "
+        "balance springs engage, and below "
         f"{math.degrees(shortest['amplitude']):.2f} degrees the clearance makes the period grow "
         "again (docs/period.md)"
     )
@@ -61,10 +61,10 @@ def preload_is_the_cause(bench: Workbench) -> Finding:
         large, small = (undamped_oscillation(joystick, math.radians(-angle)) for angle in (20.0, 2.0))
         ratios.append(small.period / large.period)
     here = (
-        f"from 20 to 2 degrees the period changes to {ratios[0]:.2f} of its value; without preload it would "
-        f"to {ratios[1]:.2f}"
+        f"from 20 to 2 degrees the period falls to {ratios[0]:.2f} of its value; without preload it would "
+        f"rise to {ratios[1]:.2f}"
     )
-    remark = "both without weight, for without preload the joystick would fall over backward"
+    remark = "both without weight, because without preload the joystick would fall over backward"
     return Finding(verdict(ratios[0] < 0.7 and ratios[1] >= 1.0), here, remark)
 
 
@@ -80,8 +80,8 @@ def clearance(bench: Workbench) -> Finding:
         )
         changes[angle] = 100.0 * (ratio - 1.0)
     longer = ", ".join(f"{value:.1f} % at {angle:g}" for angle, value in changes.items())
-    here = f"it makes the period longer by {longer} degrees of amplitude"
-    remark = "minor but for the last swings"
+    here = f"it lengthens the period by {longer} degrees of amplitude"
+    remark = "minor except for the last swings"
     return Finding(verdict(changes[0.5] < 5.0, changes[5.0] < 5.0), here, remark)
 
 
@@ -91,8 +91,9 @@ def bouncing_ball(bench: Workbench) -> Finding:
     between = bench.periods["amplitude"].between(math.radians(1.0), math.radians(5.0)).to_numpy()
     slopes = exponent(bench.periods)[between]
     here = (
-        f"from 1 to 5 degrees the period goes with the power {slopes.min():.2f} to {slopes.max():.2f} of the "
-        "amplitude; under a constant force, as the preload nearly is, it would be 0.5, for a linear spring 0"
+        f"from 1 to 5 degrees the period is proportional to the power {slopes.min():.2f} to "
+        f"{slopes.max():.2f} of the amplitude; under a constant force, which the preload nearly is, it "
+        "would be 0.5, for a linear spring 0"
     )
     return Finding(verdict(bool(np.all(np.abs(slopes - 0.5) < 0.1))), here)
 
@@ -114,7 +115,7 @@ def average_stiffness(bench: Workbench) -> Finding:
     }
     values = list(stiffness.values())
     rises = ", ".join(f"{value:.1f} at {angle:g}" for angle, value in stiffness.items())
-    here = f"the linear stiffness of the same period is, in N m/rad: {rises} degrees"
+    here = f"a linear spring of the same period would have, in N m/rad: {rises} degrees"
     return Finding(verdict(values == sorted(values)), here)
 
 
@@ -127,13 +128,13 @@ def pairs_of_peaks(bench: Workbench) -> Finding:
         ratios = heights[1:] / heights[:-1]
         found[law] = ratios[1::2], ratios[0::2]
     here = "; ".join(
-        f"{law}: negative over positive before {np.mean(pair):.2f}, positive over negative before "
-        f"{np.mean(rest):.2f}"
+        f"{law}: ratio of a negative peak to the positive one before {np.mean(pair):.2f}, of a positive to "
+        f"the negative one before {np.mean(rest):.2f}"
         for law, (pair, rest) in found.items()
     )
     remark = (
-        "with the printed stiffnesses and dampings there are no such pairs: from peak to peak about the same "
-        "part is lost on either side"
+        "with the printed stiffnesses and dampings there are no such pairs: about the same fraction is lost "
+        "from peak to peak on either side"
     )
     equal = all(np.all(pair > 0.9) for pair, _ in found.values())
     pattern = all(np.mean(pair) > np.mean(rest) + 0.05 for pair, rest in found.values())
@@ -149,7 +150,7 @@ def softer_side(bench: Workbench) -> Finding:
     }
     larger = ", ".join(f"{ratio:.3f} at {angle:g}" for angle, ratio in ratios.items())
     here = f"backward over forward amplitude at equal energy: {larger} degrees forward"
-    remark = "at small amplitudes it is the other way round, as the preload is larger backward"
+    remark = "at small amplitudes the reverse is true, because the preload is larger backward"
     values = np.array(list(ratios.values()))
     return Finding(verdict(bool(np.all(values > 1.0)), bool(values[0] > 1.0)), here, remark)
 
@@ -169,7 +170,7 @@ def constant_acceleration(bench: Workbench) -> Finding:
     here = (
         f"within 15 % of its level for {100.0 * mean:.0f} % of the time on average, "
         f"{100.0 * min(shares):.0f} % "
-        "in the half swing where it is least"
+        "in the worst half swing"
     )
     return Finding(verdict(mean > 0.7), here)
 
@@ -186,7 +187,7 @@ def spikes(bench: Workbench) -> Finding:
         f"a step of {change:.2f} of the peak acceleration within 20 ms, and no spike: there it stays below "
         f"{overshoot:.2f} of the peak"
     )
-    remark = "the steps are there; impact and ringing of the parts are no part of the model, eq. (1)"
+    remark = "the steps are confirmed; the model, eq. (1), does not include impact and ringing of the parts"
     return Finding(verdict(overshoot > 1.0, change > 0.5), here, remark)
 
 
@@ -212,7 +213,7 @@ def swing_test(bench: Workbench) -> Finding:
     return Finding(verdict(abs(simulated / formula - 1.0) < 1e-6), here)
 
 
-@claim("4", "fourth-order Runge-Kutta steps of 1 ms, a tenth of it near the steep slopes, do")
+@claim("4", "fourth-order Runge-Kutta steps of 1 ms, a tenth of that near the steep slopes, suffice")
 def paper_integrator(bench: Workbench) -> Finding:
     """The paper's integrator against the reference."""
     run = simulate_rk4(NOMINAL, duration=1.5, theta_start=RELEASE)
@@ -222,7 +223,7 @@ def paper_integrator(bench: Workbench) -> Finding:
     return Finding(verdict(error < 0.1), here)
 
 
-@claim("3, Table 2", "(nothing is said of the acceleration of gravity)")
+@claim("3, Table 2", "(the acceleration of gravity is not given)")
 def unknown_gravity(bench: Workbench) -> Finding:
     """What a different g would change."""
     local = NOMINAL.replace({"g": 9.78})

@@ -33,7 +33,7 @@ def proportional_travel(_: Workbench) -> Finding:
     travel = contact_travel(NOMINAL, _ANGLES)
     slope = float(travel @ _ANGLES / (_ANGLES @ _ANGLES))
     largest = float(np.max(np.abs(travel - slope * _ANGLES))) / float(travel[-1])
-    here = f"the best line is off by at most {100.0 * largest:.2f} % of the full travel"
+    here = f"the best line deviates by at most {100.0 * largest:.2f} % of the full travel"
     return Finding(verdict(largest < 0.02), here)
 
 
@@ -59,7 +59,7 @@ def travel_from_contact_point(_: Workbench) -> Finding:
     left = (x - b + b * np.cos(_ANGLES)) * np.cos(_ANGLES)
     right = (a - b * np.sin(_ANGLES)) * np.sin(_ANGLES)
     off = float(np.max(np.abs(left - right)))
-    return Finding(verdict(off < 1e-15), f"(2a) and (2b) meet to {_power_of_ten(off)} m")
+    return Finding(verdict(off < 1e-15), f"(2a) and (2b) agree to {_power_of_ten(off)} m")
 
 
 @claim("eq. (5)", "M_s = {a*(sign(theta) + d*tan(theta))}*f_x, as printed")
@@ -72,17 +72,17 @@ def contact_moment_as_printed(_: Workbench) -> Finding:
     power = contact_force(NOMINAL, _ANGLES) * contact_travel_slope(NOMINAL, _ANGLES)
     off = float(np.max(np.abs(moment / power - 1.0)))
     here = (
-        f"at 20 degrees its number is {100.0 * (printed / right - 1.0):+.1f} % off, and its units do not fit"
+        f"at 20 degrees its value is off by {100.0 * (printed / right - 1.0):+.1f} %, and its units disagree"
     )
     remark = (
         "misprint: the sum of moments, eq. (4), gives (a*sign(theta) + d*tan(theta))*f_x, used "
         "here; it equals "
-        f"f_x*dx/dtheta to {_power_of_ten(off)}, so that the contact moment keeps the energy"
+        f"f_x*dx/dtheta to {_power_of_ten(off)}, so the contact moment conserves energy"
     )
     return Finding(verdict(abs(printed / right - 1.0) < 1e-12), here, remark)
 
 
-@claim("eqs. (6)-(8), Table 1", "each curve is made of two restrained preloaded springs side by side")
+@claim("eqs. (6)-(8), Table 1", "each curve is made of two restrained preloaded springs in parallel")
 def springs_are_the_table(_: Workbench) -> Finding:
     """The springs against the table's straight lines."""
     travel = np.linspace(0.0, 9e-3, 9001)
@@ -129,7 +129,7 @@ def falling_stiffness(_: Workbench) -> Finding:
         rises.append(third / second - 1.0)
     here = f"force over travel falls to 1/{min(falls):.0f} or less between the first release and the stop"
     remark = (
-        "with an exception: over the second steep portion it rises again, by "
+        "with one exception: over the second steep portion it rises again, by "
         f"{100.0 * max(rises):.0f} % at most"
     )
     return Finding(verdict(max(rises) <= 0.0, min(falls) > 2.0), here, remark)
@@ -142,10 +142,12 @@ def cubic(_: Workbench) -> Finding:
     missed = max(fit.rms for fit in fits.values())
     at_contact = min(float(fit.cubic(fit.travel[0])) for fit in fits.values())
     here = (
-        f"misses the force by up to {missed:.1f} N (rms); at first contact it has {at_contact:.0f} N or more"
+        f"misses the force by up to {missed:.1f} N (rms); gives at least {at_contact:.0f} N at first contact"
     )
     return Finding(
-        Verdict.AGREES if missed < 10.0 else Verdict.IN_PART, here, "no model of the kinks, nor meant as one"
+        Verdict.AGREES if missed < 10.0 else Verdict.IN_PART,
+        here,
+        "it does not model the kinks, and is not meant to",
     )
 
 

@@ -48,7 +48,7 @@ def joystick_report(
 
 
 def claims_section() -> Section:
-    """What the paper says, and what comes out here."""
+    """The claims of the paper with their verdicts."""
     parts = [
         TextTable(
             ("where", "the paper", "here", "verdict"),
@@ -67,4 +67,4 @@ def claims_section() -> Section:
         )
         for chapter, rows in findings().items()
     ]
-    return Section("What the paper says, and what comes out here", parts)
+    return Section("The paper's claims, checked", parts)

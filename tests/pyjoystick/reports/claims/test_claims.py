@@ -57,7 +57,7 @@ def test_what_the_paper_has_wrong_is_called_so(found: Found) -> None:
     }
     assert verdicts["eq. (5)M_s = {a*(si"] is Verdict.DISAGREES
     assert verdicts["3.3, Fig. 9the lines ha"] is Verdict.IN_PART
-    assert verdicts["3, Table 2(nothing is "] is Verdict.SILENT
+    assert verdicts["3, Table 2(the acceler"] is Verdict.SILENT
 
 
 def test_a_row_is_one_line_of_four_cells(found: Found) -> None:

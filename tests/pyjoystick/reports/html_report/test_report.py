@@ -72,7 +72,7 @@ def test_the_sections_are_announced_and_there(papers_report: tuple[str, list[str
     read = read_page(text)
     assert len(announced) == 8
     assert read.headings[0].startswith("Rogers")
-    assert read.headings[-1].startswith("What the paper says")
+    assert read.headings[-1].startswith("The paper's claims")
     assert "Rogers &amp; &lt;others&gt;" in text
     assert "Made with Python" in text
     assert {"0.87", "0.01135", "430000", "disagrees"} <= set(read.cells)
