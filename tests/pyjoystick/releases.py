@@ -10,7 +10,7 @@ import pandas as pd
 from numpy.typing import ArrayLike
 
 from pyjoystick.model import JoystickParameters
-from pyjoystick.motion import ReleasePeaks, peaks_of_run
+from pyjoystick.motion import Quantity, ReleasePeaks, make_table, peaks_of_run
 from pyjoystick.runs import reference_free_oscillation
 
 
@@ -37,6 +37,18 @@ def linear_release(
         displacement=peak_table(start + turns, 0.3 * sides * np.exp(-decay * turns)),
         velocity=peak_table(start + fastest, velocity),
     )
+
+
+def linear_run(inertia: float, damping: float, frequency: float, *, start: float = 0.0) -> pd.DataFrame:
+    """The motion of `linear_release` at 1 kHz over 1.5 s: theta, omega and alpha over time."""
+    decay = damping / (2.0 * inertia)
+    square = frequency**2 + decay**2
+    time = np.arange(1501) / 1e3
+    envelope, sine, cosine = -0.3 * np.exp(-decay * time), np.sin(frequency * time), np.cos(frequency * time)
+    theta = envelope * (cosine + decay / frequency * sine)
+    omega = -envelope * square / frequency * sine
+    columns = {"theta": theta, "omega": omega, "alpha": -2.0 * decay * omega - square * theta}
+    return make_table(start + time, columns, [Quantity("theta", "rad"), Quantity("omega", "rad/s")])
 
 
 @cache

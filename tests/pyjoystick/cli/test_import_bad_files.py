@@ -76,7 +76,7 @@ def test_c3d_files(command: Command) -> None:
         ),
         (CURVE.replace(".", ","), ("'travel (mm)'", "row 3", "decimal point")),
         (CURVE.replace("(N)", "(lbf)"), ("'force (lbf)'", "unknown unit", "N, kN, mN")),
-        (_row(CURVE, 60, "0.10;3.5"), ("'travel'", "rows 59-60", "jumps", "wrong")),
+        (_row(CURVE, 60, "0.10;3.5"), ("'travel'", "rows 60-61", "jumps", "wrong")),
         (_row(CURVE, 40, ";3.5"), ("'travel (mm)'", "row 40")),
     ],
 )

@@ -6,20 +6,24 @@ import math
 import numpy as np
 import pytest
 
-from pyjoystick.motion import find_peaks, peaks_of_run
+from pyjoystick.motion import peaks_of_run
 from pyjoystick.motion.release_peaks import PeakPairingError, _first_peaks, average_peaks
-from pyjoystick.runs import reference_free_oscillation
-from tests.pyjoystick.releases import linear_release, peak_table
+from tests.pyjoystick.releases import linear_release, linear_run, peak_table
 
 J = 0.01135
 
 
-def test_peaks_of_a_run() -> None:
-    run = reference_free_oscillation(math.radians(-20.0), output_interval=2e-3)
-    peaks = peaks_of_run(run)
-    assert (peaks.release_time, peaks.release_angle) == (0.0, math.radians(-20.0))
-    assert peaks.displacement.equals(find_peaks(run.index, run["theta"], run["omega"]))
-    assert peaks.velocity.equals(find_peaks(run.index, run["omega"], run["alpha"]))
+def test_peaks_of_a_run_against_the_closed_form() -> None:
+    """A linear joystick; cubics between samples h apart are good to h^4 in value and h^3 in time."""
+    start, frequency, damping = 2.0, 30.0, 0.045
+    peaks = peaks_of_run(linear_run(J, damping, frequency, start=start), name="one")
+    expected = linear_release(J, damping, frequency, start=start)
+    assert (peaks.name, peaks.release_time, peaks.release_angle) == ("one", start, pytest.approx(-0.3))
+    for series in ("displacement", "velocity"):
+        found, exact = getattr(peaks, series)[:10], getattr(expected, series)[:10]
+        assert found["sign"].tolist() == exact["sign"].tolist()
+        np.testing.assert_allclose(found["time"], exact["time"], rtol=0.0, atol=1e-7)
+        np.testing.assert_allclose(found["value"], exact["value"], rtol=1e-7)
 
 
 def test_times_are_averaged_from_the_release() -> None:

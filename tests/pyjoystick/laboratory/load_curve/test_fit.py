@@ -116,8 +116,18 @@ def test_loading_alone_is_used_with_a_note() -> None:
 def test_slack_within_the_curve_is_told_with_its_rows() -> None:
     fit = fit_load_curve(curve(FORWARD_TABLE, 6, slack=(1.5e-3, 0.05e-3)))
     (note,) = [note for note in fit.notes if "miss the record" in note]
-    assert "look there for slack" in note
     assert fit.misfit > 1.5
+    match = re.fullmatch(
+        r"the segments miss the record by (\S+) times its noise, most in rows (\d+)-(\d+) "
+        r"\(travel about (\S+) mm\): look there for slack, sliding or one more segment",
+        note,
+    )
+    assert match
+    times, first, last, travel = (float(group) for group in match.groups())
+    assert times == pytest.approx(fit.misfit, rel=0.05)
+    rows = np.concatenate([branch.rows for branch in fit.curve.branches])
+    at = np.concatenate([branch.travel for branch in fit.curve.branches])
+    assert travel == pytest.approx(1e3 * np.mean(at[(rows >= first) & (rows <= last)]), abs=0.05)
 
 
 def test_clearance_is_told_with_its_row() -> None:
@@ -131,7 +141,18 @@ def test_clearance_is_told_with_its_row() -> None:
 
 def test_a_segment_with_few_samples_is_told() -> None:
     fit = fit_load_curve(curve(FORWARD_TABLE, 8, step=15e-6))
-    assert any(note.startswith("k_2 rests on") and "more slowly" in note for note in fit.notes)
+    (note,) = [note for note in fit.notes if note.startswith("k_2")]
+    match = re.fullmatch(
+        r"k_2 rests on (\d+) samples between (\S+) and (\S+) mm and is uncertain by (\S+) %: .* more slowly",
+        note,
+    )
+    assert match
+    count, first, last, percent = (float(group) for group in match.groups())
+    assert (first, last) == pytest.approx((1e3 * fit.table.x[2], 1e3 * fit.table.x[3]), rel=1e-4)
+    low, high = fit.table.x[2:]
+    inside = [np.sum((one.travel >= low) & (one.travel < high)) for one in fit.curve.branches]
+    assert count == sum(inside) < 6
+    assert percent == pytest.approx(100.0 * fit.k_errors[2] / fit.table.k[2], rel=0.06)
 
 
 @pytest.mark.parametrize("first", [28, 40, 100])
@@ -147,8 +168,12 @@ def test_a_record_that_begins_in_contact_is_refused(first: int) -> None:
 def test_unloading_above_loading_is_refused() -> None:
     travel, force = cycle(FORWARD_TABLE, 10)
     swapped = np.concatenate((force[len(force) // 2 :][::-1] - 2.0, force[: len(force) // 2][::-1] + 2.0))
-    with pytest.raises(RecordError, match="N above loading"):
+    with pytest.raises(RecordError, match=r"unloading lies [\d.]+ N above loading") as refused:
         fit_load_curve(LoadCurve.from_cycle(travel, swapped))
+    stated = re.search(r"lies ([\d.]+) N", refused.value.reason)
+    assert stated
+    # Twice the friction, and 2 N put onto one branch and taken off the other.
+    assert float(stated[1]) == pytest.approx(2.0 * MACHINE.friction + 4.0, abs=0.05)
 
 
 @pytest.mark.parametrize("name", ["travel_noise", "force_noise"])

@@ -1,6 +1,8 @@
 from __future__ import annotations
 
 import dataclasses
+import re
+from typing import Any
 
 import numpy as np
 import pytest
@@ -220,3 +222,26 @@ def test_the_rest_may_lie_beside_the_middle() -> None:
     markers = _markers()
     leaning = measure_angle(markers, top=TOP, base=BASE, forward="x", rest=(2.5, 3.0), rest_angle=-0.003)
     np.testing.assert_allclose(leaning.theta, _measured(markers).theta - 0.003, atol=1e-15)
+
+
+def test_numbers_in_the_notes() -> None:
+    """Against what the measurement itself holds, and the scatter of the radius over records."""
+    known: dict[str, Any] = {"top": TOP, "base": BASE, "forward": "x", "up": "z"}
+    layout = MarkerLayout(sideways=0.0)
+    noisy = [_markers(noise=7e-4, seed=seed, layout=layout) for seed in range(20)]
+    found = [measure_angle(markers, rest=(2.5, 3.0), **known) for markers in noisy]
+    shares = []
+    for measured in found:
+        (note,) = [note for note in measured.notes if note.startswith("the arc's radius has")]
+        match = re.search(r"a standard error of ([\d.]+) %", note)
+        assert match
+        shares.append(float(match[1]))
+    scatter = np.std([measured.arc.radius for measured in found], ddof=1)
+    # Twenty records give a standard deviation to 16 %; three of them.
+    assert np.mean(shares) == pytest.approx(100.0 * scatter / 0.266, rel=0.5)
+    measured = measure_angle(_markers(noise=3e-4), rest=(2.5, 3.0), radius=0.3, **known)
+    arc = measured.arc
+    assert f"{1e3 * arc.radius:.1f} +- {1e3 * arc.radius_error:.1f} mm, 300.0 mm" in measured.notes[0]
+    moving = measure_angle(_markers(), rest=(0.5, 0.8), **known)
+    moved = np.degrees(np.ptp(moving.theta[(TIME >= 0.5) & (TIME <= 0.8)]))
+    assert any(f"moves by {moved:.2f} degrees in the rest" in note for note in moving.notes)

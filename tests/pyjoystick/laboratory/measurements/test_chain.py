@@ -157,3 +157,40 @@ def test_what_the_chain_refuses() -> None:
         Chain(longest_gap=0.0).run(time, theta)
     with pytest.raises(SeriesError, match="at least 4 are needed"):
         Chain().run(np.arange(9) / 60.0, np.full(9, np.nan))
+
+
+@pytest.mark.parametrize("start", [0.0, 7.3, -2.05])
+def test_resampling_begins_and_ends_with_the_samples_wherever_the_clock_is(start: float) -> None:
+    time = start + np.arange(61) / 60.0
+    values = np.sin(9.0 * (time - start))
+    values[[0, 60]] = np.nan  # lost frames at the ends are no samples
+    even = resample(time, values, RATE, longest_gap=0.05)
+    assert len(even.time) == 58 * 10 + 1
+    np.testing.assert_allclose(even.time, time[1] + np.arange(581) / RATE, rtol=0.0, atol=1e-12)
+    np.testing.assert_allclose(even.values, np.sin(9.0 * (even.time - start)), atol=2e-5)
+    assert even.gaps == ()
+
+
+def test_filters_of_the_lowest_and_the_highest_order() -> None:
+    for order in (1, 10):
+        low_pass = LowPass(order=order)
+        for frequency in (6.0, 13.0, 20.0):
+            ratio = np.tan(np.pi * frequency / RATE) / np.tan(np.pi * 13.0 / RATE)
+            expected = 1.0 / (1.0 + ratio ** (2 * order))
+            assert _amplitude_and_phase(low_pass, frequency)[0] == pytest.approx(expected, rel=1e-5)
+    shortest = LowPass(order=1).filter(np.ones(4), RATE)
+    np.testing.assert_allclose(shortest, 1.0, atol=1e-12)
+    with pytest.raises(SeriesError, match="has 3 samples, at least 4"):
+        LowPass(order=1).filter(np.ones(3), RATE)
+    for order in (11, 2.0, True):
+        with pytest.raises(ParameterError, match="a whole number from 1 to 10"):
+            LowPass(order=order)  # type: ignore[arg-type]
+
+
+def test_both_ends_are_prolonged_by_six_periods_of_the_cutoff() -> None:
+    """So that what the filter remembers of its start has died away: as with ends prolonged by far more."""
+    time = np.arange(3000) / RATE
+    values = np.cos(2.0 * np.pi * 0.7 * time) + 0.3 * time
+    sections = signal.butter(4, 13.0, fs=RATE, output="sos")
+    far = signal.sosfiltfilt(sections, values, padlen=2900)
+    np.testing.assert_allclose(LowPass().filter(values, RATE), far, rtol=0.0, atol=1e-7)

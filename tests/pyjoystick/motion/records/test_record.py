@@ -60,3 +60,12 @@ def test_rows_in_words() -> None:
     assert rows_in_words([7]) == "row 7"
     assert rows_in_words([9, 3, 4, 5, 5]) == "rows 3-5, 9"
     assert rows_in_words(range(1, 30, 2)) == "rows 1, 3, 5, 7, 9 and 10 more places"
+
+
+def test_the_angle_ends_where_the_geometry_of_the_cam_does() -> None:
+    below = np.nextafter(np.pi / 2.0, 0.0)
+    assert Record("one", TIME, [0.0, below, -below, 0.0, 0.0]).theta[1] == below
+    for beyond in (np.pi / 2.0, -np.pi / 2.0):
+        with pytest.raises(RecordError, match="an angle of 90 degrees or more") as caught:
+            Record("one", TIME, [0.0, 0.0, 0.0, beyond, 0.0])
+        assert caught.value.rows == (3,)

@@ -1,0 +1,90 @@
+"""Long series of samples in pieces: times, units, rows and the borders between pieces."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pyjoystick.laboratory.measurements.sample_files import Piece, open_samples
+from pyjoystick.motion import UNITS, Column, RecordError
+from tests.pyjoystick.laboratory.measurements.made import write
+
+VOLTS = Column("signal", UNITS["voltage"])
+ROWS = [f"{10 * i},{i % 4}.5" for i in range(10)]
+
+
+def _text(rows: list[str], heading: str = "time (ms),signal (mV)") -> str:
+    return "\n".join(["# made", heading, *rows, ""])
+
+
+def _pieces(path: Path, size: int = 4, rate: float | None = None) -> list[Piece]:
+    return list(open_samples(path, VOLTS, rate=rate).pieces(size))
+
+
+def test_pieces_follow_each_other(tmp_path: Path) -> None:
+    path = write(tmp_path / "a.csv", _text(ROWS))
+    opened = open_samples(path, VOLTS)
+    assert (opened.column, opened.unit, opened.rate) == ("signal (mV)", "mV", None)
+    pieces = _pieces(path)
+    assert [(piece.first, len(piece.time), len(piece.values)) for piece in pieces] == [
+        (3, 4, 4),
+        (7, 4, 4),
+        (11, 2, 2),
+    ]
+    np.testing.assert_allclose(np.concatenate([piece.time for piece in pieces]), np.arange(10) / 100.0)
+    np.testing.assert_array_equal(
+        np.concatenate([piece.values for piece in pieces]), [i % 4 + 0.5 for i in range(10)]
+    )
+
+
+def test_a_file_without_times_begins_at_zero(tmp_path: Path) -> None:
+    path = write(tmp_path / "a.csv", _text([row.split(",")[1] for row in ROWS], "signal (V)"))
+    pieces = _pieces(path, rate=50.0)
+    np.testing.assert_allclose(np.concatenate([piece.time for piece in pieces]), np.arange(10) / 50.0)
+    assert pieces[1].first == 7
+    for rate in (0.0, -1.0, np.inf, np.nan):
+        with pytest.raises(RecordError, match="the rate must be above 0 Hz"):
+            open_samples(path, VOLTS, rate=rate)
+
+
+@pytest.mark.parametrize("version", [(1, 0), (2, 0)])
+@pytest.mark.parametrize("kind", ["<i2", ">f4", "<f8"])
+def test_arrays_of_any_numbers(tmp_path: Path, version: tuple[int, int], kind: str) -> None:
+    path = tmp_path / "a.npy"
+    with path.open("wb") as file:
+        np.lib.format.write_array(file, np.arange(10).astype(kind), version=version)
+    opened = open_samples(path, VOLTS, unit="V", rate=100.0)
+    assert (opened.column, opened.unit) == ("a.npy", "V")
+    pieces = list(opened.pieces(4))
+    assert [piece.first for piece in pieces] == [0, 4, 8]
+    np.testing.assert_array_equal(np.concatenate([piece.values for piece in pieces]), np.arange(10))
+    np.testing.assert_allclose(np.concatenate([piece.time for piece in pieces]), np.arange(10) / 100.0)
+
+
+@pytest.mark.parametrize("place", range(10))
+@pytest.mark.parametrize(
+    ("row", "message"),
+    [
+        ("{time},x", "column 'signal (mV)', row {row}: is no number (found 'x')"),
+        ("{time},", "column 'signal (mV)', row {row}: samples without a finite number"),
+        (",1.5", "column 'signal (mV)', row {row}: samples without a finite number"),
+        ("x,1.5", "column 'time (ms)', row {row}: is no number (found 'x')"),
+    ],
+)
+def test_bad_cells_are_named_in_whichever_piece(tmp_path: Path, place: int, row: str, message: str) -> None:
+    rows = ROWS.copy()
+    rows[place] = row.format(time=10 * place)
+    with pytest.raises(RecordError) as refused:
+        _pieces(write(tmp_path / "a.csv", _text(rows)))
+    assert message.format(row=place + 3) in str(refused.value)
+
+
+@pytest.mark.parametrize("place", range(1, 10))
+@pytest.mark.parametrize("step", [0, -5])
+def test_times_that_do_not_increase_are_named_across_pieces(tmp_path: Path, place: int, step: int) -> None:
+    rows = ROWS.copy()
+    rows[place] = f"{10 * (place - 1) + step},1.5"
+    with pytest.raises(RecordError, match=f"row {place + 3}: the time does not increase"):
+        _pieces(write(tmp_path / "a.csv", _text(rows)))
