@@ -1,7 +1,13 @@
-"""The shared libraries of an FMU, compiled with the C compiler that `pip install ziglang` brings."""
+"""The shared libraries of an FMU, compiled with the C compiler that `pip install ziglang` brings.
+
+The runtime is the same for every model. It is compiled once for each platform, into a static library in zig's
+cache folder; a build then compiles the model alone and links both.
+"""
 
 from __future__ import annotations
 
+import contextlib
+import hashlib
 import importlib.util
 import os
 import shlex
@@ -13,7 +19,7 @@ from importlib import metadata
 from pathlib import Path
 
 from fmu_build.packaging.platforms import PLATFORMS, Platform
-from fmu_build.packaging.sources import c_files
+from fmu_build.packaging.sources import MODEL_FILE, TOKEN_FILE, c_files
 from fmu_build.packaging.universal import universal_library
 from fmu_build.support.errors import ToolchainError
 from fmu_build.support.request import FmiVersion
@@ -34,8 +40,14 @@ COMPILER_FLAGS = (
 LINKER_FLAGS = ("-shared", "-fPIC", "-s")
 # Search paths of the user's own compilers, which clang would read too.
 _FOREIGN_PATHS = ("CPATH", "C_INCLUDE_PATH", "LIBRARY_PATH", "SDKROOT")
-# Where zig looks for its cache, in this order.
-_CACHE_PLACES = ("ZIG_GLOBAL_CACHE_DIR", "XDG_CACHE_HOME", "HOME", "LOCALAPPDATA")
+# Where zig looks for its cache folder, in this order: a variable, and the folder's place in what it names.
+_CACHE_PLACES = {
+    "ZIG_GLOBAL_CACHE_DIR": "",
+    "XDG_CACHE_HOME": "zig",
+    "HOME": ".cache/zig",
+    "LOCALAPPDATA": "zig",
+}
+_RUNTIME = "runtime.a"
 
 
 def toolchain_version() -> str:
@@ -46,37 +58,37 @@ def toolchain_version() -> str:
 
 
 def compile_library(sources: Mapping[str, bytes], identifier: str, platform: Platform) -> tuple[bytes, str]:
-    """The library for one platform, and the compiler's command and output.
+    """The library for one platform, and the compiler's commands and output.
 
-    Raises `ToolchainError` with the compiler's output where it fails.
+    All files but model.c and token.h are taken for the runtime. Raises `ToolchainError` with the compiler's
+    output where it fails.
     """
     toolchain_version()
+    runtime = {name: content for name, content in sources.items() if name not in (MODEL_FILE, TOKEN_FILE)}
+    log, files = "", dict(sources)
+    if c_files(runtime):
+        archive, log = _runtime_archive(runtime, platform)
+        files = {name: content for name, content in sources.items() if name not in c_files(runtime)}
+        files[_RUNTIME] = archive
     library = identifier + platform.extension
-    with tempfile.TemporaryDirectory(prefix="fmu_build-") as folder:
-        work = Path(folder)
-        for name, content in sources.items():
-            (work / name).write_bytes(content)
-        command = [sys.executable, "-m", "ziglang", *_arguments(c_files(sources), library, platform)]
-        environment = _environment(work / ".zig-cache")
-        try:
-            done = subprocess.run(
-                command,
-                cwd=work,
-                env=environment,
-                capture_output=True,
-                text=True,
-                errors="replace",
-                check=False,
-            )
-        except OSError as error:
-            raise ToolchainError(f"cannot start the C compiler {command[0]}: {error.strerror}") from error
-        output = (done.stdout + done.stderr).replace(folder + os.sep, "")
-        log = f"$ {shlex.join(command[1:])}\n{output}"
-        if done.returncode != 0 or not (work / library).is_file():
-            raise ToolchainError(
-                f"the C compiler failed for {platform.name} with exit code {done.returncode}\n{log}".rstrip()
-            )
-        return (work / library).read_bytes(), log
+    content, printed = _compiled(files, _library_arguments(files, library, platform), library, platform)
+    return content, log + printed
+
+
+def cache_folder() -> Path | None:
+    """Zig's cache folder of this user; None where it cannot be written, as in many containers."""
+    for name, place in _CACHE_PLACES.items():
+        if os.environ.get(name):
+            folder = Path(os.environ[name], place).absolute()
+            existing = next(path for path in (folder, *folder.parents) if path.exists())
+            return folder if os.access(existing, os.W_OK) else None
+    return None
+
+
+def runtime_folder() -> Path | None:
+    """Where compiled runtimes are kept from build to build; None where nothing can be."""
+    folder = cache_folder()
+    return None if folder is None else folder / "fmu_build"
 
 
 def binary_entries(
@@ -97,24 +109,97 @@ def binary_entries(
     }
 
 
-def _environment(cache: Path) -> dict[str, str]:
-    """This process's, with zig's cache of the build in `cache`.
+def _runtime_archive(runtime: Mapping[str, bytes], platform: Platform) -> tuple[bytes, str]:
+    """The runtime as a static library, from the cache where it is there, and what the compiler printed."""
+    arguments = _archive_arguments(c_files(runtime), platform)
+    digest = hashlib.sha256(repr([toolchain_version(), arguments, sorted(runtime.items())]).encode())
+    folder = runtime_folder()
+    stored = None if folder is None else folder / f"{digest.hexdigest()}.a"
+    if stored is not None and (archive := _read_stored(stored)) is not None:
+        return archive, ""
+    archive, log = _compiled(runtime, arguments, _RUNTIME, platform)
+    if stored is not None:
+        _store(stored, archive)
+    return archive, log
+
+
+def _read_stored(file: Path) -> bytes | None:
+    """What `_store` wrote; None where the file is missing or damaged."""
+    try:
+        stored = file.read_bytes()
+    except OSError:
+        return None
+    digest, content = stored[:32], stored[32:]
+    return content if hashlib.sha256(content).digest() == digest else None
+
+
+def _store(file: Path, content: bytes) -> None:
+    """Replaces a file by its digest and content, safe against other writers and against being killed.
+
+    A cache that cannot be written is no reason to fail.
+    """
+    with contextlib.suppress(OSError):
+        file.parent.mkdir(parents=True, exist_ok=True)
+        new = file.with_name(f"{file.name}-{os.getpid()}-{os.urandom(4).hex()}")
+        try:
+            new.write_bytes(hashlib.sha256(content).digest() + content)
+            new.replace(file)
+        finally:
+            new.unlink(missing_ok=True)
+
+
+def _compiled(
+    files: Mapping[str, bytes], arguments: list[str], result: str, platform: Platform
+) -> tuple[bytes, str]:
+    """The file that zig makes of others in an empty folder, and its command and output."""
+    with tempfile.TemporaryDirectory(prefix="fmu_build-") as folder:
+        work = Path(folder)
+        for name, content in files.items():
+            (work / name).write_bytes(content)
+        command = [sys.executable, "-m", "ziglang", *arguments]
+        environment = _environment(work / ".zig-cache")
+        try:
+            done = subprocess.run(
+                command,
+                cwd=work,
+                env=environment,
+                capture_output=True,
+                text=True,
+                errors="replace",
+                check=False,
+            )
+        except OSError as error:
+            raise ToolchainError(f"cannot start the C compiler {command[0]}: {error.strerror}") from error
+        output = (done.stdout + done.stderr).replace(folder + os.sep, "")
+        log = f"$ {shlex.join(command[1:])}\n{output}"
+        if done.returncode != 0 or not (work / result).is_file():
+            raise ToolchainError(
+                f"the C compiler failed for {platform.name} with exit code {done.returncode}\n{log}".rstrip()
+            )
+        return (work / result).read_bytes(), log
+
+
+def _environment(local: Path) -> dict[str, str]:
+    """This process's, with zig's cache of one build in the folder `local`.
 
     zig keeps the C library that it builds once in the user's cache folder. Where there is none that can be
-    written, as in many containers, it builds it anew in `cache`.
+    written, it builds it anew in `local`.
     """
     environment = {name: value for name, value in os.environ.items() if name not in _FOREIGN_PATHS}
-    environment["ZIG_LOCAL_CACHE_DIR"] = str(cache)
-    user = next((environment[name] for name in _CACHE_PLACES if environment.get(name)), None)
-    if user is None or not os.access(
-        next(p for p in (Path(user), *Path(user).parents) if p.exists()), os.W_OK
-    ):
-        environment["ZIG_GLOBAL_CACHE_DIR"] = str(cache)
+    environment["ZIG_LOCAL_CACHE_DIR"] = str(local)
+    environment["ZIG_GLOBAL_CACHE_DIR"] = str(cache_folder() or local)
     return environment
 
 
-def _arguments(files: list[str], library: str, platform: Platform) -> list[str]:
-    target = ["-target", platform.target, "-mcpu=baseline"]
+def _archive_arguments(files: list[str], platform: Platform) -> list[str]:
+    # zig cc cannot make a static library. These are its settings for COMPILER_FLAGS and LINKER_FLAGS.
+    settings = ["-OReleaseFast", "-fstrip", "-fPIC", *(["-flto"] if platform.extension == ".so" else [])]
+    made = ["-static", "-lc", "--name", "runtime", f"-femit-bin={_RUNTIME}"]
+    return ["build-lib", *_target(platform), *settings, *made, "-cflags", *COMPILER_FLAGS, "--", *files]
+
+
+def _library_arguments(files: Mapping[str, bytes], library: str, platform: Platform) -> list[str]:
+    whole = ["-Wl,--whole-archive", _RUNTIME, "-Wl,--no-whole-archive"] if _RUNTIME in files else []
     own = {
         # A function that is missing is an error here, not when an importer first calls it. Optimizing across
         # files pays: the model's functions are short, and the runtime calls them thousands of times a run.
@@ -124,4 +209,9 @@ def _arguments(files: list[str], library: str, platform: Platform) -> list[str]:
         # Without its own install name, a macOS library would carry the path that it was linked at.
         ".dylib": [f"-Wl,-install_name,@rpath/{library}"],
     }[platform.extension]
-    return ["cc", *target, *COMPILER_FLAGS, *LINKER_FLAGS, "-o", library, *files, *own, "-lm"]
+    sources = [*c_files(files), *whole]
+    return ["cc", *_target(platform), *COMPILER_FLAGS, *LINKER_FLAGS, "-o", library, *sources, *own, "-lm"]
+
+
+def _target(platform: Platform) -> list[str]:
+    return ["-target", platform.target, "-mcpu=baseline"]

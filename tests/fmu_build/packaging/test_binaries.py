@@ -7,7 +7,6 @@ import os
 import re
 import sys
 import tempfile
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -20,7 +19,7 @@ from fmu_build.support.errors import ToolchainError
 
 _LINUX = PLATFORMS["x86_64-linux"]
 _GOOD = {
-    "a.c": b"""
+    "model.c": b"""
         #include <math.h>
         #include <stdlib.h>
         #include "b.h"
@@ -44,16 +43,67 @@ def own_temporary_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Pat
     return folder
 
 
+@pytest.fixture
+def stored(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """An empty cache of compiled runtimes; zig's own cache, with the C library, stays the user's."""
+    folder = tmp_path / "runtimes"
+    monkeypatch.setattr(binaries, "runtime_folder", lambda: folder)
+    return folder
+
+
+@pytest.mark.parametrize("name", PLATFORMS)
+def test_a_stored_runtime_gives_the_same_library(name: str, stored: Path) -> None:
+    library, log = compile_library(_GOOD, "Model", PLATFORMS[name])
+    (archive,) = stored.iterdir()
+    again, short_log = compile_library(_GOOD, "Model", PLATFORMS[name])
+    assert again == library
+    assert "build-lib" in log
+    assert "build-lib" not in short_log
+    archive.unlink()
+    assert compile_library(_GOOD, "Model", PLATFORMS[name])[0] == library
+    assert list(stored.iterdir()) == [archive]
+
+
+def test_a_damaged_runtime_is_compiled_anew(stored: Path) -> None:
+    library, _ = compile_library(_GOOD, "Model", _LINUX)
+    (archive,) = stored.iterdir()
+    content = archive.read_bytes()
+    for damaged in (b"", content[:-1], content[:200] + b"?" + content[201:]):
+        archive.write_bytes(damaged)
+        again, log = compile_library(_GOOD, "Model", _LINUX)
+        assert again == library
+        assert "build-lib" in log
+        assert "build-lib" not in compile_library(_GOOD, "Model", _LINUX)[1]
+
+
+def test_another_runtime_or_platform_is_stored_beside_it(stored: Path) -> None:
+    compile_library(_GOOD, "Model", _LINUX)
+    compile_library(_GOOD | {"model.c": _GOOD["model.c"] + b"\n", "token.h": b""}, "Other", _LINUX)
+    assert len(list(stored.iterdir())) == 1
+    compile_library(_GOOD | {"b.h": _GOOD["b.h"] + b"\n"}, "Model", _LINUX)
+    assert len(list(stored.iterdir())) == 2
+    compile_library(_GOOD, "Model", PLATFORMS["aarch64-linux"])
+    assert len(list(stored.iterdir())) == 3
+
+
+def test_a_cache_that_cannot_be_written_is_no_failure(stored: Path) -> None:
+    stored.write_bytes(b"no folder")
+    library, _ = compile_library(_GOOD, "Model", _LINUX)
+    assert library.startswith(b"\x7fELF")
+    assert stored.read_bytes() == b"no folder"
+
+
+@pytest.mark.usefixtures("stored")
 def test_library_is_reproducible_and_names_no_path(own_temporary_folder: Path) -> None:
     library, log = compile_library(_GOOD, "Model", _LINUX)
     assert library.startswith(b"\x7fELF")
-    assert library == compile_library(_GOOD, "Model", _LINUX)[0]
     assert str(own_temporary_folder).encode() not in library
     assert str(Path.cwd()).encode() not in library
     assert "-target x86_64-linux-gnu.2.17" in log
     assert list(own_temporary_folder.iterdir()) == []
 
 
+@pytest.mark.usefixtures("stored")
 def test_library_needs_libc_and_libm_only() -> None:
     library, _ = compile_library(_GOOD, "Model", _LINUX)
     assert set(re.findall(rb"lib\w+\.so[.\d]*|ld-linux[\w-]*\.so[.\d]*", library)) == {
@@ -67,7 +117,7 @@ def test_library_needs_libc_and_libm_only() -> None:
 
 def test_a_library_path_of_the_user_is_not_read(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     (tmp_path / "trap.h").write_text("#define TRAP 1\n")
-    sources = {"a.c": b'#if __has_include("trap.h")\n#error found\n#endif\nint a;'}
+    sources = {"model.c": b'#if __has_include("trap.h")\n#error found\n#endif\nint a;'}
     monkeypatch.setenv("CPATH", str(tmp_path))
     compile_library(sources, "Model", _LINUX)
 
@@ -76,26 +126,26 @@ def test_a_library_path_of_the_user_is_not_read(monkeypatch: pytest.MonkeyPatch,
 def test_a_cache_folder_of_its_own_where_the_user_has_none(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, home: str | None
 ) -> None:
-    for name in ("ZIG_GLOBAL_CACHE_DIR", "XDG_CACHE_HOME", "HOME", "LOCALAPPDATA"):
+    for name in binaries._CACHE_PLACES:
         monkeypatch.delenv(name, raising=False)
     if home is not None:
         monkeypatch.setenv("HOME", home)
     monkeypatch.setattr(os, "access", lambda path, mode: str(path) != "/proc")
     assert binaries._environment(tmp_path)["ZIG_GLOBAL_CACHE_DIR"] == str(tmp_path)
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "new"))
-    assert "ZIG_GLOBAL_CACHE_DIR" not in binaries._environment(tmp_path)
+    assert binaries._environment(tmp_path)["ZIG_GLOBAL_CACHE_DIR"] == str(tmp_path / "new" / "zig")
 
 
 def test_warnings_are_in_the_log() -> None:
-    _, log = compile_library({"a.c": b"static int unused;"}, "Model", _LINUX)
-    assert re.search(r"^a\.c:1:12: warning: .*unused", log, re.MULTILINE)
+    _, log = compile_library({"model.c": b"static int unused;"}, "Model", _LINUX)
+    assert re.search(r"^model\.c:1:12: warning: .*unused", log, re.MULTILINE)
 
 
 def test_an_error_carries_what_the_compiler_printed(own_temporary_folder: Path) -> None:
     with pytest.raises(
-        ToolchainError, match=r"(?s)failed for x86_64-linux with exit code 1.*\na\.c:1:1: error: "
+        ToolchainError, match=r"(?s)failed for x86_64-linux with exit code 1.*\nmodel\.c:1:1: error: "
     ) as caught:
-        compile_library({"a.c": b"nonsense;"}, "Model", _LINUX)
+        compile_library({"model.c": b"nonsense;"}, "Model", _LINUX)
     assert str(own_temporary_folder) not in str(caught.value)
     assert list(own_temporary_folder.iterdir()) == []
 
@@ -103,7 +153,7 @@ def test_an_error_carries_what_the_compiler_printed(own_temporary_folder: Path) 
 def test_an_undefined_function_is_an_error() -> None:
     source = b'int missing(void); __attribute__((visibility("default"))) int a(void) { return missing(); }'
     with pytest.raises(ToolchainError, match="undefined symbol: missing"):
-        compile_library({"a.c": source}, "Model", _LINUX)
+        compile_library({"model.c": source}, "Model", _LINUX)
 
 
 def test_ziglang_is_not_installed(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -119,6 +169,7 @@ def test_ziglang_is_not_installed(monkeypatch: pytest.MonkeyPatch) -> None:
         compile_library(_GOOD, "Model", _LINUX)
 
 
+@pytest.mark.usefixtures("stored")
 def test_the_compiler_does_not_start(monkeypatch: pytest.MonkeyPatch, own_temporary_folder: Path) -> None:
     monkeypatch.setattr(sys, "executable", str(own_temporary_folder / "no-python"))
     with pytest.raises(ToolchainError, match=r"cannot start the C compiler .*no-python: No such file"):
@@ -127,9 +178,9 @@ def test_the_compiler_does_not_start(monkeypatch: pytest.MonkeyPatch, own_tempor
 
 
 def test_success_without_a_library_is_a_failure(monkeypatch: pytest.MonkeyPatch) -> None:
-    def arguments(files: Sequence[str], library: str, platform: object) -> list[str]:
+    def arguments(files: object, library: str, platform: object) -> list[str]:
         return ["version"]
 
-    monkeypatch.setattr(binaries, "_arguments", arguments)
+    monkeypatch.setattr(binaries, "_library_arguments", arguments)
     with pytest.raises(ToolchainError, match="failed for x86_64-linux with exit code 0"):
         compile_library(_GOOD, "Model", _LINUX)
