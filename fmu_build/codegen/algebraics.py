@@ -47,8 +47,40 @@ class NewtonBlock:
         """What the step reads."""
         return self.residuals
 
+    @property
+    def is_linear(self) -> bool:
+        """Whether the residuals are linear in the unknowns: one step of Newton's method solves them."""
+        unknowns = {ex.y(index) for index in self.unknowns}
+        return all(_is_linear(residual, unknowns) for residual in self.residuals)
+
 
 Step = Assignment | NewtonBlock
+
+
+def _is_linear(value: Expression, unknowns: set[Expression]) -> bool:
+    moving = set(unknowns)
+    for node in ex.walk(value):
+        moves = [argument in moving for argument in node.arguments]
+        if any(moves):
+            if not _keeps_linear(node.operator, moves):
+                return False
+            moving.add(node)
+    return True
+
+
+def _keeps_linear(operator: str, moves: Sequence[bool]) -> bool:
+    """Whether an operator is linear in the arguments that move."""
+    match operator:
+        case "Add" | "Sub" | "Neg":
+            return True
+        case "Mul":
+            return not all(moves)
+        case "Div":
+            return not moves[1]
+        case "Select":
+            return not moves[0]
+        case _:
+            return False
 
 
 def order(model: LoweredModel, rows: dict[int, Expression], plan: dict[str, Any]) -> tuple[Step, ...]:

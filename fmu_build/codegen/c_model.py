@@ -8,8 +8,9 @@ from functools import reduce
 
 from fmu_build.codegen import expression as ex
 from fmu_build.codegen.algebraics import Assignment, NewtonBlock, Step, in_order, needed
+from fmu_build.codegen.c_expression import Writer
 from fmu_build.codegen.c_function import FunctionBody, c_function
-from fmu_build.codegen.c_message import message_call
+from fmu_build.codegen.c_message import c_string, message_call
 from fmu_build.codegen.c_tables import tables
 from fmu_build.codegen.c_tangents import tangent_functions
 from fmu_build.codegen.equations import Equations, watched_conditions, written_slots
@@ -21,11 +22,12 @@ from fmu_build.codegen.half_angle import (
     sines_from_half,
 )
 from fmu_build.codegen.lowered import LoweredModel
+from fmu_build.codegen.modelica_text import modelica_texts
 from fmu_build.codegen.names import slot_names
 from fmu_build.codegen.right_hand_side import RightHandSide, arrange, with_parts
 from fmu_build.codegen.start_values import StartValues
 from fmu_build.codegen.tangents import Tangents
-from fmu_build.codegen.variables import StoredVariable
+from fmu_build.codegen.variables import StoredVariable, nominals
 
 _HELPERS = {
     "sign": "static double sign(double a) { return (a > 0.0) - (a < 0.0); }",
@@ -46,7 +48,9 @@ def write_model(
     side = arrange(equations, inputs | written_slots(equations))
     equations = with_parts(equations, side.parts)
     names = slot_names(model, equations, side.parts)
-    code = _Code(equations, side, names, functions)
+    texts = modelica_texts(model, equations)
+    sizes = nominals(model)
+    code = _Code(equations, side, names, functions, texts, sizes)
     derivatives = code.tangents(tangents)
     tangents_of_functions = functions.tangents_for("\n".join(derivatives))
     body = [*code.blocks(), *code.functions(), *tangents_of_functions, *derivatives]
@@ -69,7 +73,7 @@ def write_model(
         *(f"{source}\n" for source in helpers),
         *([functions.source] if functions.source else []),
         *body,
-        tables(model, equations, variables, starts, names, tangents),
+        tables(model, equations, variables, starts, names, texts, sizes, tangents),
     ]
     return "\n".join(parts)
 
@@ -90,7 +94,11 @@ class _Code:
         side: RightHandSide,
         names: Mapping[Slot, str],
         functions: FunctionSources,
+        texts: Writer,
+        nominals: Mapping[int, float],
     ) -> None:
+        self._texts = texts
+        self._nominals = nominals
         self._equations = equations
         self._side = side
         self._names = names
@@ -118,11 +126,15 @@ class _Code:
             entries = [entry for row in block.jacobian for entry in row]
             for what, values in (("residual", block.residuals), ("jacobian", entries)):
                 parts.append(c_function(signature.format(what, what), self._stores(what, values)))
-            unknowns = ", ".join(self._names["y", index] for index in block.unknowns)
+            unknowns = "".join(
+                f"    {{{self._names['y', index]}, {c_string(self._texts.text(ex.y(index)))}, "
+                f"{self._nominals.get(index, 1.0)!r}}},\n"
+                for index in block.unknowns
+            )
             parts.append(
-                f"static const size_t {name}_unknowns[] = {{{unknowns}}};\n"
+                f"static const BlockUnknown {name}_unknowns[] = {{\n{unknowns}}};\n"
                 f"static const Block {name} = {{{len(block.unknowns)}, {name}_unknowns, "
-                f"{name}_residual, {name}_jacobian}};\n"
+                f"{'true' if block.is_linear else 'false'}, {name}_residual, {name}_jacobian}};\n"
             )
         return parts
 

@@ -6,11 +6,12 @@ import math
 from collections.abc import Mapping, Sequence
 
 from fmu_build.codegen import expression as ex
+from fmu_build.codegen.algebraics import NewtonBlock
+from fmu_build.codegen.c_expression import Writer
 from fmu_build.codegen.c_message import c_string
 from fmu_build.codegen.equations import Equations, watched_conditions
 from fmu_build.codegen.expression import Expression, Slot
 from fmu_build.codegen.lowered import LoweredModel
-from fmu_build.codegen.modelica_text import modelica_texts
 from fmu_build.codegen.start_values import StartValues
 from fmu_build.codegen.tangents import Tangents
 from fmu_build.codegen.variables import StoredVariable
@@ -44,16 +45,17 @@ def tables(
     variables: Sequence[StoredVariable],
     starts: StartValues,
     names: Mapping[Slot, str],
+    texts: Writer,
+    nominals: Mapping[int, float],
     tangents: Tangents | None,
 ) -> str:
     """The definition of `model` with its tables."""
     writer = _Tables(names)
     e = equations
     roots = {root: number for number, root in enumerate((*e.relations.roots, *e.relations.time_roots))}
-    nominals = {s.index: s.variable.nominal for s in variables if s.store == "y"}
     writer.array("double", "y_start", [_number(starts.of(("y", i))) for i in range(e.n_y)])
     writer.array("double", "p_start", [_number(starts.of(("p", i))) for i in range(e.n_p)])
-    writer.array("double", "state_nominal", [_number(nominals.get(i) or 1.0) for i in range(e.n_states)])
+    writer.array("double", "state_nominal", [_number(nominals.get(i, 1.0)) for i in range(e.n_states)])
     writer.array("Variable", "variables", [_variable(stored, names) for stored in variables])
     writer.array(
         "Relation",
@@ -79,12 +81,15 @@ def tables(
             for c in e.clocks
         ],
     )
-    texts = modelica_texts(model, equations)
     writer.array("char *const", "root_texts", [c_string(texts.text(root)) for root in e.relations.roots])
     writer.array("ActionKind", "actions", [f"ACTION_{action.kind.upper()}" for action in e.actions])
     writer.array(
-        "InitialUnknown", "initial_unknowns", [f"{{{writer.place(slot)}}}" for slot in e.initial_unknowns]
+        "InitialUnknown",
+        "initial_unknowns",
+        [f"{{{writer.place(slot)}, {c_string(texts.text(ex.leaf(slot)))}}}" for slot in e.initial_unknowns],
     )
+    blocks = [step for step in e.algebraics if isinstance(step, NewtonBlock)]
+    writer.array("Block *const", "blocks", [f"&block_{number}" for number in range(len(blocks))])
     initial_event = "NO_SLOT" if e.initial_event is None else names["p", e.initial_event]
     counts = {
         "n_states": e.n_states,
@@ -100,6 +105,7 @@ def tables(
         "n_time_events": len(e.relations.event_times),
         "n_actions": len(e.actions),
         "n_initial_unknowns": len(e.initial_unknowns),
+        "n_blocks": len(blocks),
     }
     fields = [
         f".name = {c_string(model.name)}",

@@ -216,6 +216,18 @@ class VariableReader:
             yield StoredVariable(derivative, "derivative", index)
 
 
+def nominals(model: LoweredModel) -> dict[int, float]:
+    """Nominal values, where the model gives them, of the variables in y: visible or not."""
+    found = {}
+    for entry in model.dae["variables"]:
+        for number, name in enumerate(entry["scalar_names"]):
+            place = model.solve["layout"]["bindings"].get(name, {}).get("Y")
+            nominal = _element(entry["attributes"]["nominal_values"], number)
+            if place is not None and nominal:
+                found[place["index"]] = abs(nominal)
+    return found
+
+
 def _given_by_when(equations: Equations) -> frozenset[ex.Slot]:
     """Discrete variables that keep their start value until a when-clause sets them."""
     return frozenset(row.slot for row in equations.discrete if row.kind == "assign" and row.holds)

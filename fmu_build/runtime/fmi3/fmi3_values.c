@@ -1,8 +1,5 @@
 /* FMI 3.0: reading and setting variables. */
-#include "evaluation.h"
 #include "fmi3_intermediate.h"
-
-#include <stdlib.h>
 
 static const AccessType float64_type = {TYPE_REAL, NUMBER_DOUBLE, "Float64"};
 static const AccessType int32_type = {TYPE_INTEGER, NUMBER_INT32, "Int32"};
@@ -24,16 +21,10 @@ static Instance *enter(fmi3Instance handle, Call call, bool setting, const fmi3V
 }
 
 /* The event indicators have the value references behind those of the variables. */
-static Status get_event_indicator(Instance *instance, size_t number, double *value)
+static bool is_event_indicator(const Instance *instance, fmi3ValueReference reference)
 {
-    double *indicators = malloc(model.n_roots * sizeof(double));
-    if (indicators == NULL)
-        return call_refuse(instance, "memory is short.");
-    const Status status = call_get_event_indicators(instance, indicators, model.n_roots);
-    if (status == STATUS_OK)
-        *value = indicators[number];
-    free(indicators);
-    return status;
+    return reference >= model.n_variables && reference - model.n_variables < model.n_roots &&
+           instance->phase != PHASE_INSTANTIATED;
 }
 
 fmi3Status fmi3GetFloat64(fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences,
@@ -41,12 +32,18 @@ fmi3Status fmi3GetFloat64(fmi3Instance instance, const fmi3ValueReference valueR
 {
     Instance *entered = enter(instance, CALL_GetFloat64, false, valueReferences, nValueReferences, nValues);
     Status status = call_has(entered, nValueReferences, values) ? STATUS_OK : STATUS_ERROR;
+    const double *indicators = NULL; /* computed once, where there are any */
     for (size_t i = 0; status == STATUS_OK && i < nValueReferences; ++i) {
         const fmi3ValueReference reference = valueReferences[i];
-        const bool indicator = reference >= model.n_variables && reference - model.n_variables < model.n_roots;
-        status = indicator && entered->phase != PHASE_INSTANTIATED
-                     ? get_event_indicator(entered, reference - model.n_variables, &values[i])
-                     : call_get_real(entered, &reference, 1, &values[i]);
+        if (!is_event_indicator(entered, reference)) {
+            status = call_get_real(entered, &reference, 1, &values[i]);
+            continue;
+        }
+        if (indicators == NULL) {
+            status = call_get_event_indicators(entered, entered->roots.work[0], model.n_roots);
+            indicators = entered->roots.work[0];
+        }
+        values[i] = indicators[reference - model.n_variables];
     }
     return fmi3_leave(instance, status);
 }

@@ -1,4 +1,5 @@
 #include "cosimulation.h"
+#include "block.h"
 #include "evaluation.h"
 #include "extremes.h"
 
@@ -147,6 +148,16 @@ static Status check_asserts_here(Instance *instance)
     return fail(instance, instance->values.time, "an assertion is violated.");
 }
 
+/* The states are still those at which the derivatives or relations could not be had. */
+COLD static Status fail_to_compute(Instance *instance, double time)
+{
+    const Values *values = &instance->values;
+    char why[NEWTON_TEXT_SIZE];
+    if (isnan(instance->failed_at))
+        return fail(instance, time, "the derivatives are not finite.");
+    return fail(instance, time, blocks_explain(instance->failed_at, values->y, values->p, why));
+}
+
 /* The same at the end of a step, once time passes it. */
 static Status check_asserts(Instance *instance)
 {
@@ -168,12 +179,12 @@ static Status take_step(Instance *instance, double limit)
     case STEP_TOO_SMALL:
         return fail(instance, from, "the tolerance cannot be kept with the smallest step.");
     case STEP_NOT_COMPUTABLE:
-        return fail(instance, from, "the derivatives cannot be computed, or are not finite.");
+        return fail_to_compute(instance, from);
     }
     const Crossing crossing = roots_search(&instance->roots, instance->values.p, from, integrator->record.time);
     switch (crossing.result) {
     case ROOTS_NOT_COMPUTABLE:
-        return fail(instance, from, "the relations cannot be computed.");
+        return fail_to_compute(instance, from);
     case ROOTS_CROSSED:
         integrator_truncate(integrator, crossing.time);
         progress->relation = crossing.relation;

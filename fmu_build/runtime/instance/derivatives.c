@@ -1,4 +1,5 @@
 #include "derivatives.h"
+#include "block.h"
 #include "evaluation.h"
 #include "linear.h"
 #include "variables.h"
@@ -155,6 +156,13 @@ static bool allocate(Tangents *tangents)
     return true;
 }
 
+static bool fail_to_solve(const Tangents *tangents)
+{
+    const Values *values = &tangents->instance->values;
+    char why[NEWTON_TEXT_SIZE];
+    return fail(tangents->instance, blocks_explain(values->time, tangents->y, values->p, why));
+}
+
 /* A copy of y with its algebraic variables: those of the instance are first guesses, and stay what they would be
  * without this call. */
 static bool copy_point(Tangents *tangents, Instance *instance)
@@ -166,7 +174,7 @@ static bool copy_point(Tangents *tangents, Instance *instance)
     if (model.n_y > 0)
         memcpy(tangents->y, values->y, model.n_y * sizeof(double));
     return instance->current.algebraics || model_algebraics(values->time, tangents->y, values->p) ||
-           fail(instance, "a system of equations has no solution");
+           fail_to_solve(tangents);
 }
 
 static bool begin(Tangents *tangents, Instance *instance, const Partials *partials)
@@ -216,7 +224,7 @@ static double tangent_of(const Tangents *tangents, const Variable *variable)
 static bool propagate_knowns(Tangents *tangents)
 {
     return ((!tangents->initial || propagate_to_start(tangents)) && propagate(tangents)) ||
-           fail(tangents->instance, "a system of equations is singular");
+           fail_to_solve(tangents);
 }
 
 static bool read_unknown(const Tangents *tangents, unsigned reference, double *tangent)

@@ -1,13 +1,16 @@
 #include "evaluation.h"
+#include "block.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 static bool fail(const Instance *instance, const char *what)
 {
-    log_message(&instance->log, LOG_STATUS_ERROR, STATUS_ERROR,
-                "The %s at time %.17g could not be computed: a system of equations has no solution there.", what,
-                instance->values.time);
+    const Values *values = &instance->values;
+    char why[NEWTON_TEXT_SIZE];
+    log_message(&instance->log, LOG_STATUS_ERROR, STATUS_ERROR, "The %s at time %.17g could not be computed: %s.", what,
+                values->time, blocks_explain(values->time, values->y, values->p, why));
     return false;
 }
 
@@ -48,10 +51,12 @@ bool evaluation_roots(Instance *instance, double *root)
 
 bool roots_evaluate(void *context, double time, double *root)
 {
-    const Instance *instance = context;
+    Instance *instance = context;
     integrator_interpolate(&instance->integrator, time, instance->values.y);
     inputs_apply(&instance->inputs, time, instance->values.p);
-    return model_roots(time, instance->values.y, instance->values.p, root);
+    const bool known = model_roots(time, instance->values.y, instance->values.p, root);
+    instance->failed_at = known ? NAN : time;
+    return known;
 }
 
 /* One algebraic variable a little later or earlier, with the states on their tangent. */

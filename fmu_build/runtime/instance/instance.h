@@ -89,6 +89,7 @@ typedef struct {
     UpToDate current;
     Progress progress;
     StepMemory steps;
+    double failed_at; /* the time at which derivatives or roots could not be computed last, or NAN */
     bool warned; /* a warning was reported since this was last cleared */
 
     Values start;  /* what the importer sets before and during initialisation */

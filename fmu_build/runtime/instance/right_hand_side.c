@@ -3,6 +3,8 @@
 
 #include "instance.h"
 
+#include <math.h>
+
 static double *wanted_roots(const RootFinder *finder, StepPoint point)
 {
     switch (point) {
@@ -20,7 +22,10 @@ static double *wanted_roots(const RootFinder *finder, StepPoint point)
 
 bool integrator_derivatives(void *context, double time, StepPoint point, double *der)
 {
-    const Instance *instance = context;
-    inputs_apply(&instance->inputs, time, instance->values.p);
-    return model_derivatives(time, instance->values.y, instance->values.p, der, wanted_roots(&instance->roots, point));
+    Instance *instance = context;
+    const Values *values = &instance->values;
+    inputs_apply(&instance->inputs, time, values->p);
+    const bool known = model_derivatives(time, values->y, values->p, der, wanted_roots(&instance->roots, point));
+    instance->failed_at = known ? NAN : time;
+    return known;
 }

@@ -1,5 +1,8 @@
 #include "state.h"
 
+#include <float.h>
+#include <math.h>
+#include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -120,6 +123,102 @@ void state_write(const SavedState *state, void *bytes)
     memcpy(bytes, &header, sizeof header);
 }
 
+/* Where there is a truth value, which C leaves undefined if it is neither 0 nor 1. */
+static const size_t truths[] = {
+    offsetof(Plain, co_simulation),       offsetof(Plain, changed.any),
+    offsetof(Plain, changed.parameters),  offsetof(Plain, changed.discrete),
+    offsetof(Plain, current.initialization), offsetof(Plain, current.algebraics),
+    offsetof(Plain, current.derivatives), offsetof(Plain, progress.event_pending),
+    offsetof(Plain, progress.ended_at_event), offsetof(Plain, step.slope_known),
+    offsetof(Plain, inputs_active),
+};
+
+static bool truths_are_sound(const Plain *plain)
+{
+    _Static_assert(sizeof(bool) == 1, "a truth value is one byte");
+    for (size_t i = 0; i < sizeof truths / sizeof *truths; ++i)
+        if (((const unsigned char *)plain)[truths[i]] > 1)
+            return false;
+    return true;
+}
+
+/* Whether an instance like this one can be in the phase, and be saved there. */
+static bool phase_is_sound(const Instance *instance, Phase phase)
+{
+    switch (phase) {
+    case PHASE_INSTANTIATED:
+    case PHASE_INITIALIZATION:
+    case PHASE_TERMINATED:
+    case PHASE_ERROR:
+        return true;
+    case PHASE_EVENT:
+        return !instance->co_simulation || instance->attendance.event_mode;
+    case PHASE_CONTINUOUS_TIME:
+        return !instance->co_simulation;
+    case PHASE_STEP_COMPLETE:
+    case PHASE_STEP_DISCARDED:
+        return instance->co_simulation;
+    case PHASE_INTERMEDIATE:
+        break;
+    }
+    return false;
+}
+
+/* The steps of the integrator: sizes are never negative, and the last step reaches from at or before the present time
+ * to at or behind it, where another one can follow. */
+static bool steps_are_sound(const Plain *plain)
+{
+    const StepRecord *step = &plain->step;
+    for (size_t i = 0; i < STEP_MEMORY_SIZE; ++i)
+        if (!(plain->steps.step[i] >= 0.0))
+            return false;
+    if (!(step->suggestion >= 0.0) || !isfinite(step->time) || !isfinite(step->base) || !isfinite(step->step))
+        return false;
+    if (plain->phase != PHASE_STEP_COMPLETE)
+        return true;
+    const double rounding = 16.0 * DBL_EPSILON * fabs(step->time);
+    return step->base <= plain->time && plain->time <= step->time && step->time - step->base <= step->step + rounding;
+}
+
+static bool clocks_are_sound(const Instance *instance, const double *block)
+{
+    const size_t first = (size_t)(instance->values.clock_tick - instance->block);
+    for (size_t i = first; i < first + model.n_clocks; ++i)
+        if (!(block[i] >= 0.0 && isfinite(block[i]) && block[i] == floor(block[i])))
+            return false;
+    return true;
+}
+
+static bool experiment_is_sound(const Experiment *experiment)
+{
+    return isfinite(experiment->start_time) && experiment->stop_time >= experiment->start_time &&
+           experiment->tolerance > 0.0 && isfinite(experiment->tolerance);
+}
+
+static bool progress_is_sound(const Progress *progress)
+{
+    return progress->relation <= model.n_relations && !isnan(progress->next_time_event) &&
+           isfinite(progress->crowd_start) && progress->last_step >= STATUS_OK && progress->last_step <= STATUS_FATAL;
+}
+
+/* A checksum can be repaired, and what is restored is relied on: as indices, as conditions, as times that go on. */
+static const char *fault_of_content(const Instance *instance, const SavedState *state)
+{
+    const Plain *plain = &state->plain;
+    if (!truths_are_sound(plain))
+        return "a truth value is neither false nor true";
+    if (plain->co_simulation != instance->co_simulation)
+        return other_interface;
+    if (!phase_is_sound(instance, plain->phase))
+        return "this instance cannot be in such a phase";
+    if (!experiment_is_sound(&plain->experiment))
+        return "start time, stop time and tolerance are impossible";
+    if (!progress_is_sound(&plain->progress) || !steps_are_sound(plain) || !clocks_are_sound(instance, state->block) ||
+        !isfinite(plain->time) || !isfinite(plain->inputs_since))
+        return "times, steps and events contradict each other";
+    return NULL;
+}
+
 static const char *fault(const Instance *instance, const Header *header, size_t size)
 {
     if (memcmp(header->magic, magic, sizeof magic) != 0)
@@ -148,10 +247,7 @@ SavedState *state_read(const Instance *instance, const void *bytes, size_t size)
             why = "memory is short";
         } else {
             memcpy(state, bytes, size);
-            if (checksum(state) != header.checksum)
-                why = "its content is damaged";
-            else if (state->plain.co_simulation != instance->co_simulation)
-                why = other_interface;
+            why = checksum(state) != header.checksum ? "its content is damaged" : fault_of_content(instance, state);
         }
     }
     if (why == NULL)

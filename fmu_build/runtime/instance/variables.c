@@ -93,7 +93,7 @@ bool variable_compute(Instance *instance, const Variable *variable, double *valu
 
 bool variable_fits(const Instance *instance, const Variable *variable, double value)
 {
-    if (variable->type != TYPE_INTEGER || (value >= INT32_MIN && value <= INT32_MAX))
+    if ((variable->type & (TYPE_INTEGER | TYPE_ENUMERATION)) == 0 || (value >= INT32_MIN && value <= INT32_MAX))
         return true;
     log_message(&instance->log, LOG_STATUS_ERROR, STATUS_ERROR,
                 "At time %.9g %s is %.17g, outside of the range of 32-bit integers, %" PRId32 " to %" PRId32 ".",

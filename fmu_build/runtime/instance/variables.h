@@ -26,7 +26,7 @@ static inline bool variable_get(Instance *instance, const Variable *variable, do
     return variable_compute(instance, variable, value);
 }
 
-/* False, after a message, where a value of an Integer variable, held as a double, is beyond 32 bits. */
+/* False, after a message, where a value of an Integer variable or an enumeration, held as a double, is beyond 32 bits. */
 bool variable_fits(const Instance *instance, const Variable *variable, double value);
 
 /* The name of a state by its place among the states. */

@@ -1,4 +1,5 @@
 #include "actions.h"
+#include "block.h"
 
 #include <stdlib.h>
 
@@ -31,8 +32,10 @@ EventStatus actions_take(Values *values, bool *active, const EventReporter *repo
 {
     EventStatus status = EVENT_OK;
     bool any = false;
-    if (!evaluate(values, active, &any))
-        return fail(reporter, "the algebraic equations could not be solved");
+    if (!evaluate(values, active, &any)) {
+        char text[NEWTON_TEXT_SIZE];
+        return fail(reporter, blocks_explain(values->time, values->y, values->p, text));
+    }
     for (size_t i = 0; any && i < model.n_actions; ++i) {
         if (active[i] && (model.actions[i] != ACTION_WARNING || values->reported[i] == 0.0))
             report(values, i, reporter);

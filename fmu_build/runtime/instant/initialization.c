@@ -1,127 +1,100 @@
 /* The start of a simulation: dependent parameters, start values, initial equations, and the first event. */
 
 #include "actions.h"
+#include "block.h"
 #include "events.h"
 #include "iteration.h"
-#include "linear.h"
 #include "time_events.h"
 
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
-enum { MAX_NEWTON_STEPS = 100, MAX_HALVINGS = 30, MAX_ROUNDS = 100 };
+enum { MAX_ROUNDS = 100 };
 
 typedef struct {
     Values *values;
-    double *memory; /* holds the arrays below */
-    double *residual, *trial, *step, *point, *jacobian;
-    size_t *pivot;
+    double *trial; /* [n_initial_unknowns] */
 } InitialSystem;
 
-static double *unknown(const InitialSystem *system, size_t i)
+static double *unknown(void *context, size_t i)
 {
+    const InitialSystem *system = context;
     const InitialUnknown *place = &model.initial_unknowns[i];
     return place->store == STORE_PARAMETER ? &system->values->p[place->index] : &system->values->y[place->index];
 }
 
-static bool system_create(InitialSystem *system, Values *values)
+static double nominal(void *context, size_t i)
 {
-    const size_t n = model.n_initial_unknowns;
-    system->values = values;
-    system->memory = malloc((n * n + 4 * n) * sizeof(double) + n * sizeof(size_t) + 1);
-    if (system->memory == NULL)
+    (void)context, (void)i;
+    return 1.0;
+}
+
+static const char *name(void *context, size_t i)
+{
+    (void)context;
+    return model.initial_unknowns[i].name;
+}
+
+static bool evaluate(void *context, double *residual)
+{
+    Values *values = ((const InitialSystem *)context)->values;
+    model_dependent_parameters(values->p);
+    if (!model_algebraics(values->time, values->y, values->p))
         return false;
-    system->residual = system->memory;
-    system->trial = system->residual + n;
-    system->step = system->trial + n;
-    system->point = system->step + n;
-    system->jacobian = system->point + n;
-    system->pivot = (size_t *)(system->jacobian + n * n);
+    model_initial_residual(values->time, values->y, values->p, residual);
     return true;
 }
 
-/* The residual at the present unknowns; its square norm, INFINITY where it cannot be computed. */
-static double evaluate(const InitialSystem *system, double *residual)
+/* Forward differences, with steps that are exact in binary. The tangents of the model are no substitute: they move
+ * discrete variables with what these follow, whereas all of them are held here. */
+static bool differentiate(void *context, const double *residual, double *jacobian)
 {
-    Values *values = system->values;
-    model_dependent_parameters(values->p);
-    if (!model_algebraics(values->time, values->y, values->p))
-        return INFINITY;
-    model_initial_residual(values->time, values->y, values->p, residual);
-    double sum = 0.0;
-    for (size_t i = 0; i < model.n_initial_unknowns; ++i)
-        sum += residual[i] * residual[i];
-    return isfinite(sum) ? sum : INFINITY;
-}
-
-/* Forward differences, with steps that are exact in binary. */
-static bool differentiate(const InitialSystem *system)
-{
+    const InitialSystem *system = context;
     const size_t n = model.n_initial_unknowns;
     for (size_t j = 0; j < n; ++j) {
-        double *place = unknown(system, j);
+        double *place = unknown(context, j);
         const double centre = *place;
         *place = centre + sqrt(DBL_EPSILON) * fmax(fabs(centre), 1e-3);
         const double width = *place - centre;
-        if (evaluate(system, system->trial) == INFINITY)
-            return false;
+        const bool evaluated = evaluate(context, system->trial);
         *place = centre;
-        for (size_t i = 0; i < n; ++i)
-            system->jacobian[i * n + j] = (system->trial[i] - system->residual[i]) / width;
-    }
-    return lu_factor(n, system->jacobian, system->pivot);
-}
-
-static bool step_is_negligible(const InitialSystem *system)
-{
-    for (size_t i = 0; i < model.n_initial_unknowns; ++i)
-        if (!(fabs(system->step[i]) <= 4.0 * DBL_EPSILON * fmax(fabs(system->point[i]), DBL_MIN / DBL_EPSILON)))
+        if (!evaluated)
             return false;
+        for (size_t i = 0; i < n; ++i)
+            jacobian[i * n + j] = (system->trial[i] - residual[i]) / width;
+    }
     return true;
 }
 
-/* Takes the Newton step, or as much of it as lowers the residual; false where no part does. */
-static bool descend(const InitialSystem *system, double before)
+/* The initial equations, NULL where they are solved, else what went wrong. */
+static const char *solve(InitialSystem *initial, char text[NEWTON_TEXT_SIZE])
 {
-    double fraction = 1.0;
-    for (int halving = 0; halving < MAX_HALVINGS; ++halving, fraction *= 0.5) {
-        for (size_t i = 0; i < model.n_initial_unknowns; ++i)
-            *unknown(system, i) = system->point[i] - fraction * system->step[i];
-        if (evaluate(system, system->residual) < before)
-            return true;
-    }
-    for (size_t i = 0; i < model.n_initial_unknowns; ++i)
-        *unknown(system, i) = system->point[i];
-    evaluate(system, system->residual);
-    return false;
+    const NewtonSystem system = {.size = model.n_initial_unknowns,
+                                 .context = initial,
+                                 .unknown = unknown,
+                                 .nominal = nominal,
+                                 .name = name,
+                                 .evaluate = evaluate,
+                                 .linearize = differentiate};
+    const NewtonResult result = newton_solve(&system);
+    const Values *values = initial->values;
+    if (result == NEWTON_SOLVED)
+        return NULL;
+    if (result == NEWTON_NOT_FINITE && !model_algebraics(values->time, values->y, values->p))
+        return blocks_explain(values->time, values->y, values->p, text);
+    return newton_explain(&system, result, "the initial equations", text);
 }
 
-/* Newton's method until the residual is zero or falls no further. Where it stops falling, the unknowns are as good
- * as rounding lets them be if the step there is small. */
-static bool solve(const InitialSystem *system)
+/* Square norm of the residual; INFINITY where it cannot be computed. */
+static double residual_norm(InitialSystem *system)
 {
-    const size_t n = model.n_initial_unknowns;
-    double norm = evaluate(system, system->residual);
-    for (int i = 0; i < MAX_NEWTON_STEPS && norm > 0.0; ++i) {
-        if (norm == INFINITY || !differentiate(system))
-            return false;
-        for (size_t j = 0; j < n; ++j)
-            system->point[j] = *unknown(system, j);
-        memcpy(system->step, system->residual, n * sizeof(double));
-        lu_solve(n, system->jacobian, system->pivot, system->step);
-        if (step_is_negligible(system))
-            return true;
-        if (!descend(system, norm)) {
-            for (size_t j = 0; j < n; ++j)
-                if (fabs(system->step[j]) > 1e-9 * fmax(fabs(system->point[j]), 1e-3))
-                    return false;
-            return true;
-        }
-        norm = evaluate(system, system->residual);
-    }
-    return norm == 0.0;
+    double sum = 0.0;
+    if (!evaluate(system, system->trial))
+        return INFINITY;
+    for (size_t i = 0; i < model.n_initial_unknowns; ++i)
+        sum += system->trial[i] * system->trial[i];
+    return isfinite(sum) ? sum : INFINITY;
 }
 
 static void set_initial_event(Values *values, double value)
@@ -153,18 +126,20 @@ static const char *settle_with_initial_whens(Iteration *iteration, Values *value
 }
 
 /* Initial equations and discrete variables depend on each other through the relations. */
-static const char *settle_together(const InitialSystem *system, Iteration *iteration)
+static const char *settle_together(InitialSystem *system, Iteration *iteration)
 {
+    const Values *values = system->values;
     for (int round = 0; round < MAX_ROUNDS; ++round) {
-        if (model.n_initial_unknowns > 0 && !solve(system))
-            return "the initial equations could not be solved";
-        const double solved = evaluate(system, system->residual);
-        if (solved == INFINITY)
-            return "the algebraic equations could not be solved";
-        const char *problem = settle_with_initial_whens(iteration, system->values);
+        const char *problem = model.n_initial_unknowns > 0 ? solve(system, iteration->text) : NULL;
         if (problem != NULL)
             return problem;
-        if (evaluate(system, system->residual) <= solved)
+        const double solved = residual_norm(system);
+        if (solved == INFINITY)
+            return blocks_explain(values->time, values->y, values->p, iteration->text);
+        problem = settle_with_initial_whens(iteration, system->values);
+        if (problem != NULL)
+            return problem;
+        if (residual_norm(system) <= solved)
             return NULL;
     }
     return "the initial values do not settle: equations and relations change each other in a circle";
@@ -192,16 +167,16 @@ static EventStatus initialize(InitialSystem *system, Iteration *iteration, const
 EventStatus event_initialize(Values *values, const EventReporter *reporter)
 {
     Iteration iteration = {0};
-    InitialSystem system = {0};
+    InitialSystem system = {values, malloc((model.n_initial_unknowns + 1) * sizeof(double))};
     EventStatus status = EVENT_ERROR;
     model_dependent_parameters(values->p);
     model_start_values(values->y, values->p);
     clocks_start(values);
-    if (iteration_create(&iteration) && system_create(&system, values))
+    if (iteration_create(&iteration) && system.trial != NULL)
         status = initialize(&system, &iteration, reporter);
     else
         reporter->report(reporter->context, ACTION_ERROR, "out of memory");
     iteration_free(&iteration);
-    free(system.memory);
+    free(system.trial);
     return status;
 }

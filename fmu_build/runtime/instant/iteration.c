@@ -1,4 +1,5 @@
 #include "iteration.h"
+#include "block.h"
 #include "time_events.h"
 
 #include <math.h>
@@ -71,7 +72,7 @@ const char *iteration_settle(Iteration *iteration, Values *values)
     for (int round = 0; round < MAX_ROUNDS; ++round) {
         if ((model.discrete_reads_algebraic && !model_algebraics(values->time, values->y, values->p)) ||
             !model_roots(values->time, values->y, values->p, iteration->root))
-            return "the algebraic equations could not be solved";
+            return blocks_explain(values->time, values->y, values->p, iteration->text);
         model_time_relations(time_just_after(values->time), values->p, iteration->root + model.n_roots);
         bool changed = update_relations(iteration, values);
         model_discrete(values->time, values->y, values->p, iteration->value);

@@ -3,12 +3,14 @@
 #define ITERATION_H
 
 #include "events.h"
+#include "newton.h"
 
 typedef struct {
     double *memory; /* holds the arrays below */
     double *root;   /* [n_roots + n_time_relations] */
     double *value;  /* [n_discrete] */
     bool *active;   /* [n_actions] */
+    char text[NEWTON_TEXT_SIZE]; /* of a message about what went wrong */
 } Iteration;
 
 bool iteration_create(Iteration *iteration);

@@ -1,161 +1,110 @@
 #include "block.h"
 #include "linear.h"
 
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
-
-enum {
-    STACK_SIZE = 12, /* systems up to this size need no allocation */
-    MAX_ITERATIONS = 60,
-    MAX_HALVINGS = 20
-};
-
-/* A step this small relative to the unknown leaves, after quadratic convergence, an error at rounding. */
-static const double small_step = 1e-9;
-static const double absolute_step = 1e-14;
-/* Square of a scaled residual that is rounding error alone: nothing is left to improve. */
-static const double rounding_merit = 1e-31;
 
 typedef struct {
     const Block *block;
     double time;
     double *y;
     const double *p;
-    double *residual, *scale, *step, *point, *matrix;
-    size_t *pivot;
-} Newton;
+} Point;
 
-static void evaluate(const Newton *newton)
+static double *unknown(void *context, size_t i)
 {
-    newton->block->residual(newton->time, newton->y, newton->p, newton->residual);
+    const Point *point = context;
+    return &point->y[point->block->unknowns[i].index];
 }
 
-/* Sum of squares of the scaled residual; NaN and infinity count as infinitely bad. */
-static double merit(const Newton *newton)
+static double nominal(void *context, size_t i)
 {
-    double sum = 0.0;
-    for (size_t i = 0; i < newton->block->size; ++i) {
-        const double scaled = newton->residual[i] / newton->scale[i];
-        sum += scaled * scaled;
-    }
-    return isfinite(sum) ? sum : INFINITY;
+    const Point *point = context;
+    return point->block->unknowns[i].nominal;
 }
 
-/* Rows are scaled by what a change of the unknowns of their own size does to them. */
-static bool linearize(Newton *newton)
+static bool evaluate(void *context, double *residual)
 {
-    const size_t n = newton->block->size;
-    newton->block->jacobian(newton->time, newton->y, newton->p, newton->matrix);
-    for (size_t i = 0; i < n; ++i) {
-        double largest = 0.0;
-        for (size_t j = 0; j < n; ++j) {
-            const double size = fmax(fabs(newton->y[newton->block->unknowns[j]]), 1e-3);
-            const double entry = fabs(newton->matrix[i * n + j]);
-            if (!isfinite(entry))
-                return false;
-            largest = fmax(largest, entry * size);
-        }
-        if (largest == 0.0)
-            return false;
-        newton->scale[i] = largest;
-    }
-    return lu_factor(n, newton->matrix, newton->pivot);
-}
-
-static bool step_is_small(const Newton *newton)
-{
-    for (size_t i = 0; i < newton->block->size; ++i)
-        if (!(fabs(newton->step[i]) <= small_step * fabs(newton->point[i]) + absolute_step))
-            return false;
+    const Point *point = context;
+    point->block->residual(point->time, point->y, point->p, residual);
     return true;
 }
 
-static void move(const Newton *newton, double fraction)
+static bool linearize(void *context, const double *residual, double *jacobian)
 {
-    for (size_t i = 0; i < newton->block->size; ++i)
-        newton->y[newton->block->unknowns[i]] = newton->point[i] - fraction * newton->step[i];
+    const Point *point = context;
+    (void)residual;
+    point->block->jacobian(point->time, point->y, point->p, jacobian);
+    return true;
 }
 
-/* Halves the step until the residual falls. */
-static bool search_along_step(const Newton *newton, double before)
+static const char *name(void *context, size_t i)
 {
-    double fraction = 1.0;
-    for (int halving = 0; halving < MAX_HALVINGS; ++halving, fraction *= 0.5) {
-        move(newton, fraction);
-        evaluate(newton);
-        if (merit(newton) <= before * (1.0 - 1e-4 * fraction))
-            return true;
-    }
-    return false;
+    const Point *point = context;
+    return point->block->unknowns[i].name;
 }
 
-static bool iterate(Newton *newton)
+static NewtonSystem system_at(Point *point)
 {
-    const size_t n = newton->block->size;
-    evaluate(newton);
-    for (int iteration = 0; iteration < MAX_ITERATIONS; ++iteration) {
-        for (size_t i = 0; i < n; ++i)
-            newton->point[i] = newton->y[newton->block->unknowns[i]];
-        if (!linearize(newton))
-            return false;
-        const double before = merit(newton);
-        if (before == INFINITY)
-            return false;
-        memcpy(newton->step, newton->residual, n * sizeof(double));
-        lu_solve(n, newton->matrix, newton->pivot, newton->step);
-        if (step_is_small(newton) || before <= rounding_merit * (double)n) {
-            move(newton, 1.0);
-            return true;
-        }
-        if (!search_along_step(newton, before))
-            return false;
-    }
-    return false;
+    return (NewtonSystem){.size = point->block->size,
+                          .linear = point->block->linear,
+                          .context = point,
+                          .unknown = unknown,
+                          .nominal = nominal,
+                          .name = name,
+                          .evaluate = evaluate,
+                          .linearize = linearize};
 }
 
 bool block_solve(const Block *block, double time, double *y, const double *p)
 {
-    const size_t n = block->size;
-    double stack[STACK_SIZE * (STACK_SIZE + 5)];
-    size_t stack_pivot[STACK_SIZE];
-    void *heap = NULL;
-    double *work = stack;
-    size_t *pivot = stack_pivot;
-    if (n > STACK_SIZE) {
-        heap = malloc(n * (n + 5) * sizeof(double) + n * sizeof(size_t));
-        if (heap == NULL)
-            return false;
-        work = heap;
-        pivot = (size_t *)(work + n * (n + 5));
-    }
-    Newton newton = {.block = block, .time = time, .y = y, .p = p, .residual = work, .scale = work + n,
-                     .step = work + 2 * n, .point = work + 3 * n, .matrix = work + 5 * n, .pivot = pivot};
-    double *old = work + 4 * n;
-    for (size_t i = 0; i < n; ++i)
-        old[i] = y[block->unknowns[i]];
-    const bool solved = iterate(&newton);
-    if (!solved)
-        for (size_t i = 0; i < n; ++i)
-            y[block->unknowns[i]] = old[i];
-    free(heap);
-    return solved;
+    Point point = {block, time, y, p};
+    const NewtonSystem system = system_at(&point);
+    return newton_solve(&system) == NEWTON_SOLVED;
 }
 
-bool block_tangents(const Block *block, double time, const double *y, const double *p, double *moves)
+static NewtonResult find_tangents(const Block *block, double time, const double *y, const double *p, double *moves)
 {
     const size_t n = block->size;
     double *jacobian = malloc(n * n * sizeof(double) + n * sizeof(size_t));
     if (jacobian == NULL)
-        return false;
+        return NEWTON_NO_MEMORY;
     size_t *pivot = (size_t *)(jacobian + n * n);
     block->jacobian(time, y, p, jacobian);
-    const bool solved = lu_factor(n, jacobian, pivot);
-    if (solved) {
+    const NewtonResult result = lu_factor(n, jacobian, pivot) ? NEWTON_SOLVED : NEWTON_SINGULAR;
+    if (result == NEWTON_SOLVED) {
         for (size_t i = 0; i < n; ++i)
             moves[i] = -moves[i];
         lu_solve(n, jacobian, pivot, moves);
     }
     free(jacobian);
-    return solved;
+    return result;
+}
+
+bool block_tangents(const Block *block, double time, const double *y, const double *p, double *moves)
+{
+    return find_tangents(block, time, y, p, moves) == NEWTON_SOLVED;
+}
+
+/* Whether the block can move with what it depends on. */
+static NewtonResult try_tangents(const Block *block, double time, const double *y, const double *p)
+{
+    double *moves = calloc(block->size, sizeof(double));
+    const NewtonResult result = moves == NULL ? NEWTON_NO_MEMORY : find_tangents(block, time, y, p, moves);
+    free(moves);
+    return result;
+}
+
+const char *blocks_explain(double time, double *y, const double *p, char text[NEWTON_TEXT_SIZE])
+{
+    /* Up to the block that fails, what later ones depend on is then up to date. */
+    const bool solved = model_algebraics(time, y, p);
+    for (size_t i = 0; i < model.n_blocks; ++i) {
+        Point point = {model.blocks[i], time, y, p};
+        const NewtonSystem system = system_at(&point);
+        const NewtonResult result =
+            solved ? try_tangents(model.blocks[i], time, y, p) : newton_solve(&system);
+        if (result != NEWTON_SOLVED)
+            return newton_explain(&system, result, "the algebraic loop", text);
+    }
+    return "a system of equations has no solution";
 }

@@ -1,5 +1,6 @@
 #include "linear.h"
 
+#include <float.h>
 #include <math.h>
 
 static void swap(double *a, double *b)
@@ -18,15 +19,25 @@ static size_t largest_in_column(size_t n, const double *matrix, size_t column)
     return row;
 }
 
+/* Whether the pivot in row k is what rounding left where terms cancelled. These are in the factors already, so that
+ * neither the scale of the rows nor that of the columns matters. */
+static bool is_rounding(size_t n, const double *matrix, size_t k)
+{
+    double terms = 0.0;
+    for (size_t j = 0; j < k; ++j)
+        terms += fabs(matrix[k * n + j] * matrix[j * n + k]);
+    return fabs(matrix[k * n + k]) <= (double)k * DBL_EPSILON * terms;
+}
+
 bool lu_factor(size_t n, double *matrix, size_t *pivot)
 {
     for (size_t k = 0; k < n; ++k) {
         pivot[k] = largest_in_column(n, matrix, k);
-        if (matrix[pivot[k] * n + k] == 0.0)
-            return false;
         if (pivot[k] != k)
             for (size_t j = 0; j < n; ++j)
                 swap(&matrix[k * n + j], &matrix[pivot[k] * n + j]);
+        if (is_rounding(n, matrix, k))
+            return false;
         for (size_t i = k + 1; i < n; ++i) {
             const double factor = matrix[i * n + k] /= matrix[k * n + k];
             for (size_t j = k + 1; j < n; ++j)

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Factors the row-major n-by-n matrix in place; false where it is singular. */
+/* Factors the row-major n-by-n matrix in place; false where it is singular up to rounding. */
 bool lu_factor(size_t n, double *matrix, size_t *pivot);
 
 /* Solves with the factors; x holds the right-hand side before and the solution after. */

@@ -49,8 +49,14 @@ typedef struct {
 
 /* A system of algebraic equations that has to be solved by Newton's method. */
 typedef struct {
+    size_t index; /* in y */
+    const char *name;
+    double nominal;
+} BlockUnknown;
+typedef struct {
     size_t size;
-    const size_t *unknowns; /* positions in y */
+    const BlockUnknown *unknowns;
+    bool linear; /* in the unknowns */
     void (*residual)(double time, const double *y, const double *p, double *residual);
     void (*jacobian)(double time, const double *y, const double *p, double *jacobian); /* row-major */
 } Block;
@@ -101,6 +107,7 @@ typedef enum { ACTION_ERROR, ACTION_WARNING, ACTION_TERMINATE } ActionKind;
 typedef struct {
     Store store;
     size_t index;
+    const char *name;
 } InitialUnknown;
 
 #define NO_SLOT ((size_t)-1)
@@ -138,6 +145,9 @@ typedef struct {
 
     size_t n_initial_unknowns;
     const InitialUnknown *initial_unknowns;
+
+    size_t n_blocks;
+    const Block *const *blocks; /* in the order in which model_algebraics solves them */
 
     bool has_tangents;         /* the functions of tangents below are there */
     bool has_initial_tangents; /* and cover the initialization: no when-clause may move a value there */

@@ -13,9 +13,21 @@ Build = Callable[[str], ctypes.CDLL]
 
 
 @pytest.fixture(scope="session")
-def build(tmp_path_factory: pytest.TempPathFactory) -> Build:
+def workshop2(tmp_path_factory: pytest.TempPathFactory) -> Workshop:
+    """The runtime with FMI 2."""
+    return Workshop(tmp_path_factory.mktemp("runtime"))
+
+
+@pytest.fixture(scope="session")
+def build(workshop2: Workshop) -> Build:
     """Name of a model in ``models/`` -> its shared library of FMI 2."""
-    return Workshop(tmp_path_factory.mktemp("runtime")).library
+    return workshop2.library
+
+
+@pytest.fixture(scope="session")
+def internals(workshop2: Workshop) -> Build:
+    """The same, with all functions of the runtime to be called."""
+    return workshop2.internals
 
 
 @pytest.fixture(scope="session")

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import ctypes as c
+import os
+import shlex
 import subprocess
 import sys
 from collections.abc import Sequence
@@ -13,7 +15,8 @@ from fmu_build.packaging.binaries import COMPILER_FLAGS
 from fmu_build.packaging.sources import FMI_HEADERS, include_arguments, runtime_files
 from fmu_build.support.request import FmiVersion
 
-MODELS = Path(__file__).parent / "models"
+HERE = Path(__file__).parent
+MODELS = HERE / "models"
 TOKEN = "{00000000-0000-0000-0000-000000000001}"
 
 OK, WARNING, DISCARD, ERROR, FATAL, PENDING = range(6)
@@ -46,8 +49,15 @@ class EventInfo(c.Structure):
     )
 
 
+# What test_sanitizers.py sets: a compiler and its flags, in place of the compiler that FMUs are built with.
+_OTHER_COMPILER = shlex.split(os.environ.get("RUNTIME_TEST_COMPILER", ""))
+
+
 def _compile(arguments: Sequence[str | Path], folder: Path) -> None:
-    command = [sys.executable, "-m", "ziglang", "cc", *map(str, arguments)]
+    if _OTHER_COMPILER:
+        command = [_OTHER_COMPILER[0], *map(str, arguments), *_OTHER_COMPILER[1:], "-lm"]
+    else:
+        command = [sys.executable, "-m", "ziglang", "cc", *map(str, arguments)]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
 
@@ -64,9 +74,11 @@ class Workshop:
             (standard / name).write_bytes((headers / name).read_bytes())
         (folder / "token.h").write_text(f'#define MODEL_TOKEN "{TOKEN}"\n', "utf-8")
         own = (*include_arguments(), "-I", MODELS, "-I", folder, "-isystem", standard)
-        self._flags = (*COMPILER_FLAGS, "-Wpedantic", "-Werror", "-fPIC", *own)
-        sources = [file for file in runtime_files(fmi_version) if file.suffix == ".c"]
-        _compile((*self._flags, "-c", *sources), folder)
+        counted = ("-include", HERE / "allocations.h")
+        self._flags = (*COMPILER_FLAGS, "-Wpedantic", "-Werror", "-fPIC", *counted, *own)
+        runtime = (file for file in runtime_files(fmi_version) if file.suffix == ".c")
+        self._sources = (*runtime, HERE / "allocations.c")
+        _compile((*self._flags, "-c", *self._sources), folder)
         self._libraries: dict[str, c.CDLL] = {}
 
     def library(self, name: str) -> c.CDLL:
@@ -79,6 +91,28 @@ class Workshop:
             )
             self._libraries[name] = c.CDLL(str(path))
         return self._libraries[name]
+
+
+    def internals(self, name: str) -> c.CDLL:
+        """The same, with all functions of the runtime to be called."""
+        key = f"{name}-internals"
+        if key not in self._libraries:
+            path = self._folder / f"{key}.so"
+            visible = (*self._flags, "-fvisibility=default")
+            _compile((*visible, "-shared", "-o", path, MODELS / f"{name}.c", *self._sources), self._folder)
+            self._libraries[key] = c.CDLL(str(path))
+        return self._libraries[key]
+
+
+def live_blocks(library: c.CDLL) -> int:
+    """How many blocks of memory the runtime has allocated and not freed."""
+    library.test_live.restype = c.c_long
+    return int(library.test_live())
+
+
+def fail_after(library: c.CDLL, number: int) -> None:
+    """Lets so many allocations go well and the next one fail; none where the number is negative."""
+    library.test_fail_after(c.c_long(number))
 
 
 class Instance:

@@ -10,7 +10,7 @@ from tests.fmu_build.runtime.conformance import standard2
 from tests.fmu_build.runtime.conformance.states2 import arguments, in_state
 from tests.fmu_build.runtime.conformance.variables import LAG, VariableKind
 from tests.fmu_build.runtime.conftest import Build
-from tests.fmu_build.runtime.library import CO_SIMULATION, DISCARD, ERROR, MODEL_EXCHANGE, OK, Instance
+from tests.fmu_build.runtime.library import CO_SIMULATION, DISCARD, ERROR, MODEL_EXCHANGE, OK, Instance, live_blocks
 
 _NAMES = {
     "instantiated": "the instantiated state",
@@ -89,6 +89,8 @@ def test_variable_in_state(build: Build, kind: int, state: str, variable: Variab
 
 @pytest.mark.parametrize(("kind", "state"), _STATES)
 def test_instances_are_freed_in_every_state(build: Build, kind: int, state: str) -> None:
+    before = live_blocks(build("growth"))
     instance = in_state(build, kind, state)
+    assert live_blocks(build("growth")) > before
     instance.free()
-    assert instance.handle is None
+    assert live_blocks(build("growth")) == before

@@ -10,7 +10,7 @@ from tests.fmu_build.runtime.conformance import standard3
 from tests.fmu_build.runtime.conformance.states3 import arguments, in_state
 from tests.fmu_build.runtime.conformance.variables import BALL, LAG, VariableKind
 from tests.fmu_build.runtime.conftest import Build
-from tests.fmu_build.runtime.library import CO_SIMULATION, ERROR, MODEL_EXCHANGE, OK
+from tests.fmu_build.runtime.library import CO_SIMULATION, ERROR, MODEL_EXCHANGE, OK, live_blocks
 from tests.fmu_build.runtime.library3 import Instance3, Update
 
 _NAMES = {
@@ -143,9 +143,11 @@ def test_start_values_are_read_before_the_initialization(build3: Build, variable
 
 @pytest.mark.parametrize(("kind", "state"), [s for s in _STATES if s[1] != "update"])
 def test_instances_are_freed_in_every_state(build3: Build, kind: int, state: str) -> None:
+    before = live_blocks(build3("growth"))
     instance = in_state(build3, kind, state, lambda _: None)
+    assert live_blocks(build3("growth")) > before
     instance.free()
-    assert instance.handle is None
+    assert live_blocks(build3("growth")) == before
 
 
 def test_version_and_scheduled_execution(build3: Build) -> None:

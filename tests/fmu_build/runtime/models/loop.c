@@ -15,22 +15,6 @@ static const double y_start[N_Y] = {[X] = 2.0, [Z] = 1.0, [S] = 1.0}, p_start[N_
 static const Variable variables[] = {STATE("x", X, 2.0), OUTPUT("z", Z), OUTPUT("w", W),
                                      PARAMETER("floor", FLOOR, -1e9, ANY), OUTPUT("s", S), DERIVATIVE("der(x)", X)};
 
-const Model model = {
-    .name = "Test.Loop",
-    .token = MODEL_TOKEN,
-    .n_states = 1,
-    .n_y = N_Y,
-    .n_p = N_P,
-    .y_start = y_start,
-    .p_start = p_start,
-    .state_nominal = state_nominal,
-    .n_variables = sizeof variables / sizeof *variables,
-    .variables = variables,
-    .initial_event_slot = NO_SLOT,
-    .has_tangents = true,
-    .has_initial_tangents = true,
-};
-
 static void cubic_residual(double time, const double *y, const double *p, double *residual)
 {
     (void)time, (void)p;
@@ -59,9 +43,28 @@ static void root_jacobian(double time, const double *y, const double *p, double 
     jacobian[0] = 2.0 * y[S];
 }
 
-static const size_t cubic_unknowns[] = {Z, W}, root_unknowns[] = {S};
-static const Block cubic = {2, cubic_unknowns, cubic_residual, cubic_jacobian};
-static const Block square_root = {1, root_unknowns, root_residual, root_jacobian};
+static const BlockUnknown cubic_unknowns[] = {{Z, "z", 1.0}, {W, "w", 1.0}}, root_unknowns[] = {{S, "s", 1.0}};
+static const Block cubic = {2, cubic_unknowns, false, cubic_residual, cubic_jacobian};
+static const Block square_root = {1, root_unknowns, false, root_residual, root_jacobian};
+static const Block *const blocks[] = {&cubic, &square_root};
+
+const Model model = {
+    .name = "Test.Loop",
+    .token = MODEL_TOKEN,
+    .n_states = 1,
+    .n_y = N_Y,
+    .n_p = N_P,
+    .y_start = y_start,
+    .p_start = p_start,
+    .state_nominal = state_nominal,
+    .n_variables = sizeof variables / sizeof *variables,
+    .variables = variables,
+    .n_blocks = 2,
+    .blocks = blocks,
+    .initial_event_slot = NO_SLOT,
+    .has_tangents = true,
+    .has_initial_tangents = true,
+};
 
 bool model_derivatives(double time, double *y, const double *p, double *der, double *root)
 {

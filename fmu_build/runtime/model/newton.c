@@ -1,0 +1,231 @@
+#include "newton.h"
+#include "linear.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    STACK_SIZE = 12, /* systems up to this size need no allocation */
+    VECTORS = 6,
+    MAX_ITERATIONS = 100, /* problem() names it */
+    MAX_HALVINGS = 30
+};
+
+/* A step this small relative to the unknown leaves, after quadratic convergence, an error at rounding. */
+static const double small_step = 1e-9;
+/* The same for unknowns near zero, and their least size, both in parts of the nominal value. */
+static const double absolute_step = 1e-14, least_size = 1e-3;
+/* Square of a scaled residual that is rounding error alone: nothing is left to improve. */
+static const double rounding_merit = 1e-31;
+/* Along a step of Newton's method the residual falls, unless what is left is the rounding of terms that cancel. Then the
+ * unknowns are as good as they can be, if not even the whole step moves them by more than this part of their size. */
+static const double stagnant_step = 1e-6;
+
+typedef struct {
+    const NewtonSystem *system;
+    double *residual, *scale, *step, *point, *nominal, *start, *matrix;
+    double **unknown;
+    size_t *pivot;
+} Newton;
+
+static bool evaluate(const Newton *newton)
+{
+    return newton->system->evaluate(newton->system->context, newton->residual);
+}
+
+/* Sum of squares of the scaled residual; NaN and infinity count as infinitely bad. */
+static double merit(const Newton *newton)
+{
+    double sum = 0.0;
+    for (size_t i = 0; i < newton->system->size; ++i) {
+        const double scaled = newton->residual[i] / newton->scale[i];
+        sum += scaled * scaled;
+    }
+    return isfinite(sum) ? sum : INFINITY;
+}
+
+/* Of an unknown that is near zero, some part of its nominal value. */
+static double size_of(const Newton *newton, size_t i, double value)
+{
+    return fmax(fabs(value), least_size * newton->nominal[i]);
+}
+
+/* The Jacobian in its factors. Rows are scaled by what a change of the unknowns of their own size does to them. */
+static NewtonResult linearize(const Newton *newton)
+{
+    const size_t n = newton->system->size;
+    if (!newton->system->linearize(newton->system->context, newton->residual, newton->matrix))
+        return NEWTON_NOT_FINITE;
+    for (size_t i = 0; i < n; ++i) {
+        double largest = 0.0;
+        for (size_t j = 0; j < n; ++j) {
+            const double size = size_of(newton, j, *newton->unknown[j]);
+            const double entry = fabs(newton->matrix[i * n + j]);
+            if (!isfinite(entry))
+                return NEWTON_NOT_FINITE;
+            largest = fmax(largest, entry * size);
+        }
+        if (largest == 0.0)
+            return NEWTON_SINGULAR;
+        newton->scale[i] = largest;
+    }
+    return lu_factor(n, newton->matrix, newton->pivot) ? NEWTON_SOLVED : NEWTON_SINGULAR;
+}
+
+static bool step_is_small(const Newton *newton)
+{
+    for (size_t i = 0; i < newton->system->size; ++i)
+        if (!(fabs(newton->step[i]) <= small_step * fabs(newton->point[i]) + absolute_step * newton->nominal[i]))
+            return false;
+    return true;
+}
+
+static bool step_is_stagnant(const Newton *newton)
+{
+    for (size_t i = 0; i < newton->system->size; ++i)
+        if (!(fabs(newton->step[i]) <= stagnant_step * size_of(newton, i, newton->point[i])))
+            return false;
+    return true;
+}
+
+static void move(const Newton *newton, double fraction)
+{
+    for (size_t i = 0; i < newton->system->size; ++i)
+        *newton->unknown[i] = newton->point[i] - fraction * newton->step[i];
+}
+
+/* The step of Newton's method from the present unknowns. */
+static void find_step(const Newton *newton)
+{
+    const size_t n = newton->system->size;
+    for (size_t i = 0; i < n; ++i)
+        newton->point[i] = *newton->unknown[i];
+    memcpy(newton->step, newton->residual, n * sizeof(double));
+    lu_solve(n, newton->matrix, newton->pivot, newton->step);
+}
+
+/* Halves the step until the residual falls. */
+static bool search_along_step(const Newton *newton, double before)
+{
+    double fraction = 1.0;
+    for (int halving = 0; halving < MAX_HALVINGS; ++halving, fraction *= 0.5) {
+        move(newton, fraction);
+        if (evaluate(newton) && merit(newton) <= before * (1.0 - 1e-4 * fraction))
+            return true;
+    }
+    move(newton, 0.0);
+    return false;
+}
+
+/* One step, and a second one for what rounding left of the first. */
+static NewtonResult solve_linear(const Newton *newton)
+{
+    NewtonResult result = linearize(newton);
+    for (int i = 0; i < 2 && result == NEWTON_SOLVED; ++i) {
+        find_step(newton);
+        move(newton, 1.0);
+        if (!evaluate(newton) || merit(newton) == INFINITY)
+            result = NEWTON_NOT_FINITE;
+    }
+    return result;
+}
+
+static NewtonResult iterate(const Newton *newton)
+{
+    if (!evaluate(newton))
+        return NEWTON_NOT_FINITE;
+    if (newton->system->linear)
+        return solve_linear(newton);
+    for (int iteration = 0; iteration < MAX_ITERATIONS; ++iteration) {
+        const NewtonResult linearized = linearize(newton);
+        if (linearized != NEWTON_SOLVED)
+            return linearized;
+        const double before = merit(newton);
+        if (before == INFINITY)
+            return NEWTON_NOT_FINITE;
+        find_step(newton);
+        if (step_is_small(newton) || before <= rounding_merit * (double)newton->system->size) {
+            move(newton, 1.0);
+            return NEWTON_SOLVED;
+        }
+        if (!search_along_step(newton, before))
+            return step_is_stagnant(newton) ? NEWTON_SOLVED : NEWTON_STUCK;
+    }
+    return NEWTON_ENDLESS;
+}
+
+static NewtonResult solve_in(Newton *newton)
+{
+    const NewtonSystem *system = newton->system;
+    for (size_t i = 0; i < system->size; ++i) {
+        newton->unknown[i] = system->unknown(system->context, i);
+        newton->nominal[i] = system->nominal(system->context, i);
+        newton->start[i] = *newton->unknown[i];
+    }
+    const NewtonResult result = iterate(newton);
+    for (size_t i = 0; result != NEWTON_SOLVED && i < system->size; ++i)
+        *newton->unknown[i] = newton->start[i];
+    return result;
+}
+
+NewtonResult newton_solve(const NewtonSystem *system)
+{
+    const size_t n = system->size;
+    double stack[STACK_SIZE * (STACK_SIZE + VECTORS)], *stack_unknown[STACK_SIZE];
+    size_t stack_pivot[STACK_SIZE];
+    double *work = stack, *heap = NULL, **unknown = stack_unknown;
+    size_t *pivot = stack_pivot;
+    if (n > STACK_SIZE) {
+        const size_t n_doubles = n * (n + VECTORS);
+        heap = malloc(n_doubles * sizeof(double) + n * (sizeof(double *) + sizeof(size_t)));
+        if (heap == NULL)
+            return NEWTON_NO_MEMORY;
+        work = heap;
+        unknown = (double **)(heap + n_doubles);
+        pivot = (size_t *)(unknown + n);
+    }
+    Newton newton = {.system = system, .residual = work, .scale = work + n, .step = work + 2 * n,
+                     .point = work + 3 * n, .nominal = work + 4 * n, .start = work + 5 * n,
+                     .matrix = work + VECTORS * n, .unknown = unknown, .pivot = pivot};
+    const NewtonResult result = solve_in(&newton);
+    free(heap);
+    return result;
+}
+
+static const char *problem(NewtonResult result)
+{
+    switch (result) {
+    case NEWTON_SOLVED:
+        break;
+    case NEWTON_SINGULAR:
+        return "singular Jacobian";
+    case NEWTON_STUCK:
+        return "no convergence, as no part of a step lowers the residual";
+    case NEWTON_ENDLESS:
+        return "no convergence after 100 iterations";
+    case NEWTON_NOT_FINITE:
+        return "residual or Jacobian not finite";
+    case NEWTON_NO_MEMORY:
+        return "out of memory";
+    }
+    return "";
+}
+
+const char *newton_explain(const NewtonSystem *system, NewtonResult result, const char *what,
+                           char text[NEWTON_TEXT_SIZE])
+{
+    enum { ROOM_FOR_THE_REST = 128 };
+    size_t length = (size_t)snprintf(text, NEWTON_TEXT_SIZE, "%s of", what), named = 0;
+    for (; named < system->size; ++named) {
+        const char *name = system->name(system->context, named);
+        if (length + strlen(name) + ROOM_FOR_THE_REST > NEWTON_TEXT_SIZE)
+            break;
+        length += (size_t)sprintf(text + length, "%s `%s`", named > 0 ? "," : "", name);
+    }
+    if (named < system->size)
+        length += (size_t)sprintf(text + length, " and %zu%s", system->size - named, named > 0 ? " more" : " unknowns");
+    sprintf(text + length, " could not be solved: %s", problem(result));
+    return text;
+}
