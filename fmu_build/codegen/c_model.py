@@ -242,7 +242,7 @@ class _Code:
         return self._sequence((("p", index), value) for index, value in rows)
 
     def _start_values(self) -> list[str]:
-        return self._sequence(self._equations.start_values)
+        return self._sequence((*self._equations.start_values, *self._equations.guesses))
 
     def _sequence(self, rows: Iterable[tuple[Slot, Expression]]) -> list[str]:
         lines: list[str] = []

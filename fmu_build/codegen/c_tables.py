@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 
 from fmu_build.codegen import expression as ex
-from fmu_build.codegen.algebraics import NewtonBlock
+from fmu_build.codegen.algebraics import NewtonBlock, needed
 from fmu_build.codegen.c_expression import Writer
 from fmu_build.codegen.c_message import c_string
 from fmu_build.codegen.equations import Equations, watched_conditions
@@ -52,7 +52,15 @@ def tables(
     """The definition of `model` with its tables."""
     writer = _Tables(names)
     e = equations
-    roots = {root: number for number, root in enumerate((*e.relations.roots, *e.relations.time_roots))}
+    indicators = e.relations.indicators
+    roots = [indicators[r.root, r.holds_at_zero] for r in e.relations.crossings]
+    roots += [len(indicators) + e.relations.time_roots.index(r.root) for r in e.relations.of_time]
+    followed = _followed(e)
+    continuous_inputs = {
+        ex.p(s.index)
+        for s in variables
+        if s.variable.causality == "input" and s.variable.variability == "continuous"
+    }
     writer.array("double", "y_start", [_number(starts.of(("y", i))) for i in range(e.n_y)])
     writer.array("double", "p_start", [_number(starts.of(("p", i))) for i in range(e.n_p)])
     writer.array("double", "state_nominal", [_number(nominals.get(i, 1.0)) for i in range(e.n_states)])
@@ -61,10 +69,11 @@ def tables(
         "Relation",
         "relations",
         [
-            f"{{{roots[r.root]}, {names['p', r.memory]}, {_bool(r.holds_at_zero)}}}"
-            for r in (*e.relations.crossings, *e.relations.of_time)
+            f"{{{root}, {names['p', r.memory]}, {_bool(r.holds_at_zero)}}}"
+            for root, r in zip(roots, (*e.relations.crossings, *e.relations.of_time), strict=True)
         ],
     )
+    writer.array("size_t", "opposites", [str(position) for position in e.relations.opposites])
     writer.array("PreBinding", "pre", [f"{{{names['p', i]}, {writer.place(source)}}}" for i, source in e.pre])
     writer.array(
         "DiscreteTarget",
@@ -114,6 +123,8 @@ def tables(
         f".actions_follow_states = {_bool(bool(watched_conditions(e)))}",
         f".actions_read_algebraic = {_bool(_read_algebraic(e, [action.condition for action in e.actions]))}",
         f".discrete_reads_algebraic = {_bool(_read_algebraic(e, [row.value for row in e.discrete]))}",
+        f".roots_follow_time = {_bool(ex.TIME in followed)}",
+        f".roots_follow_inputs = {_bool(not continuous_inputs.isdisjoint(followed))}",
         f".initial_event_slot = {initial_event}",
         f".has_tangents = {_bool(tangents is not None)}",
         f".has_initial_tangents = {_bool(tangents is not None and tangents.cover_initialization)}",
@@ -122,6 +133,13 @@ def tables(
     return "\n".join(
         [*writer.parts, "const Model model = {", *(f"    {field}," for field in fields), "};", ""]
     )
+
+
+def _followed(equations: Equations) -> set[Expression]:
+    """What the zero crossings read, by themselves and through algebraic variables."""
+    roots = equations.relations.roots
+    steps = needed(equations.algebraics, roots)
+    return set(ex.leaves(*roots, *(value for step in steps for value in step.expressions)))
 
 
 def _read_algebraic(equations: Equations, expressions: Sequence[Expression]) -> bool:

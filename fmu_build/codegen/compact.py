@@ -97,6 +97,7 @@ def _changed(equations: Equations, change: Change) -> Equations:
         ),
         dependent_parameters=tuple((slot, change(e)) for slot, e in equations.dependent_parameters),
         start_values=tuple((slot, change(e)) for slot, e in equations.start_values),
+        guesses=tuple((slot, change(e)) for slot, e in equations.guesses),
         initial_residuals=tuple(change(e) for e in equations.initial_residuals),
     )
 

@@ -2,38 +2,94 @@
 
 from __future__ import annotations
 
+import math
+from typing import Any
+
 from fmu_build.codegen import expression as ex
 from fmu_build.codegen.expression import Expression
+from fmu_build.codegen.functions.builtins import OPERATORS, UNARY_FUNCTIONS
 from fmu_build.codegen.lowered import LoweredModel
 
-_OPERATORS = {"add": "Add", "subtract": "Sub", "multiply": "Mul", "divide": "Div", "power": "Pow"}
+
+def parameter_expression(model: LoweredModel, number: int, element: int = 0) -> Expression | None:
+    """One element, row by row, of expression `number` of the DAE in terms of parameters.
+
+    None for what is not plain arithmetic, such as a call of a Modelica function.
+    """
+    entry = model.dae["expressions"][number]
+    operation = entry["operation"]
+
+    def value(operand: int) -> Expression | None:
+        is_array = bool(model.dae["expressions"][operand]["value_type"]["dimensions"])
+        return parameter_expression(model, operand, element if is_array else 0)
+
+    match operation["kind"]:
+        case "literal":
+            ((_, content),) = operation["value"].items()
+            return ex.number(content) if isinstance(content, (bool, int, float)) else None
+        case "coordinate":
+            return _parameter(model, operation["coordinate"], element)
+        case "index" if not entry["value_type"]["dimensions"]:
+            place = _place(model, operation)
+            return None if place is None else parameter_expression(model, operation["base"], place)
+        case "array" if "elements" in operation:
+            part, inside = divmod(element, math.prod(entry["value_type"]["dimensions"][1:]))
+            return parameter_expression(model, operation["elements"][part], inside)
+    operator, numbers = _operator(model, operation)
+    operands = [found for found in map(value, numbers) if found is not None]
+    return _applied(operator, operands) if operator and len(operands) == len(numbers) else None
 
 
-def parameter_expression(model: LoweredModel, number: int) -> Expression | None:
-    """Expression `number` of the DAE in terms of scalar parameters; None for anything else."""
-    operation = model.dae["expressions"][number]["operation"]
-    kind = operation["kind"]
-    if kind == "literal":
-        ((_, value),) = operation["value"].items()
-        return ex.number(value) if isinstance(value, (bool, int, float)) else None
-    if kind == "coordinate":
-        return _parameter(model, operation["coordinate"])
-    if kind == "unary" and operation["operator"] in ("negate", "not"):
-        operand = parameter_expression(model, operation["operand"])
-        name = "Neg" if operation["operator"] == "negate" else "Not"
-        return None if operand is None else ex.unary(name, operand)
-    if kind == "binary" and operation["operator"] in _OPERATORS:
-        left, right = (parameter_expression(model, operation[side]) for side in ("lhs", "rhs"))
-        if left is not None and right is not None:
-            return ex.binary(_OPERATORS[operation["operator"]], left, right)
-    return None
+def _operator(model: LoweredModel, operation: dict[str, Any]) -> tuple[str, list[int]]:
+    """The operator of an operation that goes element by element, with its operands; "" for any other."""
+    match operation["kind"]:
+        case "conditional":
+            return "Select", operation["operands"]
+        case "unary":
+            return {"negate": "Neg", "not": "Not"}.get(operation["operator"], ""), [operation["operand"]]
+        case "binary" if not _is_matrix_product(model, operation):
+            name = OPERATORS.get(operation["operator"].removeprefix("elementwise_"), "")
+            return name, [operation["lhs"], operation["rhs"]]
+        case "builtin" if operation["builtin"] in UNARY_FUNCTIONS:
+            return UNARY_FUNCTIONS[operation["builtin"]], operation["arguments"]
+        case "builtin" if (
+            operation["builtin"] in ("min", "max", "atan2") and len(operation["arguments"]) == 2
+        ):
+            return operation["builtin"].capitalize(), operation["arguments"]
+    return "", []
 
 
-def _parameter(model: LoweredModel, coordinate: dict[str, object]) -> Expression | None:
+def _applied(operator: str, operands: list[Expression]) -> Expression:
+    if operator == "Select":
+        *arms, result = operands
+        for condition, chosen in reversed(list(zip(arms[::2], arms[1::2], strict=True))):
+            result = ex.select(condition, chosen, result)
+        return result
+    if operator in ex.COMPARE:
+        return Expression(operator, tuple(operands))
+    return ex.unary(operator, *operands) if len(operands) == 1 else ex.binary(operator, *operands)
+
+
+def _place(model: LoweredModel, operation: dict[str, Any]) -> int | None:
+    """Which element, row by row, an index picks; None where it is no number."""
+    place = 0
+    dimensions = model.dae["expressions"][operation["base"]]["value_type"]["dimensions"]
+    for size, subscript in zip(dimensions, operation["subscripts"], strict=True):
+        index = parameter_expression(model, subscript["expression"]) if subscript["kind"] == "index" else None
+        if index is None or not index.is_number:
+            return None
+        place = place * size + round(index.value) - 1
+    return place
+
+
+def _is_matrix_product(model: LoweredModel, operation: dict[str, Any]) -> bool:
+    sides = (model.dae["expressions"][operation[side]]["value_type"] for side in ("lhs", "rhs"))
+    return operation["operator"] in ("multiply", "power") and all(side["dimensions"] for side in sides)
+
+
+def _parameter(model: LoweredModel, coordinate: dict[str, Any], element: int) -> Expression | None:
     if coordinate["kind"] not in ("parameter", "constant"):
         return None
     variable = next(v for v in model.dae["variables"] if v["id"] == coordinate["id"])
-    binding = model.solve["layout"]["bindings"].get(variable["name"], {})
-    return (
-        ex.p(binding["P"]["index"]) if "P" in binding and not variable["value_type"]["dimensions"] else None
-    )
+    binding = model.solve["layout"]["bindings"].get(variable["scalar_names"][element], {})
+    return ex.p(binding["P"]["index"]) if "P" in binding else None

@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
 from fmu_build.codegen import expression as ex
-from fmu_build.codegen.algebraics import Step, order
+from fmu_build.codegen.algebraics import NewtonBlock, Step, order
 from fmu_build.codegen.clocks import Clock, periodic_clocks, ticks_of_slots
-from fmu_build.codegen.dae_expression import parameter_expression
 from fmu_build.codegen.expression import Expression, Slot
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.programs import FunctionNames, ProgramReader
 from fmu_build.codegen.relations import Relations, freeze_comparisons, read_relations
+from fmu_build.codegen.start_values import starts_from_parameters
 
+_Starts = tuple[tuple[Slot, Expression], ...]
 DiscreteKind = Literal["assign", "condition", "reinit"]
 ActionKind = Literal["error", "warning", "terminate"]
 
@@ -64,6 +65,8 @@ class Equations:
     initial_unknowns: tuple[Slot, ...]
     initial_residuals: tuple[Expression, ...]
     initial_event: int | None
+    guesses: tuple[tuple[Slot, Expression], ...] = ()
+    """Where the search for the solution of a system starts, as far as parameters decide it."""
 
 
 def read_equations(model: LoweredModel, function_name: FunctionNames) -> Equations:
@@ -93,8 +96,10 @@ class _Reader:
             self._frozen(self._rows(continuous["implicit_rhs"])),
             continuous["algebraic_projection_plan"],
         )
-        dependent, starts = self._updates()
         unknowns, residuals = self._initial_equations()
+        blocks = [step for step in algebraics if isinstance(step, NewtonBlock)]
+        sought: set[Slot] = {("y", i) for block in blocks for i in block.unknowns} | set(unknowns)
+        dependent, starts, guesses = self._updates(n_states, sought)
         return Equations(
             n_states=n_states,
             n_y=len(self.layout["solver_maps"]["names"]),
@@ -106,6 +111,7 @@ class _Reader:
             actions=self._actions(),
             dependent_parameters=dependent,
             start_values=starts,
+            guesses=guesses,
             initial_unknowns=unknowns,
             initial_residuals=residuals,
             initial_event=self.layout["initial_event_parameter_index"],
@@ -211,35 +217,25 @@ class _Reader:
             return (content["source"], value)
         raise self.model.refuse(f"message part {kind} is not supported")
 
-    def _updates(self) -> tuple[tuple[tuple[int, Expression], ...], tuple[tuple[Slot, Expression], ...]]:
-        """Computed parameters, and start values that depend on parameters."""
+    def _updates(
+        self, n_states: int, sought: set[Slot]
+    ) -> tuple[tuple[tuple[int, Expression], ...], _Starts, _Starts]:
+        """Computed parameters, start values that depend on parameters, and guesses of what is `sought`."""
         initialization = self.solve["initialization"]
         rows = self.programs.read_rows(initialization["update_rhs"])
         targets = [_slot(target) for target in initialization["update_targets"]]
         n_parameters = self.layout["parameter_count"]
-        dependent, starts = [], []
+        dependent: list[tuple[int, Expression]] = []
+        starts: list[tuple[Slot, Expression]] = []
         for number, slot in enumerate(targets):
             if slot[0] == "p" and slot[1] < n_parameters:
                 dependent.append((slot[1], rows[number]))
             else:
                 starts.append((slot, rows[number]))
-        return tuple(dependent), (*starts, *self._discrete_starts())
-
-    def _discrete_starts(self) -> Iterator[tuple[Slot, Expression]]:
-        """Start values of discrete variables that depend on parameters, which the Solve IR leaves out."""
-        bindings = self.solve["layout"]["bindings"]
-        for variable in self.model.dae["variables"]:
-            start = variable["attributes"]["start"]
-            if not variable["role"].startswith("discrete") or start is None:
-                continue
-            value = parameter_expression(self.model, start)
-            if value is None and not variable["value_type"]["dimensions"]:
-                span = variable["declaration"]["span"]
-                raise self.model.refuse(
-                    f"the start value of {variable['name']} is not plain arithmetic", span
-                )
-            if value is not None and not value.is_number:
-                yield _slot(bindings[variable["name"]]), value
+        others = starts_from_parameters(self.model, n_states, sought, without=targets)
+        guesses = tuple((slot, value) for slot, value in others if slot in sought)
+        starts += [(slot, value) for slot, value in others if slot not in sought]
+        return tuple(dependent), tuple(starts), guesses
 
     def _initial_equations(self) -> tuple[tuple[Slot, ...], tuple[Expression, ...]]:
         initialization = self.solve["initialization"]

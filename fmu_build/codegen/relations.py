@@ -45,9 +45,30 @@ class Relations:
     """The value of floor(), ceil() and trunc() of something continuous, and its memory."""
 
     @property
+    def indicators(self) -> dict[tuple[Expression, bool], int]:
+        """The number of each distinct zero crossing, in the model's order.
+
+        Relations that hold at zero have one of their own: at zero they are on the other side of it.
+        """
+        sides = dict.fromkeys((relation.root, relation.holds_at_zero) for relation in self.crossings)
+        return {side: number for number, side in enumerate(sides)}
+
+    @property
     def roots(self) -> tuple[Expression, ...]:
-        """The distinct zero crossings, in the model's order."""
-        return tuple(dict.fromkeys(relation.root for relation in self.crossings))
+        """The root of each zero crossing."""
+        return tuple(root for root, _ in self.indicators)
+
+    @property
+    def opposites(self) -> tuple[int, ...]:
+        """For each relation the position of one that has the negated root, where both are false at zero.
+
+        The number of relations stands for none; empty where no relation has one.
+        """
+        strict = {r.root: position for position, r in enumerate(self.crossings) if not r.holds_at_zero}
+        everything = (*self.crossings, *self.of_time)
+        none = len(everything)
+        found = tuple(none if r.holds_at_zero else strict.get(negate(r.root), none) for r in everything)
+        return found if any(position < none for position in found) else ()
 
     @property
     def time_roots(self) -> tuple[Expression, ...]:

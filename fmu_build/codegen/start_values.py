@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Container
 from functools import cached_property
 from typing import Any
 
-from fmu_build.codegen.expression import Slot
+from fmu_build.codegen.dae_expression import parameter_expression
+from fmu_build.codegen.expression import Expression, Slot
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.support.description import EnumerationType
 
@@ -79,3 +81,38 @@ class StartValues:
         if operation["kind"] == "array" and "elements" in operation:
             return self._literal(operation["elements"][element], 0)
         return None
+
+
+def starts_from_parameters(
+    model: LoweredModel, n_states: int, sought: Container[Slot], without: Container[Slot]
+) -> list[tuple[Slot, Expression]]:
+    """Start values that parameters decide: those that the Solve IR leaves out, except of the slots `without`.
+
+    These are discrete variables, states that are not fixed, and the unknowns of systems of equations, whose
+    slots are `sought`.
+    """
+    bindings = model.solve["layout"]["bindings"]
+    expressions = model.dae["expressions"]
+    found: list[tuple[Slot, Expression]] = []
+    for variable in model.dae["variables"]:
+        start = variable["attributes"]["start"]
+        if start is None or expressions[start]["variability"] != "parameter":
+            continue
+        is_array = bool(expressions[start]["value_type"]["dimensions"])
+        for element, name in enumerate(variable["scalar_names"]):
+            if name not in bindings:
+                continue  # removed by the compiler
+            ((store, place),) = bindings[name].items()
+            slot: Slot = ("y" if store == "Y" else "p", place["index"])
+            is_state = slot[0] == "y" and slot[1] < n_states
+            acts = is_state or slot in sought or variable["role"].startswith("discrete")
+            if slot in without or not acts:
+                continue
+            value = parameter_expression(model, start, element if is_array else 0)
+            if value is None:
+                raise model.refuse(
+                    f"the start value of {variable['name']} is not plain arithmetic",
+                    variable["declaration"]["span"],
+                )
+            found.append((slot, value))
+    return found

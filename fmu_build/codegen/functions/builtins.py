@@ -11,7 +11,7 @@ from fmu_build.codegen.functions.index import Position
 from fmu_build.codegen.functions.loops import REDUCTIONS, ArrayLoops
 from fmu_build.codegen.functions.subscripts import Subscripts
 
-_OPERATORS = {
+OPERATORS = {
     "add": "Add",
     "subtract": "Sub",
     "multiply": "Mul",
@@ -26,7 +26,7 @@ _OPERATORS = {
     "equal": "Eq",
     "not_equal": "Ne",
 }
-_UNARY = {name.lower(): name for name in ex.UNARY - {"Neg", "Not", "Trunc"}} | {"integer": "Floor"}
+UNARY_FUNCTIONS = {name.lower(): name for name in ex.UNARY - {"Neg", "Not", "Trunc"}} | {"integer": "Floor"}
 
 At = tuple[Position, ...]
 
@@ -59,7 +59,7 @@ class Builtins:
         operator, a, b = operation["operator"], operation["lhs"], operation["rhs"]
         if operator == "multiply" and self._dae.dimensions(a) and self._dae.dimensions(b):
             return self._matrix_product(a, b, at)
-        name = _OPERATORS.get(operator.removeprefix("elementwise_"))
+        name = OPERATORS.get(operator.removeprefix("elementwise_"))
         if name is None or (operator == "power" and at):
             raise self._dae.refuse(f"operator {operator} of {len(at)}-dimensional operands", number)
         operands = self._broadcast((a, b), at)
@@ -82,8 +82,8 @@ class Builtins:
     def builtin(self, number: int, operation: Operation, at: At) -> Expression:
         """Built-in functions of Modelica, of numbers and of arrays."""
         name, arguments = operation["builtin"], operation["arguments"]
-        if name in _UNARY:
-            return ex.unary(_UNARY[name], self._element(arguments[0], at))
+        if name in UNARY_FUNCTIONS:
+            return ex.unary(UNARY_FUNCTIONS[name], self._element(arguments[0], at))
         if len(arguments) == 2 and name in ("min", "max", "atan2"):
             a, b = arguments
             return ex.binary(name.capitalize(), *self._broadcast((a, b), at))

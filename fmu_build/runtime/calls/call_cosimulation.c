@@ -35,15 +35,15 @@ static bool step_is_possible(const Instance *instance, double point, double step
 {
     const double time = instance->values.time, slack = slack_of(time, step);
     return fabs(point - time) <= slack && (step > 0.0 || (step == 0.0 && instance->face->steps_may_be_empty)) &&
-           step <= DBL_MAX && point + step <= instance->experiment.stop_time + slack;
+           point + step <= DBL_MAX && point + step <= instance->experiment.stop_time + slack;
 }
 
 COLD static Status refuse_step(const Instance *instance, double point, double step)
 {
     const double time = instance->values.time, stop_time = instance->experiment.stop_time;
     const char *why = "the step goes beyond the stop time";
-    if (!isfinite(point) || !isfinite(step))
-        why = "the communication point and the step size must be finite";
+    if (!isfinite(point) || !isfinite(step) || !isfinite(point + step))
+        why = "the communication point, the step size and their sum must be finite";
     else if (step < 0.0)
         why = "the communication step size is negative";
     else if (step == 0.0)

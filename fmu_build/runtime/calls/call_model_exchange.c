@@ -43,8 +43,9 @@ Status call_update_discrete_states(Instance *instance, EventOutcome *outcome)
     const EventReporter reporter = instance_reporter(instance);
     evaluation_update_parameters(instance);
     evaluation_invalidate(instance);
+    const bool continuous = !instance->changed.any;
     instance->changed = (Changes){0};
-    const EventStatus status = event_update(&instance->values, &reporter, &outcome->states_changed);
+    const EventStatus status = event_update(&instance->values, continuous, &reporter, &outcome->states_changed);
     outcome->terminate = status == EVENT_TERMINATE;
     outcome->next_time = event_next_time(&instance->values);
     return call_finish(instance, status == EVENT_ERROR ? STATUS_ERROR : STATUS_OK);

@@ -3,10 +3,16 @@
 #include "evaluation.h"
 #include "extremes.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 
 enum { MAX_CROWD = 1000 };
+
+/* So many steps of the integrator must bring it to the communication point, or a thousandth of the experiment on:
+ * else a run would take a thousand million steps and more, a quarter of an hour for a small model. Runs that are
+ * long for good reasons, with thousands of events or a million oscillations, stay far below that. */
+enum { PATIENCE = 1000000, PARTS = 1000 };
 
 /* What lies closer together than this, relative to the time or to a second, is practically at one time: importers
  * add up step sizes, so that their points miss the times that they mean by rounding. */
@@ -44,12 +50,12 @@ static void restart(Instance *instance)
 }
 
 /* The event at values.time, with everything that follows from it at the same instant. */
-static Status carry_out_event(Instance *instance)
+static Status carry_out_event(Instance *instance, bool continuous)
 {
     const EventReporter reporter = instance_reporter(instance);
     bool states_changed = false;
     ++instance->progress.events;
-    switch (event_update(&instance->values, &reporter, &states_changed)) {
+    switch (event_update(&instance->values, continuous, &reporter, &states_changed)) {
     case EVENT_OK:
         evaluation_invalidate(instance);
         restart(instance);
@@ -128,7 +134,7 @@ static Status take_event(Instance *instance, double target)
         return status;
     progress->ended_at_event = leaves_event_to_importer(instance, target);
     if (!progress->ended_at_event)
-        return carry_out_event(instance);
+        return carry_out_event(instance, instance->inputs.ask == NULL);
     ++progress->events;
     return STATUS_OK;
 }
@@ -173,7 +179,8 @@ static Status take_step(Instance *instance, double limit)
     Progress *progress = &instance->progress;
     Integrator *integrator = &instance->integrator;
     const double from = integrator->record.time, next = progress->next_time_event;
-    switch (integrator_step(integrator, next <= limit + instant_at(limit) ? next : limit)) {
+    const bool event_due = next <= DBL_MAX && next <= limit + instant_at(limit);
+    switch (integrator_step(integrator, event_due ? next : limit)) {
     case STEP_DONE:
         break;
     case STEP_TOO_SMALL:
@@ -227,7 +234,7 @@ static Status absorb_changes(Instance *instance)
     }
     *changed = (Changes){0};
     if (event)
-        return carry_out_event(instance);
+        return carry_out_event(instance, false);
     restart(instance);
     return STATUS_OK;
 }
@@ -250,11 +257,53 @@ static bool reaches(const Instance *instance, double target)
     return instance->progress.event_pending ? end > target + instant_at(target) : end >= target;
 }
 
+/* How long the experiment lasts: to the communication point where the importer does not tell its end. */
+static double span(const Instance *instance, double target)
+{
+    const Experiment *experiment = &instance->experiment;
+    return (isfinite(experiment->stop_time) ? experiment->stop_time : target) - experiment->start_time;
+}
+
+/* A zero crossing that follows time or an input may come and go while the states rest and steps are long. It is looked
+ * at often enough: at every communication point, and in every thousandth of the experiment. */
+static double limit_steps(Instance *instance, double target, double limit)
+{
+    if (!model.roots_follow_time && !model.roots_follow_inputs)
+        return limit;
+    instance_apply_experiment(instance);
+    if (!model.roots_follow_time && !instance->inputs.active)
+        return limit;
+    double *largest = &instance->integrator.largest_step;
+    *largest = smaller(*largest, span(instance, target) / PARTS);
+    return target;
+}
+
+/* Where the last steps began, and their number. */
+typedef struct {
+    double since;
+    size_t steps;
+} Pace;
+
+/* Counts a step; an error where the steps of late have come to nothing. */
+static Status keep_pace(Instance *instance, Pace *pace, double wanted)
+{
+    const double now = instance->integrator.record.time, covered = now - pace->since;
+    if (++pace->steps < PATIENCE)
+        return STATUS_OK;
+    *pace = (Pace){.since = now};
+    if (covered >= wanted)
+        return STATUS_OK;
+    char why[128];
+    snprintf(why, sizeof why, "the model is too stiff for this solver: the last %d steps were of about %.1g s.", PATIENCE,
+             covered / PATIENCE);
+    return fail(instance, now, why);
+}
+
 Status cosimulation_advance(Instance *instance, double target)
 {
     Status status = STATUS_OK;
     bool *ended = &instance->progress.ended_at_event;
-    double limit = larger(target, instance->experiment.stop_time);
+    double limit = smaller(larger(target, instance->experiment.stop_time), DBL_MAX);
     target = larger(target, instance->values.time);
     *ended = false;
     inputs_begin(&instance->inputs, instance->values.time, instance->values.p);
@@ -265,13 +314,17 @@ Status cosimulation_advance(Instance *instance, double target)
         status = absorb_changes(instance);
     }
     const bool attended = instance->attendance.step_finished != NULL;
+    limit = limit_steps(instance, target, limit);
+    const double wanted = smaller(target - instance->values.time, span(instance, target) / PARTS);
+    Pace pace = {.since = instance->values.time};
     if (attended)
         limit = target; /* what the importer gets and sets belongs to this communication step alone */
     while (status == STATUS_OK && !*ended && !reaches(instance, target)) {
         if (instance->progress.event_pending)
             status = take_event(instance, target);
         else if ((status = check_asserts(instance)) == STATUS_OK &&
-                 (status = take_step(instance, limit)) == STATUS_OK && attended)
+                 (status = take_step(instance, limit)) == STATUS_OK &&
+                 (status = keep_pace(instance, &pace, wanted)) == STATUS_OK && attended)
             status = show_step(instance, &target);
     }
     if (status != STATUS_OK)

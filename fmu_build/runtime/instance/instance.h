@@ -53,7 +53,7 @@ typedef struct {
 
 /* What the importer changed since the equations were last in step with the values; plain data. */
 typedef struct {
-    bool any;        /* an input, parameter or input derivative */
+    bool any;        /* an input, parameter or input derivative, but for inputs that move in Continuous-Time Mode */
     bool parameters; /* dependent parameters are to be computed */
     bool discrete;   /* something that can take effect only at an event */
 } Changes;

@@ -189,7 +189,8 @@ void variable_set(Instance *instance, const Variable *variable, double value)
         instance->current.initialization = false;
         return;
     }
-    instance->changed.any = true;
+    if (instance->phase != PHASE_CONTINUOUS_TIME)
+        instance->changed.any = true;
     if (variable->causality == CAUSALITY_PARAMETER)
         instance->changed.parameters = instance->changed.discrete = true;
     if (variable->variability != VARIABILITY_CONTINUOUS)

@@ -22,11 +22,14 @@ static EventStatus worse(EventStatus a, EventStatus b)
 }
 
 /* Passes with a fixed pre() each, until one has changed nothing. Clocks tick in the first pass alone. */
-static EventStatus iterate(Iteration *iteration, Values *values, const EventReporter *reporter, bool *states_changed)
+static EventStatus iterate(Iteration *iteration, Values *values, bool continuous, const EventReporter *reporter,
+                           bool *states_changed)
 {
     EventStatus status = EVENT_OK;
     bool again = clocks_tick(values);
     iteration_copy_pre(values);
+    if (continuous)
+        iteration_stop_at_zero(iteration, values);
     for (int pass = 0; pass < MAX_PASSES; ++pass) {
         const char *problem = iteration_settle(iteration, values);
         if (problem != NULL)
@@ -39,6 +42,7 @@ static EventStatus iterate(Iteration *iteration, Values *values, const EventRepo
         again |= jumped;
         again |= iteration_commit_conditions(iteration, values);
         again |= iteration_copy_pre(values);
+        again |= iteration_leave_zero(iteration);
         if (!again)
             return status;
         clocks_release(values);
@@ -47,12 +51,12 @@ static EventStatus iterate(Iteration *iteration, Values *values, const EventRepo
     return fail(reporter, "the event iteration does not end: when-clauses trigger each other in a circle");
 }
 
-EventStatus event_update(Values *values, const EventReporter *reporter, bool *states_changed)
+EventStatus event_update(Values *values, bool continuous, const EventReporter *reporter, bool *states_changed)
 {
     Iteration iteration;
     if (!iteration_create(&iteration))
         return fail(reporter, "out of memory");
-    const EventStatus status = iterate(&iteration, values, reporter, states_changed);
+    const EventStatus status = iterate(&iteration, values, continuous, reporter, states_changed);
     iteration_free(&iteration);
     return status;
 }

@@ -17,8 +17,9 @@ typedef struct {
 EventStatus event_initialize(Values *values, const EventReporter *reporter);
 
 /* Carries out the event at values->time, to its end: clock ticks and time events that are due, relations,
- * when-clauses, asserts. *states_changed is set where a reinit() changed a state. */
-EventStatus event_update(Values *values, const EventReporter *reporter, bool *states_changed);
+ * when-clauses, asserts. `continuous`: nothing has jumped since the event before, so that what went from one side of
+ * zero to the other was zero on the way. *states_changed is set where a reinit() changed a state. */
+EventStatus event_update(Values *values, bool continuous, const EventReporter *reporter, bool *states_changed);
 
 /* The next time event after values->time, +INFINITY for none. */
 double event_next_time(const Values *values);

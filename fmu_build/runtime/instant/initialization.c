@@ -103,23 +103,16 @@ static void set_initial_event(Values *values, double value)
         values->p[model.initial_event_slot] = value;
 }
 
-/* Relations and discrete variables, while no when-clause acts; then the conditions as they are. */
-static const char *settle_without_whens(Iteration *iteration, Values *values)
+/* During initialisation a when-clause acts only through initial() (Modelica 3.4, section 8.6): where initial() makes
+ * a condition true that is false without it. */
+static const char *settle_initially(Iteration *iteration, Values *values)
 {
     set_initial_event(values, 0.0);
     iteration_hold_conditions(values);
     const char *problem = iteration_settle(iteration, values);
-    if (problem == NULL)
-        iteration_commit_conditions(iteration, values);
-    return problem;
-}
-
-/* During initialisation a when-clause acts only through initial() (Modelica 3.4, section 8.6). */
-static const char *settle_with_initial_whens(Iteration *iteration, Values *values)
-{
-    const char *problem = settle_without_whens(iteration, values);
     if (problem != NULL)
         return problem;
+    iteration_commit_conditions(iteration, values);
     set_initial_event(values, 1.0);
     iteration_arm_initial_conditions(iteration, values);
     return iteration_settle(iteration, values);
@@ -136,13 +129,25 @@ static const char *settle_together(InitialSystem *system, Iteration *iteration)
         const double solved = residual_norm(system);
         if (solved == INFINITY)
             return blocks_explain(values->time, values->y, values->p, iteration->text);
-        problem = settle_with_initial_whens(iteration, system->values);
+        problem = settle_initially(iteration, system->values);
         if (problem != NULL)
             return problem;
         if (residual_norm(system) <= solved)
             return NULL;
     }
     return "the initial values do not settle: equations and relations change each other in a circle";
+}
+
+/* What the initial pass has found counts as pre() in the events that follow it: values and conditions. */
+static const char *conclude(Iteration *iteration, Values *values)
+{
+    const char *problem = NULL;
+    if (iteration_commit_states(iteration, values))
+        problem = iteration_settle(iteration, values);
+    if (problem == NULL)
+        iteration_commit_conditions(iteration, values);
+    set_initial_event(values, 0.0);
+    return problem;
 }
 
 static EventStatus initialize(InitialSystem *system, Iteration *iteration, const EventReporter *reporter)
@@ -153,15 +158,14 @@ static EventStatus initialize(InitialSystem *system, Iteration *iteration, const
     EventStatus status = EVENT_OK;
     if (problem == NULL) {
         status = actions_take(values, iteration->active, reporter);
-        iteration_commit_states(iteration, values);
-        problem = settle_without_whens(iteration, values);
+        problem = conclude(iteration, values);
     }
     if (problem != NULL) {
         reporter->report(reporter->context, ACTION_ERROR, problem);
         return EVENT_ERROR;
     }
     bool states_changed = false;
-    return status == EVENT_OK ? event_update(values, reporter, &states_changed) : status;
+    return status == EVENT_OK ? event_update(values, false, reporter, &states_changed) : status;
 }
 
 EventStatus event_initialize(Values *values, const EventReporter *reporter)

@@ -5,19 +5,23 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* A discrete system that has not settled after so many rounds changes for ever. */
-enum { MAX_ROUNDS = 1000 };
+/* Changed all at once, equations that depend on each other may swing for ever where they settle when one waits for the
+ * other: after so many rounds they change one at a time. What has not settled after so many turns of each changes for
+ * ever. */
+enum { ROUNDS_AT_ONCE = 100, MAX_TURNS = 100 };
 
 bool iteration_create(Iteration *iteration)
 {
     const size_t n_roots = model.n_roots + model.n_time_relations;
     const size_t n_doubles = n_roots + model.n_discrete;
-    iteration->memory = malloc(n_doubles * sizeof(double) + model.n_actions * sizeof(bool) + 1);
+    iteration->memory = malloc(n_doubles * sizeof(double) + (model.n_actions + model.n_relations) * sizeof(bool) + 1);
     if (iteration->memory == NULL)
         return false;
     iteration->root = iteration->memory;
     iteration->value = iteration->root + n_roots;
     iteration->active = (bool *)(iteration->memory + n_doubles);
+    iteration->stopped = iteration->active + model.n_actions;
+    iteration->any_stopped = false;
     return true;
 }
 
@@ -48,36 +52,93 @@ bool iteration_copy_pre(Values *values)
     return changed;
 }
 
+void iteration_stop_at_zero(Iteration *iteration, const Values *values)
+{
+    for (size_t i = 0; model.opposites != NULL && i < model.n_relations; ++i) {
+        const size_t opposite = model.opposites[i];
+        iteration->stopped[i] = opposite < model.n_relations && values->p[model.relations[opposite].memory] != 0.0;
+        iteration->any_stopped |= iteration->stopped[i];
+    }
+}
+
+bool iteration_leave_zero(Iteration *iteration)
+{
+    const bool any = iteration->any_stopped;
+    iteration->any_stopped = false;
+    return any;
+}
+
+static double truth(const Iteration *iteration, size_t relation)
+{
+    const Relation *r = &model.relations[relation];
+    return !(iteration->any_stopped && iteration->stopped[relation]) && relation_holds(r, iteration->root[r->root]);
+}
+
 static bool update_relations(const Iteration *iteration, Values *values)
 {
     bool changed = false;
-    for (size_t i = 0; i < model.n_relations; ++i) {
-        const Relation *relation = &model.relations[i];
-        changed |= set(&values->p[relation->memory], relation_holds(relation, iteration->root[relation->root]));
-    }
+    for (size_t i = 0; i < model.n_relations; ++i)
+        changed |= set(&values->p[model.relations[i].memory], truth(iteration, i));
     return changed;
+}
+
+static bool assign(const Iteration *iteration, Values *values, size_t row)
+{
+    const DiscreteTarget *target = &model.discrete[row];
+    return target->kind == DISCRETE_ASSIGN && set(slot(values, target->store, target->index), iteration->value[row]);
 }
 
 static bool update_assigned(const Iteration *iteration, Values *values)
 {
     bool changed = false;
     for (size_t i = 0; i < model.n_discrete; ++i)
-        if (model.discrete[i].kind == DISCRETE_ASSIGN)
-            changed |= set(slot(values, model.discrete[i].store, model.discrete[i].index), iteration->value[i]);
+        changed |= assign(iteration, values, i);
     return changed;
+}
+
+/* Whose turn it is to change. */
+typedef struct {
+    size_t relation, row;
+} Turn;
+
+/* One relation that is out of date, or where there is none one discrete equation, in turn. */
+static bool update_one(const Iteration *iteration, Values *values, Turn *turn)
+{
+    for (size_t k = 0; k < model.n_relations; ++k) {
+        const size_t i = (turn->relation + k) % model.n_relations;
+        if (set(&values->p[model.relations[i].memory], truth(iteration, i))) {
+            turn->relation = i + 1;
+            return true;
+        }
+    }
+    model_discrete(values->time, values->y, values->p, iteration->value);
+    for (size_t k = 0; k < model.n_discrete; ++k) {
+        const size_t i = (turn->row + k) % model.n_discrete;
+        if (assign(iteration, values, i)) {
+            turn->row = i + 1;
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool update_all(const Iteration *iteration, Values *values)
+{
+    const bool changed = update_relations(iteration, values);
+    model_discrete(values->time, values->y, values->p, iteration->value);
+    return update_assigned(iteration, values) || changed;
 }
 
 const char *iteration_settle(Iteration *iteration, Values *values)
 {
-    for (int round = 0; round < MAX_ROUNDS; ++round) {
+    const size_t rounds = ROUNDS_AT_ONCE + MAX_TURNS * (model.n_relations + model.n_discrete);
+    Turn turn = {0, 0};
+    for (size_t round = 0; round < rounds; ++round) {
         if ((model.discrete_reads_algebraic && !model_algebraics(values->time, values->y, values->p)) ||
             !model_roots(values->time, values->y, values->p, iteration->root))
             return blocks_explain(values->time, values->y, values->p, iteration->text);
         model_time_relations(time_just_after(values->time), values->p, iteration->root + model.n_roots);
-        bool changed = update_relations(iteration, values);
-        model_discrete(values->time, values->y, values->p, iteration->value);
-        changed |= update_assigned(iteration, values);
-        if (!changed)
+        if (!(round < ROUNDS_AT_ONCE ? update_all(iteration, values) : update_one(iteration, values, &turn)))
             return NULL;
     }
     return "the discrete equations do not settle: relations or discrete variables change in a circle";

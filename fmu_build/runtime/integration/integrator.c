@@ -252,11 +252,13 @@ StepResult integrator_step(Integrator *integrator, double limit)
         if (limited)
             h = limit - record->time;
         const double end = limited ? limit : record->time + h;
+        if (!(end > record->time))
+            return STEP_TOO_SMALL;
         const bool computed = stages(integrator, h, end);
         const double error = computed ? squared_error(integrator, h) : INFINITY;
         if (error <= 1.0) {
             const double factor = smaller(safety * inverse_tenth_root(error), rejected ? 1.0 : largest_factor);
-            const double next = h * larger(factor, smallest_factor);
+            const double next = smaller(h * larger(factor, smallest_factor), DBL_MAX);
             record->suggestion = limited ? larger(next, record->suggestion) : next;
             accept(integrator, h, end);
             return STEP_DONE;

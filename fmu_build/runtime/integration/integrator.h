@@ -31,7 +31,7 @@ typedef struct {
 
 typedef enum {
     STEP_DONE,
-    STEP_TOO_SMALL,      /* the error stays above the tolerance */
+    STEP_TOO_SMALL,      /* the error stays above the tolerance, or the step does not move the time */
     STEP_NOT_COMPUTABLE, /* the derivatives could not be computed, or were not finite */
 } StepResult;
 

@@ -264,6 +264,12 @@ Crossing roots_search(RootFinder *finder, const double *p, double from, double t
         return narrow(finder, p, start, middle, end, spare);
     if (overview.changed_at_end)
         return narrow(finder, p, middle, end, start, spare);
+    if (roots_first_changed(finder->sample, p) < model.n_relations) {
+        if (!sample(finder, &between, from + SAMPLE_FRACTION * (to - from)))
+            return failed;
+        if (roots_first_changed(between.root, p) < model.n_relations)
+            return narrow(finder, p, middle, between, end, spare);
+    }
     memcpy(finder->start, end.root, model.n_roots * sizeof(double));
     return none;
 }

@@ -69,8 +69,9 @@ typedef struct {
 } PreBinding;
 
 /* relation memory p[memory] = 1 where the relation holds, that is where its root is negative,
- * or where the root is exactly zero and holds_at_zero says so. Roots from n_roots on are those of
- * model_time_relations: they change at time events only and are not watched for zero crossings. */
+ * or where the root is exactly zero and holds_at_zero says so. Relations of one root agree in holds_at_zero, and
+ * so in their memories. Roots from n_roots on are those of model_time_relations: they change at time events only
+ * and are not watched for zero crossings. */
 typedef struct {
     size_t root;
     size_t memory;
@@ -125,9 +126,13 @@ typedef struct {
 
     size_t n_roots; /* zero crossings */
     const char *const *root_texts; /* [n_roots] each as Modelica, for messages */
+    bool roots_follow_time;   /* some zero crossing depends on time otherwise than through states */
+    bool roots_follow_inputs; /* or on a continuous input */
     size_t n_time_relations;
     size_t n_relations;
     const Relation *relations;
+    const size_t *opposites; /* [n_relations] position of a relation of the negated root where both are false at zero,
+                              * n_relations for none; NULL where there are no such two */
 
     size_t n_pre;
     const PreBinding *pre;

@@ -92,7 +92,6 @@ class Workshop:
             self._libraries[name] = c.CDLL(str(path))
         return self._libraries[name]
 
-
     def internals(self, name: str) -> c.CDLL:
         """The same, with all functions of the runtime to be called."""
         key = f"{name}-internals"
