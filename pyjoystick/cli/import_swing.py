@@ -55,7 +55,7 @@ def run(
     assignments: Set = None,
     uncertainties: Annotated[list[str] | None, uncertainty("m, h or g (SI units)")] = None,
 ) -> None:
-    """Find the moment of inertia from the period as a pendulum, hung upside down (section 3.2)."""
+    """Find the moment of inertia from the period as a pendulum, upside down without contact (section 3.2)."""
     check_outputs(parameters)
     before = file_to_update(parameters)
     values = _known(before, assignments, uncertainties)

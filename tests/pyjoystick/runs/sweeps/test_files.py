@@ -94,5 +94,5 @@ def test_files_that_are_no_sweep(tmp_path: Path, suffix: str) -> None:
 
 def test_a_table_without_settings_is_no_sweep(tmp_path: Path) -> None:
     pd.DataFrame({"a": [1.0]}).to_parquet(tmp_path / "a.parquet")
-    with pytest.raises(SweepFileError, match="carries no settings"):
+    with pytest.raises(SweepFileError, match="has no settings"):
         read_sweep(tmp_path / "a.parquet")
