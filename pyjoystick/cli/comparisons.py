@@ -126,7 +126,7 @@ def of_two(first: str, second: str, between: BetweenFmus, request: Request) -> b
     descriptions = [read_description(path) for path in paths]
     experiments = experiments_for(
         *descriptions,
-        angles=request.angles,
+        release_angles=request.angles,
         duration=request.duration,
         output_interval=request.output_interval,
         settings={**_joystick(between, descriptions[0]), **between.settings},

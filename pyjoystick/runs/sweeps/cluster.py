@@ -17,7 +17,6 @@ from numpy.typing import NDArray
 from pyjoystick.runs.sweeps.chunks import Chunks
 from pyjoystick.runs.sweeps.errors import ClusterError, MissingPackageError
 from pyjoystick.runs.sweeps.sweep import Part, Sweep
-from pyjoystick.runs.sweeps.worker import check_workers
 from pyjoystick.support import PyJoystickError
 
 try:
@@ -28,7 +27,7 @@ try:
     from distributed.comm.core import CommClosedError
     from distributed.scheduler import KilledWorker
 
-    from pyjoystick.runs.sweeps.worker import FmuPlugin, run_chunk
+    from pyjoystick.runs.sweeps.worker import FmuPlugin, check_workers, run_chunk
 except ImportError as error:
     raise MissingPackageError("sweeps on a cluster", "cluster") from error
 
