@@ -61,13 +61,12 @@ def free_oscillation(
 
     Args:
         release_angle: angle at the start (rad), positive forward, between -pi/2 and pi/2
-        fmu: name or path of an FMU with the interface of ``Joystick``, or an open `Fmu`, which is quicker
-            where many runs follow one another; if not given, the FMU with the damping law of `parameters`
-        parameters: the joystick, or some values by the FMU's names (SI units); what is not given keeps the
-            FMU's own value
+        fmu: name or path of an FMU with the interface of ``Joystick``, or an open `Fmu`, which is faster for
+            many runs; by default the FMU with the damping law of `parameters`
+        parameters: the joystick, or values by the FMU's names (SI units); all others keep the FMU's values
         duration: length of the run (s)
         output_interval: time between two rows (s), see `time_grid`
-        tolerance: what the FMU's integrator is asked to keep
+        tolerance: of the FMU's integrator
 
     Returns:
         a table with the columns `COLUMNS`

@@ -85,11 +85,11 @@ def experiments_for(
     settings: Mapping[str, float] | None = None,
     inputs: pd.DataFrame | None = None,
 ) -> list[Experiment]:
-    """What two FMUs are compared over where nobody says otherwise.
+    """The experiments by which two FMUs are compared by default.
 
-    Joysticks are let go at several angles, and driven from the middle by a torque that is a sine.
-    ``JoystickInverse`` is led through a sine of several amplitudes. Any other FMU is run as the first one's
-    default experiment says, or the second one's, or for 1 s.
+    Joysticks are released at several angles, and driven from rest in the middle by a sinusoidal torque.
+    ``JoystickInverse`` follows a sine of several amplitudes. Any other FMU runs the first one's default
+    experiment, else the second one's, else 1 s.
 
     Args:
         first: one FMU

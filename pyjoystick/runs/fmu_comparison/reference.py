@@ -45,7 +45,7 @@ def compare_with_reference(
         limits: largest difference allowed by name of the variable, in its unit. Where ``theta`` is not among
             them, it has the one that the errors of the integrator explain, see `angle_limit`.
         tolerances: what the integrators are asked to keep
-        on_run: is told what is run next
+        on_run: called with a description of each run before it starts
 
     Raises:
         FmuNotFoundError, FmuFileError, UnsupportedFmuError: the FMU cannot be opened, or is no joystick
