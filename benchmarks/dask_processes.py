@@ -47,6 +47,10 @@ class DaskProcesses:
             time.sleep(0.05)
             if file.exists() and file.stat().st_size:
                 self.address = str(json.loads(file.read_text(encoding="utf-8"))["address"])
+        self.add(workers)
+
+    def add(self, workers: int) -> None:
+        """Start more workers."""
         for _ in range(workers):
             folder = self.folder / f"worker{len(self.workers)}"
             options = ("--nthreads", "1", "--no-nanny", "--local-directory", str(folder))

@@ -262,7 +262,7 @@ def _of_two(first: str, second: str, between: _BetweenFmus, request: _Request) -
     descriptions = [fmu.read_description(path) for path in paths]
     experiments = runs.experiments_for(
         *descriptions,
-        angles=request.angles,
+        release_angles=request.angles,
         duration=request.duration,
         output_interval=request.output_interval,
         settings={**_joystick(between, descriptions[0]), **between.settings},

@@ -25,24 +25,24 @@ OnProgress = Callable[[int, int], None]
 _LARGEST_PIECE: Final = 64
 #: Time between two looks at how far the threads are (s).
 _INTERVAL: Final = 0.1
-#: So long (s) threads are waited for that have been told to stop; the step they are in may never end.
+#: Time to wait for threads that have been asked to stop (s); the step they are in may never end.
 _GRACE: Final = 0.5
 
 
 @dataclass(frozen=True, slots=True)
 class BatchResult:
-    """Many runs of one plan, one row a run in the order of the table that was given.
+    """Many runs of one plan, one row per run in the order of the given table.
 
     Attributes:
-        parameters: what was varied, one column a name; its index is that of the table that was given
+        parameters: what was varied, one column per name; its index is that of the given table
         values: samples, shape (runs, samples, variables), NaN in runs that failed or were not done; None
             where the runs were reduced
         reduced: what the reductions kept, one column each, indexed as `parameters`, NaN as in `values`; its
             ``attrs["units"]`` has the unit of each column. None where there are no reductions.
-        messages: empty for a sound run, else why and when it failed and what the FMU said
-        failed: shape (runs,), True for runs that were begun and could not be carried to their end
-        done: shape (runs,), True for runs that came to an end, failed ones included
-        interrupted: the batch was told to stop, by Ctrl-C or `Plan.stop`; runs may be missing
+        messages: empty for a successful run, else why and when it failed, with the FMU's messages
+        failed: shape (runs,), True for runs that started and did not reach their end
+        done: shape (runs,), True for runs that are over, failed ones included
+        interrupted: the batch was stopped by Ctrl-C or `Plan.stop`; runs may be missing
     """
 
     parameters: pd.DataFrame

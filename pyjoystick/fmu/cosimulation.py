@@ -23,19 +23,19 @@ from pyjoystick.support import DEFAULT_TOLERANCE
 
 
 class Fmu:
-    """A Co-Simulation FMU (FMI 2.0 or 3.0), loaded once and run as often as wanted.
+    """A Co-Simulation FMU (FMI 2.0 or 3.0), loaded once for any number of runs.
 
     >>> with Fmu("Joystick") as joystick:  # doctest: +SKIP
     ...     table = joystick.run([0.0, 0.5, 1.0], parameters={"theta_start": -0.35})
 
-    Close it when done, best by `with`; what was unpacked is then deleted. Several threads may use it at once:
-    each run has an instance of the FMU for itself, which is kept for the next. A pickle of it is the path of
-    its file, which is opened anew where it is unpickled (FmuNotFoundError where it is not there).
+    Close it when done, best with a `with` statement; the unpacked files are then deleted. Several threads may
+    use it at once: each run has its own instance of the FMU, which is kept for later runs. Pickling stores
+    the path of the file; unpickling opens that file again (FmuNotFoundError if it is missing).
 
     For many runs see `plan`.
 
     Attributes:
-        description: what the FMU says of itself
+        description: the FMU's own description
     """
 
     def __init__(self, fmu: str | PathLike[str]) -> None:
@@ -47,7 +47,7 @@ class Fmu:
         Raises:
             FmuNotFoundError: there is no such file
             FmuFileError: it is no FMU, or a broken one
-            UnsupportedFmuError: it has no Co-Simulation, no binary for this machine, or another version
+            UnsupportedFmuError: it has no Co-Simulation, no binary for this machine, or another FMI version
         """
         self.description: FmuDescription = read_description(find_fmu(fmu))
         self._pool = InstancePool(self.description)
@@ -77,7 +77,7 @@ class Fmu:
         outputs: Iterable[str] | None = None,
         tolerance: float = DEFAULT_TOLERANCE,
     ) -> pd.DataFrame:
-        """Run the FMU from its start values and record it; earlier runs leave no trace.
+        """Run the FMU from its start values and record it, independently of earlier runs.
 
         Args:
             time: instants to record (s), shape (n,), n >= 2, increasing; they are the communication points,
@@ -88,7 +88,7 @@ class Fmu:
                 FMU's own. Where the FMU follows input derivatives the straight pieces are exact, else each
                 communication step holds the value at its beginning.
             outputs: names of the variables to record; every output where not given
-            tolerance: what the FMU's integrator is asked to keep
+            tolerance: of the FMU's integrator
 
         Returns:
             a table indexed by ``time`` (s), one column a variable in the unit of the FMU; at a jump of an
@@ -97,7 +97,7 @@ class Fmu:
         Raises:
             UnknownParameterError, UnknownInputError, UnknownVariableError: a name is not one of the FMU's
             ParameterError, SeriesError: a value or series is not allowed
-            FmuRunError: the FMU refuses its settings or fails during the run; it carries what the FMU said
+            FmuRunError: the FMU refuses its settings or fails during the run; it carries the FMU's messages
         """
         plan = self.plan(time, parameters=parameters, inputs=inputs, outputs=outputs, tolerance=tolerance)
         samples = plan.record()
@@ -119,7 +119,7 @@ class Fmu:
         outputs: Iterable[str] | None = None,
         tolerance: float = DEFAULT_TOLERANCE,
     ) -> Plan:
-        """Prepare many runs that differ in a few parameters; everything else is checked here, once.
+        """Prepare many runs that differ in a few parameters; everything else is checked once, here.
 
         Args:
             time: as in `run`

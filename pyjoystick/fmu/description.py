@@ -1,4 +1,4 @@
-"""What an FMU says of itself in its modelDescription.xml."""
+"""The description of an FMU, from its modelDescription.xml."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ class DefaultExperiment:
 
 @dataclass(frozen=True, slots=True)
 class FmuDescription:
-    """An FMU as described by itself.
+    """An FMU as its modelDescription.xml describes it.
 
     Attributes:
         path: the .fmu file
@@ -91,9 +91,9 @@ class FmuDescription:
         experiment: proposed settings
         interpolates_inputs: Co-Simulation follows input derivatives within a step
         variable_steps: Co-Simulation takes communication steps of different lengths
-        saves_states: Co-Simulation gives out its state and takes it back
+        saves_states: Co-Simulation can save its state and restore it
         one_instance: Co-Simulation can be instantiated only once in a process
-        log_categories: names of what the FMU tells of
+        log_categories: names of the FMU's log categories
     """
 
     path: Path
@@ -121,7 +121,7 @@ class FmuDescription:
 
     @property
     def takes_stop_time(self) -> bool:
-        """Co-Simulation may be told when a run ends; OpenModelica up to 1.14 goes there in its first step."""
+        """Co-Simulation may be given a stop time; OpenModelica up to 1.14 goes there in its first step."""
         return not self.generation_tool.startswith("OpenModelica")
 
     def names(self, causality: str) -> tuple[str, ...]:

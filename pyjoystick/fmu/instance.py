@@ -29,10 +29,10 @@ class Instance:
     Attributes:
         description: the FMU
         fmi: FMPy's object, one method an FMI function
-        log: what the instance says
-        is_new: no run has been begun yet
-        is_broken: it can run no more
-        is_lost: not even to be freed: the standard forbids every call after a fatal error
+        log: messages of the instance
+        is_new: no run has started yet
+        is_broken: it cannot run again
+        is_lost: it must not even be freed; the standard forbids every call after a fatal error
     """
 
     description: FmuDescription
@@ -44,7 +44,7 @@ class Instance:
     _workspace: Workspace | None = field(default=None, init=False)
 
     def workspace(self, raw_size: int) -> Workspace:
-        """Memory for the compiled loop, with room for so many bytes of samples."""
+        """Memory for the compiled loop, with room for `raw_size` bytes of samples."""
         if self._workspace is None or self._workspace.raw.size != raw_size:
             raw, flags = np.zeros(raw_size, np.uint8), np.zeros(FLAGS_SIZE, np.uint8)
             address = int(self.fmi.component)

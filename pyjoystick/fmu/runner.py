@@ -1,4 +1,4 @@
-"""One instance at work on the runs of a plan, and what is told of a run that fails."""
+"""One instance that carries out runs of a plan, and the error of a run that fails."""
 
 from __future__ import annotations
 

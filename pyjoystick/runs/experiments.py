@@ -61,13 +61,12 @@ def free_oscillation(
 
     Args:
         release_angle: angle at the start (rad), positive forward, between -pi/2 and pi/2
-        fmu: name or path of an FMU with the interface of ``Joystick``, or an open `Fmu`, which is quicker
-            where many runs follow one another; if not given, the FMU with the damping law of `parameters`
-        parameters: the joystick, or some values by the FMU's names (SI units); what is not given keeps the
-            FMU's own value
+        fmu: name or path of an FMU with the interface of ``Joystick``, or an open `Fmu`, which is faster for
+            many runs; by default the FMU with the damping law of `parameters`
+        parameters: the joystick, or values by the FMU's names (SI units); all others keep the FMU's values
         duration: length of the run (s)
         output_interval: time between two rows (s), see `time_grid`
-        tolerance: what the FMU's integrator is asked to keep
+        tolerance: of the FMU's integrator
 
     Returns:
         a table with the columns `COLUMNS`
@@ -138,20 +137,21 @@ def fmu_of_damping(damping: Damping) -> str:
     return "Joystick" if isinstance(damping, ConstantDamping) else "JoystickPowerLaw"
 
 
-def time_grid(duration: float, interval: float) -> FloatArray:
-    """Instants from 0 to `duration` (s), `interval` (s) apart; the last step is shorter where it must be.
+def time_grid(duration: float, output_interval: float) -> FloatArray:
+    """Instants from 0 to `duration` (s), `output_interval` (s) apart; the last step may be shorter.
 
     Raises:
         ParameterError: a value is not finite or not above zero, the interval is longer than the duration, or
             there would be more than ten million rows
     """
     end = positive("duration", duration, "s")
-    step = positive("output_interval", interval, "s")
+    step = positive("output_interval", output_interval, "s")
     if step > end:
-        raise ParameterError("output_interval", interval, f"at most the duration, {end:g} s")
+        raise ParameterError("output_interval", output_interval, f"at most the duration, {end:g} s")
     count = end / step
     if count > _MOST_ROWS:
-        raise ParameterError("output_interval", interval, f"at least {end / _MOST_ROWS:.3g} s for {end:g} s")
+        least = f"at least {end / _MOST_ROWS:.3g} s for {end:g} s"
+        raise ParameterError("output_interval", output_interval, least)
     whole = round(count)
     if abs(count - whole) <= 1e-9 * count:
         return np.arange(whole + 1) * end / whole

@@ -15,24 +15,24 @@ from pyjoystick.motion import ReleasePeaks, peaks_of_run
 from pyjoystick.runs.experiments import fmu_of_damping, time_grid
 from pyjoystick.support import FloatArray, angle
 
-#: Length of a run (s) and distance of its samples, between which the peaks are located (s).
+#: Length of a run and time between its samples (s); peaks are located between the samples.
 DURATION: Final = 1.5
-INTERVAL: Final = 0.5e-3
+OUTPUT_INTERVAL: Final = 0.5e-3
 _OUTPUTS: Final = ("theta", "omega", "alpha")
 
 
 class SimulatedReleases:
-    """Releases from rest on the FMUs of both damping laws, opened when first needed.
+    """Releases from rest on the FMUs of both damping laws, each opened when it is first needed.
 
-    To be used by `with`, which closes them. A call gives the peaks of one release:
+    Use it in a `with` statement, which closes the FMUs. A call returns the peaks of one release:
 
     >>> with SimulatedReleases() as simulate:  # doctest: +SKIP
     ...     peaks = simulate(NOMINAL, math.radians(-20))
     """
 
-    def __init__(self, *, duration: float = DURATION, interval: float = INTERVAL) -> None:
-        """Set the length of the runs and the distance of their samples (s)."""
-        self._time: FloatArray = time_grid(duration, interval)
+    def __init__(self, *, duration: float = DURATION, output_interval: float = OUTPUT_INTERVAL) -> None:
+        """Set the length of the runs and the time between their samples (s)."""
+        self._time: FloatArray = time_grid(duration, output_interval)
         self._stack = ExitStack()
         self._fmus: dict[str, Fmu] = {}
 
@@ -44,29 +44,29 @@ class SimulatedReleases:
     ) -> None:
         self._stack.close()
 
-    def __call__(self, parameters: JoystickParameters, release_angle: float) -> ReleasePeaks:
+    def __call__(self, joystick: JoystickParameters, release_angle: float) -> ReleasePeaks:
         """The peaks of one release.
 
         Args:
-            parameters: the joystick; its damping law says which FMU is run
+            joystick: its damping law selects the FMU
             release_angle: angle of release (rad)
 
         Raises:
             ParameterError: the angle is pi/2 or more
             FmuNotFoundError, FmuRunError: the FMU is not there, or fails
         """
-        law = fmu_of_damping(parameters.damping)
-        values = parameters.to_names() | {"theta_start": angle("release_angle", release_angle)}
+        law = fmu_of_damping(joystick.damping)
+        values = joystick.to_names() | {"theta_start": angle("release_angle", release_angle)}
         run = self._fmu(law).run(self._time, parameters=values, outputs=_OUTPUTS)
         return peaks_of_run(run, name=f"{law} from {np.degrees(release_angle):g} degrees")
 
     def vary(
-        self, parameters: JoystickParameters, release_angle: float, name: str, values: FloatArray
+        self, joystick: JoystickParameters, release_angle: float, name: str, values: FloatArray
     ) -> dict[float, ReleasePeaks]:
         """The peaks of releases that differ in one parameter; everything else is prepared once.
 
         Args:
-            parameters: the joystick
+            joystick: the parameters that all runs share
             release_angle: angle of release (rad)
             name: FMU name of the parameter that varies, such as ``damping.C``
             values: its values, shape (runs,)
@@ -78,10 +78,10 @@ class SimulatedReleases:
             UnknownParameterError, ParameterError: the name or a value is not allowed
             FmuRunError: a run fails
         """
-        checked = [parameters.replace({name: float(value)}) for value in values]
-        fixed = parameters.to_names() | {"theta_start": angle("release_angle", release_angle)}
+        checked = [joystick.replace({name: float(value)}) for value in values]
+        fixed = joystick.to_names() | {"theta_start": angle("release_angle", release_angle)}
         del fixed[name]
-        plan = self._fmu(fmu_of_damping(parameters.damping)).plan(
+        plan = self._fmu(fmu_of_damping(joystick.damping)).plan(
             self._time, varied=[name], parameters=fixed, outputs=_OUTPUTS
         )
         found = {}

@@ -30,12 +30,12 @@ class InverseTorque:
 
 
 def inverse_torque(
-    parameters: JoystickParameters, theta: ArrayLike, omega: ArrayLike, alpha: ArrayLike
+    joystick: JoystickParameters, theta: ArrayLike, omega: ArrayLike, alpha: ArrayLike
 ) -> InverseTorque:
     """Eq. (13): T = J*alpha + C*omega + M_s - m*g*h*sin(theta).
 
     Args:
-        parameters: the joystick
+        joystick: its parameters
         theta: angle (rad), |theta| < pi/2
         omega: angular velocity (rad/s)
         alpha: angular acceleration (rad/s2); the three may have any broadcastable shapes, NaN gives NaN
@@ -46,7 +46,7 @@ def inverse_torque(
     angle, rate, acceleration = np.broadcast_arrays(
         *(np.asarray(series, np.float64) for series in (theta, omega, alpha))
     )
-    inertia = parameters.J * acceleration
-    damping = damping_coefficient(parameters.damping, angle, rate) * rate
-    stiffness = contact_moment(parameters, angle) - gravity_moment(parameters, angle)
+    inertia = joystick.J * acceleration
+    damping = damping_coefficient(joystick.damping, angle, rate) * rate
+    stiffness = contact_moment(joystick, angle) - gravity_moment(joystick, angle)
     return InverseTorque(inertia + damping + stiffness, inertia, damping, stiffness)

@@ -22,7 +22,7 @@ PAPER_REFINEMENT: Final = 10
 
 
 def simulate_rk4(
-    parameters: JoystickParameters,
+    joystick: JoystickParameters,
     *,
     duration: float,
     theta_start: float,
@@ -38,7 +38,7 @@ def simulate_rk4(
     (x_0 to x_1 or x_2 to x_3 of either side). Such a step is replaced by `refinement` steps of equal length.
 
     Args:
-        parameters: the joystick
+        joystick: its parameters
         duration: length of the run (s), rounded to a whole number of steps, at least one
         theta_start: angle at the start (rad), |theta_start| < pi/2
         omega_start: angular velocity at the start (rad/s)
@@ -57,7 +57,7 @@ def simulate_rk4(
     step = positive("step", step, "s")
     whole_number("refinement", refinement, 1)
     count = max(1, round(positive("duration", duration, "s") / step))
-    equation = PiecewiseEquation(parameters, torque)
+    equation = PiecewiseEquation(joystick, torque)
     steep = [(branch.lower, branch.upper) for branch in equation.branches if branch.steep]
 
     def acceleration(time: float, theta: float, omega: float) -> float:
@@ -77,7 +77,7 @@ def simulate_rk4(
         taken += parts
     columns = np.array(motion)
     time = step * np.arange(count + 1, dtype=np.float64)
-    return trajectory(parameters, time, columns[:, 0], columns[:, 1], torque, accepted=taken)
+    return trajectory(joystick, time, columns[:, 0], columns[:, 1], torque, accepted=taken)
 
 
 def _step(

@@ -21,7 +21,7 @@ DEFAULT_TOLERANCE: Final = 1e-13
 
 
 def simulate(
-    parameters: JoystickParameters,
+    joystick: JoystickParameters,
     *,
     time: ArrayLike,
     theta_start: float,
@@ -36,7 +36,7 @@ def simulate(
     there, so they are as accurate as the integration, whatever their spacing.
 
     Args:
-        parameters: the joystick
+        joystick: its parameters
         time: instants at which the motion is wanted (s), shape (n,), n >= 2, strictly increasing; the run
             starts at the first one and ends at the last
         theta_start: angle at the start (rad), |theta_start| < pi/2
@@ -52,7 +52,7 @@ def simulate(
     """
     instants = increasing_times(time)
     integration = Integration(
-        PiecewiseEquation(parameters, torque),
+        PiecewiseEquation(joystick, torque),
         float(instants[0]),
         angle("theta_start", theta_start),
         finite("omega_start", omega_start, "rad/s"),
@@ -66,7 +66,7 @@ def simulate(
             theta[position], omega[position] = step.at(float(instants[position]) - step.time)
             position += 1
     return trajectory(
-        parameters,
+        joystick,
         instants,
         theta,
         omega,

@@ -60,7 +60,7 @@ class Trajectory:
 
 
 def trajectory(
-    parameters: JoystickParameters,
+    joystick: JoystickParameters,
     time: FloatArray,
     theta: FloatArray,
     omega: FloatArray,
@@ -73,21 +73,21 @@ def trajectory(
 ) -> Trajectory:
     """The trajectory of a computed motion: time (s), theta (rad) and omega (rad/s) of one shape (n,)."""
     driving = np.zeros_like(time) if torque is None else np.array([torque(float(t)) for t in time])
-    coefficient = damping_coefficient(parameters.damping, theta, omega)
-    contact, weight = contact_moment(parameters, theta), gravity_moment(parameters, theta)
+    coefficient = damping_coefficient(joystick.damping, theta, omega)
+    contact, weight = contact_moment(joystick, theta), gravity_moment(joystick, theta)
     damping = coefficient * omega
     return Trajectory(
         time=time,
         theta=theta,
         omega=omega,
-        alpha=(driving + weight - contact - damping) / parameters.J,
-        x=contact_travel(parameters, theta),
-        f_x=contact_force(parameters, theta),
+        alpha=(driving + weight - contact - damping) / joystick.J,
+        x=contact_travel(joystick, theta),
+        f_x=contact_force(joystick, theta),
         M_s=contact,
         M_d=damping,
         M_g=weight,
         C=coefficient,
-        E=energy(parameters, theta, omega),
+        E=energy(joystick, theta, omega),
         T=driving,
         events=events,
         turning_points=turning_points,

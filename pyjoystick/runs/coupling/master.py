@@ -28,13 +28,14 @@ def run_coupled(
 ) -> pd.DataFrame:
     """Run a system of FMUs by co-simulation from 0 s.
 
-    All FMUs go from a communication point to the next for themselves (in parallel, as Jacobi's method does);
-    outputs are then copied to the inputs that they feed.
+    All FMUs step independently from one communication point to the next (Jacobi's method); outputs are then
+    copied to the inputs that they feed.
 
     Args:
         system: the FMUs and their connections
         step: communication step H (s); the last one is shorter where it does not divide the duration
-        scheme: a name in `SCHEMES`: what the FMUs know of their inputs within a step
+        scheme: what the FMUs know of their inputs within a step, a name in `SCHEMES`. FMUs of FMI 3.0 have no
+            input derivatives, so that they take part in ``delay`` and ``hold``.
         outputs: variables to record as ``component.variable``; default: all outputs of all components
         duration: end of the run (s); default: the system's stop time
         tolerance: of the FMUs' own integrators

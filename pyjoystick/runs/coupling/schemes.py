@@ -1,7 +1,7 @@
-"""How a master lets its FMUs pass from one communication point to the next.
+"""How a master takes its FMUs from one communication point to the next.
 
-Within a step an FMU knows its inputs by what the master tells it beforehand. What that is decides the order
-of the coupling error in the step's length H.
+Within a step, an FMU knows of its inputs only what the master set beforehand. That determines the order of
+the coupling error in the step length H.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from pyjoystick.runs.coupling.network import Network
 from pyjoystick.runs.errors import CouplingError
 from pyjoystick.support import FloatArray
 
-#: The end of an iterated step agrees with the one before it to so much of itself, or absolutely.
+#: Relative and absolute tolerance to which the ends of two iterations of a step must agree.
 _RELATIVE, _ABSOLUTE = 1e-9, 1e-12
 _MOST_ITERATIONS: Final = 50
 
@@ -117,7 +117,7 @@ def _rates(signals: FloatArray, past: Past | None) -> FloatArray:
 _SCHEMES: Final = (
     Scheme(
         "delay",
-        "outputs are copied once: what answers an input at once is late by a step; order H",
+        "outputs are copied once, so that direct feedthrough is late by a step; order H",
         _hold,
         Network.copy,
     ),

@@ -50,7 +50,7 @@ class CoupledSystem:
         name: of the system
         components: in the order in which a master calls them
         connections: an output may feed several inputs; an input has one source or none
-        stop_time: end of the proposed experiment (s), which begins at 0
+        stop_time: end of the proposed experiment (s), which starts at 0
         description: a line on the system
     """
 
@@ -61,7 +61,7 @@ class CoupledSystem:
     description: str = ""
 
     def describe(self) -> dict[str, FmuDescription]:
-        """What the FMUs say of themselves, by the name of the component, after a check of the whole system.
+        """The descriptions of the FMUs by name of the component, after a check of the whole system.
 
         Raises:
             CouplingError: two components share a name; a connection does not lead from an output to an input

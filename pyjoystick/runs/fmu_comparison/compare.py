@@ -34,8 +34,8 @@ class Limits:
         absolute: largest difference by name of the variable, in its unit, in place of the others below
         relative: for every other variable, in parts of its largest value. The angle ``theta`` of a joystick
             has a limit of its own, see `angle_limit`: about 1e-6 rad for a release at 20 degrees.
-        co_simulation: by name, what Co-Simulation has to keep. It has to keep nothing else: solver and step
-            are each FMU's own there, and may be explicit Euler at the communication step.
+        co_simulation: limits for Co-Simulation, by name. Nothing else is judged there: each FMU has its own
+            solver and step, which may be explicit Euler at the communication step.
     """
 
     absolute: Mapping[str, float] = field(default_factory=dict)
@@ -50,9 +50,9 @@ class RunComparison:
     Attributes:
         interface: ``ModelExchange`` or ``CoSimulation``
         experiment: its label
-        differences: one a variable; their limits serve to say when the FMUs part
+        differences: one per variable; their limits determine when the FMUs part
         judged: names of the variables that must keep their limit
-        failures: what FMUs said that did not come to the end of the run
+        failures: messages of FMUs that did not reach the end of the run
     """
 
     interface: Interface
@@ -63,7 +63,7 @@ class RunComparison:
 
     @property
     def within_limits(self) -> bool:
-        """Both FMUs came to the end, and every limit that must be kept is kept."""
+        """Both FMUs reached the end, and every judged variable is within its limit."""
         kept = all(one.within_limit for one in self.differences if one.variable in self.judged)
         return kept and not self.failures
 
@@ -76,7 +76,7 @@ class FmuComparison:
         first, second: the FMUs
         declarations: what they declare
         tolerances: what the integrators were asked to keep
-        runs: one an interface and experiment
+        runs: one per interface and experiment
     """
 
     first: FmuDescription
@@ -107,18 +107,18 @@ def compare_fmus(
     Args:
         first: name or path of an FMU, see `pyjoystick.fmu.find_fmu`
         second: that of the other
-        experiments: what to run; `experiments_for` the two if not given
-        interfaces: ``ModelExchange`` (FMI 2.0, by CVode), ``CoSimulation``; what both have if not given
-        variables: names of what to compare; the outputs that both have if not given, and where there are
-            none, the local variables that both have
+        experiments: what to run; by default those of `experiments_for`
+        interfaces: ``ModelExchange`` (FMI 2.0, by CVode), ``CoSimulation``; by default those that both have
+        variables: names of the variables to compare; by default the outputs that both have or, without any,
+            the local variables that both have
         limits: what is allowed
         tolerances: what the integrators are asked to keep
-        on_run: is told what is run next
+        on_run: called with a description of each run before it starts
 
     Raises:
         FmuNotFoundError, FmuFileError, UnsupportedFmuError: an FMU cannot be opened or lacks an interface
         ParameterError: the FMUs share no interface or no variable, or a setting is not allowed
-        UnknownNameError: an FMU does not have a variable, parameter or input that is asked for
+        UnknownNameError: an FMU lacks a requested variable, parameter or input
     """
     a, b = read_description(find_fmu(first)), read_description(find_fmu(second))
     declarations = compare_declarations(a, b)

@@ -79,37 +79,37 @@ def experiments_for(
     first: FmuDescription,
     second: FmuDescription,
     *,
-    angles: Iterable[float] | None = None,
+    release_angles: Iterable[float] | None = None,
     duration: float | None = None,
     output_interval: float | None = None,
     settings: Mapping[str, float] | None = None,
     inputs: pd.DataFrame | None = None,
 ) -> list[Experiment]:
-    """What two FMUs are compared over where nobody says otherwise.
+    """The experiments by which two FMUs are compared by default.
 
-    Joysticks are let go at several angles, and driven from the middle by a torque that is a sine.
-    ``JoystickInverse`` is led through a sine of several amplitudes. Any other FMU is run as the first one's
-    default experiment says, or the second one's, or for 1 s.
+    Joysticks are released at several angles, and driven from rest in the middle by a sinusoidal torque.
+    ``JoystickInverse`` follows a sine of several amplitudes. Any other FMU runs the first one's default
+    experiment, else the second one's, else 1 s.
 
     Args:
         first: one FMU
         second: the other
-        angles: angles of release, or amplitudes (rad); `RELEASE_ANGLES` if not given
+        release_angles: angles of release, or amplitudes (rad); `RELEASE_ANGLES` if not given
         duration: length of each run (s)
         output_interval: time between two instants (s); rounded so that it divides the duration
         settings: parameters by name and inputs that are to be held, the same in all experiments
         inputs: a table of inputs over time (s), which takes the place of the sines; joysticks are then let
-            go in the middle unless `angles` says where
+            go in the middle unless `release_angles` says where
 
     Raises:
-        ParameterError: a value is not allowed, or `angles` are given for FMUs that are no joysticks
+        ParameterError: a value is not allowed, or `release_angles` are given for FMUs that are no joysticks
     """
     given = _typed(first, settings or {})
     held = {name: value for name, value in given.items() if _is_input(first, name)}
     parameters = {name: value for name, value in given.items() if name not in held}
     driven = held if inputs is None else inputs.assign(**held)
     driveable = set(first.names("input")) & set(second.names("input"))
-    checked = None if angles is None else [angle("release_angle", value) for value in angles]
+    checked = None if release_angles is None else [angle("release_angle", value) for value in release_angles]
     if is_joystick(first) and is_joystick(second):
         time = _joystick_instants(duration, output_interval)
         start = checked or (RELEASE_ANGLES if inputs is None else [0.0])

@@ -24,7 +24,7 @@ from pyjoystick.support import DEFAULT_DURATION, DEFAULT_OUTPUT_INTERVAL
 def compare_with_reference(
     fmu: str | PathLike[str],
     joystick: JoystickParameters,
-    angles: Iterable[float],
+    release_angles: Iterable[float],
     *,
     duration: float = DEFAULT_DURATION,
     output_interval: float = DEFAULT_OUTPUT_INTERVAL,
@@ -38,14 +38,14 @@ def compare_with_reference(
     Args:
         fmu: name or path of an FMU with the interface of ``Joystick`` and the damping law of `joystick`
         joystick: the parameters of both
-        angles: where to let go (rad)
+        release_angles: angles at which the joystick is released (rad)
         duration: length of each run (s)
         output_interval: time between two instants (s)
         interface: how the FMU is run
         limits: largest difference allowed by name of the variable, in its unit. Where ``theta`` is not among
             them, it has the one that the errors of the integrator explain, see `angle_limit`.
         tolerances: what the integrators are asked to keep
-        on_run: is told what is run next
+        on_run: called with a description of each run before it starts
 
     Raises:
         FmuNotFoundError, FmuFileError, UnsupportedFmuError: the FMU cannot be opened, or is no joystick
@@ -56,7 +56,7 @@ def compare_with_reference(
     require_joystick(description)
     tolerances = tolerances or Tolerances()
     runs = []
-    for angle in angles:
+    for angle in release_angles:
         label = f"{math.degrees(angle):.6g} deg"
         on_run(f"{description.path.name}: {label}")
         expected = reference_free_oscillation(

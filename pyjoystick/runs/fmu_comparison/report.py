@@ -20,14 +20,14 @@ def as_json(
     *,
     declarations: Declarations | None = None,
 ) -> str:
-    """Everything that is known of a comparison, as text.
+    """All results of a comparison as JSON.
 
-    A difference that is no finite number is null; ``parted_at`` is null where the limit is kept.
+    Differences that are not finite are null; ``parted_at`` is null where the limit is kept.
 
     Args:
         fmus: two FMUs, or one that was compared with the reference
-        runs: what came of it
-        tolerances: what the integrators were asked to keep
+        runs: the compared runs
+        tolerances: tolerances of the integrators
         declarations: what the FMUs declare, where there are two
     """
     content: dict[str, Any] = {

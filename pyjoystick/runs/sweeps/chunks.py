@@ -7,27 +7,27 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-#: A chunk has at most so many times the runs of the largest one that has been timed.
+#: A chunk has at most this many times the runs of the largest one timed so far.
 _GROWTH: Final = 32
-#: The last chunks take this part of the time of others, or sending them costs more than it evens out.
+#: The last chunks take at least this fraction of the time of others; sending smaller ones would not pay.
 _SMALLEST: Final = 0.1
 
 
 class Chunks:
     """Runs still to be done.
 
-    The rate is measured as the work goes on. Towards the end chunks become smaller, so that all who work are
-    done at about the same time.
+    The rate is measured as the work goes on. Chunks become smaller towards the end, so that all threads or
+    workers finish at about the same time.
     """
 
     def __init__(self, runs: NDArray[np.int64], *, seconds: float, slots: int, least: int = 1) -> None:
         """Take up the runs.
 
         Args:
-            runs: their numbers, in the order in which they are to be handed out
-            seconds: what a chunk should take
-            slots: how many chunks are worked on at a time
-            least: runs of a chunk at least, and of the first ones
+            runs: numbers of the runs, in the order in which they are handed out
+            seconds: target duration of a chunk (s)
+            slots: number of chunks worked on at a time
+            least: smallest number of runs in a chunk, also that of the first chunks
         """
         self._runs = runs
         self._seconds = seconds

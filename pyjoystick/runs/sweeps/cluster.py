@@ -17,7 +17,6 @@ from numpy.typing import NDArray
 from pyjoystick.runs.errors import ClusterError, MissingPackageError
 from pyjoystick.runs.sweeps.chunks import Chunks
 from pyjoystick.runs.sweeps.sweep import Part, Sweep
-from pyjoystick.runs.sweeps.worker import check_workers
 from pyjoystick.support import PyJoystickError
 
 try:
@@ -28,11 +27,11 @@ try:
     from distributed.comm.core import CommClosedError
     from distributed.scheduler import KilledWorker
 
-    from pyjoystick.runs.sweeps.worker import FmuPlugin, run_chunk
+    from pyjoystick.runs.sweeps.worker import FmuPlugin, check_workers, run_chunk
 except ImportError as error:
     raise MissingPackageError("sweeps on a cluster", "cluster") from error
 
-#: What a chunk should take (s): so much is lost with a worker.
+#: Target duration of a chunk (s); at most this much work is lost with a worker.
 _CHUNK: Final = 1.0
 #: Chunks sent for each thread of a worker, so that none has to wait for the next.
 _AHEAD: Final = 2
@@ -61,7 +60,7 @@ def run_on_cluster(
         pending: numbers of the runs
         address: of the scheduler, such as ``tcp://10.0.0.1:8786``
         on_progress: called with the number of runs done so far
-        on_note: told of differing versions and of a cluster without workers
+        on_note: called with notes on differing versions and on a cluster without workers
 
     Raises:
         ClusterError: the scheduler is not reached or has no workers, the versions do not match, the
@@ -202,7 +201,7 @@ def _shipped(client: Client, sweep: Sweep, content: bytes) -> Iterator[str]:
         yield name
     finally:
         if client.status == "running":
-            # A worker that is lost now takes its FMU with it; one that was never told has none.
+            # A worker lost now takes its FMU with it; one that was never reached has none.
             with suppress(OSError, ValueError):
                 client.unregister_worker_plugin(name)
 

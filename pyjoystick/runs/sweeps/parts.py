@@ -23,7 +23,7 @@ _PARTS: Final = "from-*.npz"
 
 
 class Parts:
-    """The folder of parts; each part appears whole or not at all, so that a kill loses only unfinished runs.
+    """The folder of parts. Each is written whole or not at all, so that a kill loses only unfinished runs.
 
     Attributes:
         target: the file of the finished sweep
@@ -41,7 +41,7 @@ class Parts:
 
     @contextmanager
     def opened(self, identity: Document, *, anew: bool = False) -> Iterator[None]:
-        """Make or take up the folder for one sweep, and keep other processes out meanwhile.
+        """Make the folder of a sweep, or continue with it, and lock out other processes meanwhile.
 
         Args:
             identity: see `Sweep.identity`
@@ -49,7 +49,7 @@ class Parts:
 
         Raises:
             ChangedSweepError: the parts are those of another sweep
-            SweepFileError: another process is at work on it, or the folder cannot be read
+            SweepFileError: another process is working on this sweep, or the folder cannot be read
             OutputFileError: the folder cannot be made
         """
         try:

@@ -22,7 +22,7 @@ from pyjoystick.runs.sweeps.files import check_target, read_sweep, write_sweep
 from pyjoystick.runs.sweeps.parts import Parts, require_same
 from pyjoystick.runs.sweeps.sweep import Part, Sweep, part_of
 
-#: What a chunk should take (s): so much is lost at most when the process is killed.
+#: Target duration of a chunk (s); at most this much work is lost when the process is killed.
 _CHUNK: Final = 2.0
 
 
@@ -65,17 +65,17 @@ def run_sweep(
 ) -> Outcome:
     """Carry out a sweep, or what is left of it, and write its file.
 
-    Finished runs are kept in the folder ``TARGET.parts`` until the file is written. The numbers do not depend
-    on where and how often the sweep was interrupted, nor on what it ran on.
+    Finished runs are kept in the folder ``TARGET.parts`` until the file is written. The results do not depend
+    on where the sweep ran, nor on where and how often it was interrupted.
 
     Args:
         sweep: the sweep
         target: the file, .parquet or .csv
         threads: number of threads on this machine; all cores where not given
         scheduler: address of a Dask scheduler (``tcp://...``) whose workers do the runs instead
-        overwrite: begin anew, whatever has been kept and written
-        on_progress: told how many runs are done
-        on_note: told what else there is to say
+        overwrite: discard saved progress and results, and start over
+        on_progress: called with the number of runs done
+        on_note: called with any other message
 
     Raises:
         OutputFileError, SweepFileError: a file cannot be written or read

@@ -23,7 +23,7 @@ _NUMERICAL: Final = ("Python", "numpy", "scipy")
 
 
 class FmuPlugin(WorkerPlugin):
-    """Carries an FMU to each worker, and keeps it open there until the sweep ends."""
+    """Sends an FMU to each worker and keeps it open there until the sweep ends."""
 
     def __init__(self, name: str, content: bytes, task: Task) -> None:
         """Prepare the plugin.
@@ -87,7 +87,7 @@ def check_workers(client: Any, address: str, on_note: Callable[[str], None]) -> 
     Args:
         client: a connected ``distributed.Client``
         address: of its scheduler, for messages
-        on_note: told of versions that differ without being fatal
+        on_note: called with a note on each difference that is not fatal
 
     Raises:
         ClusterError: there are no workers, or one lacks pyjoystick or has another version of it

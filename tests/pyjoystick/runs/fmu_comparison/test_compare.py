@@ -115,7 +115,7 @@ def test_the_limit_of_the_angle_follows_the_tolerance_of_cvode(joystick_fmus: Pa
 
 def test_two_laws_of_damping_part_at_once(joystick_fmus: Path) -> None:
     paths = joystick_fmus / "Joystick.fmu", joystick_fmus / "JoystickPowerLaw.fmu"
-    (first, *_) = experiments_for(*map(read_description, paths), angles=[-0.2], duration=0.2)
+    (first, *_) = experiments_for(*map(read_description, paths), release_angles=[-0.2], duration=0.2)
     comparison = compare_fmus(*paths, experiments=[first], interfaces=["ModelExchange"])
     assert comparison.declarations.only_first == ("damping.C",)
     (run,) = comparison.runs

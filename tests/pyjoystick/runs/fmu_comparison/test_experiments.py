@@ -46,7 +46,7 @@ def test_joysticks_are_let_go_on_both_sides_and_driven(joystick: FmuDescription)
 
 def test_angles_and_lengths_can_be_chosen(joystick: FmuDescription) -> None:
     (one,) = experiments_for(
-        joystick, joystick, angles=[0.1], duration=0.7, output_interval=0.01, settings={"J": 0.02}
+        joystick, joystick, release_angles=[0.1], duration=0.7, output_interval=0.01, settings={"J": 0.02}
     )
     assert one.parameters == {"J": 0.02, "theta_start": 0.1}
     np.testing.assert_allclose(one.time, np.linspace(0.0, 0.7, 71), rtol=1e-14)
@@ -64,7 +64,9 @@ def test_a_torque_that_is_held_or_given_takes_the_place_of_the_sine(joystick: Fm
     (given,) = experiments_for(joystick, joystick, inputs=torque)
     assert given.parameters == {"theta_start": 0.0}
     pd.testing.assert_frame_equal(given.inputs, torque)
-    assert [one.label for one in experiments_for(joystick, joystick, angles=[0.1, 0.2], inputs=torque)] == [
+    assert [
+        one.label for one in experiments_for(joystick, joystick, release_angles=[0.1, 0.2], inputs=torque)
+    ] == [
         "5.72958 deg, driven",
         "11.4592 deg, driven",
     ]
@@ -119,7 +121,10 @@ def test_settings_take_the_types_of_the_variables(first: FmuDescription) -> None
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ({"angles": [0.1]}, "release_angle = 0.1 rad: must be left out for FMUs that are no joystick"),
+        (
+            {"release_angles": [0.1]},
+            "release_angle = 0.1 rad: must be left out for FMUs that are no joystick",
+        ),
         ({"duration": 0.0}, "duration = 0.0: must be a finite number above 0 s"),
         ({"output_interval": 0.0}, "output_interval = 0.0: must be a finite number above 0 s"),
         ({"output_interval": 3.0}, "output_interval = 3.0: must be from 2e-07 s to the duration, 2 s"),
@@ -134,6 +139,6 @@ def test_what_is_refused(first: FmuDescription, arguments: dict[str, Any], messa
 
 def test_what_is_refused_for_joysticks(joystick: FmuDescription) -> None:
     with pytest.raises(ParameterError, match=r"release_angle = 2\.0: must be an angle"):
-        experiments_for(joystick, joystick, angles=[2.0])
+        experiments_for(joystick, joystick, release_angles=[2.0])
     with pytest.raises(ParameterError, match=r"theta_start = 0\.1: must be left out"):
         experiments_for(joystick, joystick, settings={"theta_start": 0.1})

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
+import pandas as pd
 import pytest
 
-from pyjoystick.runs import Settings, Sweep, read_settings
+from pyjoystick.runs import Settings, Sweep, read_settings, run_sweep
 
 Write = Callable[..., Path]
 
@@ -90,6 +91,18 @@ def written(tmp_path: Path, joystick_fmus: Path) -> Write:
         return path
 
     return write
+
+
+@pytest.fixture(scope="session")
+def long_table(joystick_fmus: Path, tmp_path_factory: pytest.TempPathFactory) -> pd.DataFrame:
+    """The results of `LONG`, carried out here without an interruption."""
+    folder = tmp_path_factory.mktemp("long")
+    settings = folder / "sweep.toml"
+    settings.write_text(LONG.replace("{fmus}", str(joystick_fmus)), encoding="utf-8")
+    outcome = run_sweep(Sweep(read_settings(settings)), folder / "whole.parquet")
+    assert (outcome.found, outcome.done, outcome.failed) == (0, 4096, 0)
+    assert outcome.table is not None
+    return outcome.table
 
 
 @pytest.fixture

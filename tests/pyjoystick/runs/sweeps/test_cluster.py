@@ -23,26 +23,46 @@ from pyjoystick.fmu import FmuFileError
 from pyjoystick.runs import ClusterError, MissingPackageError, Outcome, Sweep, read_settings, run_sweep
 from pyjoystick.runs.sweeps import cluster as cluster_module
 from pyjoystick.runs.sweeps.worker import FmuPlugin, check_workers
-from tests.pyjoystick.runs.sweeps.conftest import LONG, SMALL, Write
+from tests.pyjoystick.runs.sweeps.conftest import LONG, Write
+
+# Without xdist's grouping each of its workers would have a cluster of its own.
+pytestmark = pytest.mark.xdist_group("dask")
 
 _PATIENCE = 120.0  # s, for a machine with much else to do
-Start = Callable[[int], DaskProcesses]
 
 
-@pytest.fixture
-def cluster(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Start]:
-    """Starts a scheduler with workers of one thread each."""
-    made = []
+class Cluster:
+    """One cluster for all tests; what a test has killed is started anew for the next."""
 
-    def start(workers: int) -> DaskProcesses:
-        one = DaskProcesses(tmp_path_factory.mktemp("dask"))
-        made.append(one)
-        one.start(workers)
-        return one
+    def __init__(self, factory: pytest.TempPathFactory) -> None:
+        self._factory = factory
+        self._dask: DaskProcesses | None = None
 
-    yield start
-    for one in made:
-        one.stop()
+    def of(self, workers: int) -> DaskProcesses:
+        """A scheduler with so many workers of one thread each, or more."""
+        dask = self._dask
+        if dask is None or dask.scheduler is None or dask.scheduler.poll() is not None:
+            self.stop()
+            dask = self._dask = DaskProcesses(self._factory.mktemp("dask"))
+            dask.start(0)
+        dask.add(max(0, workers - len(_alive(dask))))
+        return dask
+
+    def stop(self) -> None:
+        if self._dask is not None:
+            self._dask.stop()
+
+
+def _alive(dask: DaskProcesses) -> list[int]:
+    """Numbers of the workers that are there."""
+    return [i for i, process in enumerate(dask.workers) if process.poll() is None]
+
+
+@pytest.fixture(scope="module")
+def cluster(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Cluster]:
+    one = Cluster(tmp_path_factory)
+    yield one
+    one.stop()
 
 
 def _on(cluster: DaskProcesses, sweep: Sweep, target: Path, on_progress: Callable[[int], None]) -> Outcome:
@@ -57,39 +77,44 @@ def _on(cluster: DaskProcesses, sweep: Sweep, target: Path, on_progress: Callabl
             time.sleep(0.2)
 
 
-def _local(sweep: Sweep, target: Path) -> pd.DataFrame:
-    table = run_sweep(sweep, target).table
-    assert table is not None
-    return table
+def test_mistakes_come_back_from_the_workers_as_they_are(
+    small_sweep: Sweep, tmp_path: Path, cluster: Cluster, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    dask = cluster.of(1)
+    content = small_sweep.settings.fmu.path.read_bytes()
+    monkeypatch.setattr(Path, "read_bytes", lambda path: content[: len(content) // 2])
+    with pytest.raises(FmuFileError, match="not an FMU"):
+        _on(dask, small_sweep, tmp_path / "a.csv", lambda _: None)
 
 
 def test_a_worker_is_lost_in_mid_run_and_the_numbers_are_the_local_ones(
-    written: Write, tmp_path: Path, cluster: Start
+    written: Write, tmp_path: Path, cluster: Cluster, long_table: pd.DataFrame
 ) -> None:
     sweep = Sweep(read_settings(written(LONG)))
-    dask = cluster(2)
+    dask = cluster.of(2)
+    lost, *left = _alive(dask)
     lost_at = []
 
     def lose_a_worker(done: int) -> None:
         if done and not lost_at:
             lost_at.append(done)
-            kill(dask.workers[0])
+            kill(dask.workers[lost])
 
     outcome = _on(dask, sweep, tmp_path / "a.parquet", lose_a_worker)
     assert 0 < lost_at[0] < 4096 / 2
     assert (outcome.done, outcome.failed) == (4096, 0)
     assert outcome.table is not None
-    expected = _local(sweep, tmp_path / "local.parquet")
-    pd.testing.assert_frame_equal(outcome.table, expected, check_exact=True)
-    # The FMU has been taken off the worker that is left.
-    assert list((dask.folder / "worker1").rglob("*.fmu")) == []
+    pd.testing.assert_frame_equal(outcome.table, long_table, check_exact=True)
+    # The FMU has been taken off the workers that are left.
+    for number in left:
+        assert list((dask.folder / f"worker{number}").rglob("*.fmu")) == []
 
 
 def test_a_worker_is_lost_while_the_fmu_is_sent(
-    written: Write, tmp_path: Path, cluster: Start, monkeypatch: pytest.MonkeyPatch
+    small_sweep: Sweep, tmp_path: Path, cluster: Cluster, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    sweep = Sweep(read_settings(written(SMALL)))
-    dask = cluster(2)
+    dask = cluster.of(2)
+    lost, *_ = (dask.workers[number] for number in _alive(dask))
     sent = []
     register = Client.register_plugin
 
@@ -97,8 +122,8 @@ def test_a_worker_is_lost_while_the_fmu_is_sent(
         check_workers(client, address, on_note)
         client.wait_for_workers(2, timeout=_PATIENCE)
         # It stops before it hears of the FMU, and is gone before it can answer.
-        os.kill(dask.workers[0].pid, signal.SIGSTOP)
-        threading.Timer(0.5, kill, [dask.workers[0]]).start()
+        os.kill(lost.pid, signal.SIGSTOP)
+        threading.Timer(0.5, kill, [lost]).start()
 
     def counted(client: Client, plugin: FmuPlugin, name: str) -> object:
         sent.append(name)
@@ -106,14 +131,16 @@ def test_a_worker_is_lost_while_the_fmu_is_sent(
 
     monkeypatch.setattr(cluster_module, "check_workers", stop_a_worker)
     monkeypatch.setattr(Client, "register_plugin", counted)
-    outcome = _on(dask, sweep, tmp_path / "a.csv", lambda _: None)
+    outcome = _on(dask, small_sweep, tmp_path / "a.csv", lambda _: None)
     assert len(sent) > 1
     assert (outcome.done, outcome.failed) == (12, 0)
 
 
-def test_ctrl_c_and_a_lost_scheduler_lose_nothing(written: Write, tmp_path: Path, cluster: Start) -> None:
+def test_ctrl_c_and_a_lost_scheduler_lose_nothing(
+    written: Write, tmp_path: Path, cluster: Cluster, long_table: pd.DataFrame
+) -> None:
     sweep = Sweep(read_settings(written(LONG)))
-    dask = cluster(1)
+    dask = cluster.of(1)
     target = tmp_path / "a.parquet"
 
     def ctrl_c(done: int) -> None:
@@ -135,22 +162,13 @@ def test_ctrl_c_and_a_lost_scheduler_lose_nothing(written: Write, tmp_path: Path
     outcome = run_sweep(sweep, target)
     assert stopped.done < outcome.found < 4096
     assert outcome.table is not None
-    expected = _local(sweep, tmp_path / "local.parquet")
-    pd.testing.assert_frame_equal(outcome.table, expected, check_exact=True)
+    pd.testing.assert_frame_equal(outcome.table, long_table, check_exact=True)
 
 
-def test_mistakes_come_back_from_the_workers_as_they_are(
-    written: Write, tmp_path: Path, cluster: Start, monkeypatch: pytest.MonkeyPatch
+def test_a_scheduler_that_is_not_there(
+    small_sweep: Sweep, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    sweep = Sweep(read_settings(written(SMALL)))
-    dask = cluster(1)
-    content = sweep.settings.fmu.path.read_bytes()
-    monkeypatch.setattr(Path, "read_bytes", lambda path: content[: len(content) // 2])
-    with pytest.raises(FmuFileError, match="not an FMU"):
-        _on(dask, sweep, tmp_path / "a.csv", lambda _: None)
-
-
-def test_a_scheduler_that_is_not_there(small_sweep: Sweep, tmp_path: Path) -> None:
+    monkeypatch.setattr(cluster_module, "_TIMEOUT", 0.5)
     begin = time.monotonic()
     with pytest.raises(ClusterError, match=r"tcp://127.0.0.1:9: cannot be reached"):
         run_sweep(small_sweep, tmp_path / "a.csv", scheduler="tcp://127.0.0.1:9")

@@ -33,7 +33,9 @@ def _wait_for_parts(process: subprocess.Popen[str], target: Path, count: int) ->
 
 
 @pytest.mark.parametrize("stop", [signal.SIGINT, signal.SIGKILL])
-def test_a_stopped_sweep_goes_on_from_there(written: Write, tmp_path: Path, stop: signal.Signals) -> None:
+def test_a_stopped_sweep_goes_on_from_there(
+    written: Write, tmp_path: Path, stop: signal.Signals, long_table: pd.DataFrame
+) -> None:
     settings = written(LONG)
     target = tmp_path / "a.parquet"
     process = _started(settings, target)
@@ -50,11 +52,7 @@ def test_a_stopped_sweep_goes_on_from_there(written: Write, tmp_path: Path, stop
     else:
         assert process.returncode == -signal.SIGKILL
     assert not target.exists()
-    sweep = Sweep(read_settings(settings))
-    outcome = run_sweep(sweep, target)
+    outcome = run_sweep(Sweep(read_settings(settings)), target)
     assert 0 < outcome.found < 4096
     assert (outcome.done, outcome.failed) == (4096, 0)
-    expected = run_sweep(sweep, tmp_path / "whole.parquet")
-    assert expected.found == 0
-    assert expected.table is not None
-    pd.testing.assert_frame_equal(read_sweep(target), expected.table, check_exact=True)
+    pd.testing.assert_frame_equal(read_sweep(target), long_table, check_exact=True)
