@@ -31,7 +31,7 @@ from pyjoystick.identification import CONSTANT_DAMPING, POWER_LAW_DAMPING, FitSe
 from pyjoystick.identification.fitting.search import multi_start
 from pyjoystick.identification.fitting.setup import make_problem
 from pyjoystick.identification.fitting.steps import choose_steps
-from pyjoystick.laboratory.synthetic_records import synthetic_record
+from pyjoystick.laboratory import synthetic_record
 from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW
 from pyjoystick.motion import markdown_table
 

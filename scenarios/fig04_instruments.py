@@ -13,8 +13,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from pyjoystick.laboratory import Chain
-from pyjoystick.laboratory.measurement_plots import plot_instruments
+from pyjoystick.laboratory import Chain, plot_instruments
 from pyjoystick.model import NOMINAL_POWER_LAW, PIVOT_TO_TOP, simulate
 from pyjoystick.motion import GRAVITY, read_repeats
 from pyjoystick.motion.report import peak_table

@@ -8,8 +8,7 @@ results/fig07_load_deflection/.
 import sys
 from pathlib import Path
 
-from pyjoystick.laboratory import cubic_fits, plot_load_deflection
-from pyjoystick.laboratory.load_curve.model_figure import CubicFit
+from pyjoystick.laboratory import CubicFit, cubic_fits, plot_load_deflection
 from pyjoystick.model import NOMINAL, STOP_ANGLE, assembly_force
 from pyjoystick.motion import markdown_table
 from pyjoystick.support import save_results

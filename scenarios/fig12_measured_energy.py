@@ -13,9 +13,14 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from pyjoystick.laboratory import Chain, LowPass, chain_effect
-from pyjoystick.laboratory.measurement_errors import error_budget, error_budget_report
-from pyjoystick.laboratory.measurement_plots import plot_chain_effect
+from pyjoystick.laboratory import (
+    Chain,
+    LowPass,
+    chain_effect,
+    error_budget,
+    error_budget_report,
+    plot_chain_effect,
+)
 from pyjoystick.model import NOMINAL_POWER_LAW, plateaus, plot_energy, simulate
 from pyjoystick.motion import markdown_table
 from pyjoystick.support import save_results

@@ -15,8 +15,10 @@ from pyjoystick.fmu import Fmu
 from pyjoystick.identification import FITTED, Bench, contribution_table, fit_contributions
 from pyjoystick.identification.laboratory_errors import Contribution
 from pyjoystick.laboratory import (
+    AngleMeasurement,
     Chain,
     Measured,
+    error_budget,
     fit_load_curve,
     from_parts,
     inertia_of_swing,
@@ -27,8 +29,6 @@ from pyjoystick.laboratory import (
     read_parts,
     rest_angle,
 )
-from pyjoystick.laboratory.measurement_errors import error_budget
-from pyjoystick.laboratory.measurements.angle import AngleMeasurement
 from pyjoystick.model import NOMINAL, SIDES, JoystickParameters
 from pyjoystick.motion import read_record
 from pyjoystick.support import write_text

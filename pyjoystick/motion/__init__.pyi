@@ -23,6 +23,7 @@ from .release_peaks import (
 )
 from .report import markdown_table as markdown_table
 from .table_files import (
+    DELIMITERS as DELIMITERS,
     TIME as TIME,
     Column as Column,
     Heading as Heading,

@@ -23,7 +23,7 @@ from pyjoystick.motion.units import UNITS, plain_unit
 from pyjoystick.support import FloatArray
 
 _COMMENT: Final = "#"
-_DELIMITERS: Final = ",;\t"
+DELIMITERS: Final = ",;\t"
 _EMPTY: Final = ("", "nan", "na", "n/a", "null", "none", "-")
 _HEADING: Final = re.compile(r"(?P<name>.*?)\s*[(\[](?P<unit>[^()\[\]]*)[)\]]\s*")
 
@@ -329,7 +329,7 @@ def _head(path: Path, filled: Iterator[tuple[int, str]]) -> TableHead:
     number, line = next(filled, (0, ""))
     if not line:
         raise RecordError(str(path), "has no headings", example)
-    delimiter = max(_DELIMITERS, key=line.count)
+    delimiter = max(DELIMITERS, key=line.count)
     headings = tuple(_heading(cell) for cell in _cells(path, number, line, delimiter))
     texts = [heading.text for heading in headings]
     for text in texts:

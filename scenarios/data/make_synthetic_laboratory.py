@@ -19,15 +19,15 @@ import numpy as np
 
 from pyjoystick.laboratory import (
     MarkerLayout,
+    Markers,
     Measured,
+    Part,
     from_parts,
     synthetic_acceleration,
     synthetic_load_cycle,
     synthetic_markers,
     synthetic_swing,
 )
-from pyjoystick.laboratory.inertia.parts import Part
-from pyjoystick.laboratory.measurements.markers import Markers
 from pyjoystick.model import NOMINAL, ActuatorAssembly, JoystickParameters, SegmentTable, simulate
 from pyjoystick.support import PyJoystickError, replacing, write_text
 

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from pyjoystick.laboratory.synthetic_records import ANGLE_NOISE, CAMERA_RATE, synthetic_record
+from pyjoystick.laboratory import ANGLE_NOISE, CAMERA_RATE, synthetic_record
 from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW, STOP_ANGLE, JoystickParameters
 from pyjoystick.motion import Record
 from pyjoystick.support import write_text

@@ -18,9 +18,9 @@ from typing import Final, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from pyjoystick.laboratory.measurements.circle import Circle, fit_circle
+from pyjoystick.laboratory.measurements.marker_path import Circle, MotionPlane, fit_circle, motion_plane
 from pyjoystick.laboratory.measurements.markers import Markers, unseen
-from pyjoystick.laboratory.measurements.motion_plane import MotionPlane, motion_plane
+from pyjoystick.model import JoystickParameters, Side, angle_of_travel
 from pyjoystick.motion import Record, RecordError
 from pyjoystick.support import FloatArray, angle, positive
 
@@ -178,6 +178,17 @@ def measure_angle(
         noise=arc.noise / arc.radius,
         notes=tuple(notes),
     )
+
+
+def rest_angle(parameters: JoystickParameters, side: Side) -> float:
+    """The angle (rad) at which a joystick leans against the springs of one side, positive forward.
+
+    Gravity tips it over within its clearance. What it presses into the springs is left out: with the paper's
+    stiffnesses 0.3 % of the angle.
+    """
+    actuator = parameters.forward if side == "forward" else parameters.backward
+    leaning = angle_of_travel(parameters, actuator.return_spring.x_0)
+    return leaning if side == "forward" else -leaning
 
 
 def _pivot(

@@ -10,8 +10,7 @@ import pytest
 from pyjoystick.fmu import Fmu
 from pyjoystick.identification import Bench, combined, contribution_table, fit_contributions
 from pyjoystick.identification.laboratory_errors import Contribution, curve_axes, refit, run_contribution
-from pyjoystick.laboratory import fit_load_curve, mean_period
-from pyjoystick.laboratory.synthetic_records import synthetic_record
+from pyjoystick.laboratory import fit_load_curve, mean_period, synthetic_record
 from pyjoystick.model import FORWARD_TABLE, NOMINAL, simulate
 from tests.pyjoystick.laboratory.load_curve.machine import curve
 
