@@ -131,11 +131,11 @@ def measure_angle(
     Raises:
         ParameterError: the radius is not above zero, or `rest_angle` no angle
         RecordError: a marker is not there or never seen, the rest position is empty, the plane or the pivot
-            is uncertain, or forward is no axis along the motion
+            is uncertain, or forward is not an axis along the motion
     """
     for axis in (forward, up or forward):
         if axis not in AXES:
-            raise RecordError(markers.source, f"{axis!r} is no axis", f"known are {', '.join(AXES)}")
+            raise RecordError(markers.source, f"{axis!r} is not an axis", f"known are {', '.join(AXES)}")
     first, second = _two(markers, base)
     seen = ~unseen(markers.of(top))
     middle, span = (first + second) / 2.0, second - first
@@ -292,7 +292,7 @@ def _base_notes(time: FloatArray, middle: FloatArray, radius: float) -> list[str
 def _arc_notes(arc: Circle) -> list[str]:
     if arc.radius_error > _RADIUS_UNCERTAIN * arc.radius:
         share = 100.0 * arc.radius_error / arc.radius
-        return [f"the arc's radius has a standard error of {share:.1f} %, and so has the scale of the angle"]
+        return [f"the arc's radius has a standard error of {share:.1f} %, and so does the scale of the angle"]
     return []
 
 

@@ -53,7 +53,7 @@ def motion_plane(
         forward: direction that counts as positive, shape (3,), of length 1; it need not lie in the plane
         source: what errors name
         up: a direction that the plane is known to hold, shape (3,), of length 1; the rest is then only the
-            main direction of motion, which a small motion tells well
+            main direction of motion, which even a small motion determines well
 
     Raises:
         RecordError: the marker does not move, its path is so short or so little planar that the plane is

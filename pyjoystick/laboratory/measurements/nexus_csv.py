@@ -101,7 +101,7 @@ def _section(source: str, text: str) -> _Section:
         end += 1
     if end - start <= _HEAD:
         reason = f"has no frames under {lines[start].strip()!r}"
-        raise RecordError(source, reason, "was it cut off? Export it again", rows=[start + 1])
+        raise RecordError(source, reason, "was it truncated? Export it again", rows=[start + 1])
     titles = lines[start + 3]
     return _Section(source, lines[start:end], start + 1, max(DELIMITERS, key=titles.count))
 
@@ -172,7 +172,7 @@ def _no_number(section: _Section) -> RecordError:
                 decimal = "," in cell
                 return RecordError(
                     section.source,
-                    "is no number",
+                    "is not a number",
                     "export with decimal points, not commas"
                     if decimal
                     else "write a number or leave it empty",
@@ -180,7 +180,7 @@ def _no_number(section: _Section) -> RecordError:
                     rows=[section.start + i],
                     value=repr(cell),
                 )
-    return RecordError(section.source, "holds cells that are no numbers", "export it again")
+    return RecordError(section.source, "has cells that are not numbers", "export it again")
 
 
 def _require_consecutive(section: _Section, frames: FloatArray, rows: np.ndarray) -> None:

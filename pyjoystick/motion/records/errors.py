@@ -14,7 +14,7 @@ class RecordError(PyJoystickError, ValueError):
     """A record of a motion cannot be used as it is.
 
     Attributes:
-        source: the file, or what else the record comes from
+        source: the file, or another origin of the record
         column: heading of the column it is about, or an empty string
         rows: the rows it is about: line numbers of the file as an editor shows them, or indices of samples
             where the record comes from arrays; may be empty

@@ -49,7 +49,7 @@ def test_compression_counted_negative_is_turned_and_told() -> None:
     ("change", "message"),
     [
         (lambda t: t.replace(";", " "), "separate the columns by commas, semicolons or tabs"),
-        (lambda t: t.replace("0.0", "0,0"), "row 3: is no number (found '0,0"),
+        (lambda t: t.replace("0.0", "0,0"), "row 3: is not a number (found '0,0"),
         (
             lambda t: t.replace(".", ",").replace(";", ","),
             "row 3: has 4 cells under 2 headings; was the file cut",
@@ -97,7 +97,7 @@ def test_arrays_that_are_no_cycle() -> None:
 
 
 def test_an_unknown_quantity(tmp_path: Path) -> None:
-    with pytest.raises(RecordError, match="'stress' is no quantity; known are travel, force"):
+    with pytest.raises(RecordError, match="'stress' is not a known quantity; known are travel, force"):
         read_load_curve(write(tmp_path / "curve.csv", *cycle(FORWARD_TABLE, 1)), units={"stress": "N"})
 
 

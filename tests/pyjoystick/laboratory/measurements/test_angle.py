@@ -174,7 +174,7 @@ def test_what_cannot_be_measured_is_refused() -> None:
     markers = _markers(noise=3e-4)
     with pytest.raises(RecordError, match=r"is not along the direction called forward.*x, -x, y"):
         _measured(markers, forward="y")
-    with pytest.raises(RecordError, match="'up' is no axis; known are x, -x"):
+    with pytest.raises(RecordError, match="'up' is not an axis; known are x, -x"):
         _measured(markers, forward="up")
     with pytest.raises(RecordError, match="as markers of the base; name two different ones"):
         measure_angle(markers, top=TOP, base=("BASE1", "BASE1"), forward="x")
