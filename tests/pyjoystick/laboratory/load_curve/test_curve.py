@@ -119,3 +119,11 @@ def test_one_wrong_travel_is_named(tmp_path: Path, place: int) -> None:
     with pytest.raises(RecordError, match=r"column 'travel', rows .*: travel jumps by") as refused:
         read_load_curve(write(tmp_path / "curve.csv", travel, force))
     assert place + 3 in refused.value.rows
+
+
+def test_force_may_peak_at_the_turn() -> None:
+    """A record that turns within a stiff segment, of which one row is in it."""
+    travel = np.linspace(0.0, 1e-3, 41)
+    force = np.where(travel > 0.99e-3, 50.0, 1e3 * travel)
+    curve = LoadCurve.from_cycle(np.append(travel, travel[-2::-1]), np.append(force, force[-2::-1]))
+    assert len(curve.branches) == 2

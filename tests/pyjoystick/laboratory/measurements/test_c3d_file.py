@@ -103,7 +103,7 @@ def test_a_file_that_is_cut_off_says_which_frames_are_missing(tmp_path: Path, sc
     write_c3d(file, NAMES, POINTS, rate=60.0, scale=scale)
     whole = file.read_bytes()
     file.write_bytes(whole[:-1])
-    with pytest.raises(RecordError, match=r"row 40: is cut off: it declares 40 frames and halds 39 .*again"):
+    with pytest.raises(RecordError, match=r"row 40: is cut off: it declares 40 frames and has 39 .*again"):
         read_c3d(file)
     file.write_bytes(whole[:700])
     with pytest.raises(RecordError, match="ends within its parameters"):
@@ -119,7 +119,7 @@ def test_frames_beyond_the_largest_number_of_them_are_not_lost_in_silence(tmp_pa
     assert len(read_c3d(file).time) == 65_535
     with file.open("ab") as more:  # 4465 frames of one point
         more.write(bytes(4465 * 16))
-    with pytest.raises(RecordError, match=r"row 65536: goes on after the 65535 frames .*shorter"):
+    with pytest.raises(RecordError, match=r"row 65536: continues after the 65535 frames .*shorter"):
         read_c3d(file)
 
 
