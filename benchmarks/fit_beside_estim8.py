@@ -31,7 +31,7 @@ from pyjoystick.identification import CONSTANT_DAMPING, POWER_LAW_DAMPING, FitSe
 from pyjoystick.identification.fitting.fit import make_problem
 from pyjoystick.identification.fitting.problem import choose_steps
 from pyjoystick.identification.fitting.search import multi_start
-from pyjoystick.laboratory.synthetic_records import synthetic_record
+from pyjoystick.laboratory import synthetic_record
 from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW
 from pyjoystick.support import TextTable
 

@@ -30,7 +30,7 @@ from pyjoystick.identification import (
     Uncertainty,
     fit,
 )
-from pyjoystick.laboratory.synthetic_records import synthetic_record
+from pyjoystick.laboratory import synthetic_record
 from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW, JoystickParameters
 from pyjoystick.motion import Record
 from pyjoystick.support import TextTable

@@ -27,19 +27,19 @@ def read_inputs(path: str | PathLike[str], fmu: FmuDescription) -> pd.DataFrame:
     The first column is the time, in s where its heading has no unit; the others are as in `read_variables`.
 
     Raises:
-        RecordError: the file is no table, a unit is unknown, or a cell is no finite number
+        RecordError: the file is not a table, a unit is unknown, or a cell is not a finite number
         UnknownInputError: a column has not the name of an input
     """
     file = read_table_file(Path(path))
     first, *others = file.head.headings
     known = fmu.names("input")
-    for heading in others:
-        if heading.name not in known:
-            raise UnknownInputError(heading.name, known)
-    columns = [_column(fmu.variables[heading.name]) for heading in others]
-    found = file.head.match(
-        [_TIME, *columns], headings={"time": first.text} | {h.name: h.text for h in others}
-    )
+    # The name of an element of an array, u[1], looks like a name with a unit.
+    texts = {heading.text if heading.text in known else heading.name: heading.text for heading in others}
+    for name in texts:
+        if name not in known:
+            raise UnknownInputError(name, known)
+    columns = [_column(fmu.variables[name]) for name in texts]
+    found = file.head.match([_TIME, *columns], headings={"time": first.text} | texts)
     return _table(file, found, fmu)
 
 
@@ -50,7 +50,7 @@ def read_variables(path: str | PathLike[str], fmu: FmuDescription, names: Sequen
     proposes for display; a heading without a unit means the variable's own.
 
     Raises:
-        RecordError: the file is no table, a column is missing, its unit is unknown, a cell is no finite
+        RecordError: the file is not a table, a column is missing, its unit is unknown, a cell is no finite
             number, or the time does not increase
     """
     file = read_table_file(Path(path))

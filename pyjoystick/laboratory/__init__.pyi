@@ -13,15 +13,18 @@ from .inertia.swing import (
 )
 from .inertia.swing_record import period_of_record as period_of_record
 from .load_curve.curve import Branch as Branch, LoadCurve as LoadCurve, read_load_curve as read_load_curve
-from .load_curve.figure import plot_load_curve as plot_load_curve
-from .load_curve.fit import LoadCurveFit as LoadCurveFit, fit_load_curve as fit_load_curve
-from .load_curve.model_figure import (
+from .load_curve.figures import (
     CubicFit as CubicFit,
     cubic_fits as cubic_fits,
+    plot_load_curve as plot_load_curve,
     plot_load_deflection as plot_load_deflection,
 )
+from .load_curve.fit import LoadCurveFit as LoadCurveFit, fit_load_curve as fit_load_curve
 from .load_curve.report import load_curve_report as load_curve_report
 from .measurement_errors import (
+    ChainEffect as ChainEffect,
+    StageError as StageError,
+    chain_effect as chain_effect,
     error_budget as error_budget,
     error_budget_report as error_budget_report,
     mean_period as mean_period,
@@ -36,39 +39,33 @@ from .measurements.angle import (
     REST_TIME as REST_TIME,
     AngleMeasurement as AngleMeasurement,
     measure_angle as measure_angle,
+    rest_angle as rest_angle,
 )
-from .measurements.chain import Chain as Chain
-from .measurements.chain_effect import ChainEffect as ChainEffect, chain_effect as chain_effect
-from .measurements.finite_differences import derivative as derivative
+from .measurements.chain import Chain as Chain, Motion as Motion, derivative as derivative
 from .measurements.low_pass import LowPass as LowPass
 from .measurements.marker_files import read_markers as read_markers
 from .measurements.markers import Markers as Markers
-from .measurements.motion_files import (
+from .measurements.resampling import GAP as GAP
+from .measurements.results import (
+    acceleration_report as acceleration_report,
+    chain_report as chain_report,
+    markers_report as markers_report,
     write_acceleration as write_acceleration,
     write_motion as write_motion,
     write_record as write_record,
 )
-from .measurements.report import (
-    acceleration_report as acceleration_report,
-    chain_report as chain_report,
-    markers_report as markers_report,
-)
-from .measurements.resampling import GAP as GAP
-from .measurements.rest_position import rest_angle as rest_angle
-from .synthetic_laboratory.motion_capture import (
+from .synthetic_laboratory.cameras import (
+    ANGLE_NOISE as ANGLE_NOISE,
     BASE as BASE,
+    CAMERA_RATE as CAMERA_RATE,
     TOP as TOP,
     MarkerLayout as MarkerLayout,
     synthetic_acceleration as synthetic_acceleration,
     synthetic_markers as synthetic_markers,
+    synthetic_record as synthetic_record,
+    synthetic_swing as synthetic_swing,
 )
-from .synthetic_laboratory.pendulum import synthetic_swing as synthetic_swing
 from .synthetic_laboratory.testing_machine import (
     MachineErrors as MachineErrors,
     synthetic_load_cycle as synthetic_load_cycle,
-)
-from .synthetic_records import (
-    ANGLE_NOISE as ANGLE_NOISE,
-    CAMERA_RATE as CAMERA_RATE,
-    synthetic_record as synthetic_record,
 )

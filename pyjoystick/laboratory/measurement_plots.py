@@ -8,8 +8,8 @@ from typing import Final
 import numpy as np
 from matplotlib.figure import Figure
 
+from pyjoystick.laboratory.measurement_errors import ChainEffect
 from pyjoystick.laboratory.measurements.chain import Motion
-from pyjoystick.laboratory.measurements.chain_effect import ChainEffect
 from pyjoystick.model import ConstantDamping, JoystickParameters, Trajectory, energy
 from pyjoystick.motion import GRAVITY
 from pyjoystick.support import LAWS, LONG_DASHES, MEASURED, SOLID, FloatArray, dress, legend_above

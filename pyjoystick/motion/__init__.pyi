@@ -24,6 +24,7 @@ from .release_peaks import (
 )
 from .report import Case as Case, free_oscillation_report as free_oscillation_report, peak_table as peak_table
 from .table_files import (
+    DELIMITERS as DELIMITERS,
     TIME as TIME,
     Column as Column,
     Heading as Heading,

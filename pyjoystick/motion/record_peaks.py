@@ -18,7 +18,7 @@ from pyjoystick.motion.release_peaks import ReleasePeaks
 from pyjoystick.motion.spline import MotionSpline, fit_spline
 from pyjoystick.support import FloatArray
 
-#: A swing of fewer samples has less to say than the spline asks of it.
+#: A swing of fewer samples cannot determine its part of the spline.
 FEWEST_SAMPLES_IN_SWING: Final = 2.0
 #: A peak counts while it is this many of its standard errors high.
 SIGNIFICANT: Final = 2.5

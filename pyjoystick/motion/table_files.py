@@ -23,7 +23,7 @@ from pyjoystick.motion.units import UNITS, plain_unit
 from pyjoystick.support import FloatArray
 
 _COMMENT: Final = "#"
-_DELIMITERS: Final = ",;\t"
+DELIMITERS: Final = ",;\t"
 _EMPTY: Final = ("", "nan", "na", "n/a", "null", "none", "-")
 _HEADING: Final = re.compile(r"(?P<name>.*?)\s*[(\[](?P<unit>[^()\[\]]*)[)\]]\s*")
 
@@ -113,13 +113,15 @@ class TableHead:
             units: units by name of the column, where the headings have none
 
         Raises:
-            RecordError: a column is missing or there twice; it has no unit, an unknown one, or another one
-                than is given; or a name in `headings` or `units` is not that of a column
+            RecordError: a column is missing or there twice; it has no unit, an unknown one, or not the
+                one given; or a name in `headings` or `units` is not that of a column
         """
         wanted = {column.name: column for column in columns}
         for name in {**(headings or {}), **(units or {})}:
             if name not in wanted:
-                raise RecordError("columns", f"{name!r} is no quantity", f"known are {', '.join(wanted)}")
+                raise RecordError(
+                    "columns", f"{name!r} is not a known quantity", f"known are {', '.join(wanted)}"
+                )
         found = {}
         for name, column in wanted.items():
             heading = self._find(column, (headings or {}).get(name, ""))
@@ -149,21 +151,22 @@ class TableHead:
 
     def _unit(self, column: Column, heading: Heading, given: str) -> str:
         """The unit of a column as `Column.units` spells it."""
-        reason, advice, value = "", f"known are {', '.join(column.units)}", None
-        unit = heading.unit or given or column.default_unit
-        if heading.unit and given and plain_unit(heading.unit) != plain_unit(given):
-            reason = f"has the unit {heading.unit} in its heading, but {given} is given"
+        # The brackets of a variable such as x[1] are part of its name.
+        written = "" if heading.text == column.name else heading.unit
+        unit, known = written or given or column.default_unit, ", ".join(column.units)
+        value = None
+        if written and given and plain_unit(written) != plain_unit(given):
+            reason = f"has the unit {written} in its heading, but {given} is given"
             advice = "leave one of the two out"
         elif not unit and "" not in column.units:
             reason = "has no unit"
-            known = ", ".join(column.units)
             example = f"{heading.text} ({next(iter(column.units))})"
             advice = f"write it in the heading, as in {example!r}, or give it as an option: {known}"
         else:
             for one in column.units:
                 if plain_unit(unit) == plain_unit(one) or not any(column.units):
                     return one
-            reason, value = "has an unknown unit", unit
+            reason, advice, value = "has an unknown unit", f"known are {known}", unit
         raise RecordError(str(self.path), reason, advice, column=heading.text, rows=self._rows, value=value)
 
     def _named(self, name: str) -> list[Heading]:
@@ -204,7 +207,7 @@ class TableFile:
             units: units by name of the column, where the headings have none
 
         Raises:
-            RecordError: as `TableHead.match` does; or a cell is empty or no finite number
+            RecordError: as `TableHead.match` does; or a cell is empty, not a number or not finite
         """
         found = self.head.match(columns, headings=headings, units=units)
         return {
@@ -221,7 +224,7 @@ class TableFile:
         """The column under a heading as it stands, shape (n,); empty cells and words such as NA are NaN.
 
         Raises:
-            RecordError: a cell holds something else than a number
+            RecordError: a cell holds something other than a number
         """
         values = np.empty(len(self.cells))
         for i, cell in enumerate(self.texts(heading)):
@@ -235,7 +238,7 @@ class TableFile:
         """As `numbers`, none of them missing.
 
         Raises:
-            RecordError: a cell is empty, no number or not finite
+            RecordError: a cell is empty, not a number or not finite
         """
         numbers = self.numbers(heading)
         bad = np.flatnonzero(~np.isfinite(numbers))
@@ -252,9 +255,11 @@ class TableFile:
 
 
 def no_number(path: Path, heading: Heading, row: int, cell: str) -> RecordError:
-    """The error of a cell that is no number."""
+    """The error of a cell that is not a number."""
     advice = "write numbers with a decimal point" if "," in cell else "write a number"
-    return RecordError(str(path), "is no number", advice, column=heading.text, rows=[row], value=repr(cell))
+    return RecordError(
+        str(path), "is not a number", advice, column=heading.text, rows=[row], value=repr(cell)
+    )
 
 
 def read_table_file(path: Path) -> TableFile:
@@ -263,7 +268,7 @@ def read_table_file(path: Path) -> TableFile:
     Lines that begin with # are comments, wherever they stand; empty lines are skipped.
 
     Raises:
-        RecordError: the file cannot be read, is no text in UTF-8, has no headings or no rows, or a row is
+        RecordError: the file cannot be read, is not UTF-8 text, has no headings or no rows, or a row is
             longer or shorter than the headings
     """
     with open_text(path) as file:
@@ -287,7 +292,7 @@ def read_table_head(path: Path) -> TableHead:
     """The headings of a table, of which nothing more is read.
 
     Raises:
-        RecordError: the file cannot be read, is no text in UTF-8, or has no headings
+        RecordError: the file cannot be read, is not UTF-8 text, or has no headings
     """
     with open_text(path) as file:
         return _head(path, _filled(_numbered(file)))
@@ -302,7 +307,7 @@ def open_text(path: Path, advice: str = "export the table as CSV in UTF-8") -> I
         advice: what to do where it is no text
 
     Raises:
-        RecordError: it cannot be read, or is no text in UTF-8
+        RecordError: it cannot be read, or is not UTF-8 text
     """
     try:
         with path.open(encoding="utf-8-sig") as file:
@@ -311,16 +316,16 @@ def open_text(path: Path, advice: str = "export the table as CSV in UTF-8") -> I
         reason = f"cannot be read: {error.strerror}"
         raise RecordError(str(path), reason, "check the path and its permissions") from error
     except UnicodeDecodeError as error:
-        raise RecordError(str(path), "is no text in UTF-8", advice) from error
+        raise RecordError(str(path), "is not UTF-8 text", advice) from error
 
 
 def _numbered(lines: Iterable[str]) -> Iterator[tuple[int, str]]:
-    return ((number, line.strip()) for number, line in enumerate(lines, start=1))
+    return ((number, line.strip(" \r\n")) for number, line in enumerate(lines, start=1))
 
 
 def _filled(lines: Iterable[tuple[int, str]]) -> Iterator[tuple[int, str]]:
     """The lines that are neither empty nor comments."""
-    return ((number, line) for number, line in lines if line and not line.startswith(_COMMENT))
+    return ((number, line) for number, line in lines if line.strip() and not line.startswith(_COMMENT))
 
 
 def _head(path: Path, filled: Iterator[tuple[int, str]]) -> TableHead:
@@ -329,7 +334,7 @@ def _head(path: Path, filled: Iterator[tuple[int, str]]) -> TableHead:
     number, line = next(filled, (0, ""))
     if not line:
         raise RecordError(str(path), "has no headings", example)
-    delimiter = max(_DELIMITERS, key=line.count)
+    delimiter = max(DELIMITERS, key=line.count)
     headings = tuple(_heading(cell) for cell in _cells(path, number, line, delimiter))
     texts = [heading.text for heading in headings]
     for text in texts:
@@ -350,7 +355,7 @@ def _cells(path: Path, number: int, line: str, delimiter: str) -> tuple[str, ...
         cells = next(csv.reader([line], delimiter=delimiter, skipinitialspace=True))
     except csv.Error as error:
         raise RecordError(
-            str(path), f"is no row of cells: {error}", "export it again", rows=[number]
+            str(path), f"is not a row of cells: {error}", "export it again", rows=[number]
         ) from error
     return tuple(cell.strip() for cell in cells)
 

@@ -27,7 +27,7 @@ _COLUMNS: Final = tuple(
     for prefix in ("", "u_")
     for name, units in _KINDS.items()
 )
-#: A center of mass further off the axis than this part of h is told.
+#: A center of mass farther off the axis than this part of h is noted.
 _OFF_AXIS: Final = 0.02
 
 

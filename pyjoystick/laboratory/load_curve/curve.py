@@ -14,13 +14,13 @@ from numpy.typing import NDArray
 from pyjoystick.motion import UNITS, Column, RecordError, read_table_file
 from pyjoystick.support import FloatArray
 
-#: Running back by more than this part of the whole travel is no noise.
+#: Travel may run back by this part of the whole; more is not noise.
 JITTER = 0.01
 #: One wrong number leads the fit astray: travel of which this part lies between two rows, and a force that
 #: differs by this part of its range from both beside it. Stiff segments rise within few rows, never fall.
 _JUMP = 0.5
 _SPIKE = 0.05
-#: A branch that covers less than this part of the whole travel is none.
+#: A branch covers at least this part of the whole travel.
 _LEAST_COVERED = 0.5
 _FEWEST_SAMPLES = 20
 #: Part of the whole travel before the turn that is left out: friction turns around there, and with noise the
@@ -49,7 +49,7 @@ class LoadCurve:
     """One cycle of quasi-static loading.
 
     Attributes:
-        source: the file, or what else it comes from
+        source: the file, or another origin
         loading: travel rises
         unloading: travel falls; None where it was not recorded
         notes: what is doubtful, a sentence each
@@ -76,12 +76,12 @@ class LoadCurve:
     ) -> LoadCurve:
         """Part a record where its travel is largest; with two branches the last 0.5 % of travel are left out.
 
-        Compression that is counted negative is turned, with a note.
+        The sign of compression that is counted negative is reversed, with a note.
 
         Args:
             travel: travel of the contact (m), shape (n,), rising once and perhaps falling once
             force: force (N), shape (n,)
-            source: what messages call it
+            source: its name in messages
             rows: lines of the file; indices where not given
 
         Raises:
@@ -96,7 +96,9 @@ class LoadCurve:
                 raise RecordError(source, "is zero throughout", "was the right column chosen?", column=name)
             if extreme < 0.0:
                 series[name] = -values
-                notes.append(f"{name} is mostly negative: taken as compression counted negative and turned")
+                notes.append(
+                    f"{name} is mostly negative: taken as compression counted negative, and its sign reversed"
+                )
         travel, force = series["travel"], series["force"]
         _require_no_jump(source, travel, lines)
         turn = int(np.argmax(travel))
@@ -112,7 +114,7 @@ class LoadCurve:
             _require_one_way(source, -travel[parts[1]], lines[parts[1]], span, "unloading")
         else:
             notes.append(
-                "has no unloading branch: friction counts as force of the springs; record the whole cycle"
+                "has no unloading branch: friction is counted as force of the springs; record the whole cycle"
             )
         _require_no_spike(source, force, lines, turn)
         kept = travel < travel[turn] - _TURN * span if two else np.ones(len(travel), dtype=bool)

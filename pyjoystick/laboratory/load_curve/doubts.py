@@ -60,7 +60,7 @@ def require_samples_before_contact(curve: LoadCurve, table: SegmentTable) -> Non
 def _begins_in_contact(curve: LoadCurve) -> RecordError:
     return RecordError(
         curve.source,
-        "is in contact from the first rows on, so that the clearance x_0 cannot be seen",
+        "is in contact from the first rows on, so that the clearance x_0 cannot be determined",
         "begin the record before contact",
         column="force",
         rows=[int(curve.loading.rows[0])],

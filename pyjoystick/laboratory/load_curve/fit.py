@@ -34,7 +34,7 @@ _MEDIAN_TO_DEVIATION: Final = 1.4826
 
 @dataclass(frozen=True, slots=True, eq=False)
 class LoadCurveFit:
-    """What a load-deflection curve says.
+    """The fit of a load-deflection curve.
 
     Attributes:
         curve: the record

@@ -14,7 +14,7 @@ def signed_distances(points: FloatArray, vertices: FloatArray) -> FloatArray:
 
     Args:
         points: shape (n, 2)
-        vertices: corners of the line in order, shape (m, 2); segments of no length do no harm
+        vertices: corners of the line in order, shape (m, 2); segments of zero length are ignored
 
     Returns:
         shape (n,)

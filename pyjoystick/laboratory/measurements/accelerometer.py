@@ -26,7 +26,7 @@ from pyjoystick.motion import GRAVITY, UNITS, Column, RecordError, rows_in_words
 from pyjoystick.support import FloatArray, positive
 
 _COLUMN: Final = Column("acceleration", {**UNITS["acceleration"], **UNITS["voltage"]})
-#: Steps in time that differ by more than this from the usual one are no even sampling.
+#: Sampling is uneven where a step in time differs by more than this from the usual one.
 _UNEVEN: Final = 0.02
 #: Clocks are compared over this much to either side (s), in these steps.
 LARGEST_LAG: Final = 0.1
@@ -35,7 +35,7 @@ _LAG_STEP: Final = 5e-4
 
 @dataclass(frozen=True, slots=True, eq=False)
 class AccelerometerRecord:
-    """The part of an accelerometer's samples that was asked for, and what was seen in all of them.
+    """The samples of an accelerometer within a window, and what was found in the whole file.
 
     Attributes:
         source: the file

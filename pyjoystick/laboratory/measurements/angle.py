@@ -18,9 +18,9 @@ from typing import Final, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from pyjoystick.laboratory.measurements.circle import Circle, fit_circle
+from pyjoystick.laboratory.measurements.marker_path import Circle, MotionPlane, fit_circle, motion_plane
 from pyjoystick.laboratory.measurements.markers import Markers, unseen
-from pyjoystick.laboratory.measurements.motion_plane import MotionPlane, motion_plane
+from pyjoystick.model import JoystickParameters, Side, angle_of_travel
 from pyjoystick.motion import Record, RecordError
 from pyjoystick.support import FloatArray, angle, positive
 
@@ -131,11 +131,11 @@ def measure_angle(
     Raises:
         ParameterError: the radius is not above zero, or `rest_angle` no angle
         RecordError: a marker is not there or never seen, the rest position is empty, the plane or the pivot
-            is uncertain, or forward is no axis along the motion
+            is uncertain, or forward is not an axis along the motion
     """
     for axis in (forward, up or forward):
         if axis not in AXES:
-            raise RecordError(markers.source, f"{axis!r} is no axis", f"known are {', '.join(AXES)}")
+            raise RecordError(markers.source, f"{axis!r} is not an axis", f"known are {', '.join(AXES)}")
     first, second = _two(markers, base)
     seen = ~unseen(markers.of(top))
     middle, span = (first + second) / 2.0, second - first
@@ -178,6 +178,17 @@ def measure_angle(
         noise=arc.noise / arc.radius,
         notes=tuple(notes),
     )
+
+
+def rest_angle(parameters: JoystickParameters, side: Side) -> float:
+    """The angle (rad) at which a joystick leans against the springs of one side, positive forward.
+
+    Gravity tips it over within its clearance. What it presses into the springs is left out: with the paper's
+    stiffnesses 0.3 % of the angle.
+    """
+    actuator = parameters.forward if side == "forward" else parameters.backward
+    leaning = angle_of_travel(parameters, actuator.return_spring.x_0)
+    return leaning if side == "forward" else -leaning
 
 
 def _pivot(
@@ -281,7 +292,7 @@ def _base_notes(time: FloatArray, middle: FloatArray, radius: float) -> list[str
 def _arc_notes(arc: Circle) -> list[str]:
     if arc.radius_error > _RADIUS_UNCERTAIN * arc.radius:
         share = 100.0 * arc.radius_error / arc.radius
-        return [f"the arc's radius has a standard error of {share:.1f} %, and so has the scale of the angle"]
+        return [f"the arc's radius has a standard error of {share:.1f} %, and so does the scale of the angle"]
     return []
 
 

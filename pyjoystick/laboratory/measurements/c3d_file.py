@@ -15,7 +15,7 @@ from pyjoystick.support import FloatArray
 
 #: The largest frame number in one word.
 _LAST_FRAME: Final = 0xFFFF
-#: The lower byte of a point's fourth word is its residual, the upper one tells the cameras.
+#: The lower byte of a point's fourth word is its residual, the upper one is a mask of the cameras.
 _RESIDUAL: Final = 0xFF
 
 
@@ -27,12 +27,12 @@ def read_c3d(path: Path, *, unit: str | None = None) -> Markers:
         unit: unit of the coordinates, instead of POINT:UNITS
 
     Returns:
-        the markers; a point is NaN where its residual is below zero, which is how the format says that it was
-        not seen. `rows` are the frame numbers, the time is zero at the first frame.
+        the markers; a point is NaN where its residual is below zero, the format's sign that it was not
+        seen. `rows` are the frame numbers, the time is zero at the first frame.
 
     Raises:
-        RecordError: the file cannot be read, is no C3D file or is damaged, has fewer frames than it says or
-            more than it can say, no points, no rate or no known unit
+        RecordError: the file cannot be read, is not a C3D file or is damaged, has fewer frames than it
+            declares or more than it can declare, no points, no rate or no known unit
     """
     source = str(path)
     try:
@@ -95,13 +95,13 @@ def _frames(head: C3dHead, data: bytes, points: int, frames: int, first: int) ->
     words = 4 * points + head.header[2]
     start = (int(head.value("POINT:DATA_START", head.header[8])) - 1) * BLOCK
     if frames < 1 or start < BLOCK:
-        reason = f"says {frames} frames from byte {start}, which cannot be"
+        reason = f"declares {frames} frames from byte {start}, which is impossible"
         raise RecordError(head.source, reason, "is the file damaged? Export it again")
     present = max(len(data) - start, 0) // (words * size)
     if present < frames:
         raise RecordError(
             head.source,
-            f"is cut off: it says {frames} frames and holds {present}",
+            f"is cut off: it declares {frames} frames and has {present}",
             "copy or export the file again",
             rows=range(first + present, first + frames),
             value=f"{len(data)} bytes, {start + frames * words * size} needed",
@@ -111,7 +111,7 @@ def _frames(head: C3dHead, data: bytes, points: int, frames: int, first: int) ->
     if clipped and len(data) - end >= BLOCK:
         raise RecordError(
             head.source,
-            f"goes on after the {frames} frames that it says: their number ends at {_LAST_FRAME}",
+            f"continues after the {frames} frames that it declares: their count ends at {_LAST_FRAME}",
             "export a shorter record, or one with its last frame in TRIAL:ACTUAL_END_FIELD",
             column="POINT:FRAMES",
             rows=[first + frames],

@@ -135,10 +135,10 @@ def read_c3d_head(source: str, data: bytes) -> C3dHead:
     """Header and parameters from the bytes of a file.
 
     Raises:
-        RecordError: it is no C3D file, of an unknown processor, or ends before the parameters do
+        RecordError: it is not a C3D file, of an unknown processor, or ends before the parameters do
     """
     if len(data) < 2 or data[1] != _MAGIC:
-        raise RecordError(source, "is no C3D file", "its second byte must be 80; export it again as C3D")
+        raise RecordError(source, "is not a C3D file", "its second byte must be 80; export it again as C3D")
     start = (data[0] - 1) * BLOCK
     if len(data) < max(start + 4, BLOCK):
         raise _truncated(source, "header", len(data))

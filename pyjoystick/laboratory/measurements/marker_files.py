@@ -56,7 +56,7 @@ def read_marker_csv(path: Path, *, unit: str | None = None) -> Markers:
         the markers; empty cells are NaN, `rows` are line numbers
 
     Raises:
-        RecordError: the file is no table of numbers, has no time or no markers, a marker lacks an axis, a
+        RecordError: the file is not a table of numbers, has no time or no markers, a marker lacks an axis, a
             unit is unknown, or the time does not increase
     """
     file = read_table_file(path)

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from pyjoystick.motion import UNITS, RecordError, plain_unit
 from pyjoystick.support import FloatArray
 
-#: An angle over time cannot do with fewer frames than these.
+#: An angle over time needs this many frames.
 _FEWEST_FRAMES: Final = 3
 
 
@@ -22,7 +22,7 @@ class Markers:
     """Where markers were at the instants of the frames; nothing is filled in.
 
     Attributes:
-        source: the file, or a word on what made them
+        source: the file, or a note on their origin
         names: names of the k markers; a subject may stand before a colon (``Joystick:TOP``)
         time: instants of the frames (s), shape (n,), increasing
         positions: coordinates (m), shape (n, k, 3), NaN where a marker was not seen

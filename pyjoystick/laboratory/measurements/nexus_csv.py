@@ -24,14 +24,13 @@ import numpy as np
 import pandas as pd
 
 from pyjoystick.laboratory.measurements.markers import Markers, length_factor
-from pyjoystick.motion import RecordError
+from pyjoystick.motion import DELIMITERS, RecordError
 from pyjoystick.support import FloatArray
 
 _SECTION: Final = "trajectories"
 _AXES: Final = ["X", "Y", "Z"]
 #: Lines from the name of the section to the first frame.
 _HEAD: Final = 5
-_DELIMITERS: Final = ",;\t"
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,7 +87,7 @@ def read_nexus_csv(path: Path, text: str, *, unit: str | None = None) -> Markers
 
 def _find(lines: list[str]) -> int | None:
     for i, line in enumerate(lines):
-        if line.strip(_DELIMITERS + ' "').casefold() == _SECTION:
+        if line.strip(DELIMITERS + ' "').casefold() == _SECTION:
             return i
     return None
 
@@ -98,13 +97,13 @@ def _section(source: str, text: str) -> _Section:
     start = _find(lines)
     assert start is not None, "is_nexus_csv() was not asked"
     end = start
-    while end < len(lines) and lines[end].strip(_DELIMITERS + " "):
+    while end < len(lines) and lines[end].strip(DELIMITERS + " "):
         end += 1
     if end - start <= _HEAD:
         reason = f"has no frames under {lines[start].strip()!r}"
-        raise RecordError(source, reason, "was it cut off? Export it again", rows=[start + 1])
+        raise RecordError(source, reason, "was it truncated? Export it again", rows=[start + 1])
     titles = lines[start + 3]
-    return _Section(source, lines[start:end], start + 1, max(_DELIMITERS, key=titles.count))
+    return _Section(source, lines[start:end], start + 1, max(DELIMITERS, key=titles.count))
 
 
 def _markers(section: _Section) -> tuple[tuple[str, ...], tuple[int, ...]]:
@@ -173,7 +172,7 @@ def _no_number(section: _Section) -> RecordError:
                 decimal = "," in cell
                 return RecordError(
                     section.source,
-                    "is no number",
+                    "is not a number",
                     "export with decimal points, not commas"
                     if decimal
                     else "write a number or leave it empty",
@@ -181,7 +180,7 @@ def _no_number(section: _Section) -> RecordError:
                     rows=[section.start + i],
                     value=repr(cell),
                 )
-    return RecordError(section.source, "holds cells that are no numbers", "export it again")
+    return RecordError(section.source, "has cells that are not numbers", "export it again")
 
 
 def _require_consecutive(section: _Section, frames: FloatArray, rows: np.ndarray) -> None:

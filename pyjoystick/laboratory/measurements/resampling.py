@@ -13,7 +13,7 @@ from pyjoystick.support import FloatArray, SeriesError, not_negative, positive
 
 #: A step of more than this many usual ones is a gap.
 GAP: Final = 1.5
-#: A stretch of fewer samples makes no spline worth having.
+#: A stretch of fewer samples gets no spline.
 FEWEST: Final = 4
 #: Instants this much of an interval beyond the last sample still count as its own.
 _ROUNDING: Final = 1e-9

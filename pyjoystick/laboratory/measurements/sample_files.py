@@ -146,7 +146,7 @@ def _csv_pieces(file: SampleFile, layout: _Layout, size: int) -> Iterator[Piece]
                 first += len(values)
     except (pd.errors.ParserError, pd.errors.EmptyDataError, UnicodeDecodeError) as error:
         advice = "was the file cut off, or are the decimal marks commas? Export it with decimal points"
-        reason = f"is no table of columns: {str(error).strip()}"
+        reason = f"is not a table of columns: {str(error).strip()}"
         raise RecordError(str(file.path), reason, advice) from error
 
 
@@ -183,13 +183,13 @@ def _npy_pieces(file: SampleFile, size: int) -> Iterator[Piece]:
             if len(shape) != 1 or dtype.kind not in "iuf" or not shape[0]:
                 advice = "save a single channel as numbers of one dimension"
                 raise RecordError(
-                    source, "is no series of numbers", advice, value=f"{dtype} of shape {shape}"
+                    source, "is not a series of numbers", advice, value=f"{dtype} of shape {shape}"
                 )
             first, count = 0, int(shape[0])
             while first < count:
                 values = np.fromfile(stream, dtype=dtype, count=min(size, count - first)).astype(np.float64)
                 if not len(values):
-                    reason = f"is cut off: it says {count} samples and holds {first}"
+                    reason = f"is cut off: it declares {count} samples and has {first}"
                     raise RecordError(source, reason, "copy or save the file again")
                 yield Piece(first, np.arange(first, first + len(values)) / file.rate, values)
                 first += len(values)
@@ -199,7 +199,7 @@ def _npy_pieces(file: SampleFile, size: int) -> Iterator[Piece]:
     except ValueError as error:
         if isinstance(error, RecordError):
             raise
-        raise RecordError(source, f"is no .npy file: {error}", "save it by numpy.save") from error
+        raise RecordError(source, f"is not a .npy file: {error}", "save it by numpy.save") from error
 
 
 def _require_finite(file: SampleFile, piece: Piece) -> None:

@@ -1,4 +1,4 @@
-"""Whether a record is what section 3.3 of the paper needs: one release, and a motion that dies away freely.
+"""Whether a record shows what section 3.3 of the paper needs: one release and a free decay.
 
 Refused (`RecordError`) is what would make every later number wrong or meaningless: no oscillation, too few
 peaks for a line through them, a motion that does not die away, one that grows again (a second release), a
@@ -198,7 +198,7 @@ def _velocity(record: Record) -> Iterator[str]:
     ratio = float(np.sum(turned * mean)) / square if square > 0.0 else math.inf
     if 0.5 < ratio < 2.0:
         if abs(ratio - 1.0) > 0.1:
-            yield f"the angle changes {ratio:.3f} times as fast as the velocity says"
+            yield f"the angle changes {ratio:.3f} times as fast as the measured velocity"
         return
     advice = {
         ratio < 0.0: "turn the sign of one of the two",

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from pyjoystick.motion.records.errors import RecordError
 from pyjoystick.support import FloatArray
 
-#: A record cannot do with fewer samples than these.
+#: A record needs this many samples.
 FEWEST_SAMPLES = 3
 #: What to do about samples without a number.
 MISSING_ADVICE: Final = (
@@ -26,14 +26,14 @@ MISSING_ADVICE: Final = (
 class Record:
     """One measured motion. The arrays are copies that cannot be written to.
 
-    Nothing is repaired: samples are as measured, and times as recorded, with zero wherever the clock had it.
+    Nothing is repaired: samples and times are as recorded, with zero wherever the clock had it.
 
     Attributes:
         name: what the record is called in tables and figures
         time: instants (s), shape (n,), n >= 3, increasing; gaps are allowed here
         theta: angle (rad), shape (n,), positive forward, |theta| < pi/2
         omega: angular velocity (rad/s) where it was measured, shape (n,), else None
-        source: where the record comes from: the path of the file, or a word on what made it
+        source: where the record comes from: the path of the file, or a note on its origin
         notes: what was found doubtful but not refused, a sentence each
         rows: row of each sample in its source, shape (n,): line numbers of a file; indices from 0 where not
             given
@@ -95,7 +95,9 @@ class Record:
         try:
             series = np.array(values, dtype=np.float64)
         except (TypeError, ValueError):
-            raise RecordError(self.source, "is no array of numbers", "give numbers", column=name) from None
+            raise RecordError(
+                self.source, "is not an array of numbers", "give numbers", column=name
+            ) from None
         if series.ndim != 1:
             reason = f"has the shape {series.shape}, must have one dimension"
             raise RecordError(self.source, reason, "give one number a sample", column=name)
@@ -108,7 +110,14 @@ class Record:
             raise RecordError(self.source, reason, "give one number a sample", column=name)
         bad = np.flatnonzero(~np.isfinite(series))
         if bad.size:
-            raise not_finite(self.source, name, self.rows[bad], series[bad[0]])
+            raise RecordError(
+                self.source,
+                "samples without a finite number",
+                MISSING_ADVICE,
+                column=name,
+                rows=self.rows[bad],
+                value=series[bad[0]],
+            )
 
     def _require_increasing_time(self) -> None:
         steps = np.diff(self.time)
@@ -117,7 +126,7 @@ class Record:
             raise RecordError(
                 self.source,
                 "times are repeated",
-                "which sample of an instant is right cannot be told from here: if the times are rounded, "
+                "it is unknown which sample of an instant is right: if the times are rounded, "
                 "export them with more digits, else delete the rows that are too many",
                 column="time",
                 rows=self.rows[repeated + 1],
@@ -146,15 +155,3 @@ class Record:
                 rows=self.rows[beyond],
                 value=f"{self.theta[beyond[0]]:g} rad",
             )
-
-
-def not_finite(source: str, column: str, rows: ArrayLike, value: object) -> RecordError:
-    """The error of samples that are missing, NaN or infinite."""
-    return RecordError(
-        source,
-        "samples without a finite number",
-        MISSING_ADVICE,
-        column=column,
-        rows=np.asarray(rows).tolist(),
-        value=value,
-    )

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pyjoystick.laboratory.synthetic_records import synthetic_record
+from pyjoystick.laboratory import synthetic_record
 from pyjoystick.model import BACKWARD_TABLE, NOMINAL, read_parameter_file, write_parameters
 from tests.pyjoystick.cli.conftest import Command
 from tests.pyjoystick.laboratory.load_curve.machine import cycle, write

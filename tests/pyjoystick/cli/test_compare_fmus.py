@@ -164,7 +164,7 @@ def test_wrong_usage(command: Command, arguments: tuple[str, ...], message: str)
         (("-a", "3deg"), "release_angle = 0.0523599 rad: must be left out for FMUs that are no joystick"),
         (("-d", "-1"), "duration = -1.0: must be a finite number above 0 s"),
         (("--inputs", "nowhere.csv"), "nowhere.csv: cannot be read"),
-        (("--inputs", "text.csv"), "text.csv, column 'u', row 3: is no number"),
+        (("--inputs", "text.csv"), "text.csv, column 'u', row 3: is not a number"),
         (("--inputs", "other.csv"), "there is no input 'v'; "),
     ],
 )

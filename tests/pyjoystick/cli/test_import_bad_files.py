@@ -58,12 +58,12 @@ def test_markers_as_text(command: Command, text: str, words: tuple[str, ...]) ->
 def test_c3d_files(command: Command) -> None:
     write_c3d(Path("whole.c3d"), SEEN.names, POINTS, rate=60.0)
     Path("cut.c3d").write_bytes(Path("whole.c3d").read_bytes()[:-5000])
-    words = ("rows 76-180", "says 180 frames and holds", "copy or export the file again")
+    words = ("rows 76-180", "declares 180 frames and has", "copy or export the file again")
     _refused(command, MARKERS, "cut.c3d", words)
     write_c3d(Path("unit.c3d"), SEEN.names, POINTS, rate=60.0, unit="inch")
     _refused(command, MARKERS, "unit.c3d", ("'POINT:UNITS'", "unknown unit", "'inch'", "known are m, cm, mm"))
     Path("text.c3d").write_text(PLAIN, encoding="utf-8")
-    _refused(command, MARKERS, "text.c3d", ("is no C3D file", "export it again"))
+    _refused(command, MARKERS, "text.c3d", ("is not a C3D file", "export it again"))
     _refused(command, MARKERS, "none.c3d", ("cannot be read: No such file", "check the path"))
 
 

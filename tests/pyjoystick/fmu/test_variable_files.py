@@ -55,7 +55,7 @@ def test_mistakes_are_named(tmp_path: Path, joystick: FmuDescription) -> None:
         read_inputs(_file(tmp_path, "time,S (N)\n0,0\n"), joystick)
     with pytest.raises(RecordError, match=r"in.csv, column 'T \(lbf\)', row 1: has an unknown unit .* N\.m"):
         read_inputs(_file(tmp_path, "time,T (lbf)\n0,0\n"), joystick)
-    with pytest.raises(RecordError, match=r"in.csv, column 'T', row 3: is no number \(found 'high'\)"):
+    with pytest.raises(RecordError, match=r"in.csv, column 'T', row 3: is not a number \(found 'high'\)"):
         read_inputs(_file(tmp_path, "time,T\n0,0\n1,high\n"), joystick)
 
 

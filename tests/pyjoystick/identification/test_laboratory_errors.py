@@ -11,8 +11,7 @@ import pytest
 from pyjoystick.fmu import Fmu
 from pyjoystick.identification import Bench, Contribution, Fit, contribution_table, fit_contributions
 from pyjoystick.identification.laboratory_errors import curve_axes, refit, run_contribution
-from pyjoystick.laboratory import fit_load_curve, mean_period
-from pyjoystick.laboratory.synthetic_records import synthetic_record
+from pyjoystick.laboratory import fit_load_curve, mean_period, synthetic_record
 from pyjoystick.model import FORWARD_TABLE, NOMINAL, JoystickParameters, simulate
 from pyjoystick.motion import Record
 from pyjoystick.support import FloatArray

@@ -7,7 +7,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pyjoystick.laboratory.synthetic_records import synthetic_record
+from pyjoystick.laboratory import synthetic_record
 from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW, JoystickParameters, simulate
 from pyjoystick.motion import MeasuredPeaks, Record, RecordError, find_peaks, measured_peaks
 

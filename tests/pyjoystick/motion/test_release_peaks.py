@@ -26,6 +26,17 @@ def test_peaks_of_a_run_against_the_closed_form() -> None:
         np.testing.assert_allclose(found["value"], exact["value"], rtol=1e-7)
 
 
+def test_peaks_of_a_run_are_where_its_own_derivatives_change_their_sign() -> None:
+    """Derivatives that lag by two samples move the peaks by as much."""
+    run = linear_run(J, 0.045, 30.0)
+    lagging = run.assign(omega=run["omega"].shift(2, fill_value=0.0))
+    moved = peaks_of_run(lagging).displacement["time"] - peaks_of_run(run).displacement["time"]
+    assert moved.to_numpy()[:9] == pytest.approx(2e-3, abs=1e-3)
+    lagging = run.assign(alpha=run["alpha"].shift(2, fill_value=run["alpha"].iloc[0]))
+    moved = peaks_of_run(lagging).velocity["time"] - peaks_of_run(run).velocity["time"]
+    assert moved.to_numpy()[:9] == pytest.approx(2e-3, abs=1e-3)
+
+
 def test_times_are_averaged_from_the_release() -> None:
     trials = [linear_release(J, c, 30.0, start=start) for c, start in ((0.04, 1.0), (0.05, 7.0))]
     average = average_peaks(trials)

@@ -81,6 +81,18 @@ def test_a_heading_in_the_very_case_comes_first(tmp_path: Path) -> None:
     }
 
 
+def test_brackets_may_be_part_of_a_name(tmp_path: Path) -> None:
+    file = read_table_file(_file(tmp_path, "x[1],x[2] (mm),x\n1,2,3\n"))
+    length = {"m": 1.0, "mm": 1e-3}
+    columns = [Column(name, length, default_unit="m") for name in ("x[1]", "x[2]")]
+    assert {name: values[0] for name, values in file.read(columns).items()} == {"x[1]": 1.0, "x[2]": 0.002}
+
+
+def test_an_empty_cell_at_the_end_of_a_row_is_a_cell(tmp_path: Path) -> None:
+    file = read_table_file(_file(tmp_path, "theta (rad)\tremark\n1\t\n\t\n2\tgood\n"))
+    assert file.texts(file.head.headings[1]) == ["", "good"]
+
+
 def test_cells_in_quotes(tmp_path: Path) -> None:
     file = read_table_file(_file(tmp_path, 'time (s),"theta, in degrees (deg)"\n"1", "180"\n'))
     assert file.read([ANGLE], headings={"theta": "theta, in degrees"})["theta"][0] == math.pi
@@ -103,8 +115,11 @@ def test_cells_in_quotes(tmp_path: Path) -> None:
             "theta (turns)\n1\n",
             "'theta (turns)', row 1: has an unknown unit (found turns); known are rad",
         ),
-        ("theta (deg)\n1\nx\n", "column 'theta (deg)', row 3: is no number (found 'x'); write a number"),
-        ("theta (deg);a\n1,5;2\n", "row 2: is no number (found '1,5'); write numbers with a decimal point"),
+        ("theta (deg)\n1\nx\n", "column 'theta (deg)', row 3: is not a number (found 'x'); write a number"),
+        (
+            "theta (deg);a\n1,5;2\n",
+            "row 2: is not a number (found '1,5'); write numbers with a decimal point",
+        ),
         (
             "theta (deg)\n\n1\ninf\n",
             "'theta (deg)', row 4: samples without a finite number (found inf)",
@@ -124,7 +139,7 @@ def test_mistakes_are_named(tmp_path: Path, text: str, message: str) -> None:
 
 
 def test_a_cell_too_long_for_quotes_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(RecordError, match="row 2: is no row of cells: field larger"):
+    with pytest.raises(RecordError, match="row 2: is not a row of cells: field larger"):
         read_table_file(_file(tmp_path, f'theta (deg)\n"{"1" * 200_000}"\n'))
 
 

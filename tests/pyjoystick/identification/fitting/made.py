@@ -12,7 +12,7 @@ from pyjoystick.identification import FitSettings, Free, Measurement
 from pyjoystick.identification.fitting.prediction import Prediction
 from pyjoystick.identification.fitting.problem import Problem
 from pyjoystick.identification.fitting.variables import Variables
-from pyjoystick.laboratory.synthetic_records import synthetic_record
+from pyjoystick.laboratory import synthetic_record
 from pyjoystick.model import JoystickParameters
 from pyjoystick.motion import Record
 from pyjoystick.support import FloatArray

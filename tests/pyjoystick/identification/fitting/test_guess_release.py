@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from pyjoystick.identification.fitting.measurement import guess_release
-from pyjoystick.laboratory.synthetic_records import synthetic_record
+from pyjoystick.laboratory import synthetic_record
 from pyjoystick.model import NOMINAL
 
 

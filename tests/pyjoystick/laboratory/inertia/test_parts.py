@@ -89,7 +89,7 @@ def test_a_file(tmp_path: Path) -> None:
         (
             "grip;500",
             "grip;0,5",
-            "column 'mass (g)', row 4: is no number (found '0,5'); write numbers with a decimal",
+            "column 'mass (g)', row 4: is not a number (found '0,5'); write numbers with a decimal",
         ),
         ("70;0.5", ";0.5", "column 'mass (g)', row 5: samples without a finite number"),
         ("inertia (g.cm2)", "own (g.cm2)", "has no column 'inertia'"),

@@ -106,7 +106,7 @@ def test_loading_alone_is_used_with_a_note() -> None:
     half = len(travel) // 2
     fit = fit_load_curve(LoadCurve.from_cycle(travel[:half], force[:half]))
     assert fit.friction == 0.0
-    assert any("friction counts as force of the springs" in note for note in fit.notes)
+    assert any("friction is counted as force of the springs" in note for note in fit.notes)
     # The force of friction is in the preload now, as the note says.
     preload = fit.springs()["returnSpring.F_0"]
     assert preload[0] == pytest.approx(NOMINAL.forward.return_spring.F_0 + MACHINE.friction, abs=0.1)

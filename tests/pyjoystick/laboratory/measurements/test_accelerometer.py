@@ -234,13 +234,13 @@ GOOD = _csv(SERIES[:40])
     [
         (
             _changed(GOOD, 9, "0.0033,x"),
-            r"a\.csv, column 'acceleration \(m/s2\)', row 9: is no number \(found 'x'\)",
+            r"a\.csv, column 'acceleration \(m/s2\)', row 9: is not a number \(found 'x'\)",
         ),
         (_changed(GOOD, 9, "0.0033,"), r"'acceleration \(m/s2\)', row 9: samples without a finite number"),
-        (_changed(GOOD, 9, "0.0033,0,5"), r"no table of columns.*line 9.*decimal marks commas"),
-        (GOOD.replace(".", ","), r"no table of columns.*line 4, saw 4; .*decimal marks commas"),
+        (_changed(GOOD, 9, "0.0033,0,5"), r"not a table of columns.*line 9.*decimal marks commas"),
+        (GOOD.replace(".", ","), r"not a table of columns.*line 4, saw 4; .*decimal marks commas"),
         (GOOD.replace("\n0", "\n0,0"), r"row 3: has more cells than headings; are the decimal marks commas"),
-        (GOOD.replace(",", ";").replace(".", ","), r"row 4: is no number.*decimal point"),
+        (GOOD.replace(",", ";").replace(".", ","), r"row 4: is not a number.*decimal point"),
         (_changed(GOOD, 9, "0.0001,0.5"), r"column 'time', row 9: the time does not increase"),
         (_changed(GOOD, 42, "0.5,0.5"), r"column 'time', row 42: the step in time is not the usual"),
         (
@@ -269,11 +269,11 @@ def test_bad_arrays_say_what_to_do(tmp_path: Path) -> None:
     with pytest.raises(RecordError, match="has no samples from 7 to 8 s, where the angle is known"):
         read_accelerometer(file, unit="m/s2", rate=RATE, window=(7.0, 8.0))
     file.write_bytes(file.read_bytes()[:-800])
-    with pytest.raises(RecordError, match="is cut off: it says 4000 samples and holds 3900"):
+    with pytest.raises(RecordError, match="is cut off: it declares 4000 samples and has 3900"):
         read_accelerometer(file, unit="m/s2", rate=RATE)
     np.save(file, np.zeros((5, 2)))
     with pytest.raises(RecordError, match=r"found float64 of shape \(5, 2\)"):
         read_accelerometer(file, unit="m/s2", rate=RATE)
     file.write_text("no array", encoding="utf-8")
-    with pytest.raises(RecordError, match=r"is no \.npy file"):
+    with pytest.raises(RecordError, match=r"is not a \.npy file"):
         read_accelerometer(file, unit="m/s2", rate=RATE)

@@ -1,3 +1,5 @@
+"""The angle of the joystick from markers whose motion is known, and where it comes to rest."""
+
 from __future__ import annotations
 
 import dataclasses
@@ -6,10 +8,12 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
-from pyjoystick.laboratory import BASE, TOP, MarkerLayout, measure_angle, synthetic_markers
+from pyjoystick.laboratory import BASE, TOP, MarkerLayout, measure_angle, rest_angle, synthetic_markers
 from pyjoystick.laboratory.measurements.angle import AngleMeasurement, Base, Origin
 from pyjoystick.laboratory.measurements.markers import Markers
+from pyjoystick.model import NOMINAL, SIDES, Side, contact_moment, gravity_moment, simulate
 from pyjoystick.motion import RecordError
 from pyjoystick.support import ParameterError
 from tests.pyjoystick.laboratory.measurements.made import swing
@@ -170,7 +174,7 @@ def test_what_cannot_be_measured_is_refused() -> None:
     markers = _markers(noise=3e-4)
     with pytest.raises(RecordError, match=r"is not along the direction called forward.*x, -x, y"):
         _measured(markers, forward="y")
-    with pytest.raises(RecordError, match="'up' is no axis; known are x, -x"):
+    with pytest.raises(RecordError, match="'up' is not an axis; known are x, -x"):
         _measured(markers, forward="up")
     with pytest.raises(RecordError, match="as markers of the base; name two different ones"):
         measure_angle(markers, top=TOP, base=("BASE1", "BASE1"), forward="x")
@@ -245,3 +249,21 @@ def test_numbers_in_the_notes() -> None:
     moving = measure_angle(_markers(), rest=(0.5, 0.8), **known)
     moved = np.degrees(np.ptp(moving.theta[(TIME >= 0.5) & (TIME <= 0.8)]))
     assert any(f"moves by {moved:.2f} degrees in the rest" in note for note in moving.notes)
+
+
+@pytest.mark.parametrize("side", SIDES)
+def test_the_weight_presses_into_the_springs_by_less_than_is_stated(side: Side) -> None:
+    found = rest_angle(NOMINAL, side)
+    assert np.sign(found) == (1.0 if side == "forward" else -1.0)
+
+    def excess(theta: float) -> float:
+        return float(contact_moment(NOMINAL, theta) - gravity_moment(NOMINAL, theta))
+
+    balance = brentq(excess, found, 1.1 * found, xtol=1e-12)
+    assert 1.0 < balance / found < 1.004
+
+
+def test_a_joystick_that_is_let_go_ends_there() -> None:
+    run = simulate(NOMINAL, time=np.array([0.0, 3.0, 6.0]), theta_start=np.radians(-20.0))
+    side: Side = "forward" if run.theta[-1] > 0.0 else "backward"
+    assert run.theta[-1] == pytest.approx(rest_angle(NOMINAL, side), rel=0.01)

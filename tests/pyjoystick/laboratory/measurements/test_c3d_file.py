@@ -103,7 +103,7 @@ def test_a_file_that_is_cut_off_says_which_frames_are_missing(tmp_path: Path, sc
     write_c3d(file, NAMES, POINTS, rate=60.0, scale=scale)
     whole = file.read_bytes()
     file.write_bytes(whole[:-1])
-    with pytest.raises(RecordError, match=r"row 40: is cut off: it says 40 frames and holds 39 .*again"):
+    with pytest.raises(RecordError, match=r"row 40: is cut off: it declares 40 frames and has 39 .*again"):
         read_c3d(file)
     file.write_bytes(whole[:700])
     with pytest.raises(RecordError, match="ends within its parameters"):
@@ -119,14 +119,14 @@ def test_frames_beyond_the_largest_number_of_them_are_not_lost_in_silence(tmp_pa
     assert len(read_c3d(file).time) == 65_535
     with file.open("ab") as more:  # 4465 frames of one point
         more.write(bytes(4465 * 16))
-    with pytest.raises(RecordError, match=r"row 65536: goes on after the 65535 frames .*shorter"):
+    with pytest.raises(RecordError, match=r"row 65536: continues after the 65535 frames .*shorter"):
         read_c3d(file)
 
 
 def test_what_is_no_c3d_file_is_refused(tmp_path: Path) -> None:
     file = tmp_path / "a.c3d"
     file.write_text("time,theta\n", encoding="utf-8")
-    with pytest.raises(RecordError, match=r"a\.c3d: is no C3D file"):
+    with pytest.raises(RecordError, match=r"a\.c3d: is not a C3D file"):
         read_c3d(file)
     with pytest.raises(RecordError, match=r"b\.c3d: cannot be read: No such file"):
         read_c3d(tmp_path / "b.c3d")

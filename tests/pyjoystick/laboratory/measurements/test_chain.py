@@ -5,7 +5,7 @@ import pytest
 from scipy import signal
 
 from pyjoystick.laboratory import Chain, LowPass, derivative
-from pyjoystick.laboratory.measurements.finite_differences import weights
+from pyjoystick.laboratory.measurements.chain import weights
 from pyjoystick.laboratory.measurements.resampling import resample
 from pyjoystick.support import ParameterError, SeriesError
 

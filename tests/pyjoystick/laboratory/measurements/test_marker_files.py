@@ -65,9 +65,9 @@ PLAIN = plain_text(np.arange(20) / 60.0, np.full((20, 3, 3), 1.5))
     [
         (
             _changed(NEXUS, 15, "1.5", "1.5x"),
-            r"a\.csv, column 'Joystick:TOP X', row 15: is no number .*'1.5x'",
+            r"a\.csv, column 'Joystick:TOP X', row 15: is not a number .*'1.5x'",
         ),
-        (NEXUS.replace(",", ";").replace(".", ","), r"'Joystick:TOP X', row 11: is no number.*not commas"),
+        (NEXUS.replace(",", ";").replace(".", ","), r"'Joystick:TOP X', row 11: is not a number.*not commas"),
         (NEXUS.replace("1.5", "1,5"), r"row 11: has 20 cells, its head has 11.*decimal marks commas"),
         (_changed(NEXUS, 15, "1.5,1.5,1.5,1.5,1.5", "1.5"), r"row 15: has 7 cells, its head has 11"),
         (
@@ -82,7 +82,7 @@ PLAIN = plain_text(np.arange(20) / 60.0, np.full((20, 3, 3), 1.5))
         (_changed(NEXUS, 9, "Frame,Sub Frame,X", "Frame,Sub Frame,A"), "has no marker 'TOP'"),
         (_changed(NEXUS, 9, "Frame", "Bild"), r"row 9: has no columns Frame and X, Y, Z"),
         ("\n".join(NEXUS.splitlines()[:9]), r"row 6: has no frames"),
-        (_changed(PLAIN, 7, "1.5", "x"), r"column 'TOP x \(mm\)', row 7: is no number .found 'x'"),
+        (_changed(PLAIN, 7, "1.5", "x"), r"column 'TOP x \(mm\)', row 7: is not a number .found 'x'"),
         (PLAIN.replace(",", ";").replace(".", ","), r"'time \(s\)', row 3.*decimal point"),
         (PLAIN.replace(",", " "), r"row 1: has no column 'time'; separate the columns by commas"),
         (PLAIN.replace("(mm)", "(ft)"), r"'TOP x \(ft\)': has an unknown unit .*known are m, cm, mm"),
@@ -125,5 +125,5 @@ def test_a_marker_of_two_subjects_must_be_named_with_one(tmp_path: Path) -> None
 
 def test_a_binary_file_without_its_suffix_is_refused(tmp_path: Path) -> None:
     write_c3d(tmp_path / "a.dat", NAMES, POINTS, rate=60.0)
-    with pytest.raises(RecordError, match=r"is no text in UTF-8; name a C3D file \.c3d"):
+    with pytest.raises(RecordError, match=r"is not UTF-8 text; name a C3D file \.c3d"):
         read_markers(tmp_path / "a.dat")

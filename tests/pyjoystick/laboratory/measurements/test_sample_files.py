@@ -67,10 +67,10 @@ def test_arrays_of_any_numbers(tmp_path: Path, version: tuple[int, int], kind: s
 @pytest.mark.parametrize(
     ("row", "message"),
     [
-        ("{time},x", "column 'signal (mV)', row {row}: is no number (found 'x')"),
+        ("{time},x", "column 'signal (mV)', row {row}: is not a number (found 'x')"),
         ("{time},", "column 'signal (mV)', row {row}: samples without a finite number"),
         (",1.5", "column 'signal (mV)', row {row}: samples without a finite number"),
-        ("x,1.5", "column 'time (ms)', row {row}: is no number (found 'x')"),
+        ("x,1.5", "column 'time (ms)', row {row}: is not a number (found 'x')"),
     ],
 )
 def test_bad_cells_are_named_in_whichever_piece(tmp_path: Path, place: int, row: str, message: str) -> None:

@@ -169,4 +169,4 @@ def test_a_velocity_that_is_somewhat_off_is_flagged() -> None:
     time, theta, omega = motion()
     notes = check_free_oscillation(Record("made", time, np.radians(theta), 1.25 * omega)).notes
     assert len(notes) == 1
-    assert "times as fast as the velocity says" in notes[0]
+    assert "times as fast as the measured velocity" in notes[0]

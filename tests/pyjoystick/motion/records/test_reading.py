@@ -58,7 +58,7 @@ def test_plain_names_with_units_given(tmp_path: Path) -> None:
     assert "row 1: has no column 'time'; which column holds time? There are 'clock'" in str(_refusal(path))
     assert _refusal(path, columns=columns).column == "clock"
     assert "known are s, ms" in _refusal(path, columns=columns, units={"time": "h"}).advice
-    with pytest.raises(RecordError, match="'angle' is no quantity; known are time, theta, omega"):
+    with pytest.raises(RecordError, match="'angle' is not a known quantity; known are time, theta, omega"):
         read_record(path, columns={"angle": "Angle X"})
 
 
@@ -81,7 +81,7 @@ def test_files_that_are_no_table_are_refused(tmp_path: Path) -> None:
     for content, reason in (
         (b"", "has no headings"),
         (b"time (s),theta (deg)\n", "has no rows"),
-        (b"\xff\xfe\x00binary", "no text in UTF-8"),
+        (b"\xff\xfe\x00binary", "not UTF-8 text"),
         (b"0.0,1.0\n0.1,2.0\n", "a number where a heading is expected"),
         (b"time (s),time (s)\n0,1\n", "two columns have one heading"),
         (b"time (s),theta (deg)\n0,1\n1,2\n", "has 2 samples"),

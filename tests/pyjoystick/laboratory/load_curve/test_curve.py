@@ -49,7 +49,7 @@ def test_compression_counted_negative_is_turned_and_told() -> None:
     ("change", "message"),
     [
         (lambda t: t.replace(";", " "), "separate the columns by commas, semicolons or tabs"),
-        (lambda t: t.replace("0.0", "0,0"), "row 3: is no number (found '0,0"),
+        (lambda t: t.replace("0.0", "0,0"), "row 3: is not a number (found '0,0"),
         (
             lambda t: t.replace(".", ",").replace(";", ","),
             "row 3: has 4 cells under 2 headings; was the file cut",
@@ -97,7 +97,7 @@ def test_arrays_that_are_no_cycle() -> None:
 
 
 def test_an_unknown_quantity(tmp_path: Path) -> None:
-    with pytest.raises(RecordError, match="'stress' is no quantity; known are travel, force"):
+    with pytest.raises(RecordError, match="'stress' is not a known quantity; known are travel, force"):
         read_load_curve(write(tmp_path / "curve.csv", *cycle(FORWARD_TABLE, 1)), units={"stress": "N"})
 
 
@@ -119,3 +119,11 @@ def test_one_wrong_travel_is_named(tmp_path: Path, place: int) -> None:
     with pytest.raises(RecordError, match=r"column 'travel', rows .*: travel jumps by") as refused:
         read_load_curve(write(tmp_path / "curve.csv", travel, force))
     assert place + 3 in refused.value.rows
+
+
+def test_force_may_peak_at_the_turn() -> None:
+    """A record that turns within a stiff segment, of which one row is in it."""
+    travel = np.linspace(0.0, 1e-3, 41)
+    force = np.where(travel > 0.99e-3, 50.0, 1e3 * travel)
+    curve = LoadCurve.from_cycle(np.append(travel, travel[-2::-1]), np.append(force, force[-2::-1]))
+    assert len(curve.branches) == 2

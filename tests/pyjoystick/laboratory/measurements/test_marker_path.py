@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from pyjoystick.laboratory.measurements.circle import fit_circle
+from pyjoystick.laboratory.measurements.marker_path import fit_circle
 
 CENTER, RADIUS = np.array([0.4, -0.2]), 0.266
 

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from pyjoystick.laboratory.synthetic_records import ANGLE_NOISE, CAMERA_RATE, synthetic_record
+from pyjoystick.laboratory import ANGLE_NOISE, CAMERA_RATE, synthetic_record
 from pyjoystick.model import NOMINAL, simulate
 from pyjoystick.support import ParameterError
 
