@@ -13,7 +13,7 @@ from pyjoystick.support import FloatArray, PyJoystickError
 
 
 class DampingEstimateError(PyJoystickError, ValueError):
-    """The peaks do not allow the estimate that is asked for."""
+    """The peaks do not allow the requested estimate."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
