@@ -1,4 +1,4 @@
-"""What a shift of 20,000 moves asks of an operator (section 1), and what preload, stiffness and speed change.
+"""The load of 20,000 moves a shift on an operator (section 1) by preload, stiffness and speed.
 
 The moves are invented, drawn with a fixed seed: `MOVES` says how. Each variant is a run of the inverse FMU.
 Prints forces, work and impulse and saves the figure in results/ergonomics/.

@@ -1,6 +1,6 @@
 """Fig. 1: a mass between two opposing restrained preloaded springs, with clearance and without.
 
-Builds the FMU of PreloadedSprings.Examples.OpposingSprings, lets the mass go, and compares the periods that
+Builds the FMU of PreloadedSprings.Examples.OpposingSprings, releases the mass, and compares the periods that
 it simulates without damping with the closed form over straight lines, which is exact for this system.
 Prints them and saves the figure and the FMU in results/fig01_opposing_springs/.
 """

@@ -1,9 +1,9 @@
 """Fit a joystick to measured releases, from files to a judged answer.
 
 Reads four records, fits the constant damping coefficient, the displacement terms of eq. (11) and all of
-eq. (11) to them, and says which of the three the records ask for, by information criteria and by the
-prediction of records left out. The best of those that pass every check becomes a parameter file, which all
-commands read. The records here are synthetic, made with eq. (11); put your own files in their place.
+eq. (11) to them, and compares the three by information criteria and by the prediction of records left out.
+The best of those that pass every check becomes a parameter file, which all commands read. The records here
+are synthetic, made with eq. (11); put your own files in their place.
 Everything is written into results/fit_your_own_joystick/.
 """
 
@@ -62,7 +62,7 @@ def main(results: Path = RESULTS, paths: Sequence[Path] = RECORDS) -> int:
 
     lines = [comparison_table(candidates), ""]
     for candidate in candidates:
-        verdict = "trusted" if candidate.fit.trusted else "not to be trusted, see fit.md"
+        verdict = "trusted" if candidate.fit.trusted else "failed a check, see fit.md"
         lines.append(f"{candidate.name}: {verdict}; {candidate.fit.runs} runs, {candidate.fit.seconds:.1f} s")
         lines.append(f"  left over: {left_over(candidate.fit):.3f} deg root mean square")
     lines += ["", write_best(candidates, results / "joystick.toml")]
@@ -71,10 +71,10 @@ def main(results: Path = RESULTS, paths: Sequence[Path] = RECORDS) -> int:
 
 
 def write_best(candidates: Sequence[Candidate], path: Path) -> str:
-    """Write the joystick of the best model whose fit is to be trusted, and say so."""
+    """Write the joystick of the best model whose fit passed every check; returns what was done."""
     trusted = [one for one in candidates if one.fit.trusted and one.fit.criteria is not None]
     if not trusted:
-        return f"no fit is to be trusted, and no {path.name} is written"
+        return f"no fit can be trusted; {path.name} is not written"
     best = min(trusted, key=lambda one: one.fit.criteria.aicc)
     # What was not fitted stays as the file has it; where there is none, as in the paper.
     before = read_parameter_file(path) if path.exists() else PAPER

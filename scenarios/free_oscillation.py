@@ -1,4 +1,4 @@
-"""The paper's free oscillation (section 3.3, Fig. 10): the joystick is let go at -20 degrees.
+"""The paper's free oscillation (section 3.3, Fig. 10): released at -20 degrees.
 
 Runs the FMUs of both damping laws, compares them with the pure-Python reference and writes the motion, the
 figure and a summary into results/free_oscillation/. Edit the settings below to make it yours.

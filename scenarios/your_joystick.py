@@ -1,6 +1,6 @@
 """From the synthetic laboratory to a fitted joystick in Python, and what each stage adds to its errors.
 
-The way of docs/your-joystick.md. Prints what each stage contributes to the angle, its velocity and the
+Follows docs/your-joystick.md. Prints what each stage contributes to the angle, its velocity and the
 period, and to the fitted moment of inertia and damping; everything is in results/your_joystick/.
 """
 

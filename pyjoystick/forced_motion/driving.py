@@ -1,4 +1,4 @@
-"""The way back: the torque of a motion put into the joystick's FMU, which has to return that motion."""
+"""Round trip: the torque of a motion drives the joystick's FMU, which has to return that motion."""
 
 from __future__ import annotations
 
@@ -62,8 +62,8 @@ def round_trip(
 ) -> RoundTrip:
     """Drive the joystick's FMU by the torque that a motion needs.
 
-    In Co-Simulation the FMU is told the slopes of the torque's straight lines (input derivatives); in Model
-    Exchange CVode's right-hand side has the torque of every instant that it asks for.
+    In Co-Simulation the FMU gets the slopes of the torque's straight lines (input derivatives); in Model
+    Exchange CVode evaluates the torque at every instant of its own steps.
 
     Args:
         joystick: the parameters of both ways

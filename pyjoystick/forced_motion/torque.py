@@ -53,8 +53,8 @@ def torque_by_fmu(
 ) -> InverseTorque:
     """The same by ``JoystickInverse`` or ``JoystickInversePowerLaw`` in Co-Simulation.
 
-    The FMU has no states: what it says depends on the motion at that instant alone. So the samples are led to
-    it one a second, which lets instants with a jump, that are there twice, stay apart.
+    The FMU has no states: its outputs depend on the motion at that instant alone. The samples are fed to it
+    one a second, which keeps the two samples at a jump apart.
 
     Args:
         joystick: its parameters

@@ -1,7 +1,7 @@
-"""What a shift of many moves asks of an operator: percentiles of torque and force, work, impulse (section 1).
+"""The load of a shift of moves on an operator: percentiles of torque and force, work, impulse (section 1).
 
-The moves stand for those of a shift and are invented, not measured: nobody has published such a distribution
-for this joystick. They are drawn by a fixed seed, or given.
+The moves are invented, not measured: no such distribution has been published for this joystick. They are
+drawn with a fixed seed, or given.
 """
 
 from __future__ import annotations
@@ -82,7 +82,7 @@ class MoveDistribution:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Demand:
-    """What moves ask of the hand; percentiles and means are over the time of the moves alone.
+    """The load of moves on the hand; percentiles and means are over the time of the moves alone.
 
     Attributes:
         levels: magnitude of the torque (N m) that is not exceeded for 0, 1, ... 100 % of the time, shape

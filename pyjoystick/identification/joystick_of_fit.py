@@ -32,7 +32,7 @@ _STEP: Final = 1e-6
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FittedJoystick:
-    """What a fit says of a joystick.
+    """The joystick that follows from a fit.
 
     Attributes:
         joystick: its parameters: fitted and tied, to a hundredth of the standard error, fixed in the fit, and
@@ -95,7 +95,7 @@ def fitted_joystick(
         if _list_of(place) in curves
     }
     errors = kept | found
-    # A value that the data leave open has no standard error, and a list is written whole or not at all.
+    # An undetermined value has no standard error, and a list is written whole or not at all.
     broken = {_list_of(place) or place for place, error in errors.items() if not math.isfinite(error)}
     tables = _tables(found)
     numbers = _numbers(before)

@@ -1,4 +1,4 @@
-"""What the uncertainty of each measured quantity makes of a run, and of the parameters fitted to records.
+"""How the uncertainty of each measured quantity affects a run and the parameters fitted to records.
 
 Each quantity alone is moved by its standard uncertainty, those of a load-deflection curve along the principal
 axes of their covariance: the sum of squares over the axes is the linear propagation of all of it.
@@ -25,7 +25,7 @@ from pyjoystick.support import TextTable
 
 #: What `refit` finds.
 FITTED: Final = ("J", "damping.C")
-#: Parameters of the bench that single numbers tell, in the order of the table.
+#: Parameters of the bench that are single numbers, in the order of the table.
 BODY: Final = ("m", "h", "J", "g", "a", "b")
 _TIME: Final = np.arange(901) / 600.0
 
@@ -49,7 +49,7 @@ class Bench:
 
 @dataclass(frozen=True, slots=True)
 class Contribution:
-    """What a stage contributes; NaN where it has no part in that.
+    """What a stage contributes; NaN where it does not apply.
 
     Attributes:
         stage: what it is
@@ -96,7 +96,7 @@ def curve_axes(joystick: JoystickParameters, side: Side, curve: LoadCurveFit) ->
 def run_contribution(
     stage: str, joystick: JoystickParameters, moved: Sequence[JoystickParameters], *, release_angle: float
 ) -> Contribution:
-    """What runs of moved joysticks differ by, as the root of the sum of squares over them.
+    """How far runs of moved joysticks differ: the root of the sum of squares over them.
 
     Raises:
         ParameterError, SimulationError: as `simulate` does

@@ -63,7 +63,7 @@ def plot_records(fit: Fit) -> Figure:
 
 
 def plot_residuals(fit: Fit) -> Figure:
-    """What is left over in standard deviations of the noise, over time and as a histogram."""
+    """Residuals in standard deviations of the noise, over time and as a histogram."""
     figure = Figure(figsize=(7.4, 3.4), layout="constrained")
     over_time, histogram = figure.subplots(1, 2, sharey=True, width_ratios=[3.0, 1.0])
     markers = "o^sDv<>p"
@@ -125,7 +125,7 @@ def plot_profiles(fit: Fit) -> Figure:
 
 
 def plot_correlation(fit: Fit) -> Figure:
-    """The correlations of the fitted values; gray where the data leave a value open."""
+    """The correlations of the fitted values; gray where the data do not determine a value."""
     labels = [variable.label for variable in fit.variables]
     size = 0.42 * len(labels) + 2.4
     figure = Figure(figsize=(size + 0.8, size), layout="constrained")

@@ -88,7 +88,7 @@ def fit(
     Args:
         records: what was measured
         settings: what to fit and how
-        fmu: the FMU of the settings, where it is open already
+        fmu: the FMU of the settings, if already open
         on_progress: called while the fit goes on
 
     Raises:
@@ -150,7 +150,7 @@ def _rescaled(minimum: Minimum, factor: float) -> Minimum:
 def _judged(
     problem: Problem, settings: FitSettings, minima: Sequence[Minimum], begun: float, tell: OnProgress
 ) -> Fit:
-    """Everything after the search."""
+    """The result of a search: uncertainties, checks, profiles, bootstrap."""
     variables, best = problem.variables, minima[0]
     steps = choose_steps(problem, best.x)
     problem.steps = steps.steps

@@ -48,7 +48,7 @@ def estimated_sigmas(
     Args:
         problem: the problem
         x: the minimum
-        per_record: estimate for each record by itself
+        per_record: estimate for each record separately
         combined: one for all series, as for the relative errors of peaks
     """
     sums: dict[tuple[int, str], list[float]] = {}

@@ -38,7 +38,7 @@ class Profile:
         bounded: whether the search reached a bound of the variable on the lower and on the upper side
         lower: by how much the sum of squares fell below that of the minimum, 0 where it did not: a minimum
             that a profile undercuts was none
-        converged: whether every search over the others ended by itself; without, the interval is too narrow
+        converged: whether every search over the others converged; otherwise the interval is too narrow
     """
 
     variable: int
@@ -106,7 +106,7 @@ def _side(
     has then begun too far away, or the interval would be interpolated over too wide a gap.
 
     Returns:
-        values and distances; the least sum of squares; whether every search ended by itself
+        values and distances; the least sum of squares; whether every search converged
     """
     found: list[tuple[float, float]] = []
     least, converged = cost, True

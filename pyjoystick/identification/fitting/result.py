@@ -105,12 +105,12 @@ class Fit:
         intervals: of the confidence level, linear, shape (variables, 2)
         derived: tied parameters
         minima: the minima that the searches ended in, best first
-        identifiability: what the data cannot tell apart
+        identifiability: what the data cannot determine
         profiles: profile likelihoods by place of the variable
         bootstrap: fits of resampled data; None where not asked for
         criteria: AICc and BIC; None where peaks were compared
         records: each record beside its fit
-        checks: what decides whether the fit is to be trusted
+        checks: what decides whether the fit can be trusted
         steps: how the derivatives were taken and how exact they are
         runs: FMU runs
         seconds: duration (s)

@@ -59,7 +59,7 @@ class Noise:
     Attributes:
         sigma: standard deviation by output, in the unit of the output; where empty it is estimated from what
             the fit leaves over
-        per_record: whether it is estimated for each record by itself, so that a noisy record counts less
+        per_record: whether it is estimated for each record separately, so that a noisy record counts less
     """
 
     sigma: Mapping[str, float] = field(default_factory=dict)
@@ -149,7 +149,7 @@ class FitSettings:
         comparison: ``trajectory`` compares every sample, ``peaks`` the heights and times of the first peaks
             relative to the measured ones, as eqs. (12a, b) do, in the sense of least squares
         peaks: how many peaks are compared
-        tolerance: what the FMU's integrator is asked to keep
+        tolerance: relative tolerance of the FMU's integrator
         noise, search, uncertainty: see there
 
     Raises:

@@ -15,7 +15,7 @@ _STRONG = 0.9
 
 
 def summary(fit: Fit) -> str:
-    """Parameters with their uncertainty, what the data leave open, and whether the fit is to be trusted."""
+    """Parameters with uncertainties, what the data cannot determine, and whether the fit can be trusted."""
     parts = [
         _verdict(fit),
         _parameters(fit),
@@ -70,7 +70,7 @@ def _parameters(fit: Fit) -> str:
 
 
 def _interval(ends: Sequence[float] | np.ndarray[tuple[int], np.dtype[np.float64]]) -> str:
-    low, high = (f"{end:.6g}" if math.isfinite(end) else "open" for end in ends)
+    low, high = (f"{end:.6g}" if math.isfinite(end) else "unbounded" for end in ends)
     return f"{low} to {high}"
 
 
@@ -91,7 +91,7 @@ def _strong_correlations(fit: Fit) -> str:
         if abs(matrix[i, j]) > _STRONG
     ]
     combination = fit.identifiability.weakest
-    weakest = f"Least known, all changed together: {combination}." if combination else ""
+    weakest = f"Worst-determined combination: {combination}." if combination else ""
     strong = f"Correlated beyond {_STRONG}: {'; '.join(found)}." if found else ""
     return "\n".join(part for part in (strong, weakest) if part)
 
@@ -139,4 +139,4 @@ def _effort(fit: Fit) -> str:
     if fit.bootstrap is not None:
         text += f" Bootstrap over {fit.bootstrap.resampling}: {len(fit.bootstrap.fits)} fits"
         text += f", {fit.bootstrap.failed} failed." if fit.bootstrap.failed else "."
-    return f"{text} Stopped before everything was done." if fit.interrupted else text
+    return f"{text} Stopped before it was complete." if fit.interrupted else text

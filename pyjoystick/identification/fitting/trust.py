@@ -1,4 +1,4 @@
-"""Checks that decide whether a fit is to be trusted."""
+"""Checks that decide whether a fit can be trusted."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ class Check:
 
 
 def check_convergence(minimum: Minimum) -> Check:
-    """Whether the search ended by itself."""
+    """Whether the search converged."""
     advice = "" if minimum.converged else ": allow more evaluations or begin nearer"
     return Check("converged", minimum.converged, f"{minimum.message}{advice}")
 
@@ -73,20 +73,20 @@ def check_rank(known: Identifiability) -> Check:
 
 
 def check_precision(labels: Sequence[str], x: FloatArray, errors: FloatArray) -> Check:
-    """Whether a variable is known no better than to its own size, although the rank is full."""
+    """Whether every standard error is below the value itself, beyond full rank."""
     poor = [
         f"{label} = {value:.4g} +- {error:.2g}"
         for label, value, error in zip(labels, x, errors, strict=True)
         if math.isfinite(error) and error > abs(value)
     ]
     if poor:
-        message = f"the noise leaves these all but open: {', '.join(poor)}; fix them or measure more"
+        message = f"practically undetermined at this noise: {', '.join(poor)}; fix them or measure more"
         return Check("precision", False, message)
     return Check("precision", True, "every standard error is below the value itself")
 
 
 def check_chi_squared(cost: float, freedom: int) -> Check:
-    """Whether what is left over is as small as the noise that was given.
+    """Whether the residuals are as small as the given noise.
 
     Args:
         cost: sum of squares in units of the noise
@@ -95,12 +95,12 @@ def check_chi_squared(cost: float, freedom: int) -> Check:
     chance = float(stats.chi2.sf(cost, freedom))
     message = f"chi-squared {cost:.4g} for {freedom} degrees of freedom (chance {chance:.2g})"
     if chance <= _CHANCE:
-        message += ": more than the noise that was given; the model lacks something, or the noise is larger"
+        message += ": more than the given noise; the model lacks something, or the noise is larger"
     return Check("size of residuals", chance > _CHANCE, message)
 
 
 def check_size(residuals: Sequence[FloatArray], data: Sequence[FloatArray]) -> Check:
-    """Whether what is left over is small, where the noise is not known.
+    """Whether the residuals are small, where the noise is not known.
 
     Args:
         residuals: data less prediction, by record
@@ -142,15 +142,15 @@ def check_whiteness(names: Sequence[str], series: Sequence[FloatArray], least: f
 
 
 def _offsets(names: Sequence[str], series: Sequence[FloatArray], least: float) -> Iterator[str]:
-    """Records whose residuals have a mean that chance does not explain."""
+    """Records whose residuals have a significant mean."""
     for name, residuals in zip(names, series, strict=True):
         if float(np.max(np.abs(residuals))) <= least:
             continue
         mean, deviation = float(np.mean(residuals)), float(np.std(residuals))
         if abs(mean) * math.sqrt(len(residuals)) > _OFFSET * deviation > 0.0:
             yield (
-                f"; those of {name} lie {mean / deviation:+.2f} standard deviations off on average, as when "
-                "the zero of a record is off, which no parameter can correct"
+                f"; those of {name} have a mean of {mean / deviation:+.2f} standard deviations, as a zero "
+                "offset of the record makes, which no parameter can correct"
             )
 
 
@@ -173,18 +173,18 @@ def check_profiles(labels: Sequence[str], profiles: Mapping[int, Profile]) -> Ch
     undercut = [f"{labels[j]} (by {one.lower:.2g})" for j, one in profiles.items() if one.lower > _UNDERCUT]
     lost = [labels[j] for j, one in profiles.items() if not one.converged]
     if undercut:
-        message = f"the profile of {', '.join(undercut)} lies below the minimum: begin again from elsewhere"
+        message = f"the profile of {', '.join(undercut)} lies below the minimum: start the search elsewhere"
         return Check("profiles", False, message)
     if lost:
-        message = f"searches along the profile of {', '.join(lost)} did not end: no interval from it"
+        message = f"searches along the profile of {', '.join(lost)} did not converge: it gives no interval"
         return Check("profiles", False, message)
     return Check("profiles", True, "no profile undercuts the minimum")
 
 
 def check_peaks(missing: Sequence[tuple[str, int]]) -> Check:
-    """Whether every measured peak has one in the run."""
+    """Whether the run has a peak for every measured one."""
     lacking = [f"{count} of {name}" for name, count in missing if count]
     if lacking:
-        message = f"measured peaks without one in the run: {', '.join(lacking)}: they cannot be paired"
+        message = f"the run has no peak to pair with {', '.join(lacking)}"
         return Check("peaks", False, message)
-    return Check("peaks", True, "every measured peak has one in the run")
+    return Check("peaks", True, "the run has a peak for every measured one")

@@ -23,7 +23,7 @@ _SHARE: Final = 0.02
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Identifiability:
-    """What the Jacobian at the minimum says.
+    """Rank of the Jacobian at the minimum, and what it cannot determine.
 
     Attributes:
         singular_values: of the Jacobian with its columns scaled to length 1, descending, shape (variables,)
@@ -31,9 +31,9 @@ class Identifiability:
         rank: how many are not zero
         variables: number of variables
         threshold: below this a singular value counts as zero
-        undetermined: for each variable, whether it takes part in what the data leave open, shape (variables,)
-        sentences: what the data leave open, a sentence each
-        weakest: the combination that is known worst among those that are known
+        undetermined: for each variable, whether the data leave it undetermined, shape (variables,)
+        sentences: what the data cannot determine, a sentence each
+        weakest: the worst-determined combination among those that are determined
     """
 
     singular_values: FloatArray
@@ -47,7 +47,7 @@ class Identifiability:
 
     @property
     def deficient(self) -> bool:
-        """Whether the data leave something open."""
+        """Whether the data leave something undetermined."""
         return self.rank < self.variables
 
 
@@ -133,8 +133,8 @@ class StandardErrors:
     """The linear approximation of the uncertainty.
 
     Attributes:
-        errors: standard errors, shape (variables,); infinite where the data leave a variable open
-        covariance: shape (variables, variables); rows and columns of open variables are NaN
+        errors: standard errors, shape (variables,); infinite where a variable is undetermined
+        covariance: shape (variables, variables); rows and columns of undetermined variables are NaN
         correlation: the same, scaled; the diagonal is 1
         quantile: half-width of an interval in standard errors: Student's t where the noise was estimated
         degrees_of_freedom: samples less variables
@@ -154,7 +154,7 @@ class StandardErrors:
     def of(self, slope: FloatArray) -> float:
         """Standard error of a number whose derivatives with respect to the variables are `slope`.
 
-        Infinite where it depends on a variable that the data leave open.
+        Infinite where it depends on an undetermined variable.
         """
         used = slope != 0.0
         variance = float(slope[used] @ self.covariance[np.ix_(used, used)] @ slope[used])
@@ -179,13 +179,13 @@ def standard_errors(
     kept = rows[: known.rank] / values[: known.rank, np.newaxis]
     covariance = (kept.T @ kept) / np.outer(safe, safe)
     errors = np.sqrt(np.diag(covariance))
-    open_ones = known.undetermined
-    covariance[open_ones] = np.nan
-    covariance[:, open_ones] = np.nan
+    undetermined = known.undetermined
+    covariance[undetermined] = np.nan
+    covariance[:, undetermined] = np.nan
     with np.errstate(invalid="ignore"):
         correlation = covariance / np.outer(errors, errors)
     np.fill_diagonal(correlation, 1.0)
     freedom = max(samples - known.rank, 1)
     tail = 0.5 * (1.0 + level)
     quantile = float(stats.norm.ppf(tail) if sigma_known else stats.t.ppf(tail, freedom))
-    return StandardErrors(np.where(open_ones, np.inf, errors), covariance, correlation, quantile, freedom)
+    return StandardErrors(np.where(undetermined, np.inf, errors), covariance, correlation, quantile, freedom)

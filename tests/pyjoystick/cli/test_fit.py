@@ -194,6 +194,6 @@ def test_ctrl_c(
     if stage == "searching":
         assert (outcome.out, outcome.message) == ("", "the fit was stopped before it had a result")
     else:
-        assert "Stopped before everything was done." in outcome.out
+        assert "Stopped before it was complete." in outcome.out
         assert "joystick.toml is unchanged" in outcome.err
         assert (tmp_path / "out" / "fit.json").exists()

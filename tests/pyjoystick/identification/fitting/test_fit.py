@@ -103,7 +103,7 @@ def test_ctrl_c_after_the_search_keeps_what_was_found(
     assert found.interrupted
     assert not found.profiles
     assert found.value("damping.C") == pytest.approx(0.045, rel=0.01)
-    assert "Stopped before everything was done." in summary(found)
+    assert "Stopped before it was complete." in summary(found)
     assert json.loads(as_json(found))["interrupted"] is True
 
 

@@ -61,4 +61,5 @@ def test_heights_and_times_of_peaks_count_alike(fmus_by_name: Path) -> None:
     assert found.trusted, [check for check in found.checks if not check.passed]
     for one in found.records:
         assert one.sigma["theta"] == pytest.approx(one.sigma["theta time"], rel=1e-12)
+    assert found.profiles
     assert all(profile.converged for profile in found.profiles.values())

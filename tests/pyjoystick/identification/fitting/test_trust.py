@@ -68,10 +68,10 @@ def test_white_noise_passes_and_a_slow_wave_does_not() -> None:
     assert "not white in b" in check.message
 
 
-def test_a_zero_that_is_off_is_told() -> None:
+def test_a_zero_offset_is_reported() -> None:
     noise = np.random.default_rng(5).normal(size=300)
     noise = (noise - noise.mean()) / noise.std()
     check = check_whiteness(["a", "b"], [noise, noise + 0.6], 0.0)
     assert check.passed
-    assert "those of b lie +0.60 standard deviations off" in check.message
+    assert "those of b have a mean of +0.60 standard deviations" in check.message
     assert "those of a" not in check.message

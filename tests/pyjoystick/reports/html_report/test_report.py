@@ -64,7 +64,9 @@ def test_every_figure_says_what_it_shows(papers_report: tuple[str, list[str]]) -
         svg = drawing(image)
         assert "<svg" in svg
         # What is inside a drawing asks for nothing either: it refers to itself alone.
-        assert all(target.startswith("#") for target in re.findall(r'xlink:href="([^"]*)"', svg))
+        targets = re.findall(r'xlink:href="([^"]*)"', svg)
+        assert targets
+        assert all(target.startswith("#") for target in targets)
 
 
 def test_the_sections_are_announced_and_there(papers_report: tuple[str, list[str]]) -> None:
