@@ -44,10 +44,9 @@ def command_text(name: str, command: Any) -> str:
 def _spelling(parameter: Any) -> str:
     if parameter.opts == [parameter.name]:
         return f"`{parameter.metavar or parameter.name.upper()}`"
-    words = [*parameter.opts, *parameter.secondary_opts]
-    if not parameter.is_flag:
-        words[-1] += f" {parameter.metavar or _values(parameter)}"
-    return _cell(", ".join(f"`{word}`" for word in words))
+    words = ", ".join(f"`{word}`" for word in [*parameter.opts, *parameter.secondary_opts])
+    value = "" if parameter.is_flag else f" `{parameter.metavar or _values(parameter)}`"
+    return _cell(words + value)
 
 
 def _values(parameter: Any) -> str:

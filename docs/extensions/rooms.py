@@ -146,19 +146,28 @@ class Room(SphinxDirective):
         for name, home in door(package).items():
             part = home.removeprefix(f"{package}.").split(".")[0]
             parts.setdefault(part, []).append(_entry(package, name, home))
-        text = [_rst(f".. automodule:: {package}")]
+        sections: dict[str, list[str]] = {}
         for line in self.content:
             part, _, title = (word.strip() for word in line.partition(":"))
-            text += [f"## {title}"] if title else []
+            entries = sections.setdefault(title, []) if title else next(reversed(sections.values()))
             if part in parts:
-                text += parts.pop(part)
+                entries += parts.pop(part)
             elif module := _home_of_class(package, part):
-                text.append(_rst(f".. autoclass:: {module}.{part}\n   :members:"))
+                entries.append(f".. autoclass:: {module}.{part}\n   :members:")
             else:
                 raise self.error(f"{package} has no class {part!r}, and its door lists nothing from there")
-        for part, names in parts.items():
-            text += [f"## {part.replace('_', ' ').capitalize()}", *names]
-        return list(self.parse_text_to_nodes("\n\n".join(text), allow_section_headings=True))
+        sections |= {part.replace("_", " ").capitalize(): entries for part, entries in parts.items()}
+        text = self._parsed(f".. automodule:: {package}")
+        return [*text, *(self._section(title, entries) for title, entries in sections.items())]
+
+    def _section(self, title: str, entries: Sequence[str]) -> nodes.section:
+        section = nodes.section(ids=[nodes.make_id(title)], names=[nodes.fully_normalize_name(title)])
+        section += nodes.title(text=title)
+        section.extend(self._parsed("\n\n".join(entries)))
+        return section
+
+    def _parsed(self, text: str) -> list[nodes.Node]:
+        return list(self.parse_text_to_nodes(f"```{{eval-rst}}\n{text}\n```"))
 
 
 def _home_of_class(package: str, name: str) -> str | None:
@@ -168,25 +177,26 @@ def _home_of_class(package: str, name: str) -> str | None:
     return next((one for one in inner if line.search(modules()[one].read_text(encoding="utf-8"))), None)
 
 
-def _rst(text: str) -> str:
-    return f"```{{eval-rst}}\n{text}\n```"
-
-
 def _entry(package: str, name: str, home: str) -> str:
     """What a door lists, as Sphinx documents its kind."""
     found = getattr(import_module(package), name)
     if inspect.isclass(found):
         kind = "exception" if issubclass(found, BaseException) else "class"
-        return _rst(f".. auto{kind}:: {package}.{name}\n   :members:")
+        return f".. auto{kind}:: {package}.{name}\n   :members:"
     if inspect.isroutine(found):
-        return _rst(f".. autofunction:: {package}.{name}")
-    kind = "type" if get_origin(found) or isinstance(found, UnionType) else "data"
+        return f".. autofunction:: {package}.{name}"
+    is_type = get_origin(found) or isinstance(found, UnionType)
+    kind = "type" if is_type else "data"
     value = f"   :value: {found!r}\n" if isinstance(found, int | float | str) else ""
     # autodoc looks for the comment at the door; it stands where the name is defined.
     source = ModuleAnalyzer.for_module(home)
     source.analyze()
-    comment = "\n".join(f"   {escaped(line)}" for line in source.attr_docs.get(("", name), []))
-    return _rst(f".. py:{kind}:: {name}\n   :module: {package}\n{value}\n{comment}")
+    comment = [escaped(line) for line in source.attr_docs.get(("", name), [])]
+    if is_type:
+        short = re.sub(r"(?:\w+\.)+(\w+)", r"\1", str(found))
+        comment = [f"``{short}``", "", *comment]
+    body = "\n".join(f"   {line}" for line in comment)
+    return f".. py:{kind}:: {name}\n   :module: {package}\n{value}\n{body}"
 
 
 def _at_the_door(

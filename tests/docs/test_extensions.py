@@ -108,8 +108,8 @@ def test_a_command_as_text() -> None:
     text = command_text("pyjoystick fit", PROGRAM.commands["fit"].load())
     assert text.startswith("## pyjoystick fit\n\nFit parameters")
     assert "| `RECORD.csv` | One file per release" in text
-    assert "| `--parameters`, `-p FILE` |" in text
-    assert "`--damping constant, power-law`" in text
+    assert "| `--parameters`, `-p` `FILE` |" in text
+    assert "`--damping` `constant, power-law`" in text
     assert "[-20deg]" in command_text("a", PROGRAM.commands["free-oscillation"].load())
 
 

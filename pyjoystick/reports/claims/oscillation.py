@@ -128,8 +128,8 @@ def pairs_of_peaks(bench: Workbench) -> Finding:
         ratios = heights[1:] / heights[:-1]
         found[law] = ratios[1::2], ratios[0::2]
     here = "; ".join(
-        f"{law}: ratio of a negative peak to the positive one before {np.mean(pair):.2f}, of a positive to "
-        f"the negative one before {np.mean(rest):.2f}"
+        f"{law}: each negative peak is {np.mean(pair):.2f} of the positive one before it, each positive one "
+        f"{np.mean(rest):.2f} of the negative one before it"
         for law, (pair, rest) in found.items()
     )
     remark = (

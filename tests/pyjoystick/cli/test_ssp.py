@@ -15,7 +15,7 @@ from tests.pyjoystick.cli.conftest import Command
 @pytest.mark.parametrize("version", ["1.0", "2.0"])
 def test_the_archive_has_the_system(version: str, command: Command, tmp_path: Path) -> None:
     outcome = command("ssp", "joystick.ssp", "--ssp-version", version)
-    assert (outcome.code, outcome.out, outcome.err) == (0, "wrote joystick.ssp\n", "")
+    assert (outcome.code, outcome.out, outcome.err) == (0, "", "wrote joystick.ssp\n")
     path = tmp_path / "joystick.ssp"
     assert read_ssp(path, tmp_path).connections == operator_and_joystick().connections
     with zipfile.ZipFile(path) as file:
@@ -26,4 +26,4 @@ def test_what_cannot_be_written(command: Command, tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
     outcome = command("ssp", "file/joystick.ssp")
     assert outcome.code == 1
-    assert outcome.message.startswith("cannot write file/joystick.ssp: its folder cannot be made")
+    assert outcome.message.startswith("cannot write file/joystick.ssp: its folder cannot be created")
