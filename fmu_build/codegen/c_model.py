@@ -8,8 +8,7 @@ from functools import reduce
 
 from fmu_build.codegen import expression as ex
 from fmu_build.codegen.algebraics import Assignment, NewtonBlock, Step, in_order, needed
-from fmu_build.codegen.c_function import FunctionBody, c_function
-from fmu_build.codegen.c_message import message_call
+from fmu_build.codegen.c_function import FunctionBody, c_function, message_call
 from fmu_build.codegen.c_tables import tables
 from fmu_build.codegen.c_tangents import tangent_functions
 from fmu_build.codegen.equations import Equations, watched_conditions, written_slots

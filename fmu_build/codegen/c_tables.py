@@ -6,11 +6,11 @@ import math
 from collections.abc import Mapping, Sequence
 
 from fmu_build.codegen import expression as ex
-from fmu_build.codegen.c_message import c_string
+from fmu_build.codegen.c_function import c_string
 from fmu_build.codegen.equations import Equations, watched_conditions
 from fmu_build.codegen.expression import Expression, Slot
 from fmu_build.codegen.lowered import LoweredModel
-from fmu_build.codegen.modelica_text import modelica_texts
+from fmu_build.codegen.names import modelica_texts
 from fmu_build.codegen.start_values import StartValues
 from fmu_build.codegen.tangents import Tangents
 from fmu_build.codegen.variables import StoredVariable
