@@ -2,41 +2,52 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from pathlib import Path
 
 import fmpy
 import pytest
 
-from fmu_build import FmiVersion, build_fmu
+from fmu_build import FmiVersion
 from pyjoystick.fmu import MODELS
 from tests.omc import Omc, opened, why_not
+from tests.shared_fmus import SharedFmus
 
 ROOT = Path(__file__).parents[1]
 
 
 @pytest.fixture(scope="session")
-def joystick_fmus(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def shared_fmus(tmp_path_factory: pytest.TempPathFactory) -> SharedFmus:
+    """FMUs that are built once, also where several processes share the tests."""
+    folder = tmp_path_factory.getbasetemp()
+    if "PYTEST_XDIST_WORKER" in os.environ:
+        folder = folder.parent
+    folder /= "shared_fmus"
+    folder.mkdir(exist_ok=True)
+    return SharedFmus(folder)
+
+
+@pytest.fixture(scope="session")
+def joystick_fmus(shared_fmus: SharedFmus) -> Path:
     """The folder with the FMUs of this project by the default compiler.
 
     Those of ``make fmu`` where they are up to date and not another compiler's, else new ones.
     """
-    return _made_or_new("2.0", tmp_path_factory)
+    return _made_or_new("2.0", shared_fmus)
 
 
 @pytest.fixture(scope="session")
-def joystick_fmus3(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def joystick_fmus3(shared_fmus: SharedFmus) -> Path:
     """The same of FMI 3."""
-    return _made_or_new("3.0", tmp_path_factory)
+    return _made_or_new("3.0", shared_fmus)
 
 
-def _made_or_new(fmi_version: FmiVersion, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def _made_or_new(fmi_version: FmiVersion, shared_fmus: SharedFmus) -> Path:
     made = ROOT / "build" / f"fmi{fmi_version[0]}"
     if _is_up_to_date(made):
         return made
-    folder = tmp_path_factory.mktemp(made.name)
-    for model in MODELS.values():
-        build_fmu(model, folder, fmi_version=fmi_version)
+    (folder,) = {shared_fmus.fmu(model, fmi_version=fmi_version).parent for model in MODELS.values()}
     return folder
 
 

@@ -11,7 +11,7 @@ from fmu_build.codegen.compact import compact
 from fmu_build.codegen.equations import Equations, n_named_slots, read_equations
 from fmu_build.codegen.functions import FunctionLibrary
 from fmu_build.codegen.lowered import lower
-from fmu_build.codegen.modelica_text import modelica_texts
+from fmu_build.codegen.names import modelica_texts
 from fmu_build.codegen.refusals import refuse_unfaithful
 from fmu_build.codegen.source import ModelSource
 from fmu_build.codegen.start_values import StartValues

@@ -9,8 +9,7 @@ from functools import reduce
 from fmu_build.codegen import expression as ex
 from fmu_build.codegen.algebraics import Assignment, NewtonBlock, Step, in_order, needed
 from fmu_build.codegen.c_expression import Writer
-from fmu_build.codegen.c_function import FunctionBody, c_function
-from fmu_build.codegen.c_message import c_string, message_call
+from fmu_build.codegen.c_function import FunctionBody, c_function, c_string, message_call
 from fmu_build.codegen.c_tables import tables
 from fmu_build.codegen.c_tangents import tangent_functions
 from fmu_build.codegen.equations import Equations, watched_conditions, written_slots
@@ -22,8 +21,7 @@ from fmu_build.codegen.half_angle import (
     sines_from_half,
 )
 from fmu_build.codegen.lowered import LoweredModel
-from fmu_build.codegen.modelica_text import modelica_texts
-from fmu_build.codegen.names import slot_names
+from fmu_build.codegen.names import modelica_texts, slot_names
 from fmu_build.codegen.right_hand_side import RightHandSide, arrange, with_parts
 from fmu_build.codegen.start_values import StartValues
 from fmu_build.codegen.tangents import Tangents

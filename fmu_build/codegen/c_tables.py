@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from fmu_build.codegen import expression as ex
 from fmu_build.codegen.algebraics import NewtonBlock, needed
 from fmu_build.codegen.c_expression import Writer
-from fmu_build.codegen.c_message import c_string
+from fmu_build.codegen.c_function import c_string
 from fmu_build.codegen.equations import Equations, watched_conditions
 from fmu_build.codegen.expression import Expression, Slot
 from fmu_build.codegen.lowered import LoweredModel

@@ -2,27 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+import math
+from collections.abc import Callable, Mapping, MutableMapping, Sequence
+from functools import reduce
+from itertools import product
 from typing import Any
 
-from fmu_build.codegen import expression as ex, tensors
-from fmu_build.codegen.expression import Expression
+from fmu_build.codegen import expression as ex
+from fmu_build.codegen.expression import ONE, ZERO, Expression, binary
 from fmu_build.codegen.lowered import LoweredModel
 
 Operation = Mapping[str, Any]
 Span = dict[str, int]
 FunctionNames = Callable[[Mapping[str, Any], Span | None], str]
 """From a call site of the IR, and the span of the equation it stands in, to the name of the C function."""
-
-
-_TENSOR_OPERATIONS: dict[str, Callable[[tensors.Fields, tensors.Registers], None]] = {
-    "TensorLoad": tensors.load,
-    "TensorBinary": tensors.elementwise,
-    "MatrixMultiply": tensors.matrix_product,
-    "TensorTranspose": tensors.transposed,
-    "TensorFill": tensors.filled,
-    "TensorConcatenate": tensors.concatenated,
-}
+Fields = Mapping[str, Any]
+Registers = MutableMapping[int, Expression]
 
 
 class ProgramReader:
@@ -69,7 +64,7 @@ class ProgramReader:
                 case "Move":
                     registers[fields["dst"]] = registers[fields["src"]]
                 case "LoadIndexedRegister":
-                    registers[fields["dst"]] = tensors.element(fields, registers)
+                    registers[fields["dst"]] = _element(fields, registers)
                 case _ if kind in _TENSOR_OPERATIONS:
                     if fields.get("lanes", 1) != 1 or fields.get("input", "P") not in ("Y", "P"):
                         raise self._model.refuse(f"this form of operation {kind} is not supported", span)
@@ -140,3 +135,95 @@ class ProgramReader:
             for _ in range(output["value_type"]["scalar_count"]):
                 registers[fields["dst_start"] + result] = Expression("call", arguments, (name, result))
                 result += 1
+
+
+# Operations on ranges of registers, spelled out element by element.
+
+
+def _load(fields: Fields, registers: Registers) -> None:
+    """A range of y or p."""
+    leaf = ex.y if fields["input"] == "Y" else ex.p
+    for i in range(fields["count"]):
+        registers[fields["dst_start"] + i] = leaf(fields["input_start"] + i)
+
+
+def _elementwise(fields: Fields, registers: Registers) -> None:
+    """An operator between two arrays, or an array and a scalar (stride 0)."""
+    for i in range(fields["count"]):
+        a = registers[fields["lhs_start"] + i * fields["lhs_stride"]]
+        b = registers[fields["rhs_start"] + i * fields["rhs_stride"]]
+        registers[fields["dst_start"] + i] = binary(fields["op"], a, b)
+
+
+def _matrix_product(fields: Fields, registers: Registers) -> None:
+    """Row-major matrices, rows by inner and inner by columns."""
+    rows, inner, columns = fields["rows"], fields["inner"], fields["columns"]
+    for i, j in product(range(rows), range(columns)):
+        terms = (
+            binary(
+                "Mul",
+                registers[fields["lhs_start"] + i * inner + k],
+                registers[fields["rhs_start"] + k * columns + j],
+            )
+            for k in range(inner)
+        )
+        registers[fields["dst_start"] + i * columns + j] = reduce(
+            lambda total, term: binary("Add", total, term), terms, ZERO
+        )
+
+
+def _transposed(fields: Fields, registers: Registers) -> None:
+    """A row-major matrix of elements of `element_width` scalars each; the shape given is the result's."""
+    rows, columns, width = fields["rows"], fields["columns"], fields["element_width"]
+    for i, j, k in product(range(rows), range(columns), range(width)):
+        source = fields["src_start"] + (j * rows + i) * width + k
+        registers[fields["dst_start"] + (i * columns + j) * width + k] = registers[source]
+
+
+def _filled(fields: Fields, registers: Registers) -> None:
+    """``fill(value, ...)``."""
+    for i in range(fields["count"]):
+        registers[fields["dst_start"] + i] = registers[fields["value_start"]]
+
+
+def _concatenated(fields: Fields, registers: Registers) -> None:
+    """``cat(axis + 1, ...)`` of row-major arrays."""
+    axis = fields["axis"]
+    outer = math.prod(fields["dimensions"][:axis])
+    position = fields["dst_start"]
+    for i in range(outer):
+        for source in fields["sources"]:
+            length = math.prod(source["dimensions"][axis:])
+            for k in range(length):
+                registers[position] = registers[source["start"] + i * length + k]
+                position += 1
+
+
+def _element(fields: Fields, registers: Registers) -> Expression:
+    """``array[i, j, ...]``; NaN where an index that is known at run time only lies outside of its bounds."""
+    chosen = ex.number(math.nan)
+    places = product(*(range(size) for size in fields["dimensions"]))
+    for offset, place in reversed(list(enumerate(places))):
+        here: Expression = ONE
+        for index, position in zip(fields["indices"], place, strict=True):
+            here = binary("And", here, _is_at(index, position, registers))
+        chosen = ex.select(here, registers[fields["base"] + offset * fields["stride"]], chosen)
+    return chosen
+
+
+def _is_at(index: Fields, position: int, registers: Registers) -> Expression:
+    """Whether an index has a position, counted from 0; run-time indices count from 1, as Modelica's do."""
+    ((kind, value),) = index.items()
+    if kind == "Runtime":
+        return Expression("Eq", (registers[value], ex.number(position + 1)))
+    return ONE if value == position else ZERO
+
+
+_TENSOR_OPERATIONS: dict[str, Callable[[Fields, Registers], None]] = {
+    "TensorLoad": _load,
+    "TensorBinary": _elementwise,
+    "MatrixMultiply": _matrix_product,
+    "TensorTranspose": _transposed,
+    "TensorFill": _filled,
+    "TensorConcatenate": _concatenated,
+}

@@ -11,26 +11,26 @@ from pathlib import Path
 from fmu_build.packaging import fmi2_xml, fmi3_xml
 from fmu_build.packaging.archive import archive_bytes, check_output_folder, replacing
 from fmu_build.packaging.binaries import COMPILER_FLAGS, LINKER_FLAGS, binary_entries, compile_library
-from fmu_build.packaging.build_description import BUILD_DESCRIPTION, build_description_xml
 from fmu_build.packaging.check import check_fmu
 from fmu_build.packaging.consistency import check_description
 from fmu_build.packaging.default_run import DefaultRun, run_default_experiment
 from fmu_build.packaging.documentation import FIGURE, index_html
 from fmu_build.packaging.elements import generation_time
-from fmu_build.packaging.icon import ICONS, model_png
+from fmu_build.packaging.figures import ICONS, default_run_svg, model_png
+from fmu_build.packaging.fmi3_xml import TERMINALS, terminals_and_icons_xml
 from fmu_build.packaging.licenses_text import license_text
 from fmu_build.packaging.platforms import Platform, host_platform, select_platforms
 from fmu_build.packaging.reference_results import reference_files
-from fmu_build.packaging.run_figure import default_run_svg
 from fmu_build.packaging.sources import (
+    BUILD_DESCRIPTION,
     FMI_HEADERS,
     TOKEN_FILE,
+    build_description_xml,
     c_files,
     collect_sources,
     content_guid,
     token_header,
 )
-from fmu_build.packaging.terminals import TERMINALS, terminals_and_icons_xml
 from fmu_build.support.description import GeneratedModel, ModelDescription
 from fmu_build.support.errors import BuildError
 from fmu_build.support.request import BuildRequest

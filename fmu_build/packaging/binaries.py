@@ -11,16 +11,16 @@ import hashlib
 import importlib.util
 import os
 import shlex
+import struct
 import subprocess
 import sys
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from importlib import metadata
 from pathlib import Path
 
 from fmu_build.packaging.platforms import PLATFORMS, Platform
 from fmu_build.packaging.sources import MODEL_FILE, TOKEN_FILE, c_files
-from fmu_build.packaging.universal import universal_library
 from fmu_build.support.errors import ToolchainError
 from fmu_build.support.request import FmiVersion
 
@@ -215,3 +215,23 @@ def _library_arguments(files: Mapping[str, bytes], library: str, platform: Platf
 
 def _target(platform: Platform) -> list[str]:
     return ["-target", platform.target, "-mcpu=baseline"]
+
+
+_MAGIC = 0xCAFEBABE
+_HEADER = struct.Struct(">II")  # magic number, number of libraries
+_ENTRY = struct.Struct(">IIIII")  # processor, its subtype, offset, size, alignment as a power of two
+_ALIGNMENT = 14  # pages of 16 kB, those of aarch64
+
+
+def universal_library(libraries: Sequence[bytes]) -> bytes:
+    """The libraries, each for one processor, in one file; macOS loads the one that suits the process."""
+    page = 1 << _ALIGNMENT
+    content = bytearray(_HEADER.pack(_MAGIC, len(libraries)))
+    offset = page
+    for library in libraries:
+        processor, subtype = struct.unpack_from("<II", library, 4)
+        content += _ENTRY.pack(processor, subtype, offset, len(library), _ALIGNMENT)
+        offset += -(-len(library) // page) * page
+    for library in libraries:
+        content += bytes(-len(content) % page) + library
+    return bytes(content)

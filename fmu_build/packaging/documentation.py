@@ -6,8 +6,8 @@ from lxml import html
 from lxml.html import builder
 
 from fmu_build.packaging.default_run import TOLERANCE, DefaultRun
+from fmu_build.packaging.elements import xml_text
 from fmu_build.packaging.reference_results import FOLDER
-from fmu_build.packaging.text import xml_text
 from fmu_build.support.description import ModelDescription, Variable
 
 _STYLE = """

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterable
 from datetime import UTC, datetime
 from typing import Any
@@ -10,7 +11,6 @@ from typing import Any
 from lxml import etree
 
 from fmu_build.packaging.fmi2_units import distinct_display_unit
-from fmu_build.packaging.text import xml_text
 from fmu_build.support.description import DefaultExperiment, EnumerationType, Variable
 from fmu_build.support.errors import BuildError
 
@@ -130,3 +130,11 @@ def add_items(parent: etree._Element, enumeration: EnumerationType) -> None:
     """The literals of an enumeration, numbered from 1."""
     for value, (literal, description) in enumerate(enumeration.literals, start=1):
         add(parent, "Item", name=literal, value=value, description=description or None)
+
+
+_NOT_XML = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
+
+
+def xml_text(text: str) -> str:
+    """The text with a space for each character that XML 1.0 has no form for, not even an escaped one."""
+    return _NOT_XML.sub(" ", text)

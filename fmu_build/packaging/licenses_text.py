@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from importlib import resources
 from importlib.resources.abc import Traversable
 
 from fmu_build.packaging.platforms import Platform
-from fmu_build.packaging.sources import FMI_HEADERS, fmi_license
+from fmu_build.packaging.sources import FMI_HEADERS, fmi_header
 from fmu_build.support.errors import BuildError
 from fmu_build.support.request import FmiVersion
 
@@ -23,7 +24,7 @@ def license_text(fmi_version: FmiVersion, platforms: Iterable[Platform]) -> str:
     compiler = resources.files("ziglang")
     sections = {
         "Runtime": _read(apache),
-        "FMI headers": fmi_license(fmi_version),
+        "FMI headers": _fmi_license(fmi_version),
         "Library of the C compiler": _read(compiler / "LICENSE"),
     }
     if any(platform.extension == ".dll" for platform in platforms):
@@ -44,3 +45,13 @@ def _read(file: Traversable) -> str:
         return file.read_text("utf-8")
     except OSError as error:
         raise BuildError(f"the licence {file} is missing: {error.strerror}") from error
+
+
+def _fmi_license(fmi_version: FmiVersion) -> str:
+    """Copyright and licence of the FMI headers, as they state it themselves."""
+    header = FMI_HEADERS[fmi_version][0]
+    text = fmi_header(header).decode()
+    match = re.search(r"^ *Copyright \(C\).*?-{20,}.*?-{20,}", text, re.DOTALL | re.MULTILINE)
+    if match is None:
+        raise BuildError(f"no licence text found in the FMI header {header} that FMPy brings")
+    return "\n".join(line.removeprefix("   ").rstrip() for line in match[0].splitlines())

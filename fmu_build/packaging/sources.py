@@ -7,10 +7,11 @@ side by side: any importer finds a header beside the file that includes it, with
 from __future__ import annotations
 
 import hashlib
-import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from importlib import resources
 from pathlib import Path
+
+from lxml import etree
 
 from fmu_build.support.errors import BuildError
 from fmu_build.support.request import FmiVersion
@@ -44,7 +45,7 @@ def collect_sources(c_source: str, fmi_version: FmiVersion) -> dict[str, bytes]:
     Raises `BuildError` where the runtime or FMPy's copy of the FMI headers is missing.
     """
     files = {path.name: path.read_bytes() for path in runtime_files(fmi_version)}
-    files |= {name: _fmi_header(name) for name in FMI_HEADERS[fmi_version]}
+    files |= {name: fmi_header(name) for name in FMI_HEADERS[fmi_version]}
     files[MODEL_FILE] = c_source.encode()
     return dict(sorted(files.items()))
 
@@ -71,18 +72,24 @@ def token_header(guid: str) -> bytes:
     return f'/* token.h - made from the content of this FMU. */\n#define MODEL_TOKEN "{guid}"\n'.encode()
 
 
-def fmi_license(fmi_version: FmiVersion) -> str:
-    """Copyright and licence of the FMI headers, as they state it themselves."""
-    header = FMI_HEADERS[fmi_version][0]
-    text = _fmi_header(header).decode()
-    match = re.search(r"^ *Copyright \(C\).*?-{20,}.*?-{20,}", text, re.DOTALL | re.MULTILINE)
-    if match is None:
-        raise BuildError(f"no licence text found in the FMI header {header} that FMPy brings")
-    return "\n".join(line.removeprefix("   ").rstrip() for line in match[0].splitlines())
-
-
-def _fmi_header(name: str) -> bytes:
+def fmi_header(name: str) -> bytes:
+    """FMPy's copy of a header of the standard; raises `BuildError` where it is missing."""
     try:
         return (resources.files("fmpy") / "c-code" / name).read_bytes()
     except (ModuleNotFoundError, FileNotFoundError) as error:
         raise BuildError(f"the FMI header {name} is missing; it comes with FMPy: pip install fmpy") from error
+
+
+BUILD_DESCRIPTION = "buildDescription.xml"
+
+
+def build_description_xml(identifier: str, c_files: Sequence[str]) -> bytes:
+    """The file's content: one library from all C files, and the mathematical functions of the C library."""
+    root = etree.Element("fmiBuildDescription", fmiVersion="3.0")
+    configuration = etree.SubElement(root, "BuildConfiguration", modelIdentifier=identifier)
+    files = etree.SubElement(configuration, "SourceFileSet", language="C11")
+    for name in c_files:
+        etree.SubElement(files, "SourceFile", name=name)
+    etree.SubElement(configuration, "Library", name="m", external="true", description="C library, libm")
+    content: bytes = etree.tostring(root, xml_declaration=True, encoding="UTF-8", pretty_print=True)
+    return content

@@ -16,7 +16,6 @@ from fmpy.fmi2 import FMU2Model
 from fmpy.fmi3 import FMU3Model
 from numpy.typing import NDArray
 
-from fmu_build import build_fmu
 from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW
 from tests.joystick_fmu.analytic import jacobian
 from tests.joystick_fmu.driver import slave
@@ -70,20 +69,6 @@ def _point(fmu: Path, folder: Path) -> Iterator[Point]:
         yield point
     finally:
         point.model.freeInstance()
-
-
-@pytest.fixture(scope="module")
-def fmi3_fmus(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("fmi3")
-    for name in LAWS:
-        build_fmu(f"PreloadedSprings.Joystick.{name}", folder, fmi_version="3.0")
-    return folder
-
-
-@pytest.fixture(params=["2.0", "3.0"])
-def fmus(request: pytest.FixtureRequest) -> Path:
-    folder: Path = request.getfixturevalue("joystick_fmus" if request.param == "2.0" else "fmi3_fmus")
-    return folder
 
 
 @pytest.mark.parametrize("name", LAWS)

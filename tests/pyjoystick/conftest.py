@@ -6,22 +6,19 @@ from pathlib import Path
 
 import pytest
 
-from fmu_build import build_fmu
+from tests.shared_fmus import SharedFmus
 
 
 @pytest.fixture(scope="session")
-def mixed_path(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def mixed_path(shared_fmus: SharedFmus) -> Path:
     """An FMU with parameters and outputs of several types, and runs that may fail; see fmu/Mixed.mo."""
-    folder = tmp_path_factory.mktemp("mixed")
-    return build_fmu("Mixed", folder, library=Path(__file__).parent / "fmu" / "Mixed.mo").path
+    return shared_fmus.fmu("Mixed", Path(__file__).parent / "fmu" / "Mixed.mo")
 
 
 @pytest.fixture(scope="session")
-def pair(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def pair(shared_fmus: SharedFmus) -> Path:
     """The folder with First.fmu, Second.fmu, Stops.fmu and Closed.fmu, see runs/fmu_comparison/Pair.mo."""
-    folder = tmp_path_factory.mktemp("pair")
-    for name in ("First", "Second", "Stops", "Closed"):
-        build_fmu(
-            f"Pair.{name}", folder, library=Path(__file__).parent / "runs" / "fmu_comparison" / "Pair.mo"
-        )
+    library = Path(__file__).parent / "runs" / "fmu_comparison" / "Pair.mo"
+    names = ("First", "Second", "Stops", "Closed")
+    (folder,) = {shared_fmus.fmu(f"Pair.{name}", library).parent for name in names}
     return folder

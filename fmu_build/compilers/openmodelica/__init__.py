@@ -19,8 +19,8 @@ from fmu_build.compilers.library import (
     read_classes,
 )
 from fmu_build.compilers.openmodelica.build import Attempt, identifier, read_attempt, statements
-from fmu_build.compilers.openmodelica.failures import failure
 from fmu_build.compilers.openmodelica.finding import find_omc, omc_version
+from fmu_build.compilers.openmodelica.messages import failure
 from fmu_build.compilers.openmodelica.options import OPTIONS, Options, read_options
 from fmu_build.compilers.openmodelica.sessions import Opened, open_session
 from fmu_build.compilers.openmodelica.shared import left_as_found

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Sequence
+import uuid
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -11,9 +12,9 @@ from typing import Protocol
 
 from fmu_build.compilers.openmodelica.docker import check_image, mounts, run_in_container
 from fmu_build.compilers.openmodelica.finding import find_omc
-from fmu_build.compilers.openmodelica.messages import Answer
+from fmu_build.compilers.openmodelica.messages import Answer, read_answers, watched
 from fmu_build.compilers.openmodelica.options import Options
-from fmu_build.compilers.openmodelica.script import ScriptSession
+from fmu_build.compilers.openmodelica.process import run
 from fmu_build.compilers.openmodelica.server import RootRefusedError, local_server, read_port_file
 from fmu_build.support.errors import ToolchainError
 
@@ -127,3 +128,35 @@ def _require_ompython() -> None:
             f"OMPython 4.1 or newer, which talks to OpenModelica, is missing ({error}): "
             "pip install 'pyjoystick[openmodelica]'. The default compiler, rumoca, does not need it."
         ) from error
+
+
+@dataclass(frozen=True, slots=True)
+class ScriptSession:
+    """Runs each list of statements in an omc of its own, so that nothing is kept from one to the next.
+
+    `command` is what runs omc, `folder` where the scripts are written and run.
+    """
+
+    command: Sequence[str]
+    folder: Path
+    environment: Mapping[str, str]
+    timeout: float
+
+    def run(self, statements: Sequence[str]) -> list[Answer]:
+        """The answers; the last one has the reason where there are fewer of them than statements.
+
+        Raises `ToolchainError` where omc cannot be run or does not end in time.
+        """
+        marker = uuid.uuid4().hex
+        script = self.folder / f"{marker}.mos"
+        script.write_text("".join(f"{watched(s, marker)};\n" for s in statements), encoding="utf-8")
+        code, output = run(
+            [*self.command, "--locale=C", str(script)],
+            folder=self.folder,
+            log=self.folder / f"{marker}.log",
+            environment=self.environment,
+            timeout=self.timeout * len(statements),
+        )
+        if code != 0:
+            output = f"{output.rstrip()}\nError: omc ended with exit code {code}"
+        return read_answers(output, marker, len(statements))

@@ -1,24 +1,22 @@
-"""The FMUs of the models that the selected tests need."""
+"""The FMUs of the models in this folder."""
 
 from __future__ import annotations
 
-import os
-from collections.abc import Iterator
-from concurrent.futures import ProcessPoolExecutor
-from multiprocessing import get_context
-
 import pytest
+from fmpy import read_model_description
+
+from tests.shared_fmus import SharedFmus
 
 from .case import Case
-from .runner import Workshop
+from .runner import Fmu, FmuOf
 
 
 @pytest.fixture(scope="session")
-def workshop(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Workshop]:
-    """Begins to build every model of the session's cases."""
-    parameters = [item.callspec.params for item in request.session.items if hasattr(item, "callspec")]
-    cases = [found["case"] for found in parameters if isinstance(found.get("case"), Case)]
-    models = {case.model: case.library for case in cases}
-    with ProcessPoolExecutor(os.cpu_count(), get_context("spawn")) as pool:
-        yield Workshop(tmp_path_factory.mktemp("fmus"), models, pool)
-        pool.shutdown(cancel_futures=True)
+def fmu_of(shared_fmus: SharedFmus) -> FmuOf:
+    """The FMU of a case's model; raises what its build raises."""
+
+    def fmu(case: Case) -> Fmu:
+        folder = shared_fmus.unpacked(case.model, case.library)
+        return Fmu(folder, read_model_description(folder))
+
+    return fmu

@@ -1,19 +1,15 @@
-"""Builds a model's FMU once and runs it through FMPy."""
+"""Runs a model's FMU through FMPy."""
 
 from __future__ import annotations
 
-import tempfile
-from collections.abc import Mapping
-from concurrent.futures import Executor
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from fmpy import extract, read_model_description, simulate_fmu
+from fmpy import simulate_fmu
 from fmpy.fmi2 import FMU2Slave
-
-from fmu_build import build_fmu
 
 from .case import Array, Case
 
@@ -81,25 +77,7 @@ class Fmu:
         return [float(getters[variable.type]([variable.valueReference])[0]) for variable in found]
 
 
-class Workshop:
-    """Builds the FMUs that a test session needs, each once and several at a time."""
-
-    def __init__(self, folder: Path, models: Mapping[str, Path], pool: Executor) -> None:
-        self._built = {
-            model: pool.submit(_build, model, library, folder) for model, library in models.items()
-        }
-
-    def fmu(self, model: str) -> Fmu:
-        """Waits until the model is built; raises what its build raised."""
-        folder = self._built[model].result()
-        return Fmu(folder, read_model_description(folder))
-
-
-def _build(model: str, library: Path, folder: Path) -> Path:
-    target = folder / model
-    with tempfile.TemporaryDirectory() as archives:
-        extract(build_fmu(model, archives, library=library).path, target)
-    return target
+FmuOf = Callable[[Case], Fmu]
 
 
 def event_times(result: Any) -> Array:

@@ -11,7 +11,7 @@ from fmpy.fmi1 import FMICallException
 from .case import Array, Case
 from .differences import Differences, initial_differences, may_be_moved, probe
 from .oracles import CASES
-from .runner import Fmu, Workshop
+from .runner import Fmu, FmuOf
 
 TOLERANCE = 1e-6
 # Some models start where the second derivative of an energy jumps: differences are off by their step there.
@@ -58,8 +58,8 @@ def _values(case: Case) -> dict[str, float]:
 
 @pytest.mark.parametrize("part", [0.07, 0.31, 0.83])
 @pytest.mark.parametrize("case", _MODELS.values(), ids=lambda case: case.model)
-def test_derivatives_are_those_of_the_branch(case: Case, part: float, workshop: Workshop) -> None:
-    fmu = workshop.fmu(case.model)
+def test_derivatives_are_those_of_the_branch(case: Case, part: float, fmu_of: FmuOf) -> None:
+    fmu = fmu_of(case)
     assert fmu.description.modelExchange.providesDirectionalDerivative
     with probe(fmu) as point:
         point.set(_values(case))
@@ -78,8 +78,8 @@ def test_derivatives_are_those_of_the_branch(case: Case, part: float, workshop: 
 
 
 @pytest.mark.parametrize("case", _MODELS.values(), ids=lambda case: case.model)
-def test_derivatives_of_initial_values(case: Case, workshop: Workshop) -> None:
-    fmu = workshop.fmu(case.model)
+def test_derivatives_of_initial_values(case: Case, fmu_of: FmuOf) -> None:
+    fmu = fmu_of(case)
     with probe(fmu) as point:
         point.set(_values(case))
         unknowns = _unknowns(fmu)

@@ -6,10 +6,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from fmpy import extract, read_model_description, simulate_fmu
+from fmpy import read_model_description, simulate_fmu
 from fmpy.fmi1 import FMICallException
 
-from fmu_build import build_fmu
+from tests.shared_fmus import SharedFmus
 
 MODELS = Path(__file__).parent
 FAILING = MODELS / "failing" / "Failing.mo"
@@ -17,19 +17,12 @@ STATE_EVENTS = MODELS / "StateEvents.mo"
 TYPES = ("CoSimulation", "ModelExchange")
 
 
-@pytest.fixture(scope="module")
-def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return tmp_path_factory.mktemp("endings")
-
-
 class Run:
     """One run, with the messages that the FMU logged."""
 
-    def __init__(self, model: str, library: Path, folder: Path) -> None:
-        self.folder = folder / model
+    def __init__(self, model: str, library: Path, shared_fmus: SharedFmus) -> None:
+        self.folder = shared_fmus.unpacked(model, library)
         self.messages: list[str] = []
-        if not self.folder.exists():
-            extract(build_fmu(model, folder, library=library).path, self.folder)
         self.description = read_model_description(self.folder)
 
     def __call__(
@@ -49,31 +42,31 @@ class Run:
 
 
 @pytest.mark.parametrize("fmi_type", TYPES)
-def test_terminate_ends_the_run(fmi_type: str, folder: Path) -> None:
-    run = Run("StateEvents.Stopping", STATE_EVENTS, folder)
+def test_terminate_ends_the_run(fmi_type: str, shared_fmus: SharedFmus) -> None:
+    run = Run("StateEvents.Stopping", STATE_EVENTS, shared_fmus)
     result = run(fmi_type)
     assert result["time"][-1] == pytest.approx(1.0, abs=0.0101)
     assert any("the body has reached the ground" in message for message in run.messages), run.messages
 
 
 @pytest.mark.parametrize("fmi_type", TYPES)
-def test_an_assertion_stops_the_run_with_its_message(fmi_type: str, folder: Path) -> None:
-    run = Run("StateEvents.Asserting", STATE_EVENTS, folder)
+def test_an_assertion_stops_the_run_with_its_message(fmi_type: str, shared_fmus: SharedFmus) -> None:
+    run = Run("StateEvents.Asserting", STATE_EVENTS, shared_fmus)
     with pytest.raises(FMICallException):
         run(fmi_type, limit=0.5)
     assert any("x has passed its limit" in message for message in run.messages), run.messages
 
 
 @pytest.mark.parametrize("fmi_type", TYPES)
-def test_an_assertion_of_level_warning_only_warns(fmi_type: str, folder: Path) -> None:
-    run = Run("StateEvents.Asserting", STATE_EVENTS, folder)
+def test_an_assertion_of_level_warning_only_warns(fmi_type: str, shared_fmus: SharedFmus) -> None:
+    run = Run("StateEvents.Asserting", STATE_EVENTS, shared_fmus)
     result = run(fmi_type, warn=0.5)
     assert result["time"][-1] == pytest.approx(1.5)
     assert any("x is large" in message for message in run.messages), run.messages
 
 
-def test_nothing_is_said_where_all_is_well(folder: Path) -> None:
-    run = Run("StateEvents.Asserting", STATE_EVENTS, folder)
+def test_nothing_is_said_where_all_is_well(shared_fmus: SharedFmus) -> None:
+    run = Run("StateEvents.Asserting", STATE_EVENTS, shared_fmus)
     run("CoSimulation")
     assert run.messages == []
 
@@ -89,8 +82,10 @@ def test_nothing_is_said_where_all_is_well(folder: Path) -> None:
         ("OutOfBounds", "index"),
     ],
 )
-def test_a_model_that_cannot_go_on_says_why(model: str, message: str, fmi_type: str, folder: Path) -> None:
-    run = Run(f"Failing.{model}", FAILING, folder)
+def test_a_model_that_cannot_go_on_says_why(
+    model: str, message: str, fmi_type: str, shared_fmus: SharedFmus
+) -> None:
+    run = Run(f"Failing.{model}", FAILING, shared_fmus)
     with pytest.raises(FMICallException):
         run(fmi_type)
     assert any(message in logged for logged in run.messages), run.messages
@@ -98,8 +93,8 @@ def test_a_model_that_cannot_go_on_says_why(model: str, message: str, fmi_type: 
 
 @pytest.mark.parametrize("fmi_type", TYPES)
 @pytest.mark.parametrize("name", ["k", "l"])
-def test_an_integer_beyond_32_bits_is_an_error(name: str, fmi_type: str, folder: Path) -> None:
-    run = Run("Failing.HugeInteger", FAILING, folder)
+def test_an_integer_beyond_32_bits_is_an_error(name: str, fmi_type: str, shared_fmus: SharedFmus) -> None:
+    run = Run("Failing.HugeInteger", FAILING, shared_fmus)
     assert run(fmi_type, output=[name], n=46340)[name][-1] == (46340**2 if name == "k" else -(46340**2))
     assert run.messages == []
     with pytest.raises(FMICallException):
@@ -114,8 +109,8 @@ def test_an_integer_beyond_32_bits_is_an_error(name: str, fmi_type: str, folder:
 @pytest.mark.parametrize(
     ("model", "message"), [("Chattering", "events at practically the same time"), ("Pole", "not finite")]
 )
-def test_co_simulation_gives_up_with_a_reason(model: str, message: str, folder: Path) -> None:
-    run = Run(f"Failing.{model}", FAILING, folder)
+def test_co_simulation_gives_up_with_a_reason(model: str, message: str, shared_fmus: SharedFmus) -> None:
+    run = Run(f"Failing.{model}", FAILING, shared_fmus)
     with pytest.raises(FMICallException):
         run("CoSimulation")
     assert any(message in logged for logged in run.messages), run.messages

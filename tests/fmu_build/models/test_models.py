@@ -10,15 +10,15 @@ import pytest
 
 from .case import Case, largest_difference
 from .oracles import CASES
-from .runner import Workshop, event_times
+from .runner import FmuOf, event_times
 
 COMMUNICATION_STEPS = {"97 steps": 97, "13 steps": 13}
 
 
 @pytest.mark.parametrize("steps", COMMUNICATION_STEPS.values(), ids=COMMUNICATION_STEPS.keys())
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
-def test_co_simulation(case: Case, steps: int, workshop: Workshop) -> None:
-    fmu = workshop.fmu(case.model)
+def test_co_simulation(case: Case, steps: int, fmu_of: FmuOf) -> None:
+    fmu = fmu_of(case)
     if case.inputs:
         result = fmu.run_with_inputs(case, steps)
     else:
@@ -29,8 +29,8 @@ def test_co_simulation(case: Case, steps: int, workshop: Workshop) -> None:
 
 
 @pytest.mark.parametrize("case", [case for case in CASES if not case.inputs], ids=lambda case: case.name)
-def test_model_exchange(case: Case, workshop: Workshop) -> None:
-    result = workshop.fmu(case.model).run(case, "ModelExchange", case.stop_time / 97)
+def test_model_exchange(case: Case, fmu_of: FmuOf) -> None:
+    result = fmu_of(case).run(case, "ModelExchange", case.stop_time / 97)
     assert result["time"][-1] == pytest.approx(case.stop_time)
     margin = 10 * case.me_accuracy
     difference, where = largest_difference(result["time"], result, case, margin)
@@ -46,9 +46,9 @@ def test_model_exchange(case: Case, workshop: Workshop) -> None:
 
 @pytest.mark.parametrize("case", [case for case in CASES if case.model == "StateEvents.Grazing"])
 @pytest.mark.parametrize("level", [0.999, 0.9999, 0.99999])
-def test_a_short_excursion_is_not_missed(case: Case, level: float, workshop: Workshop) -> None:
+def test_a_short_excursion_is_not_missed(case: Case, level: float, fmu_of: FmuOf) -> None:
     """The sine is above the level for as little as 9 ms, far less than a step of the integrator takes."""
-    fmu = workshop.fmu(case.model)
+    fmu = fmu_of(case)
     result = fmu.run(replace(case, parameters={"level": level}), "CoSimulation", case.stop_time / 3)
     assert list(result["hits"]) == [0, 1, 2, 3]
 

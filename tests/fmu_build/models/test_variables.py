@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 from fmpy import read_model_description, simulate_fmu
 
-from fmu_build import build_fmu
+from tests.shared_fmus import SharedFmus
 
 MODELS = Path(__file__).parent
 
 
-def build(model: str, folder: Path) -> Path:
-    return build_fmu(model, folder, library=MODELS / f"{model.partition('.')[0]}.mo").path
+def library(model: str) -> Path:
+    return MODELS / f"{model.partition('.')[0]}.mo"
 
 
 @pytest.mark.parametrize(
@@ -26,9 +26,11 @@ def build(model: str, folder: Path) -> Path:
         ("Components.Chain", "n"),
     ],
 )
-def test_what_the_compiler_has_used_up_cannot_be_set(model: str, parameter: str, tmp_path: Path) -> None:
+def test_what_the_compiler_has_used_up_cannot_be_set(
+    model: str, parameter: str, shared_fmus: SharedFmus
+) -> None:
     """A sample period, an array size, the condition of a component: another value would be ignored."""
-    path = build(model, tmp_path)
+    path = shared_fmus.unpacked(model, library(model))
     variables = {variable.name: variable for variable in read_model_description(path).modelVariables}
     assert variables[parameter].variability == "constant"
     assert variables[parameter].causality == "local"
@@ -45,16 +47,16 @@ def test_what_the_compiler_has_used_up_cannot_be_set(model: str, parameter: str,
         ("Arrays.Table", "x_i[2]"),
     ],
 )
-def test_what_stays_a_parameter(model: str, parameter: str, tmp_path: Path) -> None:
-    path = build(model, tmp_path)
+def test_what_stays_a_parameter(model: str, parameter: str, shared_fmus: SharedFmus) -> None:
+    path = shared_fmus.unpacked(model, library(model))
     variables = {variable.name: variable for variable in read_model_description(path).modelVariables}
     assert variables[parameter].causality == "parameter"
     assert variables[parameter].variability in {"fixed", "tunable"}
 
 
-def test_integer_and_boolean_inputs(tmp_path: Path) -> None:
+def test_integer_and_boolean_inputs(shared_fmus: SharedFmus) -> None:
     """The gear goes from 1 to 3 at t = 1, and into reverse at t = 2."""
-    path = build("Oscillators.DiscreteInputs", tmp_path)
+    path = shared_fmus.unpacked("Oscillators.DiscreteInputs", library("Oscillators"))
     signals = np.array(
         [(0.0, 1, False), (1.0, 1, False), (1.0, 3, False), (2.0, 3, False), (2.0, 3, True), (3.0, 3, True)],
         dtype=[("time", float), ("gear", int), ("reverse", bool)],

@@ -11,7 +11,7 @@ from lxml import html
 
 from fmu_build.packaging.default_run import DefaultRun
 from fmu_build.packaging.documentation import FIGURE, index_html
-from fmu_build.packaging.icon import model_png
+from fmu_build.packaging.figures import model_png
 from fmu_build.support.description import ModelDescription, Variable
 
 

@@ -13,8 +13,7 @@ from lxml import etree
 
 from fmu_build.packaging import package_fmu
 from fmu_build.packaging.consistency import check_description
-from fmu_build.packaging.fmi3_xml import model_description_xml
-from fmu_build.packaging.terminals import terminals_and_icons_xml
+from fmu_build.packaging.fmi3_xml import model_description_xml, terminals_and_icons_xml
 from fmu_build.support.description import GeneratedModel, ModelDescription, Terminal, Variable
 from fmu_build.support.errors import ModelicaError
 from fmu_build.support.request import BuildRequest

@@ -1,13 +1,22 @@
-"""The content GUID, the token header and the licence of the FMI headers."""
+"""The sources/ folder: its files, the content GUID, the token header and buildDescription.xml."""
 
 from __future__ import annotations
 
 import re
+from importlib import resources
+from pathlib import Path
 
 import pytest
+from lxml import etree
 
 from fmu_build.packaging import sources
-from fmu_build.packaging.sources import c_files, collect_sources, content_guid, token_header
+from fmu_build.packaging.sources import (
+    build_description_xml,
+    c_files,
+    collect_sources,
+    content_guid,
+    token_header,
+)
 from fmu_build.support.errors import BuildError
 
 _FLAGS = ("-O2", "-s")
@@ -56,3 +65,13 @@ def test_a_missing_header_says_where_it_comes_from(monkeypatch: pytest.MonkeyPat
     monkeypatch.setattr(sources, "FMI_HEADERS", {"2.0": ("fmi2Missing.h",)})
     with pytest.raises(BuildError, match=r"fmi2Missing\.h is missing.*pip install fmpy"):
         collect_sources("", "2.0")
+
+
+def test_it_follows_the_schema_and_lists_every_c_file() -> None:
+    files = c_files(collect_sources("int model;", "3.0"))
+    root = etree.fromstring(build_description_xml("Oscillator", files))
+    schema = Path(str(resources.files("fmpy") / "schema" / "fmi3" / "fmi3BuildDescription.xsd"))
+    etree.XMLSchema(etree.parse(schema)).assertValid(root)
+    assert [file.get("name") for file in root.iter("SourceFile")] == files
+    assert "fmi3_cosimulation.c" in files
+    assert not any(name.startswith("fmi2_") for name in files)

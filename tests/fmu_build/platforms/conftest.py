@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from fmu_build import FmiVersion, build_fmu
+from fmu_build import FmiVersion
+from tests.shared_fmus import SharedFmus
 
 MODEL = "PreloadedSprings.Joystick.Joystick"
 
@@ -19,7 +20,6 @@ def fmi_version(request: pytest.FixtureRequest) -> FmiVersion:
 
 
 @pytest.fixture(scope="session")
-def fmu(fmi_version: FmiVersion, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def fmu(fmi_version: FmiVersion, shared_fmus: SharedFmus) -> Path:
     """The FMU with binaries for all platforms; tests only read it."""
-    folder = tmp_path_factory.mktemp(f"fmi{fmi_version}")
-    return build_fmu(MODEL, folder, fmi_version=fmi_version, platforms=["all"]).path
+    return shared_fmus.fmu(MODEL, fmi_version=fmi_version, platforms=("all",))

@@ -9,11 +9,11 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from fmu_build import build_fmu
 from pyjoystick.fmu import Fmu, FmuRunError, UnsupportedFmuError, run_model_exchange
 from pyjoystick.model import NOMINAL, simulate
 from pyjoystick.support import ParameterError, SimulationError, UnknownInputError
 from tests.pyjoystick.fmu.doctored import doctored
+from tests.shared_fmus import SharedFmus
 
 TIME = np.linspace(0.0, 1.0, 201)
 RELEASE = {"theta_start": math.radians(-20.0)}
@@ -82,9 +82,9 @@ def test_driven_motion_is_that_of_co_simulation(joystick_path: Path) -> None:
     assert np.abs(run["theta"]).max() > 0.1
 
 
-def test_where_cvode_gives_up(tmp_path: Path) -> None:
+def test_where_cvode_gives_up(shared_fmus: SharedFmus) -> None:
     models = Path(__file__).parents[2] / "fmu_build" / "models" / "failing" / "Failing.mo"
-    pole = build_fmu("Failing.Pole", tmp_path, library=models).path
+    pole = shared_fmus.fmu("Failing.Pole", models)
     with pytest.raises(
         SimulationError, match=r"stopped at t = 0\.98 s: CVode: At t = (0\.99|1\.00)\d+"
     ) as caught:

@@ -9,7 +9,7 @@ import matplotlib as mpl
 from lxml import etree
 
 from fmu_build.packaging.default_run import DefaultRun
-from fmu_build.packaging.run_figure import default_run_svg
+from fmu_build.packaging.figures import default_run_svg
 from fmu_build.support.description import ModelDescription, Variable
 
 _RUN = DefaultRun((0.0, 1.0, 2.0), {"F": (0.0, 1.0, 1.0)}, {"x": (0.0, 0.5, 0.1), "E": (0.0, 2.0, 1.0)})
