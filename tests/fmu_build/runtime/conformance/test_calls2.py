@@ -10,7 +10,15 @@ from tests.fmu_build.runtime.conformance import standard2
 from tests.fmu_build.runtime.conformance.states2 import arguments, in_state
 from tests.fmu_build.runtime.conformance.variables import LAG, VariableKind
 from tests.fmu_build.runtime.conftest import Build
-from tests.fmu_build.runtime.library import CO_SIMULATION, DISCARD, ERROR, MODEL_EXCHANGE, OK, Instance, live_blocks
+from tests.fmu_build.runtime.library import (
+    CO_SIMULATION,
+    DISCARD,
+    ERROR,
+    MODEL_EXCHANGE,
+    OK,
+    Instance,
+    live_blocks,
+)
 
 _NAMES = {
     "instantiated": "the instantiated state",
