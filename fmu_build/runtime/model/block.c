@@ -106,5 +106,6 @@ const char *blocks_explain(double time, double *y, const double *p, char text[NE
         if (result != NEWTON_SOLVED)
             return newton_explain(&system, result, "the algebraic loop", text);
     }
-    return "a system of equations has no solution";
+    /* Tried again, all went well. */
+    return "a system of equations has no solution, or memory was short";
 }

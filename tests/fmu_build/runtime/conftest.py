@@ -25,9 +25,9 @@ def build(workshop2: Workshop) -> Build:
 
 
 @pytest.fixture(scope="session")
-def internals(workshop2: Workshop) -> Build:
-    """The same, with all functions of the runtime to be called."""
-    return workshop2.internals
+def units(workshop2: Workshop) -> ctypes.CDLL:
+    """The files that are tested without the rest of the runtime."""
+    return workshop2.units()
 
 
 @pytest.fixture(scope="session")

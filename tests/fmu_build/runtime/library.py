@@ -12,11 +12,16 @@ from importlib import resources
 from pathlib import Path
 
 from fmu_build.packaging.binaries import COMPILER_FLAGS
-from fmu_build.packaging.sources import FMI_HEADERS, include_arguments, runtime_files
+from fmu_build.packaging.sources import FMI_HEADERS, RUNTIME, include_arguments, runtime_files
 from fmu_build.support.request import FmiVersion
 
 HERE = Path(__file__).parent
 MODELS = HERE / "models"
+# What is tested without the rest of the runtime.
+UNITS = (
+    *("model/linear.c", "model/newton.c", "model/block.c", "instant/actions.c"),
+    *("integration/integrator.c", "integration/location.c"),
+)
 TOKEN = "{00000000-0000-0000-0000-000000000001}"
 
 OK, WARNING, DISCARD, ERROR, FATAL, PENDING = range(6)
@@ -50,23 +55,22 @@ class EventInfo(c.Structure):
 
 
 # What test_sanitizers.py sets: a compiler and its flags, in place of the compiler that FMUs are built with.
-_OTHER_COMPILER = shlex.split(os.environ.get("RUNTIME_TEST_COMPILER", ""))
-
-
-def _compile(arguments: Sequence[str | Path], folder: Path) -> None:
-    if _OTHER_COMPILER:
-        command = [_OTHER_COMPILER[0], *map(str, arguments), *_OTHER_COMPILER[1:], "-lm"]
-    else:
-        command = [sys.executable, "-m", "ziglang", "cc", *map(str, arguments)]
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
+_COMPILER = shlex.split(os.environ.get("RUNTIME_TEST_COMPILER", "")) or [
+    sys.executable,
+    "-m",
+    "ziglang",
+    "cc",
+]
 
 
 class Workshop:
     """Compiles the runtime once and links it with any number of models."""
 
-    def __init__(self, folder: Path, fmi_version: FmiVersion = "2.0") -> None:
+    def __init__(
+        self, folder: Path, fmi_version: FmiVersion = "2.0", compiler: Sequence[str] = _COMPILER
+    ) -> None:
         self._folder = folder
+        self._compiler = compiler
         headers = resources.files("fmpy") / "c-code"
         standard = folder / "standard"
         standard.mkdir()
@@ -78,18 +82,26 @@ class Workshop:
         self._flags = (*COMPILER_FLAGS, "-Wpedantic", "-Werror", "-fPIC", *counted, *own)
         runtime = (file for file in runtime_files(fmi_version) if file.suffix == ".c")
         self._sources = (*runtime, HERE / "allocations.c")
-        _compile((*self._flags, "-c", *self._sources), folder)
+        self._compile("-c", *self._sources)
         self._libraries: dict[str, c.CDLL] = {}
 
-    def library(self, name: str) -> c.CDLL:
+    def _compile(self, *arguments: str | Path) -> None:
+        command = [*self._compiler, *map(str, (*self._flags, *arguments))]
+        done = subprocess.run(command, cwd=self._folder, capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stderr
+
+    def path(self, name: str) -> Path:
         """The shared library of ``models/<name>.c``."""
+        path = self._folder / f"{name}.so"
+        if not path.is_file():
+            objects = self._folder.glob("*.o")
+            self._compile("-shared", "-o", path, MODELS / f"{name}.c", *objects, "-lm")
+        return path
+
+    def library(self, name: str) -> c.CDLL:
+        """The same, loaded."""
         if name not in self._libraries:
-            path = self._folder / f"{name}.so"
-            _compile(
-                (*self._flags, "-shared", "-o", path, MODELS / f"{name}.c", *self._folder.glob("*.o")),
-                self._folder,
-            )
-            self._libraries[name] = c.CDLL(str(path))
+            self._libraries[name] = c.CDLL(str(self.path(name)))
         return self._libraries[name]
 
     def internals(self, name: str) -> c.CDLL:
@@ -97,10 +109,16 @@ class Workshop:
         key = f"{name}-internals"
         if key not in self._libraries:
             path = self._folder / f"{key}.so"
-            visible = (*self._flags, "-fvisibility=default")
-            _compile((*visible, "-shared", "-o", path, MODELS / f"{name}.c", *self._sources), self._folder)
+            self._compile("-fvisibility=default", "-shared", "-o", path, MODELS / f"{name}.c", *self._sources)
             self._libraries[key] = c.CDLL(str(path))
         return self._libraries[key]
+
+    def units(self) -> c.CDLL:
+        """`UNITS` with ``units.c`` in place of the rest, all their functions to be called."""
+        path = self._folder / "units.so"
+        sources = [HERE / "units.c", HERE / "allocations.c", *(RUNTIME / name for name in UNITS)]
+        self._compile("-fvisibility=default", "-shared", "-o", path, *sources, "-lm")
+        return c.CDLL(str(path))
 
 
 def live_blocks(library: c.CDLL) -> int:

@@ -1,6 +1,6 @@
 """Serialized states that were changed and given the right checksum again: refused, or harmless.
 
-Under the sanitizers (`test_sanitizers.py`) harmless includes every access to memory.
+`test_sanitizers.py` runs this too, where harmless includes every access to memory.
 """
 
 from __future__ import annotations

@@ -1,0 +1,64 @@
+/* units.c - stands for the rest of the runtime where single files of it are tested: two states, one relation, three
+ * actions. What a model computes comes from functions of the test. */
+#include "actions.h"
+#include "integrator.h"
+#include "location.h"
+#include "model.h"
+
+#include <stdio.h>
+
+static const ActionKind actions[] = {ACTION_ERROR, ACTION_WARNING, ACTION_TERMINATE};
+static const Relation relations[] = {{0, 0, false}};
+
+const Model model = {
+    .n_states = 2,
+    .n_y = 2,
+    .n_p = 3,
+    .n_roots = 1,
+    .n_relations = 1,
+    .relations = relations,
+    .n_actions = 3,
+    .actions = actions,
+    .actions_follow_states = true,
+};
+
+/* p has the truth of the three conditions. */
+void model_actions(double time, const double *y, const double *p, bool *active)
+{
+    (void)time, (void)y;
+    for (size_t i = 0; i < 3; ++i)
+        active[i] = p[i] != 0.0;
+}
+
+bool model_watched_actions(double time, double *y, const double *p, bool *due)
+{
+    (void)time, (void)y;
+    *due = p[0] != 0.0 || p[1] != 0.0 || p[2] != 0.0;
+    return true;
+}
+
+void model_action_message(size_t action, double time, const double *y, const double *p, char *text, size_t size)
+{
+    (void)time, (void)y, (void)p;
+    snprintf(text, size, "action %zu", action);
+}
+
+bool model_algebraics(double time, double *y, const double *p)
+{
+    (void)time, (void)y, (void)p;
+    return true;
+}
+
+/* The context of an integrator or of a search is a function of the test. */
+bool integrator_derivatives(void *context, double time, StepPoint point, double *der)
+{
+    (void)point;
+    ((void (*)(double, double *))context)(time, der);
+    return true;
+}
+
+bool roots_evaluate(void *context, double time, double *root)
+{
+    ((void (*)(double, double *))context)(time, root);
+    return true;
+}
