@@ -21,7 +21,8 @@ static EventStatus worse(EventStatus a, EventStatus b)
     return a == EVENT_OK ? b : a;
 }
 
-/* Passes with a fixed pre() each, until one has changed nothing. Clocks tick in the first pass alone. */
+/* Passes with a fixed pre() each, until one has changed nothing. Clocks tick in the first pass alone. What goes through
+ * zero has its event at zero, and behind it another. */
 static EventStatus iterate(Iteration *iteration, Values *values, bool continuous, const EventReporter *reporter,
                            bool *states_changed)
 {
@@ -42,8 +43,7 @@ static EventStatus iterate(Iteration *iteration, Values *values, bool continuous
         again |= jumped;
         again |= iteration_commit_conditions(iteration, values);
         again |= iteration_copy_pre(values);
-        again |= iteration_leave_zero(iteration);
-        if (!again)
+        if (!again && !iteration_leave_zero(iteration))
             return status;
         clocks_release(values);
         again = false;

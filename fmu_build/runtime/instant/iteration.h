@@ -10,7 +10,7 @@ typedef struct {
     double *root;   /* [n_roots + n_time_relations] */
     double *value;  /* [n_discrete] */
     bool *active;   /* [n_actions] */
-    bool *stopped;  /* [n_relations] those that stay false in this pass */
+    bool *stopped;  /* [n_relations] those that stay false for now */
     bool any_stopped;
     char text[NEWTON_TEXT_SIZE]; /* of a message about what went wrong */
 } Iteration;
@@ -25,8 +25,8 @@ bool iteration_copy_pre(Values *values);
  * and states stay. NULL on success, else what went wrong. */
 const char *iteration_settle(Iteration *iteration, Values *values);
 
-/* In the pass to come no relation becomes true whose opposite is true before it: in between, their root is zero and
- * both are false. iteration_leave_zero ends that, and returns whether there was such a relation. */
+/* From now on no relation becomes true whose opposite is true: in between, their root is zero and both are false.
+ * iteration_leave_zero ends that, and returns whether there was such a relation. */
 void iteration_stop_at_zero(Iteration *iteration, const Values *values);
 bool iteration_leave_zero(Iteration *iteration);
 

@@ -42,4 +42,37 @@ package Friction "Stick and slip with discrete modes"
       mode = -1;
     end when;
   end Brake;
+
+  model Block "A block on a plane, as the friction elements of Modelica's standard library are written"
+    parameter Real m(unit="kg") = 1 "Mass";
+    parameter Real f_max(unit="N") = 1 "Friction, which is as large while the block sticks";
+    parameter Real v_start(unit="m/s") = 2;
+    parameter Real ramp(unit="N/s") = 0 "Rate of the driving force";
+    parameter Real amplitude(unit="N") = 0 "And an oscillating part of it";
+    parameter Real omega(unit="rad/s") = 1;
+    Real s(start=0, fixed=true, unit="m");
+    Real v(start=v_start, fixed=true, unit="m/s");
+    Real a(unit="m/s2");
+    Real f(unit="N") "Friction force";
+    Real u(unit="N") "Driving force";
+    Real sa(unit="N") "Parameter of the path: acceleration or force";
+    Boolean startForward(start=false), startBackward(start=false), locked(start=false);
+    Integer mode(start=3, min=-1, max=3) "1 forward, 0 stuck, -1 backward, 2 and 3 before the start";
+  equation
+    u = ramp*time + amplitude*sin(omega*time);
+    der(s) = v;
+    der(v) = a;
+    m*a = u - f;
+    startForward = pre(mode) == 0 and (sa > f_max or pre(startForward) and sa > f_max)
+      or pre(mode) == -1 and v > 0 or initial() and v > 0;
+    startBackward = pre(mode) == 0 and (sa < -f_max or pre(startBackward) and sa < -f_max)
+      or pre(mode) == 1 and v < 0 or initial() and v < 0;
+    locked = not (mode == 1 or mode == -1 or startForward or startBackward);
+    a = if locked then 0 elseif startForward then sa - f_max elseif startBackward then sa + f_max
+      elseif pre(mode) == 1 then sa - f_max else sa + f_max;
+    f = if locked then sa elseif startForward then f_max elseif startBackward then -f_max
+      elseif pre(mode) == 1 then f_max else -f_max;
+    mode = if (pre(mode) == 1 or pre(mode) == 2 or startForward) and v > 0 then 1
+      elseif (pre(mode) == -1 or pre(mode) == 3 or startBackward) and v < 0 then -1 else 0;
+  end Block;
 end Friction;

@@ -53,4 +53,30 @@ package Initialization "Initial equations"
     der(phi) = omega;
     der(omega) = -sin(phi);
   end Pendulum;
+
+  model Guesses "Start values that parameters decide, where they pick one of two solutions"
+    parameter Real p = 2;
+    parameter Real q[2] = {1, -2};
+    parameter Boolean upper = true;
+    parameter Real k(fixed=false, start=-p) "Found by an initial equation";
+    Real loose(start=3*p) "A state that nothing else determines";
+    Real z(start=3*p) "A state in an initial equation";
+    Real w(start=if upper then sqrt(abs(p)) else -sqrt(abs(p))) "Algebraic, in an equation of its own";
+    Real u[2](start=2*q) "Algebraic arrays";
+    Real r[2](start={min(p, 0) - 1, q[2]});
+    Real each_one[2](each start=p);
+  initial equation
+    z^2 = 9*p^2;
+    k^2 = p^2;
+  equation
+    der(loose) = 1;
+    der(z) = 0;
+    w^2 = abs(p) + time;
+    u[1]^2 = 4 + time;
+    u[2]^2 = 9 + time;
+    r[1]^2 = 1 + time;
+    r[2]^2 = 4 + time;
+    each_one[1]^2 = 1 + time;
+    each_one[2]^2 = 4 + time;
+  end Guesses;
 end Initialization;

@@ -195,6 +195,69 @@ package StateEvents "Models whose events are found by zero crossings of continuo
     end when;
   end StartsOnRoot;
 
+  model SharedThresholds "Relations of the same two numbers, of which some hold where these are equal"
+    Real x(start=0, fixed=true);
+    Boolean above, at_least;
+    Boolean past[2];
+    Real y(start=0, fixed=true);
+    Real z(start=0, fixed=true);
+  equation
+    der(x) = 1;
+    above = x > 0;
+    at_least = x >= 0;
+    past[1] = x > 0.5;
+    past[2] = not x <= 0.5;
+    der(y) = (if above then 1 else 0) + (if at_least then 2 else 0);
+    der(z) = (if past[1] then 1 else 0) + (if past[2] then 2 else 0) + (if x >= 0.5 then 4 else 0);
+  end SharedThresholds;
+
+  model SignOf "Between the two sides of zero is zero"
+    Real x(start=1, fixed=true);
+    Integer sign_of;
+    discrete Integer changes(start=0, fixed=true);
+    discrete Integer between(start=0, fixed=true) "How often it was zero";
+  equation
+    der(x) = -1;
+    sign_of = if x > 0 then 1 elseif x < 0 then -1 else 0;
+    when change(sign_of) then
+      changes = pre(changes) + 1;
+      between = pre(between) + (if sign_of == 0 then 1 else 0);
+    end when;
+  end SignOf;
+
+  model Latch "Two gates that feed each other: they settle where one waits for the other"
+    parameter Real t_reset = 0.7;
+    Boolean q(start=false), q_bar(start=false);
+    Real level, level_bar;
+    discrete Integer changes(start=0, fixed=true);
+    Real z(start=0, fixed=true);
+  equation
+    level = if q then 1 else 0;
+    level_bar = if q_bar then 1 else 0;
+    q = not (level_bar > 0.5 or time > t_reset and time < t_reset + 0.1);
+    q_bar = not (level > 0.5 or time > 0.3 and time < 0.4);
+    der(z) = level;
+    when change(q) then
+      changes = pre(changes) + 1;
+    end when;
+  end Latch;
+
+  model AfterInitial "What initial() makes true counts as pre() in the first event"
+    Real x(start=0, fixed=true);
+    Integer k(start=0);
+    discrete Integer n(start=0, fixed=true);
+    discrete Integer m(start=0, fixed=true);
+  equation
+    der(x) = 1;
+    k = if initial() then 7 else pre(k);
+    when pre(k) == 7 then
+      n = pre(n) + 1;
+    end when;
+    when {initial(), x > 0.5} then
+      m = pre(m) + 1;
+    end when;
+  end AfterInitial;
+
   model TrueAtStart "A when-condition that holds from the start does not fire until it has been false"
     Real x(start=1, fixed=true);
     Real v(start=0, fixed=true);

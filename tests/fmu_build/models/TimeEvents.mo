@@ -64,4 +64,29 @@ package TimeEvents "Events at times that are known beforehand"
     level = if on then high*high else low;
     der(x) = level;
   end Level;
+
+  model Pulse "A short pulse while everything else is at rest"
+    parameter Real t_pulse(unit="s") = 50;
+    parameter Real width(unit="s") = 0.05;
+    input Real u "Moves the pulse";
+    Real f;
+    Boolean on;
+    Real v(start=0, fixed=true, unit="s") "How long it was on";
+  equation
+    f = exp(-((time + u - t_pulse)/width)^2);
+    on = f > 0.5;
+    der(v) = if on then 1 else 0;
+  end Pulse;
+
+  model InputPulse "The same, where an input passes the place of the pulse"
+    parameter Real width = 0.05;
+    input Real u;
+    Real f;
+    Boolean on;
+    Real v(start=0, fixed=true, unit="s");
+  equation
+    f = exp(-((u - 50)/width)^2);
+    on = f > 0.5;
+    der(v) = if on then 1 else 0;
+  end InputPulse;
 end TimeEvents;

@@ -9,8 +9,11 @@ import pytest
 
 from tests.fmu_build.runtime.conftest import Build
 from tests.fmu_build.runtime.library import ERROR, OK, WARNING, Instance
+from tests.fmu_build.runtime.library3 import Instance3
 
 X, V, E, K = range(4)
+# Of the model "lag", tau*der(x) = u - x.
+LAG_X, LAG_U, TAU = 1, 4, 7
 
 
 def _largest_error(build: Build, tolerance: float, steps: int) -> float:
@@ -159,4 +162,65 @@ def test_right_hand_side_that_fails_is_reported_with_its_time(build: Build) -> N
     assert "time 0.99999" in instance.text or "time 1.0000" in instance.text
     assert instance.step(0.5, 0.1) == ERROR, "nothing goes on after a failure"
     instance.expect("fmi2Reset")
+    instance.free()
+
+
+def _end_in_error(build: Build, build3: Build, model: str, values: dict[int, float], size: float) -> str:
+    """What a step that fails says; what was saved before it can be restored, and a reset helps."""
+    old, new = Instance(build(model)), Instance3(build3(model))
+    assert old.set(values) == new.set(values) == OK
+    old.initialize()
+    new.initialize()
+    saved = old.save()
+    before = old.get(*values)
+    assert old.step(0.0, size) == new.step(0.0, size).status == ERROR
+    assert new.text.split(": ")[-1] == old.text.split(": ")[-1]
+    old.restore(saved)
+    assert old.get(*values) == before
+    old.discard(saved)
+    old.expect("fmi2Reset")
+    old.initialize()
+    assert old.step(0.0, 0.1) == OK
+    text = old.text
+    old.free()
+    new.free()
+    return text
+
+
+def test_a_step_that_does_not_move_the_time_is_an_error(build: Build, build3: Build) -> None:
+    """The derivative is so large that the first step is rounded to nothing."""
+    assert "smallest step" in _end_in_error(build, build3, "oscillator", {X: 1e298, K: 1e3}, 0.1)
+
+
+@pytest.mark.parametrize(
+    ("model", "values"),
+    [("oscillator", {K: 1e6}), ("lag", {LAG_U: 1.0, TAU: 1e-3})],
+    ids=["oscillations without end", "stiff"],
+)
+def test_steps_that_come_to_nothing_are_an_error(
+    build: Build, build3: Build, model: str, values: dict[int, float]
+) -> None:
+    text = _end_in_error(build, build3, model, values, 1e9)
+    assert "too stiff for this solver: the last 1000000 steps were of about" in text
+
+
+def test_many_steps_are_no_error(build: Build) -> None:
+    """Some 5 million steps in one communication step."""
+    instance = Instance(build("oscillator"))
+    assert instance.set({K: 1e4}) == OK
+    instance.initialize(1e-4, stop=1e4)
+    assert instance.step(0.0, 1e4) == OK
+    assert instance.statistics()["steps"] > 1_000_000
+    instance.free()
+
+
+def test_the_largest_steps_there_are(build: Build) -> None:
+    """At rest a step may go as far as there are numbers, and not beyond."""
+    instance = Instance(build("lag"))
+    instance.initialize()
+    assert instance.step(0.0, 1e308) == OK
+    assert instance.step(1e308, 0.7e308) == OK
+    assert instance.get(LAG_X) == [0.0]
+    assert instance.step(1.7e308, 0.7e308) == ERROR
+    assert "their sum must be finite" in instance.text
     instance.free()

@@ -55,7 +55,56 @@ def brake(t: Array) -> Values:
     }
 
 
+def sliding_case(v_start: float) -> Case:
+    """Without a drive: the block stops at v_0/(mu g), here |v_0|."""
+
+    def expected(t: Array) -> Values:
+        v = np.maximum(abs(v_start) - t, 0)
+        moving = (v > 0) * np.sign(v_start)
+        return {"v": np.sign(v_start) * v, "s": np.sign(v_start) * (v_start**2 - v**2) / 2, "mode": moving}
+
+    events = at(abs(v_start)) if v_start else at()
+    return Case(
+        "Friction.Block", 4.0, expected, events=events, parameters={"v_start": v_start}, label=f"{v_start}"
+    )
+
+
+def driven_case(v_start: float, ramp: float, amplitude: float, omega: float, label: str) -> Case:
+    """With a drive that stops the block, holds it, tears it away, or turns it round."""
+
+    def drive(t: float) -> float:
+        return float(ramp * t + amplitude * np.sin(omega * t))
+
+    def guards(t: float, y: Array, mode: int) -> list[float]:
+        return [mode * y[1]] if mode else [1 - drive(t), 1 + drive(t)]
+
+    def switch(t: float, y: Array, mode: int, k: int) -> tuple[Array, int]:
+        if mode:
+            return np.array([y[0], 0.0]), int(np.sign(drive(t))) if abs(drive(t)) > 1 else 0
+        return y, (1, -1)[k]
+
+    @cache
+    def run() -> Trajectory:
+        def derivatives(t: float, y: Array, mode: int) -> list[float]:
+            return [y[1], drive(t) - mode if mode else 0.0]
+
+        return integrate(derivatives, [0.0, v_start], int(np.sign(v_start)), guards, switch, 6.0)
+
+    def expected(t: Array) -> Values:
+        return {"s": run()(t)[0], "v": run()(t)[1], "mode": np.array(run().modes(t), dtype=float)}
+
+    parameters = {"v_start": v_start, "ramp": ramp, "amplitude": amplitude, "omega": omega}
+    return Case(
+        "Friction.Block", 6.0, expected, events=lambda _: run().events, parameters=parameters, label=label
+    )
+
+
 CASES = (
     Case("Friction.StickSlip", 25.0, stick_slip, events=lambda _: stick_slip_run().events),
     Case("Friction.Brake", 3.0, brake, events=at(*BRAKE_EVENTS)),
+    *map(sliding_case, (2.0, -2.0, 0.0)),
+    driven_case(0.5, 0.5, 0.0, 1.0, "stops and is torn away"),
+    driven_case(0.0, -0.5, 0.0, 1.0, "torn away backward"),
+    driven_case(-1.0, 0.0, 1.5, 1.0, "slow drive"),
+    driven_case(0.0, 0.0, 5.0, 3.0, "strong drive"),
 )

@@ -71,6 +71,26 @@ def pendulum_case(height: float) -> Case:
     return Case("Initialization.Pendulum", 10.0, expected, parameters=parameters, label=f"{height}")
 
 
+def guesses_case(p: float, q: tuple[float, float], upper: bool) -> Case:
+    def expected(t: Array) -> Values:
+        one, two, three = np.sqrt(1 + t), np.sqrt(4 + t), np.sqrt(9 + t)
+        return {
+            "k": np.full_like(t, -p),
+            "loose": 3 * p + t,
+            "z": np.full_like(t, 3 * p),
+            "w": (1 if upper else -1) * np.sqrt(abs(p) + t),
+            "u[1]": np.sign(q[0]) * two,
+            "u[2]": np.sign(q[1]) * three,
+            "r[1]": -one,
+            "r[2]": np.sign(q[1]) * two,
+            "each_one[1]": np.sign(p) * one,
+            "each_one[2]": np.sign(p) * two,
+        }
+
+    parameters = {"p": p, "q[1]": q[0], "q[2]": q[1], "upper": upper}
+    return Case("Initialization.Guesses", 1.0, expected, parameters=parameters, label=f"{p}, {q}, {upper}")
+
+
 CASES = (
     Case("Initialization.SteadyState", 4.0, steady_state, events=at(1.0)),
     found_parameter_case(2.0),
@@ -79,4 +99,6 @@ CASES = (
     starts_case(0.3, 5.0),
     pendulum_case(0.5),
     pendulum_case(1.2),
+    guesses_case(2.0, (1.0, -2.0), True),
+    guesses_case(-5.0, (-1.0, 2.0), False),
 )

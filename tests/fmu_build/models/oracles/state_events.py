@@ -174,6 +174,26 @@ def starts_on_root(t: Array) -> Values:
     return {"x": t, "z": 2 * t, "positive": np.ones_like(t), "rises": np.ones_like(t)}
 
 
+def shared_thresholds(t: Array) -> Values:
+    late = np.maximum(t - 0.5, 0)
+    return {"y": 3 * t, "z": 7 * late, "past[1]": t > 0.5, "past[2]": t > 0.5}
+
+
+def sign_of(t: Array) -> Values:
+    late = (t > 1).astype(float)
+    return {"sign_of": 1 - 2 * late, "changes": 2 * late, "between": late}
+
+
+def latch(t: Array) -> Values:
+    """At the start both gates could be open; the first one is, until it is reset."""
+    reset = (t > 0.7).astype(float)
+    return {"q": 1 - reset, "q_bar": reset, "changes": reset, "z": np.minimum(t, 0.7)}
+
+
+def after_initial(t: Array) -> Values:
+    return {"k": np.full_like(t, 7), "n": np.ones_like(t), "m": 1.0 + (t > 0.5)}
+
+
 def cosine_crossings(stop: float) -> Array:
     """Where cos(t) = 0.5."""
     times = np.concatenate([np.pi / 3 + 2 * np.pi * np.arange(10), -np.pi / 3 + 2 * np.pi * np.arange(1, 10)])
@@ -240,6 +260,10 @@ CASES = (
     Case("StateEvents.EdgeAndChange", 20.0, edge_and_change, events=quarter_turns),
     Case("StateEvents.Thresholds", 1.0, thresholds, events=at(0.2, 0.4, 0.6)),
     Case("StateEvents.StartsOnRoot", 1.0, starts_on_root, events=at(0.0)),
+    Case("StateEvents.SharedThresholds", 1.0, shared_thresholds, events=at(0.5)),
+    Case("StateEvents.SignOf", 2.0, sign_of, events=at(1.0)),
+    Case("StateEvents.Latch", 1.0, latch, events=at(0.7)),
+    Case("StateEvents.AfterInitial", 1.0, after_initial, events=at(0.5)),
     Case("StateEvents.TrueAtStart", 15.0, true_at_start, events=cosine_crossings),
     Case("StateEvents.ReinitChain", 1.0, reinit_chain, events=at(0.5)),
     Case("StateEvents.IntegerEvents", 8.0, integer_events, events=integer_events_times),

@@ -1,0 +1,75 @@
+"""Events that hang on time or on an input alone are found while the states rest, whatever the steps are."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from fmpy import simulate_fmu
+
+from fmu_build import build_fmu
+
+from .case import Array, Case, Values
+from .runner import Workshop
+
+HALF_WIDTH = 0.05 * np.sqrt(np.log(2))
+
+
+def pulse(t: Array) -> Values:
+    on = np.abs(t - 50) < HALF_WIDTH
+    v = np.clip(t - 50 + HALF_WIDTH, 0, 2 * HALF_WIDTH)
+    return {"f": np.exp(-(((t - 50) / 0.05) ** 2)), "on": on, "v": v}
+
+
+PULSE = Case("TimeEvents.Pulse", 100.0, pulse)
+INPUT_PULSE = Case("TimeEvents.InputPulse", 100.0, pulse, inputs={"u": lambda t: t})
+
+
+def check(result: Any) -> None:
+    """The length of the pulse, and at every point what belongs together."""
+    expected = pulse(np.asarray(result["time"]))
+    np.testing.assert_allclose(result["v"], expected["v"], atol=1e-9)
+    np.testing.assert_allclose(result["f"], expected["f"], atol=1e-9)
+    np.testing.assert_array_equal(np.asarray(result["on"]) != 0, np.asarray(result["f"]) > 0.5)
+
+
+@pytest.mark.parametrize("stop_is_known", [True, False])
+@pytest.mark.parametrize("step", [1e-3, 1e-2, 0.1, 1.0, 7.0, 100.0])
+@pytest.mark.parametrize("case", [PULSE], ids=["time"])
+def test_no_step_passes_over_the_pulse(
+    case: Case, step: float, stop_is_known: bool, workshop: Workshop
+) -> None:
+    check(workshop.fmu(case.model).run(case, "CoSimulation", step, set_stop_time=stop_is_known))
+
+
+@pytest.mark.parametrize("steps", [1, 13, 997])
+@pytest.mark.parametrize("case", [INPUT_PULSE], ids=["input"])
+def test_an_input_on_its_way_is_followed(case: Case, steps: int, workshop: Workshop) -> None:
+    check(workshop.fmu(case.model).run_with_inputs(case, steps))
+
+
+@pytest.mark.parametrize("early_return", [True, False])
+@pytest.mark.parametrize("step", [1e-2, 1.0, 100.0])
+def test_fmi_3(early_return: bool, step: float, pulse_3: Path) -> None:
+    result = simulate_fmu(
+        pulse_3,
+        fmi_type="CoSimulation",
+        stop_time=100.0,
+        output_interval=step,
+        output=["f", "on", "v"],
+        early_return_allowed=early_return,
+        use_event_mode=early_return,
+        relative_tolerance=1e-8,
+    )
+    if not early_return:
+        check(result)
+    assert result["v"][-1] == pytest.approx(2 * HALF_WIDTH, abs=1e-9)
+
+
+@pytest.fixture(scope="module")
+def pulse_3(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The FMU of FMI 3."""
+    folder = tmp_path_factory.mktemp("pulse")
+    return build_fmu(PULSE.model, folder, library=PULSE.library, fmi_version="3.0").path
