@@ -36,6 +36,9 @@ FMU_SOURCES := $(shell find modelica fmu_build -name '*.mo' -o -name 'package.or
 SPHINX = $(BIN)/python -m sphinx --fail-on-warning --keep-going --nitpicky --fresh-env --quiet \
 	--doctree-dir build/doctrees
 
+# Without bytecode every process of the tests would compile its modules anew.
+unexport PYTHONDONTWRITEBYTECODE
+
 .DELETE_ON_ERROR:
 .PHONY: FORCE run test fmu ssp lint bench figure figures claims docs docs-links lock clean distclean
 

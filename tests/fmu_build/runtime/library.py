@@ -81,8 +81,7 @@ class Workshop:
         counted = ("-include", HERE / "allocations.h")
         self._flags = (*COMPILER_FLAGS, "-Wpedantic", "-Werror", "-fPIC", *counted, *own)
         runtime = (file for file in runtime_files(fmi_version) if file.suffix == ".c")
-        self._sources = (*runtime, HERE / "allocations.c")
-        self._compile("-c", *self._sources)
+        self._compile("-c", *runtime, HERE / "allocations.c")
         self._libraries: dict[str, c.CDLL] = {}
 
     def _compile(self, *arguments: str | Path) -> None:
@@ -103,15 +102,6 @@ class Workshop:
         if name not in self._libraries:
             self._libraries[name] = c.CDLL(str(self.path(name)))
         return self._libraries[name]
-
-    def internals(self, name: str) -> c.CDLL:
-        """The same, with all functions of the runtime to be called."""
-        key = f"{name}-internals"
-        if key not in self._libraries:
-            path = self._folder / f"{key}.so"
-            self._compile("-fvisibility=default", "-shared", "-o", path, MODELS / f"{name}.c", *self._sources)
-            self._libraries[key] = c.CDLL(str(path))
-        return self._libraries[key]
 
     def units(self) -> c.CDLL:
         """`UNITS` with ``units.c`` in place of the rest, all their functions to be called."""
