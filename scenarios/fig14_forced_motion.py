@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from pyjoystick import NOMINAL, TextTable, line_style, plot_motion, save_results, write_csv
-from pyjoystick.forced_motion import Samples, seen_by_cameras, torque_by_reference, torque_table
+from pyjoystick.forced_motion import Samples, seen_by_cameras, torque_by_reference
 from pyjoystick.reports import MOTION
 
 INTERVAL = 1e-3  # s
@@ -38,10 +38,7 @@ def main(results: Path = RESULTS) -> int:
         for name, samples in motions.items()
     ]
     header = ["", "angle (deg)", "velocity (rad/s)", "lowest", "acceleration (rad/s2)", "lowest"]
-    tables = {
-        name: torque_table(samples, torque_by_reference(NOMINAL, samples))
-        for name, samples in motions.items()
-    }
+    tables = {name: torque_by_reference(NOMINAL, samples) for name, samples in motions.items()}
     for name, table in tables.items():
         write_csv(table, results / f"{name.replace(' ', '_')}.csv")
     title = f"Forward and back, {math.degrees(MOTION.amplitude):g} degrees in {MOTION.rise:g} s"

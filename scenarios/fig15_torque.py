@@ -24,7 +24,6 @@ from pyjoystick.forced_motion import (
     seen_by_cameras,
     torque_by_fmu,
     torque_by_reference,
-    torque_table,
 )
 from pyjoystick.reports import MOTION, Section5, section_5
 
@@ -43,9 +42,7 @@ def main(results: Path = RESULTS) -> int:
         "torque_measured": seen_by_cameras(MOTION, random=np.random.default_rng(SEED)),
     }
     figures = {
-        name: plot_torque(
-            {law: torque_table(samples, torque_by_fmu(one, samples)) for law, one in JOYSTICKS.items()}
-        )
+        name: plot_torque({law: torque_by_fmu(one, samples) for law, one in JOYSTICKS.items()})
         for name, samples in motions.items()
     }
 
@@ -55,8 +52,7 @@ def main(results: Path = RESULTS) -> int:
         torque, expected = torque_by_fmu(joystick, samples), torque_by_reference(joystick, samples)
         found[law] = measure(joystick, samples, torque)
         differences += [
-            np.abs(getattr(torque, name) - getattr(expected, name)).max()
-            / np.abs(getattr(expected, name)).max()
+            np.abs(torque[name].to_numpy() - expected[name].to_numpy()).max() / expected[name].abs().max()
             for name in TORQUES
         ]
         returned.append(round_trip(joystick, MOTION).theta_error)

@@ -114,11 +114,7 @@ def compute(
         torque = forced_motion.torque_by_fmu(joystick, samples, fmu=fmu)
         found[law] = Result(
             forced_motion.measure(joystick, samples, torque, pivot_to_handle=arm),
-            forced_motion.torque_table(
-                motion.shown,
-                forced_motion.torque_by_fmu(joystick, motion.shown, fmu=fmu),
-                pivot_to_handle=arm,
-            ),
+            forced_motion.torque_by_fmu(joystick, motion.shown, fmu=fmu, pivot_to_handle=arm),
             _difference(torque, forced_motion.torque_by_reference(joystick, samples)),
         )
     return found
@@ -161,8 +157,9 @@ def _measures(result: Result) -> dict[str, Any]:
     return asdict(measures) | derived
 
 
-def _difference(found: model.InverseTorque, expected: model.InverseTorque) -> float:
-    parts = [(getattr(found, name), getattr(expected, name)) for name in forced_motion.TORQUES]
+def _difference(found: pd.DataFrame, expected: pd.DataFrame) -> float:
+    """Largest difference of the torque or a part of it, relative to the largest value of that part."""
+    parts = [(found[name].to_numpy(), expected[name].to_numpy()) for name in forced_motion.TORQUES]
     return max(
         float(np.max(np.abs(one - other)) / np.max(np.abs(other))) if np.any(other) else 0.0
         for one, other in parts

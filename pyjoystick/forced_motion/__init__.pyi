@@ -25,7 +25,6 @@ from .torque import (
     inverse_fmu as inverse_fmu,
     torque_by_fmu as torque_by_fmu,
     torque_by_reference as torque_by_reference,
-    torque_table as torque_table,
 )
 from .work_cycle import (
     MOVES_PER_SHIFT as MOVES_PER_SHIFT,

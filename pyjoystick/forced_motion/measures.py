@@ -7,9 +7,10 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
+import pandas as pd
 
 from pyjoystick.forced_motion.samples import Samples
-from pyjoystick.model import PIVOT_TO_TOP, InverseTorque, JoystickParameters, energy
+from pyjoystick.model import PIVOT_TO_TOP, JoystickParameters, energy
 from pyjoystick.support import FloatArray, positive
 
 #: The parts of eq. (13) by name, and the columns that hold them.
@@ -89,7 +90,7 @@ class TorqueMeasures:
 def measure(
     joystick: JoystickParameters,
     samples: Samples,
-    torque: InverseTorque,
+    torque: pd.DataFrame,
     *,
     pivot_to_handle: float = PIVOT_TO_TOP,
 ) -> TorqueMeasures:
@@ -98,18 +99,19 @@ def measure(
     Args:
         joystick: what the torque was computed for
         samples: the motion
-        torque: what it needs
+        torque: what it needs, by `torque_by_fmu` or `torque_by_reference`
         pivot_to_handle: where the hand is (m), the top of Table 2 if not given
 
     Raises:
         ParameterError: the distance is not above 0, or some |theta| >= pi/2
     """
-    power = torque.T * samples.omega
+    whole = torque["T"].to_numpy()
+    power = whole * samples.omega
     first, last = energy(joystick, samples.theta[[0, -1]], samples.omega[[0, -1]])
     return TorqueMeasures(
         duration=samples.duration,
-        total=_part(samples, torque.T, torque.T),
-        parts={name: _part(samples, getattr(torque, column), torque.T) for name, column in PARTS.items()},
+        total=_part(samples, whole, whole),
+        parts={name: _part(samples, torque[column].to_numpy(), whole) for name, column in PARTS.items()},
         positive_work=float(np.sum(np.maximum(power, 0.0) * samples.weights)),
         negative_work=float(np.sum(np.minimum(power, 0.0) * samples.weights)),
         energy_change=float(last - first),

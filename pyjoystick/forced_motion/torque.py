@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from contextlib import nullcontext
 from os import PathLike
 from typing import Final
@@ -11,16 +12,9 @@ import pandas as pd
 
 from pyjoystick.fmu import Fmu, UnsupportedFmuError
 from pyjoystick.forced_motion.samples import Samples
-from pyjoystick.model import (
-    PIVOT_TO_TOP,
-    ConstantDamping,
-    Damping,
-    InverseTorque,
-    JoystickParameters,
-    inverse_torque,
-)
+from pyjoystick.model import PIVOT_TO_TOP, ConstantDamping, Damping, JoystickParameters, inverse_torque
 from pyjoystick.motion import DisplayUnit, Quantity, make_table
-from pyjoystick.support import positive
+from pyjoystick.support import FloatArray, positive
 
 #: The torque and its parts.
 TORQUES: Final = ("T", "T_inertia", "T_damping", "T_stiffness")
@@ -39,19 +33,35 @@ _QUANTITIES: Final = (
 )
 
 
-def torque_by_reference(joystick: JoystickParameters, samples: Samples) -> InverseTorque:
-    """Eq. (13) in plain Python; arrays of shape (n,).
+def torque_by_reference(
+    joystick: JoystickParameters, samples: Samples, *, pivot_to_handle: float = PIVOT_TO_TOP
+) -> pd.DataFrame:
+    """Eq. (13) in plain Python.
+
+    Args:
+        joystick: its parameters
+        samples: the motion
+        pivot_to_handle: where the hand is (m), the top of Table 2 if not given
+
+    Returns:
+        a table indexed by ``time`` (s) with the motion, the torque ``T``, its parts (`TORQUES`) and the force
+        ``F`` at the handle; `make_table` describes the units in its attrs
 
     Raises:
-        ParameterError: some |theta| >= pi/2
+        ParameterError: some |theta| >= pi/2, or the distance is not above 0
     """
-    return inverse_torque(joystick, samples.theta, samples.omega, samples.alpha)
+    torque = inverse_torque(joystick, samples.theta, samples.omega, samples.alpha)
+    return _table(samples, {name: getattr(torque, name) for name in TORQUES}, pivot_to_handle)
 
 
 def torque_by_fmu(
-    joystick: JoystickParameters, samples: Samples, *, fmu: str | PathLike[str] | Fmu | None = None
-) -> InverseTorque:
-    """The same by ``JoystickInverse`` or ``JoystickInversePowerLaw`` in Co-Simulation.
+    joystick: JoystickParameters,
+    samples: Samples,
+    *,
+    fmu: str | PathLike[str] | Fmu | None = None,
+    pivot_to_handle: float = PIVOT_TO_TOP,
+) -> pd.DataFrame:
+    """The same table by ``JoystickInverse`` or ``JoystickInversePowerLaw`` in Co-Simulation.
 
     The FMU has no states: its outputs depend on the motion at that instant alone. The samples are fed to it
     one a second, which keeps the two samples at a jump apart.
@@ -61,11 +71,13 @@ def torque_by_fmu(
         samples: the motion
         fmu: name or path of an FMU with the interface of ``JoystickInverse``, or an open `Fmu`; if not given,
             the one with the damping law of `joystick`
+        pivot_to_handle: where the hand is (m)
 
     Raises:
         FmuNotFoundError, FmuFileError, UnsupportedFmuError: the FMU cannot be opened, or is no inverse one
         UnknownParameterError: it has another damping law
-        FmuRunError: it refuses the parameters or an angle
+        FmuRunError: it rejects the parameters or an angle
+        ParameterError: the distance is not above 0
     """
     count = np.arange(len(samples), dtype=np.float64)
     motion = pd.DataFrame({name: getattr(samples, name) for name in MOTION}, index=count)
@@ -76,7 +88,7 @@ def torque_by_fmu(
             reason = f"does not have the interface of JoystickInverse: it lacks {', '.join(sorted(missing))}"
             raise UnsupportedFmuError(opened.description.path, reason)
         table = opened.run(count, parameters=joystick.to_names(), inputs=motion, outputs=TORQUES)
-    return InverseTorque(*(table[name].to_numpy() for name in TORQUES))
+    return _table(samples, {name: table[name].to_numpy() for name in TORQUES}, pivot_to_handle)
 
 
 def inverse_fmu(damping: Damping) -> str:
@@ -84,20 +96,7 @@ def inverse_fmu(damping: Damping) -> str:
     return "JoystickInverse" if isinstance(damping, ConstantDamping) else "JoystickInversePowerLaw"
 
 
-def torque_table(
-    samples: Samples, torque: InverseTorque, *, pivot_to_handle: float = PIVOT_TO_TOP
-) -> pd.DataFrame:
-    """Motion, torque with its parts, and force at the handle over time; units are in its attrs.
-
-    Args:
-        samples: the motion
-        torque: what it needs
-        pivot_to_handle: where the hand is (m), the top of Table 2 if not given
-
-    Raises:
-        ParameterError: the distance is not above 0
-    """
-    pivot_to_handle = positive("pivot_to_handle", pivot_to_handle, "m")
-    columns = {name: getattr(samples, name) for name in MOTION}
-    columns |= {name: getattr(torque, name) for name in TORQUES}
-    return make_table(samples.time, columns | {"F": torque.T / pivot_to_handle}, _QUANTITIES)
+def _table(samples: Samples, torques: Mapping[str, FloatArray], pivot_to_handle: float) -> pd.DataFrame:
+    force = torques["T"] / positive("pivot_to_handle", pivot_to_handle, "m")
+    motion = {name: getattr(samples, name) for name in MOTION}
+    return make_table(samples.time, {**motion, **torques, "F": force}, _QUANTITIES)

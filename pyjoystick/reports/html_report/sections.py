@@ -12,14 +12,7 @@ import numpy as np
 import pandas as pd
 
 from pyjoystick.fmu import Fmu
-from pyjoystick.forced_motion import (
-    ForwardAndReturn,
-    Samples,
-    measure,
-    plot_torque,
-    torque_by_reference,
-    torque_table,
-)
+from pyjoystick.forced_motion import ForwardAndReturn, Samples, measure, plot_torque, torque_by_reference
 from pyjoystick.laboratory import cubic_fits, plot_load_deflection
 from pyjoystick.model import (
     NOMINAL,
@@ -258,7 +251,7 @@ def torque_section(study: Study) -> Section:
         cells = (f"{found.total.peak:.2f}", f"{found.peak_force:.1f}", *(f"{share:.0f}" for share in shares))
         rows.append([f"{rise:g}", *cells, f"{1e3 * found.loss:.0f}"])
     samples = Samples.evenly(_stroke(_STROKES[0]), 5e-4)
-    shown = torque_table(samples, torque_by_reference(joystick, samples), pivot_to_handle=pivot_to_handle)
+    shown = torque_by_reference(joystick, samples, pivot_to_handle=pivot_to_handle)
     header = (
         "stroke (s)",
         "torque (N m)",

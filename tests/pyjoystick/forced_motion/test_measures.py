@@ -48,8 +48,8 @@ def test_work_is_energy_change_and_loss_up_to_any_instant(
     """From the FMU's torque, at every end of a smooth span; the energy is the reference's own."""
     samples = Samples.of(joystick, motion)
     torque = torque_by_fmu(joystick, samples)
-    work = np.cumsum(torque.T * samples.omega * samples.weights)
-    loss = np.cumsum(torque.T_damping * samples.omega * samples.weights)
+    work = np.cumsum(torque["T"].to_numpy() * samples.omega * samples.weights)
+    loss = np.cumsum(torque["T_damping"].to_numpy() * samples.omega * samples.weights)
     stored = energy(joystick, samples.theta, samples.omega)
     ends = np.isin(samples.time, smooth_spans(joystick, motion))
     balance = work - loss - (stored - stored[0])
@@ -109,8 +109,8 @@ def test_shares_add_up_and_peaks_are_peaks(motion: ForwardAndReturn) -> None:
     assert math.fsum(found.parts[name].work for name in PARTS) == pytest.approx(found.work, abs=1e-14)
     # The samples are a hundredth of a smooth span apart: a peak between two of them is missed by less.
     torque = torque_by_reference(NOMINAL, Samples.evenly(motion, 1e-5))
-    assert found.total.highest == pytest.approx(torque.T.max(), rel=1e-4)
-    assert found.total.lowest == pytest.approx(torque.T.min(), rel=1e-4)
+    assert found.total.highest == pytest.approx(torque["T"].max(), rel=1e-4)
+    assert found.total.lowest == pytest.approx(torque["T"].min(), rel=1e-4)
     assert found.peak_force == found.total.peak / PIVOT_TO_TOP
     assert found.peak_ratio("damping") == found.parts["damping"].peak / found.total.peak
     assert found.peak_ratio("inertia", "stiffness") < 1.0

@@ -16,7 +16,6 @@ from pyjoystick.forced_motion import (
     measures_report,
     plot_torque,
     torque_by_reference,
-    torque_table,
 )
 from pyjoystick.forced_motion.figures import plot_demands
 from pyjoystick.forced_motion.reports import demand_report
@@ -49,7 +48,7 @@ def test_the_reports_have_the_numbers() -> None:
 
 def test_the_figure_has_the_panels_of_fig_15() -> None:
     samples = Samples.evenly(MOTION, 1e-3)
-    tables = {law: torque_table(samples, torque_by_reference(one, samples)) for law, one in LAWS.items()}
+    tables = {law: torque_by_reference(one, samples) for law, one in LAWS.items()}
     figure = plot_torque(tables)
     FigureCanvasAgg(figure).draw()
     stiffness, damping, inertia, total = figure.axes

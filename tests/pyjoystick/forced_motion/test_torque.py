@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
 import pytest
 
 from pyjoystick.fmu import FmuRunError, UnsupportedFmuError
@@ -15,16 +16,8 @@ from pyjoystick.forced_motion import (
     inverse_fmu,
     torque_by_fmu,
     torque_by_reference,
-    torque_table,
 )
-from pyjoystick.model import (
-    NOMINAL,
-    NOMINAL_POWER_LAW,
-    PIVOT_TO_TOP,
-    InverseTorque,
-    JoystickParameters,
-    angle_of_travel,
-)
+from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW, PIVOT_TO_TOP, JoystickParameters, angle_of_travel
 from pyjoystick.support import ParameterError
 from tests.pyjoystick.forced_motion.cases import JOYSTICKS, MOTIONS
 from tests.pyjoystick.random_parameters import RandomCase, both_laws
@@ -34,11 +27,11 @@ CASES = both_laws(4)
 pytestmark = pytest.mark.usefixtures("fmus_by_name")
 
 
-def _difference(first: InverseTorque, second: InverseTorque) -> float:
+def _difference(first: pd.DataFrame, second: pd.DataFrame) -> float:
     """Largest difference of the torque or a part of it, in parts of that part's largest value."""
     return max(
-        float(np.max(np.abs(getattr(first, name) - getattr(second, name))))
-        / float(np.max(np.abs(getattr(second, name))))
+        float(np.max(np.abs(first[name].to_numpy() - second[name].to_numpy())))
+        / float(np.max(np.abs(second[name].to_numpy())))
         for name in TORQUES
     )
 
@@ -72,11 +65,11 @@ def test_in_the_middle_itself_eq_11_has_two_values(omega: float) -> None:
     time = np.linspace(0.0, 0.2, 5)
     samples = Samples.trapezoidal(time, omega * (time - 0.1), np.full(5, omega), np.zeros(5))
     assert samples.theta[2] == 0.0
-    found = torque_by_fmu(NOMINAL_POWER_LAW, samples).T_damping
-    expected = torque_by_reference(NOMINAL_POWER_LAW, samples).T_damping
+    found = torque_by_fmu(NOMINAL_POWER_LAW, samples)["T_damping"].to_numpy()
+    expected = torque_by_reference(NOMINAL_POWER_LAW, samples)["T_damping"].to_numpy()
     np.testing.assert_allclose(np.delete(found, 2), np.delete(expected, 2), rtol=1e-12)
     beside = Samples.trapezoidal(time, np.full(5, -1e-12), np.full(5, omega), np.zeros(5))
-    backward = torque_by_reference(NOMINAL_POWER_LAW, beside).T_damping[2]
+    backward = torque_by_reference(NOMINAL_POWER_LAW, beside)["T_damping"].iloc[2]
     assert found[2] == pytest.approx(backward, rel=1e-6)
     assert abs(found[2] - expected[2]) > 0.05 * abs(expected[2])
 
@@ -91,15 +84,15 @@ def test_random_joysticks(case: RandomCase) -> None:
 
 def test_the_table_has_units_and_the_force_at_the_handle() -> None:
     samples = Samples.evenly(ForwardAndReturn(amplitude=0.3, rise=0.2), 0.01)
-    torque = torque_by_reference(NOMINAL, samples)
-    table = torque_table(samples, torque)
+    table = torque_by_reference(NOMINAL, samples)
     assert table.attrs["units"]["F"] == "N"
     np.testing.assert_array_equal(table["F"], table["T"] / PIVOT_TO_TOP)
     parts = table[["T_inertia", "T_damping", "T_stiffness"]].sum(axis=1)
     np.testing.assert_allclose(parts, table["T"], rtol=0.0, atol=1e-15)
-    assert torque_table(samples, torque, pivot_to_handle=0.2)["F"].iloc[3] == table["T"].iloc[3] / 0.2
+    nearer = torque_by_reference(NOMINAL, samples, pivot_to_handle=0.2)
+    assert nearer["F"].iloc[3] == table["T"].iloc[3] / 0.2
     with pytest.raises(ParameterError, match="pivot_to_handle = 0"):
-        torque_table(samples, torque, pivot_to_handle=0)
+        torque_by_reference(NOMINAL, samples, pivot_to_handle=0)
 
 
 def test_what_cannot_be_asked() -> None:

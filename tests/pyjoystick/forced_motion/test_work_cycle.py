@@ -50,7 +50,7 @@ def test_percentiles_are_parts_of_the_time() -> None:
     move = ForwardAndReturn(amplitude=-0.3, rise=0.25, dwell=0.1)
     (found,) = demands([NOMINAL], [move])
     even = Samples.evenly(move, 1e-5)
-    magnitude = np.abs(torque_by_reference(NOMINAL, even).T)
+    magnitude = torque_by_reference(NOMINAL, even)["T"].abs()
     for percentage in (10.0, 25.0, 50.0, 90.0):
         expected = float(np.percentile(magnitude, percentage))
         assert found.torque(percentage) == pytest.approx(expected, rel=0.02)
