@@ -65,7 +65,7 @@ class StartValues:
                 if value is not None:
                     return value
         if is_parameter and variable["value_type"]["scalar"] in ("boolean", "enumeration"):
-            raise self._model.refuse(
+            raise self._model.unsupported(
                 f"the value of parameter {variable['name']} is not a literal", variable["declaration"]["span"]
             )
         return 1.0 if variable["value_type"]["scalar"] == "enumeration" else 0.0
