@@ -1,4 +1,4 @@
-"""Modelica models as FMUs, with tools that pip installs.
+"""Builds FMUs from Modelica models, with tools that pip installs.
 
 >>> from fmu_build import build_fmu
 >>> result = build_fmu("PreloadedSprings.Joystick.Joystick", "build/fmi2")  # doctest: +SKIP
@@ -59,16 +59,16 @@ def build_fmu(
         compiler: name of the Modelica compiler; see `compiler_names`.
         library: Modelica file or package folder with the model; the PreloadedSprings library by default.
             A library of your own may use PreloadedSprings without naming it here.
-        fmi_version: the version of the FMI standard; 3.0 with rumoca and with some versions of OpenModelica.
+        fmi_version: version of the FMI standard; some versions of OpenModelica cannot build 3.0.
         fmi_types: Model Exchange, Co-Simulation, or both in one FMU.
         platforms: platform tuples such as ``aarch64-linux``, FMI 2's names such as ``win64``, or ``all``;
-            none means this machine's.
-        options: settings that only the chosen compiler has, by name; docs/compilers.md lists them.
+            this machine's by default.
+        options: settings of the chosen compiler by name; docs/compilers.md lists them.
         on_stage: called with a short text when a stage of the build begins.
 
     Raises:
-        BuildError: one of its subclasses says what is wrong and where. The output folder is then as it
-            was before.
+        BuildError: its subclasses and messages name the fault and its place. The output folder is then
+            left unchanged.
     """
     request = BuildRequest(
         model=model,

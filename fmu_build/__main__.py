@@ -69,7 +69,7 @@ def main(
         Path | None,
         typer.Option(
             metavar="PATH",
-            help="Modelica file or package folder with the models; PreloadedSprings if not given.",
+            help="Modelica file or package folder with the models; default: PreloadedSprings.",
             show_default=False,
         ),
     ] = None,
@@ -79,7 +79,7 @@ def main(
             callback=lambda names: _known_platforms(names or []),
             metavar="NAME",
             help=f"Platform to build for, repeatable: {', '.join([*PLATFORMS, ALL])}, "
-            "or FMI 2's name for one; this machine's if not given.",
+            "or its name in FMI 2; default: this machine's.",
             show_default=False,
         ),
     ] = None,
@@ -90,7 +90,7 @@ def main(
             "--fmi-version",
             callback=_known_version,
             metavar="2|3",
-            help="Version of the FMI standard, 2.0 or 3.0, as far as the compiler has it.",
+            help="Version of the FMI standard, 2.0 or 3.0, if the compiler supports it.",
         ),
     ] = "2",
     fmi_type: Annotated[
@@ -101,7 +101,7 @@ def main(
         list[str] | None,
         typer.Option(
             metavar="NAME=VALUE",
-            help="A setting that the compiler alone has, repeatable. For openmodelica: omc=PATH, "
+            help="Setting of the chosen compiler, repeatable. For openmodelica: omc=PATH, "
             "port-file=FILE, docker=IMAGE, timeout=SECONDS, cs-solver=cvode|euler.",
             show_default=False,
         ),

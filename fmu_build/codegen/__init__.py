@@ -12,7 +12,7 @@ from fmu_build.codegen.equations import Equations, n_named_slots, read_equations
 from fmu_build.codegen.functions import FunctionLibrary
 from fmu_build.codegen.lowered import lower
 from fmu_build.codegen.names import modelica_texts
-from fmu_build.codegen.refusals import refuse_unfaithful
+from fmu_build.codegen.rejections import reject_unsupported
 from fmu_build.codegen.source import ModelSource
 from fmu_build.codegen.start_values import StartValues
 from fmu_build.codegen.structure import Structure
@@ -26,10 +26,10 @@ __all__ = ["ModelSource", "generate"]
 def generate(source: ModelSource) -> GeneratedModel:
     """The C source and the description of a compiled model.
 
-    Raises `UnsupportedModelError`, naming construct and source line, for what cannot be carried faithfully.
+    Raises `UnsupportedModelError` with the name and line of an unsupported construct.
     """
     lowered = lower(source.model)
-    refuse_unfaithful(lowered)
+    reject_unsupported(lowered)
     functions = FunctionLibrary(lowered)
     equations = compact(read_equations(lowered, functions.name_of), n_named_slots(lowered))
     starts = StartValues(lowered)

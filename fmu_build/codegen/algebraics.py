@@ -90,7 +90,7 @@ def order(model: LoweredModel, rows: dict[int, Expression], plan: dict[str, Any]
         unknowns = tuple(block["y_indices"])
         residuals = tuple(rows[row] for row in block["rows"])
         if len(unknowns) != len(residuals):
-            raise model.refuse(
+            raise model.unsupported(
                 f"an algebraic block has {len(residuals)} equations for {len(unknowns)} unknowns"
             )
         steps.append(_solve(model, unknowns, residuals))
@@ -107,7 +107,7 @@ def _solve(model: LoweredModel, unknowns: tuple[int, ...], residuals: tuple[Expr
     except NotDifferentiableError as error:
         names = model.solve["solve_layout"]["solver_maps"]["names"]
         which = ", ".join(names[u] for u in unknowns)
-        raise model.refuse(
+        raise model.unsupported(
             f"the algebraic loop for {which} runs through a {error} without derivative"
         ) from error
     return NewtonBlock(unknowns, residuals, jacobian)

@@ -30,7 +30,7 @@ def periodic_clocks(model: LoweredModel) -> tuple[Clock, ...]:
         clocks["activation_parameter_indices"], clocks["periodic_event_schedules"], strict=True
     ):
         if schedule["anchor"] != "absolute":
-            raise model.refuse(f"a clock anchored at {schedule['anchor']} is not supported")
+            raise model.unsupported(f"a clock anchored at {schedule['anchor']} is not supported")
         period, phase = schedule["lattice"]["period"], schedule["lattice"]["phase"]
         result.append(Clock(slot, (period["num"], period["den"]), (phase["num"], phase["den"])))
     return tuple(result)

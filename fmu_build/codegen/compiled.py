@@ -46,7 +46,7 @@ class CompiledModel:
         path, text = self._sources[span["source"]]
         return place_at(path, text, len(text.encode()[: span["start"]].decode(errors="ignore")))
 
-    def refuse(self, what: str, span: Span | None = None) -> UnsupportedModelError:
-        """The error for a construct that cannot be carried faithfully, with its place in the source."""
+    def unsupported(self, what: str, span: Span | None = None) -> UnsupportedModelError:
+        """The error for an unsupported construct, with its place in the source."""
         place = self.place(span)
         return UnsupportedModelError(located(what, [place] if place else [], self.name, self._file))

@@ -70,7 +70,7 @@ class Equations:
 
 
 def read_equations(model: LoweredModel, function_name: FunctionNames) -> Equations:
-    """Read the Solve IR of `model`; raises `UnsupportedModelError` for what cannot be carried faithfully."""
+    """Reads the Solve IR of `model`; raises `UnsupportedModelError` for an unsupported construct."""
     return _Reader(model, function_name).equations()
 
 
@@ -87,7 +87,7 @@ class _Reader:
 
     def equations(self) -> Equations:
         if self.layout["terminal_event_parameter_index"] is not None:
-            raise self.model.refuse("terminal() is not supported")
+            raise self.model.unsupported("terminal() is not supported")
         continuous = self.solve["continuous"]
         n_states = self.layout["state_scalar_count"]
         derivatives = self._frozen(self._rows(continuous["derivative_rhs"]))
@@ -127,7 +127,7 @@ class _Reader:
         for node in section["nodes"]:
             ((kind, table),) = node.items()
             if kind != "ScalarPrograms":
-                raise self.model.refuse(f"equation node {kind} of the Solve IR is not supported")
+                raise self.model.unsupported(f"equation node {kind} of the Solve IR is not supported")
             rows |= self.programs.read_rows(table)
         return rows
 
@@ -147,29 +147,29 @@ class _Reader:
         for number, target in enumerate(discrete["update_targets"]):
             slot = _slot(target)
             if number not in rows:
-                raise self.model.refuse("a discrete equation without a right-hand side")
+                raise self.model.unsupported("a discrete equation without a right-hand side is not supported")
             kind: DiscreteKind = "assign"
             if slot[0] == "y":
                 kind = "reinit"
                 if slot[1] >= n_states:
-                    raise self.model.refuse("reinit() of a variable that is not a state")
+                    raise self.model.unsupported("reinit() is supported for states only")
             elif slot[1] in conditions:
                 kind = "condition"
             result.append(DiscreteRow(kind, slot, self._guarded_by_tick(rows[number], slot, ticks.get(slot))))
-        self._refuse_missing_rows({row.slot for row in result})
+        self._reject_missing_rows({row.slot for row in result})
         floors = (
             DiscreteRow("assign", ("p", memory), value) for value, memory in self.relations.floors.items()
         )
         return (*result, *floors)
 
-    def _refuse_missing_rows(self, slots: set[Slot]) -> None:
+    def _reject_missing_rows(self, slots: set[Slot]) -> None:
         """The equations of discrete arrays are dropped by rumoca outside of when-clauses."""
         bindings = self.solve["layout"]["bindings"]
         for variable in self.model.dae["variables"]:
             if variable["role"].startswith("discrete"):
                 for scalar in variable["scalar_names"]:
                     if scalar in bindings and _slot(bindings[scalar]) not in slots:
-                        raise self.model.refuse(
+                        raise self.model.unsupported(
                             f"the equation of the discrete array {variable['name']} is not supported; "
                             "write one for each element",
                             variable["declaration"]["span"],
@@ -203,7 +203,7 @@ class _Reader:
         actions = []
         for number, action in enumerate(events["actions"]):
             if action["kind"] not in kinds:
-                raise self.model.refuse(f"action {action['kind']} is not supported")
+                raise self.model.unsupported(f"action {action['kind']} is not supported")
             message = tuple(self._message_part(part) for part in action["message"]["parts"])
             actions.append(Action(kinds[action["kind"]], conditions[number], message))
         return tuple(actions)
@@ -215,7 +215,7 @@ class _Reader:
         if kind == "Conversion":
             (value,) = self.programs.read(content["value"])
             return (content["source"], value)
-        raise self.model.refuse(f"message part {kind} is not supported")
+        raise self.model.unsupported(f"message part {kind} is not supported")
 
     def _updates(
         self, n_states: int, sought: set[Slot]
@@ -246,7 +246,7 @@ class _Reader:
             unknowns += [_slot(unknown) for unknown in block["unknowns"]]
             residuals += [rows[row] for row in block["rows"]]
         if len(unknowns) != len(residuals):
-            raise self.model.refuse(
+            raise self.model.unsupported(
                 f"{len(residuals)} initial equations for {len(unknowns)} unknowns of the initialisation"
             )
         return tuple(unknowns), tuple(residuals)

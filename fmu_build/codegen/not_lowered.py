@@ -23,8 +23,8 @@ def not_lowered(model: CompiledModel, message: str) -> UnsupportedModelError:
         match = re.search(pattern, message)
         if match is not None:
             for what, span in obstacles(model, match):
-                return model.refuse(what, span)
-    return model.refuse(f"rumoca cannot lower this model: {_STAGE.sub('', message)}")
+                return model.unsupported(what, span)
+    return model.unsupported(f"rumoca cannot lower this model: {_STAGE.sub('', message)}")
 
 
 def _strings(model: CompiledModel, _: re.Match[str]) -> Obstacles:

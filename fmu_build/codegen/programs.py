@@ -67,7 +67,7 @@ class ProgramReader:
                     registers[fields["dst"]] = _element(fields, registers)
                 case _ if kind in _TENSOR_OPERATIONS:
                     if fields.get("lanes", 1) != 1 or fields.get("input", "P") not in ("Y", "P"):
-                        raise self._model.refuse(f"this form of operation {kind} is not supported", span)
+                        raise self._model.unsupported(f"this form of operation {kind} is not supported", span)
                     _TENSOR_OPERATIONS[kind](fields, registers)
                 case "FunctionConditional":
                     self._conditional(fields, registers, span)
@@ -97,7 +97,7 @@ class ProgramReader:
             case "Select":
                 return ex.select(*(registers[fields[name]] for name in ("cond", "if_true", "if_false")))
         detail = f" {fields['op']}" if "op" in fields else ""
-        raise self._model.refuse(f"operation {kind}{detail} of the Solve IR is not supported", span)
+        raise self._model.unsupported(f"operation {kind}{detail} of the Solve IR is not supported", span)
 
     def _conditional(
         self, fields: Mapping[str, Any], registers: dict[int, Expression], span: Span | None

@@ -185,7 +185,7 @@ def _holds_at_zero(model: LoweredModel, root: Expression, domain: str) -> bool:
     if domain == "Previous" and not any(leaf.operator in ("y", "time") for leaf in ex.leaves(root)):
         return False  # an equality of discrete values, written as a root of -1 or 1
     if domain not in ("NonPositive", "Positive"):
-        raise model.refuse(f"a relation of zero domain {domain} is not supported")
+        raise model.unsupported(f"a relation of zero domain {domain} is not supported")
     return domain == "NonPositive"
 
 

@@ -67,7 +67,7 @@ class StartValues:
                 if value is not None:
                     return value
         if is_parameter and variable["value_type"]["scalar"] in ("boolean", "enumeration"):
-            raise self._model.refuse(
+            raise self._model.unsupported(
                 f"the value of parameter {variable['name']} is not a literal", variable["declaration"]["span"]
             )
         return 1.0 if variable["value_type"]["scalar"] == "enumeration" else 0.0
@@ -110,7 +110,7 @@ def starts_from_parameters(
                 continue
             value = parameter_expression(model, start, element if is_array else 0)
             if value is None:
-                raise model.refuse(
+                raise model.unsupported(
                     f"the start value of {variable['name']} is not plain arithmetic",
                     variable["declaration"]["span"],
                 )

@@ -95,7 +95,7 @@ class VariableReader:
 
     def _scalars(self, entry: dict[str, Any]) -> Iterator[StoredVariable]:
         if entry["value_type"]["scalar"] not in _TYPES:
-            raise self._model.refuse(
+            raise self._model.unsupported(
                 f"variable {entry['name']} of type {entry['value_type']['scalar']}",
                 entry["declaration"]["span"],
             )
@@ -191,7 +191,7 @@ class VariableReader:
         type_name = self._model.flat["variable_type_names"].get(name, "")
         found = self._starts.enumeration_of(type_name)
         if found is None:
-            raise self._model.refuse(f"the enumeration type {type_name!r} of {name} is not known")
+            raise self._model.unsupported(f"the enumeration type {type_name!r} of {name} is not known")
         return found
 
     def _derivatives(self, stored: list[StoredVariable]) -> Iterator[StoredVariable]:
@@ -200,7 +200,7 @@ class VariableReader:
         names = self._model.solve["solve_layout"]["solver_maps"]["names"]
         for index in range(self._equations.n_states):
             if index not in references:
-                raise self._model.refuse(f"the state {names[index]} is none of the model's own variables")
+                raise self._model.unsupported(f"the state {names[index]} is not a variable of the model")
             state = stored[references[index]].variable
             derivative = Variable(
                 name=f"der({names[index]})",

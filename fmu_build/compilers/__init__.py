@@ -35,7 +35,7 @@ def compiler_names() -> tuple[str, ...]:
 def get_compiler(name: str) -> Compiler:
     """The backend of that name; raises `UnknownCompilerError` that lists what there is."""
     if name not in _COMPILERS:
-        raise UnknownCompilerError(f"unknown compiler {name!r}; there is {', '.join(_COMPILERS)}")
+        raise UnknownCompilerError(f"unknown compiler {name!r}; use {' or '.join(_COMPILERS)}")
     return _COMPILERS[name]()
 
 

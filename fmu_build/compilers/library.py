@@ -105,12 +105,12 @@ def not_found(
 ) -> ModelNotFoundError:
     """The error for a class that is not there or is no model, with the names that come closest.
 
-    `syntax_errors` are told too where the class is not there: they may be what hides it.
+    `syntax_errors` are added where the class is missing: one of them may hide it.
     """
     known = classes.get(model)
     if known is not None:
         return ModelNotFoundError(
-            f"{model} in {known.file} is a {known.kind}; only complete models and blocks become FMUs"
+            f"{model} in {known.file} is a {known.kind}; only complete models and blocks can become FMUs"
         )
     models = [c.name for c in classes.values() if c.kind in MODEL_KINDS]
     close = difflib.get_close_matches(model, models, n=3, cutoff=0.6)

@@ -32,8 +32,7 @@ from fmu_build.packaging.sources import (
     token_header,
 )
 from fmu_build.support.description import GeneratedModel, ModelDescription
-from fmu_build.support.errors import BuildError
-from fmu_build.support.request import BuildRequest
+from fmu_build.support.request import BuildRequest, check_fmi
 
 __all__ = ["PackagedFmu", "check_request", "package_fmu"]
 
@@ -47,12 +46,8 @@ class PackagedFmu:
 
 
 def check_request(request: BuildRequest) -> None:
-    """Refuses what cannot be packaged before any work is done; raises `BuildError`."""
-    if request.fmi_version not in FMI_HEADERS:
-        known = " and ".join(map(repr, FMI_HEADERS))
-        raise BuildError(f"FMI version {request.fmi_version!r} is not supported; supported are {known}")
-    if not request.fmi_types or not set(request.fmi_types) <= {"me", "cs"}:
-        raise BuildError(f"FMI types {list(request.fmi_types)!r}: allowed are 'me', 'cs' or both")
+    """Raises `BuildError` for a request that cannot be met, before any work is done."""
+    check_fmi(request)
     select_platforms(request.platforms)
     generation_time()
     check_output_folder(request.output)
@@ -79,7 +74,7 @@ def package_fmu(model: GeneratedModel, request: BuildRequest) -> PackagedFmu:
     libraries, log = _compiled(sources, identifier, (*platforms, *([host] if host else [])), request.on_stage)
     entries |= binary_entries({p: libraries[p] for p in platforms}, identifier, version)
     request.on_stage("running the default experiment")
-    run: DefaultRun | str = "it has not been run, because this machine is none of the known platforms"
+    run: DefaultRun | str = "it was not run, because this machine is not a known platform"
     if host is not None:
         run = run_default_experiment(libraries[host], host, model.description, token, version)
     log += f"default experiment: {run}\n" if isinstance(run, str) else ""

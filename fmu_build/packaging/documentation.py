@@ -34,7 +34,7 @@ def index_html(description: ModelDescription, run: DefaultRun | str, generation_
         if variables:
             body.extend([builder.H2(title), _table(variables)])
     body.extend(_default_experiment(description, run))
-    body.append(builder.P(f"Modelica class {description.model_name}, made into an FMU by {generation_tool}."))
+    body.append(builder.P(f"Built from the Modelica class {description.model_name} by {generation_tool}."))
     head = builder.HEAD(
         builder.META(charset="utf-8"), builder.TITLE(description.identifier), builder.STYLE(_STYLE)
     )
@@ -63,10 +63,10 @@ def _default_experiment(description: ModelDescription, run: DefaultRun | str) ->
     span = f"From {experiment.start_time:g} s to {experiment.stop_time:g} s"
     if isinstance(run, str):
         return [title, builder.P(xml_text(f"{span}. There is no figure: {run}."))]
-    inputs = " with the inputs that the figure shows" if run.inputs else ""
+    inputs = " with the inputs shown in the figure" if run.inputs else ""
     text = builder.P(f"{span}{inputs}, as Co-Simulation at a tolerance of {TOLERANCE:g}. The values are in ")
     text.append(builder.CODE(FOLDER))
-    text[-1].tail = ", to compare other runs with."
+    text[-1].tail = ", for comparison with other runs."
     caption = "Inputs and outputs over time, a panel for each unit" if run.inputs else "Outputs over time"
     return [title, text, builder.IMG(src=FIGURE, alt=caption)]
 

@@ -14,26 +14,20 @@ from fmu_build.packaging.check import check_archive, check_loads
 from fmu_build.packaging.fmi2_units import add_unit_definitions
 from fmu_build.packaging.platforms import host_platform, select_platforms
 from fmu_build.support.errors import BuildError
-from fmu_build.support.request import BuildRequest
+from fmu_build.support.request import BuildRequest, check_fmi
 
 _DESCRIPTION = "modelDescription.xml"
-_VERSIONS = ("2.0", "3.0")
 
 
 def check_request(request: BuildRequest, tool: str) -> None:
-    """Refuses what such a tool cannot do before any work is done; raises `BuildError`."""
-    if request.fmi_version not in _VERSIONS:
-        raise BuildError(
-            f"FMI version {request.fmi_version!r} is not supported; supported are {' and '.join(_VERSIONS)}"
-        )
-    if not request.fmi_types or not set(request.fmi_types) <= {"me", "cs"}:
-        raise BuildError(f"FMI types {list(request.fmi_types)!r}: allowed are 'me', 'cs' or both")
+    """Raises `BuildError` for what such a tool cannot do, before any work is done."""
+    check_fmi(request)
     host = host_platform()
     asked = select_platforms(request.platforms) if request.platforms else ()
     others = [platform.name for platform in asked if platform != host]
     if others:
         own = f" ({host.name})" if host is not None else ""
-        raise BuildError(f"{tool} builds for this machine{own} alone, not for {', '.join(others)}")
+        raise BuildError(f"{tool} builds only for this machine{own}, not for {', '.join(others)}")
     check_output_folder(request.output)
 
 
@@ -41,11 +35,11 @@ def place(made: Path, request: BuildRequest) -> tuple[Path, str]:
     """Puts an FMU that loads on this machine into the output folder.
 
     Returns where it is and what was found. Raises `BuildError`, with the old FMU in its place, where it is
-    damaged, does not load, or lacks one of the FMI types that were asked for. What FMPy's validation finds
-    is only told, but for units without a definition, which are given one.
+    damaged, does not load, or lacks one of the FMI types that were asked for. Findings of FMPy's
+    validation are reported only; units without a definition are given one.
     """
     if not zipfile.is_zipfile(made):
-        raise BuildError(f"{made.name} is not a ZIP archive: it was not written to its end")
+        raise BuildError(f"{made.name} is not a complete ZIP archive")
     check_archive(made)
     try:
         content, log = _with_unit_definitions(made.read_bytes())

@@ -1,4 +1,4 @@
-"""documentation/licenses/license.txt: under what terms the parts of an FMU are."""
+"""documentation/licenses/license.txt: the licences of the parts of an FMU."""
 
 from __future__ import annotations
 
@@ -31,12 +31,12 @@ def license_text(fmi_version: FmiVersion, platforms: Iterable[Platform]) -> str:
         mingw = compiler / "lib" / "libc" / "mingw" / "COPYING"
         sections["Library of the C compiler for Windows, mingw-w64"] = _read(mingw)
     return (
-        "This FMU consists of a model and of a runtime that carries it.\n\n"
-        "The model (modelDescription.xml and sources/model.c) is under the terms that the author of its\n"
-        "Modelica source gave it. The runtime (all other files in sources/, apart from the FMI headers, and\n"
-        "its part of the binaries) is under the Apache License 2.0. The FMI headers\n"
+        "This FMU consists of a model and a runtime that executes it.\n\n"
+        "The model (modelDescription.xml and sources/model.c) is under the licence of its\n"
+        "Modelica source. The runtime (all other files in sources/ except the FMI headers, and its part of\n"
+        "the binaries) is under the Apache License 2.0. The FMI headers\n"
         f"({', '.join(FMI_HEADERS[fmi_version])}) are under a BSD license.\n"
-        "The binaries may hold small parts of the libraries that the C compiler brings. All texts follow.\n"
+        "The binaries may contain small parts of the C compiler's libraries. All licence texts follow.\n"
     ) + "".join(f"\n{_RULE}\n{title}\n{_RULE}\n\n{text.strip()}\n" for title, text in sections.items())
 
 
@@ -53,5 +53,5 @@ def _fmi_license(fmi_version: FmiVersion) -> str:
     text = fmi_header(header).decode()
     match = re.search(r"^ *Copyright \(C\).*?-{20,}.*?-{20,}", text, re.DOTALL | re.MULTILINE)
     if match is None:
-        raise BuildError(f"no licence text found in the FMI header {header} that FMPy brings")
+        raise BuildError(f"FMPy's copy of the FMI header {header} has no licence text")
     return "\n".join(line.removeprefix("   ").rstrip() for line in match[0].splitlines())

@@ -71,7 +71,7 @@ def select_platforms(names: Sequence[str]) -> tuple[Platform, ...]:
     host = host_platform()
     if host is None:
         raise BuildError(
-            f"this machine ({sys.platform}, {platform.machine()}) is none of the known platforms; "
-            f"name those to build for: {', '.join([*PLATFORMS, ALL])}"
+            f"this machine ({sys.platform}, {platform.machine()}) is not a known platform; "
+            f"name the platforms to build for: {', '.join([*PLATFORMS, ALL])}"
         )
     return (host,)

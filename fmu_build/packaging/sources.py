@@ -77,7 +77,7 @@ def fmi_header(name: str) -> bytes:
     try:
         return (resources.files("fmpy") / "c-code" / name).read_bytes()
     except (ModuleNotFoundError, FileNotFoundError) as error:
-        raise BuildError(f"the FMI header {name} is missing; it comes with FMPy: pip install fmpy") from error
+        raise BuildError(f"the FMI header {name} is missing; FMPy provides it: pip install fmpy") from error
 
 
 BUILD_DESCRIPTION = "buildDescription.xml"

@@ -1,1 +1,1 @@
-"""What every room uses: errors, the description of a model, what is asked of a build and what comes of it."""
+"""What every room uses: errors, the description of a model, requests and results of builds."""

@@ -1,10 +1,10 @@
-"""The errors of building an FMU. Each names the file, model or value it is about and what is allowed."""
+"""Errors of a build. Each message names the file, model or value at fault and what is allowed."""
 
 from __future__ import annotations
 
 
 class BuildError(Exception):
-    """Base class: an FMU could not be built. Nothing is left half-written."""
+    """Base class: an FMU could not be built. No file is left half-written."""
 
 
 class UnknownCompilerError(BuildError):
@@ -20,11 +20,11 @@ class ModelicaError(BuildError):
 
 
 class UnsupportedModelError(BuildError):
-    """The model is valid Modelica, but uses something that cannot be carried faithfully into the FMU.
+    """The model is valid Modelica but has a construct that the FMU would not reproduce exactly.
 
-    The message names the construct and the source line.
+    The message has the construct's name and line number.
     """
 
 
 class ToolchainError(BuildError):
-    """The C compiler is missing or failed; the message carries what it printed."""
+    """A compiler is missing or failed; the message has what it printed."""

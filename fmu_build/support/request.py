@@ -1,17 +1,19 @@
-"""What is asked of a build, and what comes of it, whichever compiler does it."""
+"""The request for a build and its result, whichever compiler does it."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Literal
+from typing import Literal, get_args
+
+from fmu_build.support.errors import BuildError
 
 FmiVersion = Literal["2.0", "3.0"]
 FmiType = Literal["me", "cs"]
 
 
-def _tell_nobody(stage: str) -> None:
+def _ignore(stage: str) -> None:
     pass
 
 
@@ -34,8 +36,19 @@ class BuildRequest:
     host's."""
     options: Mapping[str, str] = field(default_factory=dict)
     """Settings that only one compiler has, by its own names for them; see `Compiler.options`."""
-    on_stage: Callable[[str], None] = _tell_nobody
+    on_stage: Callable[[str], None] = _ignore
     """Called with a short text, such as ``generating C``, when a stage of the build begins."""
+
+
+def check_fmi(request: BuildRequest) -> None:
+    """Raises `BuildError` for an unknown FMI version or type."""
+    versions, types = get_args(FmiVersion), get_args(FmiType)
+    if request.fmi_version not in versions:
+        raise BuildError(
+            f"unknown FMI version {request.fmi_version!r}; use {' or '.join(map(repr, versions))}"
+        )
+    if not request.fmi_types or not set(request.fmi_types) <= set(types):
+        raise BuildError(f"FMI types {list(request.fmi_types)!r}: use 'me', 'cs' or both")
 
 
 @dataclass(frozen=True, slots=True)

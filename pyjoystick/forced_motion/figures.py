@@ -25,7 +25,8 @@ def plot_torque(tables: Mapping[LawName, pd.DataFrame], *, size: tuple[float, fl
     """Stiffness, damping, inertia and total torque over time, as Fig. 15; all panels have one scale but (b).
 
     Args:
-        tables: by `torque_by_fmu` or `torque_by_reference`, one a damping law; what does not depend on the law is drawn once
+        tables: by `torque_by_fmu` or `torque_by_reference`, one for each damping law; what does not
+            depend on the law is drawn once
         size: width and height (inch)
 
     Raises:

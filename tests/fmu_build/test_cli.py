@@ -141,7 +141,7 @@ def test_help_has_an_example() -> None:
 
 
 def test_unknown_compiler_from_python(tmp_path: Path) -> None:
-    with pytest.raises(UnknownCompilerError, match="unknown compiler 'nocc'; there is rumoca, openmodelica"):
+    with pytest.raises(UnknownCompilerError, match="unknown compiler 'nocc'; use rumoca or openmodelica"):
         build_fmu("M", tmp_path, compiler="nocc")
 
 

@@ -31,7 +31,7 @@ def write_function(
 ) -> str:
     """C source of a function, or of the one that computes the tangents of its results.
 
-    Raises `UnsupportedModelError` for what cannot be carried faithfully.
+    Raises `UnsupportedModelError` for an unsupported construct.
     """
     code = FunctionCode(with_tangents=is_tangent)
     return _FunctionWriter(FunctionDae(model, function), function, signature, callees, code).write()
@@ -108,7 +108,7 @@ class _FunctionWriter:
                     self._n_stored += 1
                 case kind:
                     where = statement.get("provenance", self._function["declaration"])
-                    raise self._dae.refuse(f"a statement of kind {kind} in a loop", where)
+                    raise self._dae.unsupported(f"a statement of kind {kind} in a loop", where)
 
     def _group(self, definitions: Sequence[int], is_outermost: bool) -> None:
         """Assignments that all read the values before the group."""
@@ -150,7 +150,7 @@ class _FunctionWriter:
         for target, old, new in zip(fold["targets"], fold[before], fold[after], strict=True):
             if new in self._live:
                 if self._expressions.current.get(target) != old:
-                    raise self._dae.refuse(
+                    raise self._dae.unsupported(
                         "a loop that starts from a variable's earlier value", fold["provenance"]
                     )
                 self._expressions.current[target] = new
@@ -208,7 +208,9 @@ class _FunctionWriter:
                 continue
             name = self._expressions.variables[target]
             if self._expressions.current.get(target) != definition:
-                raise self._dae.refuse(f"an earlier value of {name} as result", self._function["declaration"])
+                raise self._dae.unsupported(
+                    f"an earlier value of {name} as result", self._function["declaration"]
+                )
             if self._signature.returns_value:
                 self._code.line(f"return {twin(name) if self._code.with_tangents else name};")
             else:

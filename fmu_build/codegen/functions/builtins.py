@@ -50,7 +50,7 @@ class Builtins:
         """Sign and negation, ``-a`` and ``not a``."""
         name = {"negate": "Neg", "not": "Not", "plus": None}.get(operation["operator"], "")
         if name == "":
-            raise self._dae.refuse(f"operator {operation['operator']}", number)
+            raise self._dae.unsupported(f"operator {operation['operator']}", number)
         operand = self._element(operation["operand"], at)
         return operand if name is None else ex.unary(name, operand)
 
@@ -61,7 +61,7 @@ class Builtins:
             return self._matrix_product(a, b, at)
         name = OPERATORS.get(operator.removeprefix("elementwise_"))
         if name is None or (operator == "power" and at):
-            raise self._dae.refuse(f"operator {operator} of {len(at)}-dimensional operands", number)
+            raise self._dae.unsupported(f"operator {operator} of {len(at)}-dimensional operands", number)
         operands = self._broadcast((a, b), at)
         return Expression(name, operands) if name in ex.COMPARE else ex.binary(name, *operands)
 
@@ -110,7 +110,7 @@ class Builtins:
                 return equal(*(self._subscripts.value(position) for position in at))
             case "size" if (size := self._subscripts.integer(number, at)) is not None:
                 return ex.number(size.constant)
-        raise self._dae.refuse(f"{operation['builtin']}()", number)
+        raise self._dae.unsupported(f"{operation['builtin']}()", number)
 
 
 def equal(a: Expression, b: Expression) -> Expression:

@@ -41,7 +41,7 @@ class CallSites:
             return fitting.pop()
         names = sorted({self._functions[number]["name"] for number in fitting})
         what = f"one of {', '.join(names)}" if names else "none of the model's functions"
-        raise self._model.refuse(f"a function call that cannot be identified: it fits {what}", span)
+        raise self._model.unsupported(f"a function call that cannot be identified: it fits {what}", span)
 
     def _match_all(self) -> dict[int, int]:
         """{number of the call site: id of the function} for all equations where both sides agree."""

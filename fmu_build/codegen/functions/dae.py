@@ -59,13 +59,13 @@ class FunctionDae:
         kind = self._types[declared["value_type"]]
         dimensions = tuple(kind["dimensions"])
         if kind["scalar"] not in _TYPES:
-            raise self.refuse(f"the {kind['scalar']} {declared['name']}", declared["declaration"])
+            raise self.unsupported(f"the {kind['scalar']} {declared['name']}", declared["declaration"])
         if 0 in dimensions:
-            raise self.refuse(f"the array {declared['name']} of size zero", declared["declaration"])
+            raise self.unsupported(f"the array {declared['name']} of size zero", declared["declaration"])
         return dimensions
 
-    def refuse(self, what: str, where: Mapping[str, Any] | int | None = None) -> UnsupportedModelError:
+    def unsupported(self, what: str, where: Mapping[str, Any] | int | None = None) -> UnsupportedModelError:
         """The error for a construct at an expression or a provenance of the DAE."""
         provenance = self.by_id[where]["provenance"] if isinstance(where, int) else where
         span = (provenance or self._function["declaration"])["span"]
-        return self._model.refuse(f"{what} in function {self._function['name']} is not supported", span)
+        return self._model.unsupported(f"{what} in function {self._function['name']} is not supported", span)

@@ -80,13 +80,13 @@ class FunctionExpressions:
             return self._listed(number, operation, at)
         translate = self._by_kind.get(operation["kind"])
         if translate is None:
-            raise self._dae.refuse(f"operation {operation['kind']}", number)
+            raise self._dae.unsupported(f"operation {operation['kind']}", number)
         return translate(number, operation, at)
 
     def _literal(self, number: int, operation: Operation, at: At) -> Expression:
         ((kind, content),) = operation["value"].items()
         if kind not in ("real", "integer", "boolean", "enumeration"):
-            raise self._dae.refuse(f"a literal of type {kind}", number)
+            raise self._dae.unsupported(f"a literal of type {kind}", number)
         return ex.number(float(content))
 
     def _reference(self, number: int, operation: Operation, at: At) -> Expression:
@@ -96,7 +96,7 @@ class FunctionExpressions:
         kind = operation["coordinate"]["kind"]
         index = self.subscripts.integer(number, ()) if kind == "binder" else None
         if index is None:
-            raise self._dae.refuse(f"a reference to a {kind}", number)
+            raise self._dae.unsupported(f"a reference to a {kind}", number)
         return self._code.index_value(index)
 
     def _variable_name(self, number: int) -> str | None:
@@ -104,7 +104,7 @@ class FunctionExpressions:
         operation = self._dae.operation(number)
         if operation["kind"] == "function_value":
             if self.current.get(operation["value"]) != operation["definition"]:
-                raise self._dae.refuse("the use of a variable's earlier value", number)
+                raise self._dae.unsupported("the use of a variable's earlier value", number)
             return self.variables[operation["value"]]
         if operation["kind"] == "coordinate" and operation["coordinate"]["kind"] == "function_parameter":
             return self.parameters[operation["coordinate"]["ordinal"]]
@@ -137,7 +137,7 @@ class FunctionExpressions:
             return self._materialized(number, at)
         index = self.subscripts.integer(number, at)
         if index is None:
-            raise self._dae.refuse("a range whose bounds are not Integer constants", number)
+            raise self._dae.unsupported("a range whose bounds are not Integer constants", number)
         return self._code.index_value(index)
 
     def is_list(self, number: int) -> bool:
@@ -175,7 +175,7 @@ class FunctionExpressions:
     def _updated(self, number: int, operation: Operation, at: At) -> Expression:
         """An element of an array of which one element has a new value."""
         if any(subscript["kind"] != "index" for subscript in operation["subscripts"]):
-            raise self._dae.refuse("the use of an array right after an assignment to a part of it", number)
+            raise self._dae.unsupported("the use of an array right after assigning to part of it", number)
         dimensions = self._dae.dimensions(operation["base"])
         places = self.subscripts.base_positions(operation["subscripts"], dimensions, ())
         is_there: Expression = ex.ONE
@@ -215,7 +215,7 @@ class FunctionExpressions:
         passed = [*zip(operation["arguments"], kinds, strict=True)]
         passed.append((number, callee["result_types"][operation["output"]]))
         if any(self._dae.dimensions(given) != self._dae.dimensions_of_type(kind) for given, kind in passed):
-            raise self._dae.refuse(f"a call of {callee['name']} for each element of an array", number)
+            raise self._dae.unsupported(f"a call of {callee['name']} for each element of an array", number)
         signature = self._callees.signature(operation["function"])
         arguments = [self._argument(argument) for argument in operation["arguments"]]
         return lambda results: signature.call(arguments, results)

@@ -57,7 +57,9 @@ class FunctionLibrary:
         results = sum(output["value_type"]["scalar_count"] for output in site["outputs"])
         if results != signature.n_results:
             name = self._functions[number]["name"]
-            raise self._model.refuse(f"function {name} with assertions in the functions that it calls", span)
+            raise self._model.unsupported(
+                f"function {name} is not supported: functions that it calls have assertions", span
+            )
         return signature.name
 
     def signature(self, function: int) -> FunctionSignature:
@@ -66,7 +68,9 @@ class FunctionLibrary:
             declared = self._functions[function]
             if declared["external"] is not None:
                 span = declared["declaration"]["span"]
-                raise self._model.refuse(f"the external function {declared['name']} is not supported", span)
+                raise self._model.unsupported(
+                    f"the external function {declared['name']} is not supported", span
+                )
             self._signatures[function] = self._signature(function)
             signature = self._signatures[function]
             self._sources[function] = write_function(self._model, declared, signature, self)
@@ -75,7 +79,9 @@ class FunctionLibrary:
             )
         elif function not in self._sources:
             span = self._functions[function]["declaration"]["span"]
-            raise self._model.refuse(f"the recursive function {self._functions[function]['name']}", span)
+            raise self._model.unsupported(
+                f"the recursive function {self._functions[function]['name']} is not supported", span
+            )
         return self._signatures[function]
 
     def _signature(self, function: int) -> FunctionSignature:

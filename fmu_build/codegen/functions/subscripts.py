@@ -110,7 +110,7 @@ class Subscripts:
             elif (index + -1).lies_in(dimension):
                 result.append(index + -1)
             elif index.is_constant:
-                raise self._dae.refuse(
+                raise self._dae.unsupported(
                     f"index {index.constant} of an array with {dimension} elements", number
                 )
             else:

@@ -36,7 +36,7 @@ def read_options(given: Mapping[str, str]) -> Options:
     """The options from their names and texts; raises `BuildError` for a value that is not allowed."""
     places = [name for name in _PLACES if name in given]
     if len(places) > 1:
-        raise BuildError(f"the options {' and '.join(places)} exclude each other: each says where omc is")
+        raise BuildError(f"the options {' and '.join(places)} exclude each other: each names the omc to use")
     empty = [name for name, value in given.items() if not value]
     if empty:
         raise BuildError(f"the option {empty[0]} has no value; it takes the {OPTIONS[empty[0]]}")

@@ -19,8 +19,8 @@ from fmu_build.compilers.openmodelica.server import RootRefusedError, local_serv
 from fmu_build.support.errors import ToolchainError
 
 ROOT_NOTE = (
-    "omc refuses to serve the root user: running it on a script instead, which gives the same FMU (start "
-    "this as another user for a session)"
+    "omc refuses to serve the root user: it is run on a script instead, which gives the same FMU (run "
+    "the build as another user for a session)"
 )
 
 

@@ -28,14 +28,14 @@ def left_as_found(session: Session, folder: Path, classes: Mapping[str, Path]) -
         source = session.run([f"getSourceFile({name})"])[0].text
         if Path(source).resolve() != classes[name].resolve():
             raise ToolchainError(
-                f"the server has a class {name} already, from {source or 'no file'}; it would be replaced by "
-                f"that of {classes[name]}. Delete it there, or use another server"
+                f"the server already has a class {name}, from {source or 'no file'}; the build would "
+                f"replace it by that of {classes[name]}. Delete the class there, or use another server"
             )
     entered = session.run([f"cd({quoted(str(folder))})"])[0].text
     if Path(entered) != folder:
         raise ToolchainError(
-            f"the server cannot work in {folder}: {entered.strip()}. It has to run on this machine, as the "
-            "user who asks (root may use anyone's)"
+            f"the server cannot work in {folder}: {entered.strip()}. It must run on this machine, as the "
+            "same user (root may use anyone's)"
         )
     try:
         yield

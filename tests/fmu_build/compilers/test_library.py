@@ -126,7 +126,7 @@ def test_no_library(tmp_path: Path, name: str, message: str) -> None:
     [
         ("PreloadedSprings.Joystick.Joystik", "did you mean PreloadedSprings.Joystick.Joystick"),
         ("joystick", "PreloadedSprings.Joystick.Joystick"),
-        ("PreloadedSprings.Joystick", "is a package; only complete models and blocks become FMUs"),
+        ("PreloadedSprings.Joystick", "is a package; only complete models and blocks can become FMUs"),
     ],
 )
 def test_suggestions(asked: str, hint: str) -> None:

@@ -77,7 +77,7 @@ def test_page_shows_the_default_run_or_says_why_not(description: ModelDescriptio
     run = DefaultRun((0.0, 1.0), {"F": (0.0, 0.0)}, {"x": (0.1, 0.2)})
     page = _page(index_html(description, run, "tool"))
     assert [image.get("src") for image in page.iter("img")] == [FIGURE]
-    assert "From 0 s to 1 s with the inputs that the figure shows" in page.text_content()
+    assert "From 0 s to 1 s with the inputs shown in the figure" in page.text_content()
     page = _page(index_html(description, "it broke", "tool"))
     assert list(page.iter("img")) == []
     assert "There is no figure: it broke." in page.text_content()

@@ -211,9 +211,9 @@ def test_a_description_that_breaks_the_standard_keeps_the_old_file(
 @pytest.mark.parametrize(
     ("changes", "message"),
     [
-        ({"fmi_version": "4.0"}, "FMI version '4.0' is not supported; supported are '2.0' and '3.0'"),
-        ({"fmi_types": ()}, "FMI types .*allowed are 'me', 'cs' or both"),
-        ({"fmi_types": ("me", "se")}, "FMI types .*allowed are 'me', 'cs' or both"),
+        ({"fmi_version": "4.0"}, "unknown FMI version '4.0'; use '2.0' or '3.0'"),
+        ({"fmi_types": ()}, "FMI types .*use 'me', 'cs' or both"),
+        ({"fmi_types": ("me", "se")}, "FMI types .*use 'me', 'cs' or both"),
         ({"platforms": ("vax",)}, "unknown platform 'vax'"),
     ],
 )

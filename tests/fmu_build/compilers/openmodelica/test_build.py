@@ -72,8 +72,8 @@ def test_answers_that_are_missing() -> None:
 @pytest.mark.parametrize(
     ("request_", "message"),
     [
-        (BuildRequest("M", Path("o"), fmi_version="1.0"), "FMI version '1.0' is not supported"),  # type: ignore[arg-type]
-        (BuildRequest("M", Path("o"), fmi_types=()), r"FMI types \[\]: allowed are 'me', 'cs' or both"),
+        (BuildRequest("M", Path("o"), fmi_version="1.0"), "unknown FMI version '1.0'; use '2.0' or '3.0'"),  # type: ignore[arg-type]
+        (BuildRequest("M", Path("o"), fmi_types=()), r"FMI types \[\]: use 'me', 'cs' or both"),
         (
             BuildRequest("M", Path("o"), platforms=("win64",)),
             "for this machine .*, not for x86_64-windows",

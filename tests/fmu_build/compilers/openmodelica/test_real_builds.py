@@ -270,5 +270,5 @@ def test_a_server_that_cannot_enter_the_folder_builds_nothing(
 def test_a_class_that_the_server_has_from_elsewhere_is_not_replaced(tmp_path: Path, server: Path) -> None:
     with connected(server.read_text(), 60.0) as connection:
         connection.run(['loadString("model Good end Good;")'])
-    with pytest.raises(ToolchainError, match="the server has a class Good already"):
+    with pytest.raises(ToolchainError, match="the server already has a class Good"):
         _build(tmp_path / "Good.mo", GOOD, tmp_path / "out", options={"port-file": str(server)})

@@ -1,4 +1,4 @@
-"""Models that rumoca lowers without complaint, but not to what they mean: refused by name."""
+"""Rejects models that rumoca lowers without complaint but wrongly; names the construct and its line."""
 
 from __future__ import annotations
 
@@ -14,41 +14,41 @@ from fmu_build.modelica_source.places import located
 from fmu_build.support.errors import UnsupportedModelError
 
 
-def refuse_unfaithful(model: LoweredModel) -> None:
-    """Raises `UnsupportedModelError` for the first construct of the model that would come out wrong."""
-    _refuse_operators(model)
-    _refuse_dynamic_state_selection(model)
-    _refuse_loose_initial_equations(model)
-    _refuse_undetermined_parameters(model)
-    _refuse_repeated_assignments(model)
-    _refuse_lost_modifiers(model)
+def reject_unsupported(model: LoweredModel) -> None:
+    """Raises `UnsupportedModelError` for the first construct that would be translated wrongly."""
+    _reject_operators(model)
+    _reject_dynamic_state_selection(model)
+    _reject_loose_initial_equations(model)
+    _reject_undetermined_parameters(model)
+    _reject_repeated_assignments(model)
+    _reject_lost_modifiers(model)
 
 
-def _refuse_operators(model: LoweredModel) -> None:
+def _reject_operators(model: LoweredModel) -> None:
     temporal = model.dae["systems"]["temporal"]
     for kind in ("delay", "terminal"):
         for call in temporal[f"{kind}s"]:
-            raise model.refuse(f"{kind}() is not supported", call["provenance"]["span"])
+            raise model.unsupported(f"{kind}() is not supported", call["provenance"]["span"])
 
 
-def _refuse_dynamic_state_selection(model: LoweredModel) -> None:
+def _reject_dynamic_state_selection(model: LoweredModel) -> None:
     names = model.solve["solve_layout"]["solver_maps"]["names"]
     chosen = any(name.startswith("$state_coordinates") for name in names)
     if chosen or model.solve["initialization"]["manifold_row_count"]:
-        raise model.refuse(
-            "the model has constraints between its states (an index above one), and the states that "
-            "were chosen would do in a part of the motion only; write it in independent coordinates"
+        raise model.unsupported(
+            "the model has constraints between its states (an index above one), and the states that rumoca "
+            "selects are valid for part of the motion only; write the model in independent coordinates"
         )
 
 
-def _refuse_loose_initial_equations(model: LoweredModel) -> None:
+def _reject_loose_initial_equations(model: LoweredModel) -> None:
     initialization = model.solve["initialization"]
     spans = dict(_row_spans(initialization["residual"]["nodes"]))
     for row, role in enumerate(initialization["row_roles"]):
         if role == "SurplusCheck":
-            raise model.refuse("there are more initial equations than values to be found", spans.get(row))
+            raise model.unsupported("there are more initial equations than unknowns", spans.get(row))
         if isinstance(role, dict) and "UnownedCoordinate" in role:
-            raise model.refuse(
+            raise model.unsupported(
                 "an initial equation for a discrete variable is supported only as pre(v) = ...",
                 spans.get(row),
             )
@@ -62,7 +62,7 @@ def _row_spans(nodes: Iterable[Any]) -> Iterator[tuple[int, Span]]:
             yield from zip(table["output_indices"], table["program_spans"], strict=True)
 
 
-def _refuse_undetermined_parameters(model: LoweredModel) -> None:
+def _reject_undetermined_parameters(model: LoweredModel) -> None:
     """A parameter with ``fixed = false`` gets its value from the initial equations or not at all."""
     initialization = model.solve["initialization"]
     blocks = initialization["projection_plan"]["blocks"]
@@ -76,13 +76,13 @@ def _refuse_undetermined_parameters(model: LoweredModel) -> None:
         for name in entry["scalar_names"]:
             slot = bindings.get(name, {})
             if entry["role"] == "parameter" and "P" in slot and slot["P"]["index"] not in determined:
-                raise model.refuse(
+                raise model.unsupported(
                     f"the parameter {name} has fixed = false, and no initial equation determines it",
                     entry["declaration"]["span"],
                 )
 
 
-def _refuse_repeated_assignments(model: LoweredModel) -> None:
+def _reject_repeated_assignments(model: LoweredModel) -> None:
     """Of several assignments to a discrete Real in one when-clause the first unconditional one would win."""
     expressions = model.dae["expressions"]
     unconditional: set[tuple[object, object]] = set()
@@ -93,7 +93,7 @@ def _refuse_repeated_assignments(model: LoweredModel) -> None:
             continue
         key = (target["coordinate"]["id"], activation["trigger"])
         if key in unconditional:
-            raise model.refuse(
+            raise model.unsupported(
                 "a discrete variable is assigned again after an assignment in the same when-clause; "
                 "write one assignment with an if-expression",
                 row["provenance"]["span"],
@@ -116,13 +116,13 @@ _EXTENSION = r"\bextends\s+[\w.]+\s*\("
 _REDECLARED_COMPONENT = re.compile(rf"\bredeclare\s+(?:replaceable\s+)?(?!{_KINDS}\b)[\w.]+\s+(\w+)")
 
 
-def _refuse_lost_modifiers(model: LoweredModel) -> None:
+def _reject_lost_modifiers(model: LoweredModel) -> None:
     """Raises `UnsupportedModelError` for the first modifier in the model's classes that would be lost."""
     texts = {Path(path): content for _, path, content in model.source_files}
     text = ModelText(model.name, texts, around=False)
     for pattern, why in (_REDECLARED_CLASS, _CONSTRAINING_CLASS):
         for construct in text.find([pattern]):
-            raise _refusal(model, why, construct)
+            raise _rejection(model, why, construct)
     for extension in text.find([_EXTENSION]):
         base = re.split(r"[\s(]+", extension.text)[1].rpartition(".")[2]
         for component in _REDECLARED_COMPONENT.findall(extension.text):
@@ -131,8 +131,8 @@ def _refuse_lost_modifiers(model: LoweredModel) -> None:
                     f"the redeclaration of {component} is lost, because {base} inherits it; "
                     "extend the class that declares it"
                 )
-                raise _refusal(model, why, extension)
+                raise _rejection(model, why, extension)
 
 
-def _refusal(model: LoweredModel, why: str, construct: Construct) -> UnsupportedModelError:
+def _rejection(model: LoweredModel, why: str, construct: Construct) -> UnsupportedModelError:
     return UnsupportedModelError(located(why, [construct.place], model.name, construct.place.file))
