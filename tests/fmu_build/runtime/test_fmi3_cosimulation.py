@@ -300,7 +300,7 @@ def test_intermediate_variables_that_cannot_be_had(
 
 
 def test_event_indicators_are_read_as_variables(build3: Build) -> None:
-    """Behind the last variable: 13 of the model "lag", and the indicator 1.5 - u of a relation that is false."""
+    """They follow the last variable: behind 13 of them, 1.5 - u of a relation that does not hold."""
     instance = Instance3(build3("lag"))
     assert instance.read("Float64", 13)[0] == ERROR, "none before the initialization"
     instance.expect("fmi3Reset")
@@ -313,7 +313,7 @@ def test_event_indicators_are_read_as_variables(build3: Build) -> None:
 
 
 def test_no_step_is_longer_than_a_fiftieth_of_the_experiment(build3: Build) -> None:
-    """The state rests, so that nothing else limits the steps; inner steps are seen in intermediate updates."""
+    """The state rests, so that nothing else limits the steps, which intermediate updates tell of."""
     times: list[float] = []
     instance = Instance3(
         build3("growth"), intermediate=(0,), on_update=lambda update: times.append(update.time)

@@ -150,7 +150,7 @@ def test_the_scale_of_an_unknown_is_its_nominal_value(units: c.CDLL) -> None:
         [0.0],
         nominal=1e-15,
     )
-    assert found == pytest.approx([1e-15], rel=1e-14)
+    assert found == pytest.approx([1e-15], rel=1e-14, abs=0.0)
 
 
 @pytest.mark.parametrize(("large", "linear"), [(1e4, False), (1e8, False), (1e8, True), (1e12, True)])
