@@ -17,14 +17,9 @@ from fmu_build.support.errors import BuildError
 LICENSE = "See documentation/licenses/license.txt"
 _LOG_CATEGORIES = {
     "logEvents": "All events, during initialization and simulation",
-    "logSingularLinearSystems": "Singular linear systems of equations",
-    "logNonlinearSystems": "Solution of nonlinear systems of equations",
-    "logDynamicStateSelection": "Dynamic selection of states",
     "logStatusWarning": "Messages of functions that return {prefix}Warning",
     "logStatusDiscard": "Messages of functions that return {prefix}Discard",
     "logStatusError": "Messages of functions that return {prefix}Error",
-    "logStatusFatal": "Messages of functions that return {prefix}Fatal",
-    "logStatusPending": "Messages of functions that return {prefix}Pending",
     "logAll": "All messages",
 }
 
@@ -68,11 +63,10 @@ def generation_time() -> str | None:
 
 
 def add_log_categories(root: etree._Element, prefix: str) -> None:
-    """The standard categories; `prefix` is that of the version's status values, such as ``fmi2``."""
+    """The standard categories that the runtime uses; `prefix` is the version's, such as ``fmi2``."""
     categories = add(root, "LogCategories")
     for name, text in _LOG_CATEGORIES.items():
-        if name != "logStatusPending" or prefix == "fmi2":
-            add(categories, "Category", name=name, description=text.format(prefix=prefix))
+        add(categories, "Category", name=name, description=text.format(prefix=prefix))
 
 
 def add_default_experiment(root: etree._Element, experiment: DefaultExperiment) -> None:

@@ -78,13 +78,13 @@ fmi2Status fmi2SetDebugLogging(fmi2Component c, fmi2Boolean loggingOn, size_t nC
                                const fmi2String categories[])
 {
     return fmi2_status(
-        call_set_logging(fmi2_enter(c, CALL_SET_DEBUG_LOGGING), loggingOn != fmi2False, nCategories, categories));
+        call_set_logging(fmi2_enter(c, CALL_SetDebugLogging), loggingOn != fmi2False, nCategories, categories));
 }
 
 fmi2Status fmi2SetupExperiment(fmi2Component c, fmi2Boolean toleranceDefined, fmi2Real tolerance, fmi2Real startTime,
                                fmi2Boolean stopTimeDefined, fmi2Real stopTime)
 {
-    Instance *instance = fmi2_enter(c, CALL_SETUP_EXPERIMENT);
+    Instance *instance = fmi2_enter(c, CALL_SetupExperiment);
     if (instance == NULL)
         return fmi2Error;
     return fmi2_status(instance_set_experiment(instance, startTime, stopTimeDefined ? stopTime : INFINITY,
@@ -93,20 +93,20 @@ fmi2Status fmi2SetupExperiment(fmi2Component c, fmi2Boolean toleranceDefined, fm
 
 fmi2Status fmi2EnterInitializationMode(fmi2Component c)
 {
-    return fmi2_status(call_enter_initialization(fmi2_enter(c, CALL_ENTER_INITIALIZATION_MODE)));
+    return fmi2_status(call_enter_initialization(fmi2_enter(c, CALL_EnterInitializationMode)));
 }
 
 fmi2Status fmi2ExitInitializationMode(fmi2Component c)
 {
-    return fmi2_status(call_exit_initialization(fmi2_enter(c, CALL_EXIT_INITIALIZATION_MODE)));
+    return fmi2_status(call_exit_initialization(fmi2_enter(c, CALL_ExitInitializationMode)));
 }
 
 fmi2Status fmi2Terminate(fmi2Component c)
 {
-    return fmi2_status(call_terminate(fmi2_enter(c, CALL_TERMINATE)));
+    return fmi2_status(call_terminate(fmi2_enter(c, CALL_Terminate)));
 }
 
 fmi2Status fmi2Reset(fmi2Component c)
 {
-    return fmi2_status(call_reset(fmi2_enter(c, CALL_RESET)));
+    return fmi2_status(call_reset(fmi2_enter(c, CALL_Reset)));
 }

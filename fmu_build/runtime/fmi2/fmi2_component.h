@@ -13,49 +13,52 @@ typedef struct {
     fmi2ComponentEnvironment environment;
 } Component;
 
-typedef enum {
-    CALL_SET_DEBUG_LOGGING,
-    CALL_SETUP_EXPERIMENT,
-    CALL_ENTER_INITIALIZATION_MODE,
-    CALL_EXIT_INITIALIZATION_MODE,
-    CALL_TERMINATE,
-    CALL_RESET,
-    CALL_GET_REAL,
-    CALL_GET_INTEGER,
-    CALL_GET_BOOLEAN,
-    CALL_GET_STRING,
-    CALL_SET_REAL,
-    CALL_SET_INTEGER,
-    CALL_SET_BOOLEAN,
-    CALL_SET_STRING,
-    CALL_GET_FMU_STATE,
-    CALL_SET_FMU_STATE,
-    CALL_FREE_FMU_STATE,
-    CALL_SERIALIZED_FMU_STATE_SIZE,
-    CALL_SERIALIZE_FMU_STATE,
-    CALL_DESERIALIZE_FMU_STATE,
-    CALL_GET_DIRECTIONAL_DERIVATIVE,
-    CALL_ENTER_EVENT_MODE,
-    CALL_NEW_DISCRETE_STATES,
-    CALL_ENTER_CONTINUOUS_TIME_MODE,
-    CALL_COMPLETED_INTEGRATOR_STEP,
-    CALL_SET_TIME,
-    CALL_SET_CONTINUOUS_STATES,
-    CALL_GET_DERIVATIVES,
-    CALL_GET_EVENT_INDICATORS,
-    CALL_GET_CONTINUOUS_STATES,
-    CALL_GET_NOMINALS,
-    CALL_SET_REAL_INPUT_DERIVATIVES,
-    CALL_GET_REAL_OUTPUT_DERIVATIVES,
-    CALL_DO_STEP,
-    CALL_CANCEL_STEP,
-    CALL_GET_STATUS,
-    CALL_GET_REAL_STATUS,
-    CALL_GET_INTEGER_STATUS,
-    CALL_GET_BOOLEAN_STATUS,
-    CALL_GET_STRING_STATUS,
-    CALL_COUNT
-} Call;
+/* The functions by name without "fmi2", with the phases in which Model Exchange and Co-Simulation allow them: FMI
+ * 2.0.5, the tables of sections 3.2.3 and 4.2.4. The letters are sets of phases, see fmi2_component.c. */
+#define FMI2_CALLS(ROW)                                                                                               \
+    ROW(SetDebugLogging, ALL, ALL)                                                                                    \
+    ROW(SetupExperiment, I, I)                                                                                        \
+    ROW(EnterInitializationMode, I, I)                                                                                \
+    ROW(ExitInitializationMode, N, N)                                                                                 \
+    ROW(Terminate, E | C, S | D)                                                                                      \
+    ROW(Reset, ALL, ALL)                                                                                              \
+    ROW(GetReal, READING, READING)                                                                                    \
+    ROW(GetInteger, READING, READING)                                                                                 \
+    ROW(GetBoolean, READING, READING)                                                                                 \
+    ROW(GetString, READING, READING)                                                                                  \
+    ROW(SetReal, SETTING, SETTING)                                                                                    \
+    ROW(SetInteger, I | N | E, I | N | S)                                                                             \
+    ROW(SetBoolean, I | N | E, I | N | S)                                                                             \
+    ROW(SetString, I | N | E, I | N | S)                                                                              \
+    ROW(GetFMUstate, ALL, ALL)                                                                                        \
+    ROW(SetFMUstate, ALL, ALL)                                                                                        \
+    ROW(FreeFMUstate, ALL, ALL)                                                                                       \
+    ROW(SerializedFMUstateSize, ALL, ALL)                                                                             \
+    ROW(SerializeFMUstate, ALL, ALL)                                                                                  \
+    ROW(DeSerializeFMUstate, ALL, ALL)                                                                                \
+    ROW(GetDirectionalDerivative, READING, READING)                                                                   \
+    ROW(EnterEventMode, E | C, NONE)                                                                                  \
+    ROW(NewDiscreteStates, E, NONE)                                                                                   \
+    ROW(EnterContinuousTimeMode, E, NONE)                                                                             \
+    ROW(CompletedIntegratorStep, C, NONE)                                                                             \
+    ROW(SetTime, E | C, NONE)                                                                                         \
+    ROW(SetContinuousStates, C, NONE)                                                                                 \
+    ROW(GetDerivatives, N | E | C | T | X, NONE)                                                                      \
+    ROW(GetEventIndicators, N | E | C | T | X, NONE)                                                                  \
+    ROW(GetContinuousStates, N | E | C | T | X, NONE)                                                                 \
+    ROW(GetNominalsOfContinuousStates, I | N | E | C | T | X, NONE)                                                   \
+    ROW(SetRealInputDerivatives, NONE, I | N | S)                                                                     \
+    ROW(GetRealOutputDerivatives, NONE, S | D | T | X)                                                                \
+    ROW(DoStep, NONE, S)                                                                                              \
+    ROW(CancelStep, NONE, NONE)                                                                                       \
+    ROW(GetStatus, NONE, S | D | T)                                                                                   \
+    ROW(GetRealStatus, NONE, S | D | T)                                                                               \
+    ROW(GetIntegerStatus, NONE, S | D | T)                                                                            \
+    ROW(GetBooleanStatus, NONE, S | D | T)                                                                            \
+    ROW(GetStringStatus, NONE, S | D | T)
+
+#define FMI2_CALL_NAME(NAME, MODEL_EXCHANGE, CO_SIMULATION) CALL_##NAME,
+typedef enum { FMI2_CALLS(FMI2_CALL_NAME) CALL_COUNT } Call;
 
 extern const Face fmi2_face;
 

@@ -7,7 +7,7 @@
 fmi2Status fmi2SetRealInputDerivatives(fmi2Component c, const fmi2ValueReference vr[], size_t nvr,
                                        const fmi2Integer order[], const fmi2Real value[])
 {
-    Instance *instance = fmi2_enter(c, CALL_SET_REAL_INPUT_DERIVATIVES);
+    Instance *instance = fmi2_enter(c, CALL_SetRealInputDerivatives);
     if (!call_has(instance, nvr, vr) || !call_has(instance, nvr, order) || !call_has(instance, nvr, value))
         return fmi2Error;
     for (size_t i = 0; i < nvr; ++i) {
@@ -33,7 +33,7 @@ fmi2Status fmi2SetRealInputDerivatives(fmi2Component c, const fmi2ValueReference
 fmi2Status fmi2GetRealOutputDerivatives(fmi2Component c, const fmi2ValueReference vr[], size_t nvr,
                                         const fmi2Integer order[], fmi2Real value[])
 {
-    Instance *instance = fmi2_enter(c, CALL_GET_REAL_OUTPUT_DERIVATIVES);
+    Instance *instance = fmi2_enter(c, CALL_GetRealOutputDerivatives);
     return fmi2_status(call_get_output_derivatives(instance, vr, nvr, order, value));
 }
 
@@ -42,19 +42,19 @@ fmi2Status fmi2DoStep(fmi2Component c, fmi2Real currentCommunicationPoint, fmi2R
 {
     (void)noSetFMUStatePriorToCurrentPoint;
     return fmi2_status(
-        call_do_step(fmi2_enter(c, CALL_DO_STEP), currentCommunicationPoint, communicationStepSize));
+        call_do_step(fmi2_enter(c, CALL_DoStep), currentCommunicationPoint, communicationStepSize));
 }
 
 fmi2Status fmi2CancelStep(fmi2Component c)
 {
-    return fmi2_enter(c, CALL_CANCEL_STEP) == NULL ? fmi2Error : fmi2OK;
+    return fmi2_enter(c, CALL_CancelStep) == NULL ? fmi2Error : fmi2OK;
 }
 
 /* Status information is known only where it does not concern asynchronous steps; else the standard has
  * fmi2Discard. */
 fmi2Status fmi2GetStatus(fmi2Component c, const fmi2StatusKind s, fmi2Status *value)
 {
-    const Instance *instance = fmi2_enter(c, CALL_GET_STATUS);
+    const Instance *instance = fmi2_enter(c, CALL_GetStatus);
     if (!call_has(instance, 1, value))
         return fmi2Error;
     if (s != fmi2DoStepStatus)
@@ -65,7 +65,7 @@ fmi2Status fmi2GetStatus(fmi2Component c, const fmi2StatusKind s, fmi2Status *va
 
 fmi2Status fmi2GetRealStatus(fmi2Component c, const fmi2StatusKind s, fmi2Real *value)
 {
-    const Instance *instance = fmi2_enter(c, CALL_GET_REAL_STATUS);
+    const Instance *instance = fmi2_enter(c, CALL_GetRealStatus);
     if (!call_has(instance, 1, value))
         return fmi2Error;
     if (s != fmi2LastSuccessfulTime)
@@ -78,12 +78,12 @@ fmi2Status fmi2GetIntegerStatus(fmi2Component c, const fmi2StatusKind s, fmi2Int
 {
     (void)s;
     (void)value;
-    return fmi2_enter(c, CALL_GET_INTEGER_STATUS) == NULL ? fmi2Error : fmi2Discard;
+    return fmi2_enter(c, CALL_GetIntegerStatus) == NULL ? fmi2Error : fmi2Discard;
 }
 
 fmi2Status fmi2GetBooleanStatus(fmi2Component c, const fmi2StatusKind s, fmi2Boolean *value)
 {
-    const Instance *instance = fmi2_enter(c, CALL_GET_BOOLEAN_STATUS);
+    const Instance *instance = fmi2_enter(c, CALL_GetBooleanStatus);
     if (!call_has(instance, 1, value))
         return fmi2Error;
     if (s != fmi2Terminated)
@@ -96,5 +96,5 @@ fmi2Status fmi2GetStringStatus(fmi2Component c, const fmi2StatusKind s, fmi2Stri
 {
     (void)s;
     (void)value;
-    return fmi2_enter(c, CALL_GET_STRING_STATUS) == NULL ? fmi2Error : fmi2Discard;
+    return fmi2_enter(c, CALL_GetStringStatus) == NULL ? fmi2Error : fmi2Discard;
 }

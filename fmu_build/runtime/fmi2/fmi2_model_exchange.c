@@ -5,12 +5,12 @@
 
 fmi2Status fmi2EnterEventMode(fmi2Component c)
 {
-    return fmi2_status(call_enter_event_mode(fmi2_enter(c, CALL_ENTER_EVENT_MODE)));
+    return fmi2_status(call_enter_event_mode(fmi2_enter(c, CALL_EnterEventMode)));
 }
 
 fmi2Status fmi2NewDiscreteStates(fmi2Component c, fmi2EventInfo *eventInfo)
 {
-    Instance *instance = fmi2_enter(c, CALL_NEW_DISCRETE_STATES);
+    Instance *instance = fmi2_enter(c, CALL_NewDiscreteStates);
     if (!call_has(instance, 1, eventInfo))
         return fmi2Error;
     EventOutcome outcome;
@@ -27,14 +27,14 @@ fmi2Status fmi2NewDiscreteStates(fmi2Component c, fmi2EventInfo *eventInfo)
 
 fmi2Status fmi2EnterContinuousTimeMode(fmi2Component c)
 {
-    return fmi2_status(call_enter_continuous_time_mode(fmi2_enter(c, CALL_ENTER_CONTINUOUS_TIME_MODE)));
+    return fmi2_status(call_enter_continuous_time_mode(fmi2_enter(c, CALL_EnterContinuousTimeMode)));
 }
 
 fmi2Status fmi2CompletedIntegratorStep(fmi2Component c, fmi2Boolean noSetFMUStatePriorToCurrentPoint,
                                        fmi2Boolean *enterEventMode, fmi2Boolean *terminateSimulation)
 {
     (void)noSetFMUStatePriorToCurrentPoint;
-    Instance *instance = fmi2_enter(c, CALL_COMPLETED_INTEGRATOR_STEP);
+    Instance *instance = fmi2_enter(c, CALL_CompletedIntegratorStep);
     if (!call_has(instance, 1, enterEventMode) || !call_has(instance, 1, terminateSimulation))
         return fmi2Error;
     bool terminate;
@@ -46,30 +46,30 @@ fmi2Status fmi2CompletedIntegratorStep(fmi2Component c, fmi2Boolean noSetFMUStat
 
 fmi2Status fmi2SetTime(fmi2Component c, fmi2Real time)
 {
-    return fmi2_status(call_set_time(fmi2_enter(c, CALL_SET_TIME), time));
+    return fmi2_status(call_set_time(fmi2_enter(c, CALL_SetTime), time));
 }
 
 fmi2Status fmi2SetContinuousStates(fmi2Component c, const fmi2Real x[], size_t nx)
 {
-    return fmi2_status(call_set_states(fmi2_enter(c, CALL_SET_CONTINUOUS_STATES), x, nx));
+    return fmi2_status(call_set_states(fmi2_enter(c, CALL_SetContinuousStates), x, nx));
 }
 
 fmi2Status fmi2GetDerivatives(fmi2Component c, fmi2Real derivatives[], size_t nx)
 {
-    return fmi2_status(call_get_derivatives(fmi2_enter(c, CALL_GET_DERIVATIVES), derivatives, nx));
+    return fmi2_status(call_get_derivatives(fmi2_enter(c, CALL_GetDerivatives), derivatives, nx));
 }
 
 fmi2Status fmi2GetEventIndicators(fmi2Component c, fmi2Real eventIndicators[], size_t ni)
 {
-    return fmi2_status(call_get_event_indicators(fmi2_enter(c, CALL_GET_EVENT_INDICATORS), eventIndicators, ni));
+    return fmi2_status(call_get_event_indicators(fmi2_enter(c, CALL_GetEventIndicators), eventIndicators, ni));
 }
 
 fmi2Status fmi2GetContinuousStates(fmi2Component c, fmi2Real x[], size_t nx)
 {
-    return fmi2_status(call_get_states(fmi2_enter(c, CALL_GET_CONTINUOUS_STATES), x, nx));
+    return fmi2_status(call_get_states(fmi2_enter(c, CALL_GetContinuousStates), x, nx));
 }
 
 fmi2Status fmi2GetNominalsOfContinuousStates(fmi2Component c, fmi2Real x_nominal[], size_t nx)
 {
-    return fmi2_status(call_get_nominals(fmi2_enter(c, CALL_GET_NOMINALS), x_nominal, nx));
+    return fmi2_status(call_get_nominals(fmi2_enter(c, CALL_GetNominalsOfContinuousStates), x_nominal, nx));
 }

@@ -7,46 +7,46 @@ static const AccessType boolean_type = {TYPE_BOOLEAN, NUMBER_INT32_TRUTH, "Boole
 
 fmi2Status fmi2GetReal(fmi2Component c, const fmi2ValueReference vr[], size_t nvr, fmi2Real value[])
 {
-    return fmi2_status(call_get_real(fmi2_enter(c, CALL_GET_REAL), vr, nvr, value));
+    return fmi2_status(call_get_real(fmi2_enter(c, CALL_GetReal), vr, nvr, value));
 }
 
 fmi2Status fmi2GetInteger(fmi2Component c, const fmi2ValueReference vr[], size_t nvr, fmi2Integer value[])
 {
-    return fmi2_status(call_get(fmi2_enter(c, CALL_GET_INTEGER), &integer_type, vr, nvr, value));
+    return fmi2_status(call_get(fmi2_enter(c, CALL_GetInteger), &integer_type, vr, nvr, value));
 }
 
 fmi2Status fmi2GetBoolean(fmi2Component c, const fmi2ValueReference vr[], size_t nvr, fmi2Boolean value[])
 {
-    return fmi2_status(call_get(fmi2_enter(c, CALL_GET_BOOLEAN), &boolean_type, vr, nvr, value));
+    return fmi2_status(call_get(fmi2_enter(c, CALL_GetBoolean), &boolean_type, vr, nvr, value));
 }
 
 fmi2Status fmi2GetString(fmi2Component c, const fmi2ValueReference vr[], size_t nvr, fmi2String value[])
 {
     (void)vr;
     (void)value;
-    return fmi2_status(call_access_nothing(fmi2_enter(c, CALL_GET_STRING), "String", nvr));
+    return fmi2_status(call_access_nothing(fmi2_enter(c, CALL_GetString), "String", nvr));
 }
 
 fmi2Status fmi2SetReal(fmi2Component c, const fmi2ValueReference vr[], size_t nvr, const fmi2Real value[])
 {
-    return fmi2_status(call_set(fmi2_enter(c, CALL_SET_REAL), &real_type, vr, nvr, value));
+    return fmi2_status(call_set(fmi2_enter(c, CALL_SetReal), &real_type, vr, nvr, value));
 }
 
 fmi2Status fmi2SetInteger(fmi2Component c, const fmi2ValueReference vr[], size_t nvr, const fmi2Integer value[])
 {
-    return fmi2_status(call_set(fmi2_enter(c, CALL_SET_INTEGER), &integer_type, vr, nvr, value));
+    return fmi2_status(call_set(fmi2_enter(c, CALL_SetInteger), &integer_type, vr, nvr, value));
 }
 
 fmi2Status fmi2SetBoolean(fmi2Component c, const fmi2ValueReference vr[], size_t nvr, const fmi2Boolean value[])
 {
-    return fmi2_status(call_set(fmi2_enter(c, CALL_SET_BOOLEAN), &boolean_type, vr, nvr, value));
+    return fmi2_status(call_set(fmi2_enter(c, CALL_SetBoolean), &boolean_type, vr, nvr, value));
 }
 
 fmi2Status fmi2SetString(fmi2Component c, const fmi2ValueReference vr[], size_t nvr, const fmi2String value[])
 {
     (void)vr;
     (void)value;
-    return fmi2_status(call_access_nothing(fmi2_enter(c, CALL_SET_STRING), "String", nvr));
+    return fmi2_status(call_access_nothing(fmi2_enter(c, CALL_SetString), "String", nvr));
 }
 
 fmi2Status fmi2GetDirectionalDerivative(fmi2Component c, const fmi2ValueReference vUnknown_ref[], size_t nUnknown,
@@ -54,6 +54,6 @@ fmi2Status fmi2GetDirectionalDerivative(fmi2Component c, const fmi2ValueReferenc
                                         const fmi2Real dvKnown[], fmi2Real dvUnknown[])
 {
     const Partials partials = {vUnknown_ref, nUnknown, vKnown_ref, nKnown};
-    return fmi2_status(call_get_directional_derivative(fmi2_enter(c, CALL_GET_DIRECTIONAL_DERIVATIVE), &partials,
+    return fmi2_status(call_get_directional_derivative(fmi2_enter(c, CALL_GetDirectionalDerivative), &partials,
                                                        dvKnown, nKnown, dvUnknown, nUnknown));
 }

@@ -8,14 +8,9 @@ enum { MESSAGE_SIZE = 2048 };
 
 static const char *const category_names[LOG_CATEGORY_COUNT] = {
     [LOG_EVENTS] = "logEvents",
-    [LOG_SINGULAR_LINEAR_SYSTEMS] = "logSingularLinearSystems",
-    [LOG_NONLINEAR_SYSTEMS] = "logNonlinearSystems",
-    [LOG_DYNAMIC_STATE_SELECTION] = "logDynamicStateSelection",
     [LOG_STATUS_WARNING] = "logStatusWarning",
     [LOG_STATUS_DISCARD] = "logStatusDiscard",
     [LOG_STATUS_ERROR] = "logStatusError",
-    [LOG_STATUS_FATAL] = "logStatusFatal",
-    [LOG_STATUS_PENDING] = "logStatusPending",
     [LOG_ALL] = "logAll",
 };
 

@@ -1,4 +1,4 @@
-/* log.h - messages to the importer, by FMI 2's standard log categories. */
+/* log.h - messages to the importer, by those of FMI 2's standard log categories that have any. */
 #ifndef LOG_H
 #define LOG_H
 
@@ -10,14 +10,9 @@ typedef enum { STATUS_OK, STATUS_WARNING, STATUS_DISCARD, STATUS_ERROR, STATUS_F
 
 typedef enum {
     LOG_EVENTS,
-    LOG_SINGULAR_LINEAR_SYSTEMS,
-    LOG_NONLINEAR_SYSTEMS,
-    LOG_DYNAMIC_STATE_SELECTION,
     LOG_STATUS_WARNING,
     LOG_STATUS_DISCARD,
     LOG_STATUS_ERROR,
-    LOG_STATUS_FATAL,
-    LOG_STATUS_PENDING,
     LOG_ALL,
     LOG_CATEGORY_COUNT
 } LogCategory;
@@ -30,7 +25,7 @@ typedef struct {
 } Log;
 
 /* Sets of categories. */
-#define LOG_FAILURES (1u << LOG_STATUS_ERROR | 1u << LOG_STATUS_FATAL)
+#define LOG_FAILURES (1u << LOG_STATUS_ERROR)
 #define LOG_PROBLEMS (1u << LOG_STATUS_WARNING | 1u << LOG_STATUS_DISCARD | LOG_FAILURES)
 #define LOG_EVERYTHING ((1u << LOG_CATEGORY_COUNT) - 1u)
 

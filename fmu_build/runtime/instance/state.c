@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FORMAT_VERSION = 1, TOKEN_SIZE = 64 };
+enum { FORMAT_VERSION = 2, TOKEN_SIZE = 64 };
 static const char magic[8] = {'F', 'M', 'U', 's', 't', 'a', 't', 'e'};
 static const uint32_t byte_order = 0x01020304u;
 static const char other_interface[] = "it belongs to the other of Model Exchange and Co-Simulation";
@@ -29,8 +29,7 @@ typedef struct {
     Progress progress;
     StepMemory steps;
     StepRecord step;
-    double time, inputs_since;
-    bool inputs_active;
+    double time;
 } Plain;
 
 struct SavedState {
@@ -77,8 +76,6 @@ bool state_save(const Instance *instance, SavedState **state)
     plain->steps = instance->steps;
     plain->step = instance->integrator.record;
     plain->time = instance->values.time;
-    plain->inputs_since = instance->inputs.since;
-    plain->inputs_active = instance->inputs.active;
     memcpy(saved->block, instance->block, instance->block_count * sizeof(double));
     return true;
 }
@@ -103,8 +100,6 @@ bool state_restore(Instance *instance, const SavedState *state)
     instance->steps = plain->steps;
     instance->integrator.record = plain->step;
     instance->values.time = plain->time;
-    instance->inputs.since = plain->inputs_since;
-    instance->inputs.active = plain->inputs_active;
     memcpy(instance->block, state->block, instance->block_count * sizeof(double));
     instance_apply_experiment(instance);
     return true;
@@ -130,7 +125,6 @@ static const size_t truths[] = {
     offsetof(Plain, current.initialization), offsetof(Plain, current.algebraics),
     offsetof(Plain, current.derivatives), offsetof(Plain, progress.event_pending),
     offsetof(Plain, progress.ended_at_event), offsetof(Plain, step.slope_known),
-    offsetof(Plain, inputs_active),
 };
 
 static bool truths_are_sound(const Plain *plain)
@@ -198,7 +192,7 @@ static bool experiment_is_sound(const Experiment *experiment)
 static bool progress_is_sound(const Progress *progress)
 {
     return progress->relation <= model.n_relations && !isnan(progress->next_time_event) &&
-           isfinite(progress->crowd_start) && progress->last_step >= STATUS_OK && progress->last_step <= STATUS_FATAL;
+           isfinite(progress->crowd_start) && (unsigned)progress->last_step <= STATUS_FATAL;
 }
 
 /* A checksum can be repaired, and what is restored is relied on: as indices, as conditions, as times that go on. */
@@ -214,7 +208,7 @@ static const char *fault_of_content(const Instance *instance, const SavedState *
     if (!experiment_is_sound(&plain->experiment))
         return "start time, stop time and tolerance are impossible";
     if (!progress_is_sound(&plain->progress) || !steps_are_sound(plain) || !clocks_are_sound(instance, state->block) ||
-        !isfinite(plain->time) || !isfinite(plain->inputs_since))
+        !isfinite(plain->time))
         return "times, steps and events contradict each other";
     return NULL;
 }

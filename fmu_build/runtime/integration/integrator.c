@@ -133,7 +133,7 @@ static bool guess_step(Integrator *integrator)
         states_norm = larger(states_norm, fabs(w * y[i]));
         slope_norm = larger(slope_norm, fabs(w * slope[i]));
     }
-    const double usable = states_norm >= 1e-5 && slope_norm >= 1e-5;
+    const bool usable = states_norm >= 1e-5 && slope_norm >= 1e-5;
     const double small = smaller(usable ? 0.01 * states_norm / slope_norm : 1e-6, integrator->largest_step);
     for (size_t i = 0; i < n; ++i)
         integrator->argument[i] = y[i] + small * slope[i];

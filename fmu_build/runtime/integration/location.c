@@ -157,11 +157,11 @@ static RootResult search_vertex(const RootFinder *finder, const double *p, Point
             return ROOTS_NOT_COMPUTABLE;
         if (roots_first_changed(found->root, p) < model.n_relations)
             return ROOTS_CROSSED;
-        const Point new = {time, found->root[root]};
-        const bool nearer = fabs(new.value) < fabs(b.value);
+        const Point latest = {time, found->root[root]};
+        const bool nearer = fabs(latest.value) < fabs(b.value);
         Point *const outer = (time < b.time) == nearer ? &c : &a;
-        *outer = nearer ? b : new;
-        b = nearer ? new : b;
+        *outer = nearer ? b : latest;
+        b = nearer ? latest : b;
     }
     return ROOTS_NOT_CROSSED;
 }

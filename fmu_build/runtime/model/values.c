@@ -23,9 +23,4 @@ void values_reset(Values *values)
         memcpy(values->y, model.y_start, model.n_y * sizeof(double));
     if (model.n_p > 0)
         memcpy(values->p, model.p_start, model.n_p * sizeof(double));
-    for (size_t i = 0; i < model.n_clocks; ++i)
-        values->clock_tick[i] = 0.0;
-    for (size_t i = 0; i < model.n_actions; ++i)
-        values->reported[i] = 0.0;
-    *values->any_reported = 0.0;
 }

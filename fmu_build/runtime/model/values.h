@@ -16,6 +16,6 @@ typedef struct {
 /* One block of values_count() doubles holds all arrays; values_bind points the arrays into it. */
 size_t values_count(void);
 void values_bind(Values *values, double *block);
-void values_reset(Values *values); /* start values of the model, time 0 */
+void values_reset(Values *values); /* start values of the model, time 0; in a block of zeros */
 
 #endif

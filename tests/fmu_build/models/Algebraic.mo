@@ -20,6 +20,17 @@ package Algebraic "Algebraic loops, tearing, and models without states"
     w + exp(u - 1) = 2 + x;
   end NonlinearLoop;
 
+  model TinyLoop "An unknown far below 1, which its nominal value says"
+    Real x(start=1, fixed=true);
+    Real z;
+  protected
+    Real q(start=0, nominal=1e-15);
+  equation
+    der(x) = -x;
+    1e15*q + (1e15*q)^3 = 2*x;
+    z = 1e15*q;
+  end TinyLoop;
+
   model Kepler "A nonlinear equation in one unknown at every instant"
     parameter Real eccentricity(min=0, max=0.999) = 0.5;
     Real mean "Mean anomaly";

@@ -75,9 +75,10 @@ def test_nothing_is_said_where_all_is_well(shared_fmus: SharedFmus) -> None:
 @pytest.mark.parametrize(
     ("model", "message"),
     [
-        ("SingularLoop", "algebraic equations could not be solved"),
-        ("NoSolution", "has no solution"),
-        ("ImpossibleStart", "initial"),
+        ("SingularLoop", "the algebraic loop of `z`, `y` could not be solved: singular Jacobian"),
+        ("NearlySingularLoop", "the algebraic loop of `z`, `y` could not be solved: singular Jacobian"),
+        ("NoSolution", "the algebraic loop of `x` could not be solved: "),
+        ("ImpossibleStart", "At time 0: the initial equations of `x` could not be solved: "),
         ("EndlessEvents", "event iteration does not end"),
         ("OutOfBounds", "index"),
     ],

@@ -86,7 +86,11 @@ class Workshop:
 
     def _compile(self, *arguments: str | Path) -> None:
         command = [*self._compiler, *map(str, (*self._flags, *arguments))]
-        done = subprocess.run(command, cwd=self._folder, capture_output=True, text=True, check=False)
+        # A sanitizer in front of this process is not meant for the compiler.
+        environment = {name: value for name, value in os.environ.items() if name != "LD_PRELOAD"}
+        done = subprocess.run(
+            command, cwd=self._folder, env=environment, capture_output=True, text=True, check=False
+        )
         assert done.returncode == 0, done.stderr
 
     def path(self, name: str) -> Path:

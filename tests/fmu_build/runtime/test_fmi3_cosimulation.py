@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from itertools import pairwise
 
 import pytest
 
@@ -296,3 +297,30 @@ def test_intermediate_variables_that_cannot_be_had(
     instance = Instance3(build3("lag"), intermediate=variables, on_update=on_update)
     assert instance.handle is None
     assert words in instance.text
+
+
+def test_event_indicators_are_read_as_variables(build3: Build) -> None:
+    """They follow the last variable: behind 13 of them, 1.5 - u of a relation that does not hold."""
+    instance = Instance3(build3("lag"))
+    assert instance.read("Float64", 13)[0] == ERROR, "none before the initialization"
+    instance.expect("fmi3Reset")
+    instance.initialize()
+    for u in (1.0, 0.25):
+        assert instance.set({LAG_U: u}) == OK
+        assert instance.get(13, LAG_U, 13) == pytest.approx([1.5 - u, u, 1.5 - u], abs=1e-11)
+    assert instance.read("Float64", 14)[0] == ERROR
+    instance.free()
+
+
+def test_no_step_is_longer_than_a_fiftieth_of_the_experiment(build3: Build) -> None:
+    """The state rests, so that nothing else limits the steps, which intermediate updates tell of."""
+    times: list[float] = []
+    instance = Instance3(
+        build3("growth"), intermediate=(0,), on_update=lambda update: times.append(update.time)
+    )
+    assert instance.set({1: 0.0}) == OK
+    instance.initialize(stop=10.0)
+    instance.advance(0.0, 10.0)
+    assert times[-1] == pytest.approx(10.0)
+    assert max(b - a for a, b in pairwise([0.0, *times])) <= 0.2 * (1.0 + 1e-2)
+    instance.free()

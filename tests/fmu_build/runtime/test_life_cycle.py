@@ -103,6 +103,25 @@ def test_log_categories(build: Build) -> None:
     instance.free()
 
 
+def test_log_categories_that_are_always_on(build: Build) -> None:
+    """Without a list, off leaves the problems; in a list, unknown names do not stand in the way of others."""
+    instance = Instance(build("growth"), debug=True)
+    instance.expect("fmi2SetDebugLogging", 0, c.c_size_t(0), None)
+    assert instance.set({END: 2.0}) == OK
+    instance.initialize()
+    assert instance.step(0.0, 1.0) == DISCARD
+    assert {category for _, category, _ in instance.messages} == {"logStatusDiscard"}
+    instance.expect("fmi2Reset")
+    instance.messages.clear()
+    names = (c.c_char_p * 3)(b"logNonsense", b"logEvents", None)
+    assert instance.call("fmi2SetDebugLogging", 1, c.c_size_t(3), names) == ERROR
+    assert instance.set({END: 2.0}) == OK
+    instance.initialize()
+    assert instance.step(0.0, 1.0) == DISCARD
+    assert "logEvents" in {category for _, category, _ in instance.messages}
+    instance.free()
+
+
 def test_only_the_standards_functions_are_exported(build: Build) -> None:
     library = build("growth")
     for name in ("model", "instance_create", "integrator_step", "event_update", "block_solve"):

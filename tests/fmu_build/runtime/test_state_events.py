@@ -142,6 +142,16 @@ def test_chattering_is_an_error_that_names_time_and_relation(build: Build) -> No
     instance.free()
 
 
+@pytest.mark.parametrize("start", [1e6, -1e6])
+def test_chattering_at_a_large_time_is_an_error_too(build: Build, start: float) -> None:
+    """There the numbers are so far apart that events a nanosecond apart lie practically at one time."""
+    instance = Instance(build("slide"))
+    instance.initialize(start=start)
+    assert instance.step(start, 2.0) == ERROR
+    assert "events at practically the same time" in instance.text
+    instance.free()
+
+
 def test_events_are_logged_where_asked_for(build: Build) -> None:
     instance = Instance(build("ball"), debug=True)
     instance.initialize()

@@ -49,16 +49,20 @@ bool model_algebraics(double time, double *y, const double *p)
     return true;
 }
 
-/* The context of an integrator or of a search is a function of the test. */
+/* The context of an integrator or of a search: a function of the test. */
+typedef struct {
+    void (*at_time)(double time, double *values);
+} Function;
+
 bool integrator_derivatives(void *context, double time, StepPoint point, double *der)
 {
     (void)point;
-    ((void (*)(double, double *))context)(time, der);
+    ((const Function *)context)->at_time(time, der);
     return true;
 }
 
 bool roots_evaluate(void *context, double time, double *root)
 {
-    ((void (*)(double, double *))context)(time, root);
+    ((const Function *)context)->at_time(time, root);
     return true;
 }

@@ -8,6 +8,15 @@ package Failing "Models that build, and whose run must end with a message"
     2*y + 2*z = 2*x;
   end SingularLoop;
 
+  model NearlySingularLoop "The same, but rounding keeps the equations apart"
+    Real x(start=0.3, fixed=true);
+    Real y, z;
+  equation
+    der(x) = y;
+    0.1*y + 0.3*z = x;
+    0.3*y + 0.9*z = 3*x;
+  end NearlySingularLoop;
+
   model NoSolution "From t = 0.5 on the equation has no solution"
     Real x(start=1);
   equation

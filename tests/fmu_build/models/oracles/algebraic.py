@@ -31,6 +31,13 @@ def nonlinear_loop(t: Array) -> Values:
     return dict(zip("uvw", solution, strict=True))
 
 
+def tiny_loop(t: Array) -> Values:
+    """Cardano's solution of z + z^3 = 2 exp(-t)."""
+    half = np.exp(-t)
+    root = np.sqrt(half * half + 1 / 27)
+    return {"z": np.cbrt(half + root) + np.cbrt(half - root)}
+
+
 def kepler_case(eccentricity: float) -> Case:
     def anomaly(mean: float) -> float:
         return float(brentq(lambda e: e - eccentricity * np.sin(e) - mean, mean - 1, mean + 1, xtol=1e-15))
@@ -78,6 +85,7 @@ def kinks(t: Array) -> Values:
 CASES = (
     Case("Algebraic.LinearLoop", 2.0, linear_loop),
     Case("Algebraic.NonlinearLoop", 1.0, nonlinear_loop),
+    Case("Algebraic.TinyLoop", 2.0, tiny_loop),
     kepler_case(0.5),
     kepler_case(0.9),
     Case(
