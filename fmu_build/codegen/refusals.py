@@ -14,7 +14,7 @@ def refuse_unfaithful(model: LoweredModel) -> None:
     """Raises `UnsupportedModelError` for the first construct of the model that would come out wrong."""
     _refuse_operators(model)
     _refuse_dynamic_state_selection(model)
-    _refuse_loose_initial_equations(model)
+    _refuse_surplus_initial_equations(model)
     _refuse_undetermined_parameters(model)
     _refuse_repeated_assignments(model)
     refuse_lost_modifiers(model)
@@ -37,21 +37,19 @@ def _refuse_dynamic_state_selection(model: LoweredModel) -> None:
         )
 
 
-def _refuse_loose_initial_equations(model: LoweredModel) -> None:
-    initialization = model.solve["initialization"]
-    spans = dict(_row_spans(initialization["residual"]["nodes"]))
-    for row, role in enumerate(initialization["row_roles"]):
+def _refuse_surplus_initial_equations(model: LoweredModel) -> None:
+    for row, role in enumerate(model.solve["initialization"]["row_roles"]):
         if role == "SurplusCheck":
-            raise model.refuse("there are more initial equations than values to be found", spans.get(row))
-        if isinstance(role, dict) and "UnownedCoordinate" in role:
-            raise model.refuse(
-                "an initial equation for a discrete variable is supported only as pre(v) = ...",
-                spans.get(row),
-            )
+            what = "there are more initial equations than values to be found"
+            raise model.refuse(what, initial_spans(model).get(row))
+
+
+def initial_spans(model: LoweredModel) -> dict[int, Span]:
+    """The source of the rows of the initial equations, of those whose programs have one output each."""
+    return dict(_row_spans(model.solve["initialization"]["residual"]["nodes"]))
 
 
 def _row_spans(nodes: Iterable[Any]) -> Iterator[tuple[int, Span]]:
-    """The source of the rows whose programs have one output each."""
     for node in nodes:
         table = node.get("ScalarPrograms", {"output_indices": [], "program_spans": []})
         if len(table["output_indices"]) == len(table["program_spans"]):
