@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
 from fmu_build.codegen import expression as ex
-from fmu_build.codegen.algebraics import NewtonBlock, Step, order
+from fmu_build.codegen.algebraics import NewtonBlock, Step, isolate, order
 from fmu_build.codegen.clocks import Clock, periodic_clocks, ticks_of_slots
 from fmu_build.codegen.expression import Expression, Slot
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.programs import FunctionNames, ProgramReader
+from fmu_build.codegen.rejections import initial_spans
 from fmu_build.codegen.relations import Relations, freeze_comparisons, read_relations
 from fmu_build.codegen.start_values import starts_from_parameters
 
@@ -227,7 +228,10 @@ class _Reader:
         n_parameters = self.layout["parameter_count"]
         dependent: list[tuple[int, Expression]] = []
         starts: list[tuple[Slot, Expression]] = []
+        sources: dict[Slot, Slot] = {("p", slot): source for slot, source in self._pre()}
         for number, slot in enumerate(targets):
+            if sources.get(slot) in targets:
+                continue  # pre(v) gets its value from v
             if slot[0] == "p" and slot[1] < n_parameters:
                 dependent.append((slot[1], rows[number]))
             else:
@@ -235,7 +239,29 @@ class _Reader:
         others = starts_from_parameters(self.model, n_states, sought, without=targets)
         guesses = tuple((slot, value) for slot, value in others if slot in sought)
         starts += [(slot, value) for slot, value in others if slot not in sought]
-        return tuple(dependent), tuple(starts), guesses
+        return tuple(dependent), (*starts, *self._previous_values(sought)), guesses
+
+    def _previous_values(self, sought: set[Slot]) -> Iterator[tuple[Slot, Expression]]:
+        """The start values of discrete variables that initial equations ``pre(v) = ...`` give."""
+        initialization = self.solve["initialization"]
+        rows = self._rows(initialization["residual"])
+        sources = {ex.p(slot): source for slot, source in self._pre()}
+        given = {ex.p(slot) for slot in range(self.layout["parameter_count"])}
+        given |= {ex.y(state) for state in range(self.layout["state_scalar_count"])}
+        given -= {ex.leaf(slot) for slot in sought}
+        for row, role in enumerate(initialization["row_roles"]):
+            if not isinstance(role, dict) or "UnownedCoordinate" not in role:
+                continue
+            read = ex.leaves(rows[row])
+            previous = [leaf for leaf in read if leaf in sources]
+            value = isolate(rows[row], previous[0]) if len(previous) == 1 else None
+            if value is None or not given.issuperset(leaf for leaf in read if leaf != previous[0]):
+                raise self.model.unsupported(
+                    "an initial equation for a discrete variable is supported only as pre(v) = ... of "
+                    "parameters and fixed states",
+                    initial_spans(self.model).get(row),
+                )
+            yield sources[previous[0]], value
 
     def _initial_equations(self) -> tuple[tuple[Slot, ...], tuple[Expression, ...]]:
         initialization = self.solve["initialization"]

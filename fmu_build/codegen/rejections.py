@@ -18,7 +18,7 @@ def reject_unsupported(model: LoweredModel) -> None:
     """Raises `UnsupportedModelError` for the first construct that would be translated wrongly."""
     _reject_operators(model)
     _reject_dynamic_state_selection(model)
-    _reject_loose_initial_equations(model)
+    _reject_surplus_initial_equations(model)
     _reject_undetermined_parameters(model)
     _reject_repeated_assignments(model)
     _reject_lost_modifiers(model)
@@ -41,21 +41,19 @@ def _reject_dynamic_state_selection(model: LoweredModel) -> None:
         )
 
 
-def _reject_loose_initial_equations(model: LoweredModel) -> None:
-    initialization = model.solve["initialization"]
-    spans = dict(_row_spans(initialization["residual"]["nodes"]))
-    for row, role in enumerate(initialization["row_roles"]):
+def _reject_surplus_initial_equations(model: LoweredModel) -> None:
+    for row, role in enumerate(model.solve["initialization"]["row_roles"]):
         if role == "SurplusCheck":
-            raise model.unsupported("there are more initial equations than unknowns", spans.get(row))
-        if isinstance(role, dict) and "UnownedCoordinate" in role:
-            raise model.unsupported(
-                "an initial equation for a discrete variable is supported only as pre(v) = ...",
-                spans.get(row),
-            )
+            what = "there are more initial equations than unknowns"
+            raise model.unsupported(what, initial_spans(model).get(row))
+
+
+def initial_spans(model: LoweredModel) -> dict[int, Span]:
+    """The source of the rows of the initial equations, of those whose programs have one output each."""
+    return dict(_row_spans(model.solve["initialization"]["residual"]["nodes"]))
 
 
 def _row_spans(nodes: Iterable[Any]) -> Iterator[tuple[int, Span]]:
-    """The source of the rows whose programs have one output each."""
     for node in nodes:
         table = node.get("ScalarPrograms", {"output_indices": [], "program_spans": []})
         if len(table["output_indices"]) == len(table["program_spans"]):

@@ -26,6 +26,9 @@ _QUOTED = re.compile(r"[`']([A-Za-z_][\w.\[\], ]*)[`']")
 _SPAN = re.compile(r"Span \{[^}]*start: BytePos\((\d+)\), end: BytePos\((\d+)\)")
 _DERIVATIVE = r"der\s*\(.*\)"
 _UNEXPLAINED = "because resolve/parse failed"
+# What fails only after the types have been checked is Modelica that the compiler does not carry.
+_AFTER_TYPES = re.compile(r"^(?:flatten|todae) failed: ")
+_NOT_CARRIED = "unevaluable array dimensions"
 _PHASE = re.compile(r"^\w+ failed: \S+ failed in \w+: ")
 
 
@@ -84,18 +87,20 @@ def _translated(text: str, model: str, file: Path, files: Iterable[Path]) -> Bui
     message = _PHASE.sub("", text)
     places = [f"{match['place']}: {match['text'].strip()}" for match in _LOCATED.finditer(message)]
     if places:
-        return ModelicaError("\n".join(places))
+        located_error = UnsupportedModelError if _NOT_CARRIED in message else ModelicaError
+        return located_error("\n".join(places))
     message = message.partition("\nRelated failures")[0]
     message = message.removeprefix(f"{model} could not be compiled: ")
     source = ModelText(model, {file: read_text(file) for file in files})
-    meaning = meaning_of(message)
+    meaning = meaning_of(message, source)
     if meaning is not None:
         found = meaning.search(message, source)
         what = meaning.text(message, found)
         return meaning.error(located(what, [construct.place for construct in found], model, file))
     quoted = _QUOTED.search(message)
     found = source.find([rf"(?<![\w.]){re.escape(quoted[1])}(?!\w)"]) if quoted is not None else []
-    error = UnsupportedModelError if "unsupported" in message else ModelicaError
+    not_carried = "unsupported" in message or _AFTER_TYPES.match(text)
+    error = UnsupportedModelError if not_carried else ModelicaError
     return error(located(message, [construct.place for construct in found], model, file))
 
 
@@ -116,11 +121,10 @@ def _syntax_error(file: Path) -> str | None:
 
 def _panic(text: str, model: str, file: Path, files: Iterable[Path]) -> BuildError:
     """A panic names its construct and the bytes where it is written, but not the file."""
-    meaning, span = meaning_of(text), _SPAN.search(text)
+    source = ModelText(model, {file: read_text(file) for file in files})
+    meaning, span = meaning_of(text, source), _SPAN.search(text)
     if meaning is not None and span is not None:
-        found = ModelText(model, {file: read_text(file) for file in files}).at_bytes(
-            int(span[1]), int(span[2]), _DERIVATIVE
-        )
+        found = source.at_bytes(int(span[1]), int(span[2]), _DERIVATIVE)
         what = meaning.text(text, found)
         return meaning.error(located(what, [construct.place for construct in found], model, file))
     detail = re.search(r'detail: "([^"]*)"', text)

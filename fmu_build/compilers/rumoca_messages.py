@@ -29,6 +29,8 @@ class Meaning:
     says: str
     constructs: tuple[str, ...] = ()
     called: str = ""
+    only_there: bool = False
+    """Stands for this only where one of the constructs occurs in the source."""
 
     def search(self, message: str, source: ModelText) -> list[Construct]:
         """The constructs in the source that the message may be about."""
@@ -134,6 +136,13 @@ MEANINGS = (
         "a discrete variable is assigned in two when-clauses",
     ),
     Meaning(
+        rf"`{_NAME}` participates in an internal current-value dependency cycle",
+        UnsupportedModelError,
+        "the when-clause that sets `{name}` reads the value that it sets, which is not supported; "
+        "write pre({name})",
+        (r"(?<![\w.])NAME\s*=(?!=)",),
+    ),
+    Meaning(
         rf"`{_NAME}` participates in a current-value dependency cycle",
         ModelicaError,
         "the discrete variable `{name}` depends on itself at the same instant",
@@ -150,6 +159,26 @@ MEANINGS = (
         "the value of {name} is divided by zero",
         (r"(?<![\w.])NAME\s*(?=[=(])",),
     ),
+    Meaning(
+        r"missing source scope for imports",
+        UnsupportedModelError,
+        "leaving out the first of the results of a function is not supported; give it a variable",
+        (r"\((?=\s*,)",),
+    ),
+    Meaning(
+        r"construction rejected an invalid operation: expected a numeric expression, found (?P<kind>\w+)",
+        UnsupportedModelError,
+        "an equation for a value of type {kind} is not supported where it stands; of an initial equation "
+        "pre(v) = ... make v(start = ..., fixed = true)",
+        (r"\bpre\s*\([^()]*\)\s*=(?!=)",),
+    ),
+    Meaning(
+        r"unbalanced model",
+        UnsupportedModelError,
+        "operator records are not supported",
+        (r"\boperator\s+record\b",),
+        only_there=True,
+    ),
     Meaning(r"(?P<all>unbalanced model: \d+ equations, \d+ unknowns)", ModelicaError, "{all}"),
     Meaning(
         rf"(?P<all>connector '{_NAME}' is unbalanced: .*)",
@@ -160,6 +189,7 @@ MEANINGS = (
 )
 
 
-def meaning_of(message: str) -> Meaning | None:
-    """What a message stands for, None where that is not known."""
-    return next((meaning for meaning in MEANINGS if re.search(meaning.message, message)), None)
+def meaning_of(message: str, source: ModelText) -> Meaning | None:
+    """What a message about a source stands for, None where that is not known."""
+    meanings = (meaning for meaning in MEANINGS if re.search(meaning.message, message))
+    return next((m for m in meanings if not m.only_there or source.find(m.constructs)), None)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -25,8 +25,8 @@ class Construct:
 class ModelText:
     """The text of the classes that a model can be made of, from the files of its libraries.
 
-    A class is made of itself, of the classes `around` it and of every class whose simple name occurs in one
-    of these; an error can be about no other.
+    A class is made of itself, of the classes `around` it and of every class that one of these can mean by a
+    name: one beside or around it, or one of a package that it mentions. An error can be about no other.
     """
 
     def __init__(self, model: str, texts: Mapping[Path, str], *, around: bool = True) -> None:
@@ -104,17 +104,32 @@ def _parts(file: Path, text: str) -> list[_Part]:
 def _reached(model: str, parts: Sequence[_Part], around: bool) -> list[_Part]:
     named: dict[str, list[_Part]] = defaultdict(list)
     for part in parts:
-        named[part.name.rpartition(".")[2]].append(part)
+        named[part.name].append(part)
     reached: list[_Part] = []
-    waiting = [part for part in parts if part.name == model]
+    waiting = list(named.pop(model, ()))
+    words: set[str] = set()
+    mentioned: set[str] = set()
     while waiting:
-        part = waiting.pop()
-        if part in reached:
-            continue
-        reached.append(part)
-        for word in part.words.union(part.name.split(".") if around else ()):
-            waiting.extend(named.pop(word, ()))
+        for part in waiting:
+            scopes = _scopes(part.name)
+            words |= part.words.union(part.name.split(".") if around else ())
+            mentioned.update(part.words, scopes, *(outer.words for s in scopes for outer in named.get(s, ())))
+        reached += waiting
+        found = [name for name in named if _can_be_meant(name, words, mentioned)]
+        waiting = [part for name in found for part in named.pop(name)]
     return reached
+
+
+def _scopes(name: str) -> list[str]:
+    """The qualified names of a class and of all classes around it."""
+    parts = name.split(".")
+    return [".".join(parts[: n + 1]) for n in range(len(parts))]
+
+
+def _can_be_meant(name: str, words: Container[str], mentioned: Container[str]) -> bool:
+    """Whether a class can be what a word means: its scope is around the word, or is mentioned somewhere."""
+    scope, _, simple = name.rpartition(".")
+    return simple in words and (not scope or scope in mentioned or scope.rpartition(".")[2] in mentioned)
 
 
 def _only(text: str, spans: Sequence[tuple[int, int]]) -> str:

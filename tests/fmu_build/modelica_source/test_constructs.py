@@ -95,3 +95,14 @@ def test_files_beside_a_single_file_are_read_too(library: Path) -> None:
     (library / "User.mo").write_text("model User\n  extends Lib.B;\nend User;\n")
     files = ModelText("User", _texts(readable_files(library / "User.mo"))).find(_DER)
     assert [construct.place.line for construct in files] == [10]
+
+
+def test_a_class_of_the_same_name_in_a_package_that_is_not_mentioned_does_not_belong(tmp_path: Path) -> None:
+    (tmp_path / "Mine.mo").write_text(
+        "package Mine\n  import Imported;\n  model A Part p; Deep.Part q; end A;\n"
+        "  model Part Real x = der(mine); end Part;\nend Mine;\n"
+    )
+    for name in ("Imported", "Deep", "Other"):
+        text = f"package {name}\n  model Part Real x = der({name}); end Part;\nend {name};\n"
+        (tmp_path / f"{name}.mo").write_text(text)
+    assert set(_found(tmp_path, "Mine.A")) == {"der(mine)", "der(Imported)", "der(Deep)"}

@@ -134,4 +134,89 @@ package Sampling "sample(), discrete states and discrete controllers"
       t_n := n*T;
     end when;
   end SampledAlgorithm;
+
+  model StepGraph "Two steps and two timed transitions, as state graphs are written"
+    connector In
+      output Boolean occupied;
+      input Boolean set;
+    end In;
+
+    connector Out
+      output Boolean available;
+      input Boolean reset;
+    end Out;
+
+    connector From
+      input Boolean available;
+      output Boolean reset;
+    end From;
+
+    connector To
+      input Boolean occupied;
+      output Boolean set;
+    end To;
+
+    model Step "Active from the event after it was set"
+      parameter Boolean is_first = false;
+      In before;
+      Out behind;
+      Boolean active;
+    protected
+      Boolean next;
+    initial equation
+      pre(next) = is_first;
+    equation
+      active = pre(next);
+      next = before.set or active and not behind.reset;
+      before.occupied = active;
+      behind.available = active;
+    end Step;
+
+    model Transition "Fires when it has been enabled for a time"
+      parameter Real wait(unit="s") = 1;
+      From before;
+      To behind;
+      Real t "How long it has been enabled";
+    protected
+      discrete Real t_enabled;
+      Boolean enabled, fires;
+    initial equation
+      pre(t_enabled) = 0;
+      pre(enabled) = false;
+    equation
+      enabled = before.available and not behind.occupied;
+      when enabled then
+        t_enabled = time;
+      end when;
+      t = if enabled then time - t_enabled else 0;
+      fires = enabled and time >= t_enabled + wait;
+      before.reset = fires;
+      behind.set = fires;
+    end Transition;
+
+    Step a(is_first=true), b;
+    Transition ab(wait=1), ba(wait=0.5);
+    Real x(start=0, fixed=true) "How long a was active";
+  equation
+    connect(a.behind, ab.before);
+    connect(ab.behind, b.before);
+    connect(b.behind, ba.before);
+    connect(ba.behind, a.before);
+    der(x) = if a.active then 1 else 0;
+  end StepGraph;
+
+  model InitialPrevious "The value before the start, by an initial equation"
+    parameter Real k = 2;
+    Real x(start=3, fixed=true);
+    discrete Real d, e;
+  initial equation
+    pre(d) = k*x + 1;
+    2*pre(e) = k;
+  equation
+    der(x) = 1;
+    when x > 3.5 then
+      d = pre(d) + x;
+      e = pre(e) + 1;
+    end when;
+  end InitialPrevious;
 end Sampling;

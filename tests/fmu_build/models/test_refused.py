@@ -38,6 +38,7 @@ class Refusal:
 REFUSALS = (
     Refusal("AssignedTwice", UnsupportedModelError, r"assigned again"),
     Refusal("AtTheEnd", UnsupportedModelError, r"terminal\(\)"),
+    Refusal("BooleanIndex", UnsupportedModelError, r"'x'"),
     Refusal("BooleanLoop", ModelicaError, r"`a`"),
     Refusal("CartesianPendulum", UnsupportedModelError, r"constraints between its states"),
     Refusal("ContradictoryStart", UnsupportedModelError, r"more initial equations"),
@@ -45,14 +46,18 @@ REFUSALS = (
     Refusal("DerivativeOfProduct", UnsupportedModelError, r"der\(x\*x\)"),
     Refusal("DiscreteArray", UnsupportedModelError, r"array above"),
     Refusal("DiscreteLoop", UnsupportedModelError, r"array level"),
+    Refusal("EnumerationInitial", UnsupportedModelError, r"type Enumeration"),
     Refusal("EarlyReturn", UnsupportedModelError, r"return"),
     Refusal("ExternalFunction", UnsupportedModelError, r"external.*outside"),
     Refusal("Incomplete", ModelNotFoundError, r"partial"),
     Refusal("InitialDiscrete", UnsupportedModelError, r"initial equation for a discrete variable"),
     Refusal("InputChange", ModelicaError, r"change\("),
     Refusal("InputDerivative", UnsupportedModelError, r"der\(u\)"),
+    Refusal("LeftOut", UnsupportedModelError, r"first of the results"),
     Refusal("LostConstraint", UnsupportedModelError, r"constraining class"),
     Refusal("LostModifiers", UnsupportedModelError, r"modifiers of a class that is redeclared"),
+    Refusal("OperatorRecord", UnsupportedModelError, r"operator records"),
+    Refusal("PresentState", UnsupportedModelError, r"pre\(state\)"),
     Refusal("RecordArray", UnsupportedModelError, r"der\(r\[i\]\.a\)"),
     Refusal("SampledElsewhen", UnsupportedModelError, r"sample\("),
     Refusal("SecondDerivative", UnsupportedModelError, r"der\(der\(x\)\)"),
@@ -91,6 +96,17 @@ def test_what_a_model_does_not_use_does_not_matter(tmp_path: Path) -> None:
     """The file has a class that would be refused; the model beside it is built."""
     result = build_fmu("LostModifiers.Part", tmp_path, library=REFUSED / "LostModifiers.mo")
     assert result.path.is_file()
+
+
+def test_what_stands_in_a_file_beside_the_model_does_not_matter(tmp_path: Path) -> None:
+    """The compiler reads all files of the folder; another package there has a class of the same name."""
+    (tmp_path / "Mine.mo").write_text(
+        "model Mine Part part; end Mine;\nmodel Part Real x = time; end Part;\n"
+    )
+    (tmp_path / "Other.mo").write_text(
+        (REFUSED / "LostModifiers.mo").read_text("utf-8").replace("LostModifiers", "Other")
+    )
+    assert build_fmu("Mine", tmp_path, library=tmp_path / "Mine.mo").path.is_file()
 
 
 def test_every_refused_model_is_tried() -> None:

@@ -14,6 +14,7 @@ from tests.fmu_build.runtime.library3 import Instance3
 X, V, E, K = range(4)
 # Of the model "lag", tau*der(x) = u - x.
 LAG_X, LAG_U, TAU = 1, 4, 7
+TORQUE, DAMPING = 7, 9  # of the model "joystick"
 
 
 def _largest_error(build: Build, tolerance: float, steps: int) -> float:
@@ -189,18 +190,22 @@ def _end_in_error(build: Build, build3: Build, model: str, values: dict[int, flo
 
 def test_a_step_that_does_not_move_the_time_is_an_error(build: Build, build3: Build) -> None:
     """The derivative is so large that the first step is rounded to nothing."""
-    assert "smallest step" in _end_in_error(build, build3, "oscillator", {X: 1e298, K: 1e3}, 0.1)
+    assert "smallest step" in _end_in_error(build, build3, "joystick", {TORQUE: 1e298}, 0.1)
 
 
 @pytest.mark.parametrize(
-    ("model", "values"),
-    [("oscillator", {K: 1e6}), ("lag", {LAG_U: 1.0, TAU: 1e-3})],
-    ids=["oscillations without end", "stiff"],
+    ("model", "values", "size"),
+    [
+        ("oscillator", {K: 1e6}, 1e9),
+        ("lag", {LAG_U: 1.0, TAU: 1e-3}, 1e9),
+        ("joystick", {DAMPING: 1e8}, 0.1),
+    ],
+    ids=["oscillations without end", "stiff", "stiff joystick"],
 )
 def test_steps_that_come_to_nothing_are_an_error(
-    build: Build, build3: Build, model: str, values: dict[int, float]
+    build: Build, build3: Build, model: str, values: dict[int, float], size: float
 ) -> None:
-    text = _end_in_error(build, build3, model, values, 1e9)
+    text = _end_in_error(build, build3, model, values, size)
     assert "too stiff for this solver: the last 1000000 steps were of about" in text
 
 

@@ -98,6 +98,34 @@ def sampled_algorithm(t: Array) -> Values:
     return {"n": n, "k": 2 * n + np.where(n >= 4, 100.0, 0.0), "t_n": 0.1 * n}
 
 
+GRAPH_EVENTS = (1.0, 1.5, 2.5, 3.0, 4.0, 4.5)
+
+
+def step_graph(t: Array) -> Values:
+    """A second in the one step, half a second in the other."""
+    inside = t % 1.5
+    first = inside < 1
+    return {
+        "a.active": first,
+        "b.active": ~first,
+        "ab.t": np.where(first, inside, 0),
+        "ba.t": np.where(first, 0, inside - 1),
+        "x": np.floor(t / 1.5) + np.minimum(inside, 1),
+    }
+
+
+def initial_previous(k: float, x: float) -> Case:
+    def expected(t: Array) -> Values:
+        late = x + t > 3.5
+        return {"d": k * x + 1 + 3.5 * late, "e": k / 2 + late}
+
+    parameters = {"k": k, "x": x}
+    events = at(3.5 - x)
+    return Case(
+        "Sampling.InitialPrevious", 1.0, expected, events=events, parameters=parameters, label=f"{k}, {x}"
+    )
+
+
 CASES = (
     Case("Sampling.Counter", 1.0, counter, events=ticks(0.0, 0.125)),
     Case("Sampling.SampledPI", 2.0, sampled_pi, events=ticks(0.1, 0.1)),
@@ -107,5 +135,8 @@ CASES = (
     Case("Sampling.SampledReset", 2.0, sampled_reset, events=ticks(0.25, 0.25)),
     Case("Sampling.SampleOrState", 1.0, sample_or_state, events=at(*SAMPLES_AND_CROSSING)),
     Case("Sampling.Guarded", 1.4, guarded, events=ticks(0.1, 0.2)),
+    Case("Sampling.StepGraph", 5.0, step_graph, events=at(*GRAPH_EVENTS)),
+    initial_previous(2.0, 3.0),
+    initial_previous(-3.0, 2.75),
     Case("Sampling.SampledAlgorithm", 1.0, sampled_algorithm, events=ticks(0.1, 0.1)),
 )

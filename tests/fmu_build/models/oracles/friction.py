@@ -103,8 +103,8 @@ CASES = (
     Case("Friction.StickSlip", 25.0, stick_slip, events=lambda _: stick_slip_run().events),
     Case("Friction.Brake", 3.0, brake, events=at(*BRAKE_EVENTS)),
     *map(sliding_case, (2.0, -2.0, 0.0)),
-    driven_case(0.5, 0.5, 0.0, 1.0, "stops and is torn away"),
     driven_case(0.0, -0.5, 0.0, 1.0, "torn away backward"),
     driven_case(-1.0, 0.0, 1.5, 1.0, "slow drive"),
     driven_case(0.0, 0.0, 5.0, 3.0, "strong drive"),
+    driven_case(0.5, 0.5, 0.0, 1.0, "stops and is torn away"),
 )
