@@ -69,6 +69,23 @@ def test_state_holds_inputs_and_their_derivatives(build: Build) -> None:
     instance.free()
 
 
+def test_state_holds_what_was_changed_since_the_last_step(build: Build) -> None:
+    """The integrator is ahead of the importer; a new input or parameter has it start anew from the point."""
+    instance = Instance(build("lag"))
+    instance.initialize()
+    instance.advance(0.0, 0.3)
+    assert instance.set({4: 1.0, 7: 2.0}) == OK
+    state = instance.save()
+    instance.advance(0.3, 0.05)
+    expected = instance.get(1, 2, 9)
+    instance.restore(state)
+    instance.advance(0.3, 0.05)
+    assert instance.get(1, 2, 9) == expected
+    assert expected[2] == 1.0, "the computed parameter"
+    instance.discard(state)
+    instance.free()
+
+
 def test_state_brings_a_failed_instance_back(build: Build) -> None:
     instance = Instance(build("slide"))
     instance.initialize()
