@@ -64,7 +64,8 @@ class Tangents:
     """Start values of states that depend on parameters."""
     initial_residuals: tuple[Expression, ...]
     cover_initialization: bool
-    """Whether no when-clause that may act at the start moves a value there."""
+    """Whether no when-clause that may act at the start moves a value there, and no start value of a discrete
+    variable moves."""
 
     @classmethod
     def of(cls, equations: Equations, variables: Sequence[StoredVariable]) -> Tangents:
@@ -88,7 +89,8 @@ class Tangents:
                 if slot[0] == "y" and slot[1] < equations.n_states
             ),
             initial_residuals=tuple(_tangent(value, seeds) for value in equations.initial_residuals),
-            cover_initialization=not _acts_at_start(equations, seeds),
+            cover_initialization=not _acts_at_start(equations, seeds)
+            and all(slot[0] == "y" or _tangent(e, seeds) == ZERO for slot, e in equations.start_values),
         )
 
 

@@ -21,6 +21,7 @@ _MODELS = {case.model: case for case in CASES}
 _ACT_AT_START = {
     "Sampling.Guarded",
     "Sampling.HeldSine",
+    "Sampling.InitialPrevious",
     "Sampling.PulseTrain",
     "Sampling.SampleOrState",
     "Sampling.SampledPI",
