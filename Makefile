@@ -1,5 +1,6 @@
 # make run    environment, FMUs, the paper's free oscillation compared with the reference
 # make test   everything that is tested
+# make test-quick  what takes less than a minute: no compiler, no site; with the FMUs that make fmu made
 # make fmu    the six FMUs in build/fmi2/ (COMPILER=openmodelica makes them with an installed OpenModelica,
 #             COMPILER_OPTIONS="omc=/opt/openmodelica" with one that is not on the path), for this machine's
 #             platform (PLATFORMS=all: Linux, Windows and macOS; PLATFORMS="x86_64-linux x86_64-windows": those);
@@ -40,7 +41,7 @@ SPHINX = $(BIN)/python -m sphinx --fail-on-warning --keep-going --nitpicky --fre
 unexport PYTHONDONTWRITEBYTECODE
 
 .DELETE_ON_ERROR:
-.PHONY: FORCE run test fmu ssp lint bench figure figures claims docs docs-links lock clean distclean
+.PHONY: FORCE run test test-quick fmu ssp lint bench figure figures claims docs docs-links lock clean distclean
 
 run: fmu
 	$(BIN)/python scenarios/free_oscillation.py
@@ -48,6 +49,9 @@ run: fmu
 # Where another compiler is asked for, the tests make the FMUs of FMI 3 themselves.
 test: build/fmi2/.built $(if $(filter rumoca,$(COMPILER)),build/fmi3/.built)
 	$(BIN)/python -m pytest --numprocesses auto --dist loadgroup
+
+test-quick: $(READY)
+	$(BIN)/python -m pytest --quick --numprocesses auto
 
 fmu: $(FMI:%=build/fmi%/.built)
 

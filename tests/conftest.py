@@ -15,6 +15,41 @@ from tests.omc import Omc, opened, why_not
 from tests.shared_fmus import SharedFmus
 
 ROOT = Path(__file__).parents[1]
+#: What ``--quick`` leaves out, besides tests that build FMUs of their own: those that compile, build the site or
+#: start other programs, and those that take more than some seconds for other reasons.
+SLOW = (
+    *("benchmarks", "docs", "fmu_build", "joystick_fmu", "modelica", "other_tools", "scenarios"),
+    *("test_your_joystick.py", "pyjoystick/reports", "pyjoystick/fmu/test_interruption.py"),
+    *("pyjoystick/runs/sweeps/test_cluster.py", "pyjoystick/runs/sweeps/test_interruption.py"),
+    *("pyjoystick/identification/fitting/test_recovery.py", "pyjoystick/model/reference/test_accuracy.py"),
+    *(
+        "pyjoystick/runs/coupling/test_master.py",
+        "pyjoystick/cli/test_sweep.py",
+        "pyjoystick/cli/test_start.py",
+    ),
+)
+#: Quick all the same.
+QUICK = ("fmu_build/modelica_source", "fmu_build/runtime/test_layers.py")
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--quick", action="store_true", help="leave out what needs a compiler or takes long")
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Leave out the slow tests where only the quick ones are wanted."""
+    if not config.getoption("--quick"):
+        return
+    slow = [item for item in items if _is_slow(item)]
+    config.hook.pytest_deselected(items=slow)
+    items[:] = [item for item in items if item not in set(slow)]
+
+
+def _is_slow(item: pytest.Item) -> bool:
+    place = item.path.relative_to(ROOT / "tests").as_posix()
+    fixtures = set(getattr(item, "fixturenames", ()))
+    builds = "shared_fmus" in fixtures and not fixtures & {"joystick_fmus", "joystick_fmus3"}
+    return builds or (place.startswith(SLOW) and not place.startswith(QUICK))
 
 
 @pytest.fixture(scope="session")
@@ -29,24 +64,29 @@ def shared_fmus(tmp_path_factory: pytest.TempPathFactory) -> SharedFmus:
 
 
 @pytest.fixture(scope="session")
-def joystick_fmus(shared_fmus: SharedFmus) -> Path:
+def joystick_fmus(shared_fmus: SharedFmus, request: pytest.FixtureRequest) -> Path:
     """The folder with the FMUs of this project by the default compiler.
 
-    Those of ``make fmu`` where they are up to date and not another compiler's, else new ones.
+    Those of ``make fmu`` where they are up to date and not another compiler's, else new ones. With
+    ``--quick`` those of ``make fmu`` as they are.
     """
-    return _made_or_new("2.0", shared_fmus)
+    return _made_or_new("2.0", shared_fmus, request)
 
 
 @pytest.fixture(scope="session")
-def joystick_fmus3(shared_fmus: SharedFmus) -> Path:
+def joystick_fmus3(shared_fmus: SharedFmus, request: pytest.FixtureRequest) -> Path:
     """The same of FMI 3."""
-    return _made_or_new("3.0", shared_fmus)
+    return _made_or_new("3.0", shared_fmus, request)
 
 
-def _made_or_new(fmi_version: FmiVersion, shared_fmus: SharedFmus) -> Path:
+def _made_or_new(fmi_version: FmiVersion, shared_fmus: SharedFmus, request: pytest.FixtureRequest) -> Path:
     made = ROOT / "build" / f"fmi{fmi_version[0]}"
     if _is_up_to_date(made):
         return made
+    if request.config.getoption("--quick"):
+        if all((made / f"{name}.fmu").is_file() for name in MODELS):
+            return made
+        pytest.skip(f"the FMUs are missing: make fmu FMI={fmi_version[0]}")
     (folder,) = {shared_fmus.fmu(model, fmi_version=fmi_version).parent for model in MODELS.values()}
     return folder
 
