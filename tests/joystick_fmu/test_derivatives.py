@@ -103,10 +103,10 @@ def test_derivatives_of_initial_values(name: str, fmus: Path, tmp_path: Path) ->
 
 
 @pytest.mark.parametrize("name", LAWS)
-def test_adjoints_are_the_transposed(name: str, fmi3_fmus: Path, tmp_path: Path) -> None:
+def test_adjoints_are_the_transposed(name: str, joystick_fmus3: Path, tmp_path: Path) -> None:
     knowns = ("theta", "omega", "T", "J", "a", "backward.returnSpring.F_0")
     seed = [0.3 * (-1.0) ** i / (i + 1.0) for i in range(len(UNKNOWNS))]
-    with _point(fmi3_fmus / f"{name}.fmu", tmp_path) as point:
+    with _point(joystick_fmus3 / f"{name}.fmu", tmp_path) as point:
         point.start(-0.2)
         columns = np.array([point.directional(UNKNOWNS, known) for known in knowns])
         rows, references = ([point.references[name] for name in names] for names in (UNKNOWNS, knowns))
