@@ -119,6 +119,10 @@ def test_log_categories_that_are_always_on(build: Build) -> None:
     instance.initialize()
     assert instance.step(0.0, 1.0) == DISCARD
     assert "logEvents" in {category for _, category, _ in instance.messages}
+    instance.expect("fmi2SetDebugLogging", 0, c.c_size_t(1), (c.c_char_p * 1)(b"logAll"))
+    instance.messages.clear()
+    assert instance.step(1.0, 1.0) == ERROR
+    assert instance.messages, "errors are told even then"
     instance.free()
 
 
