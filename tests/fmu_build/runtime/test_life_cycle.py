@@ -14,6 +14,7 @@ from tests.fmu_build.runtime.library import (
     DO_STEP_STATUS,
     ERROR,
     LAST_SUCCESSFUL_TIME,
+    MODEL_EXCHANGE,
     OK,
     PENDING_STATUS,
     TERMINATED,
@@ -123,6 +124,15 @@ def test_log_categories_that_are_always_on(build: Build) -> None:
     instance.messages.clear()
     assert instance.step(1.0, 1.0) == ERROR
     assert instance.messages, "errors are told even then"
+    instance.free()
+
+
+@pytest.mark.parametrize("kind", [CO_SIMULATION, MODEL_EXCHANGE])
+def test_steps_are_counted_where_the_integrator_is_the_fmus_own(build: Build, kind: int) -> None:
+    instance = Instance(build("growth"), kind, debug=True)
+    instance.initialize()
+    instance.expect("fmi2Terminate")
+    assert ("integrator steps" in instance.text) == (kind == CO_SIMULATION)
     instance.free()
 
 
