@@ -14,6 +14,7 @@ from tests.fmu_build.runtime.library import (
     DO_STEP_STATUS,
     ERROR,
     LAST_SUCCESSFUL_TIME,
+    MODEL_EXCHANGE,
     OK,
     PENDING_STATUS,
     TERMINATED,
@@ -119,6 +120,19 @@ def test_log_categories_that_are_always_on(build: Build) -> None:
     instance.initialize()
     assert instance.step(0.0, 1.0) == DISCARD
     assert "logEvents" in {category for _, category, _ in instance.messages}
+    instance.expect("fmi2SetDebugLogging", 0, c.c_size_t(1), (c.c_char_p * 1)(b"logAll"))
+    instance.messages.clear()
+    assert instance.step(1.0, 1.0) == ERROR
+    assert instance.messages, "errors are told even then"
+    instance.free()
+
+
+@pytest.mark.parametrize("kind", [CO_SIMULATION, MODEL_EXCHANGE])
+def test_steps_are_counted_where_the_integrator_is_the_fmus_own(build: Build, kind: int) -> None:
+    instance = Instance(build("growth"), kind, debug=True)
+    instance.initialize()
+    instance.expect("fmi2Terminate")
+    assert ("integrator steps" in instance.text) == (kind == CO_SIMULATION)
     instance.free()
 
 

@@ -86,6 +86,21 @@ def test_state_holds_what_was_changed_since_the_last_step(build: Build) -> None:
     instance.free()
 
 
+def test_what_is_up_to_date_is_restored_too(build: Build) -> None:
+    """The energy is computed at a later point, and was not yet where the state was saved."""
+    instance = Instance(build("oscillator"))
+    instance.initialize()
+    instance.advance(0.0, 0.3)
+    state = instance.save()
+    instance.advance(0.3, 0.3)
+    instance.get(2)
+    instance.restore(state)
+    x, v, energy = instance.get(0, 1, 2)
+    assert energy == 0.5 * (x * x + v * v)
+    instance.discard(state)
+    instance.free()
+
+
 def test_state_brings_a_failed_instance_back(build: Build) -> None:
     instance = Instance(build("slide"))
     instance.initialize()
