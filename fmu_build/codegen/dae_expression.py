@@ -32,6 +32,8 @@ def parameter_expression(model: LoweredModel, number: int, element: int = 0) -> 
         case "index" if not entry["value_type"]["dimensions"]:
             place = _place(model, operation)
             return None if place is None else parameter_expression(model, operation["base"], place)
+        case "builtin" if operation["builtin"] == "fill":
+            return value(operation["arguments"][0])
         case "array" if "elements" in operation:
             part, inside = divmod(element, math.prod(entry["value_type"]["dimensions"][1:]))
             return parameter_expression(model, operation["elements"][part], inside)

@@ -63,9 +63,11 @@ void iteration_stop_at_zero(Iteration *iteration, const Values *values)
 
 bool iteration_leave_zero(Iteration *iteration)
 {
-    const bool any = iteration->any_stopped;
+    bool held = false;
+    for (size_t i = 0; iteration->any_stopped && i < model.n_relations; ++i)
+        held |= iteration->stopped[i] && relation_holds(&model.relations[i], iteration->root[model.relations[i].root]);
     iteration->any_stopped = false;
-    return any;
+    return held;
 }
 
 static double truth(const Iteration *iteration, size_t relation)

@@ -26,7 +26,7 @@ bool iteration_copy_pre(Values *values);
 const char *iteration_settle(Iteration *iteration, Values *values);
 
 /* From now on no relation becomes true whose opposite is true: in between, their root is zero and both are false.
- * iteration_leave_zero ends that, and returns whether there was such a relation. */
+ * iteration_leave_zero ends that, and returns whether there is a relation that becomes true now. */
 void iteration_stop_at_zero(Iteration *iteration, const Values *values);
 bool iteration_leave_zero(Iteration *iteration);
 

@@ -65,6 +65,7 @@ package Initialization "Initial equations"
     Real u[2](start=2*q) "Algebraic arrays";
     Real r[2](start={min(p, 0) - 1, q[2]});
     Real each_one[2](each start=p);
+    Real filled[2](start=fill(p, 2));
   initial equation
     z^2 = 9*p^2;
     k^2 = p^2;
@@ -78,5 +79,7 @@ package Initialization "Initial equations"
     r[2]^2 = 4 + time;
     each_one[1]^2 = 1 + time;
     each_one[2]^2 = 4 + time;
+    filled[1]^2 = 1 + time;
+    filled[2]^2 = 4 + time;
   end Guesses;
 end Initialization;

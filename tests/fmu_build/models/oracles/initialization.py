@@ -85,6 +85,8 @@ def guesses_case(p: float, q: tuple[float, float], upper: bool) -> Case:
             "r[2]": np.sign(q[1]) * two,
             "each_one[1]": np.sign(p) * one,
             "each_one[2]": np.sign(p) * two,
+            "filled[1]": np.sign(p) * one,
+            "filled[2]": np.sign(p) * two,
         }
 
     parameters = {"p": p, "q[1]": q[0], "q[2]": q[1], "upper": upper}
