@@ -15,8 +15,8 @@ from tests.omc import Omc, opened, why_not
 from tests.shared_fmus import SharedFmus
 
 ROOT = Path(__file__).parents[1]
-#: What ``--quick`` leaves out, besides tests that build FMUs of their own: those that compile, build the site or
-#: start other programs, and those that take more than some seconds for other reasons.
+#: What ``--quick`` leaves out, besides tests that build FMUs of their own: those that compile, build the site
+#: or start other programs, and those that take more than some seconds for other reasons.
 SLOW = (
     *("benchmarks", "docs", "fmu_build", "joystick_fmu", "modelica", "other_tools", "scenarios"),
     *("test_your_joystick.py", "pyjoystick/reports", "pyjoystick/fmu/test_interruption.py"),
