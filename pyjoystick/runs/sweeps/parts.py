@@ -50,7 +50,7 @@ class Parts:
         Raises:
             ChangedSweepError: the parts are those of another sweep
             SweepFileError: another process is working on this sweep, or the folder cannot be read
-            OutputFileError: the folder cannot be made
+            OutputFileError: the folder cannot be created
         """
         try:
             self.folder.mkdir(parents=True, exist_ok=True)
@@ -59,7 +59,7 @@ class Parts:
         except Timeout:
             raise SweepFileError(self.folder, "another process is working on this sweep") from None
         except OSError as error:
-            raise OutputFileError(self.target, f"its folder cannot be made: {error.strerror}") from error
+            raise OutputFileError(self.target, f"its folder cannot be created: {error.strerror}") from error
         with lock:
             if anew:
                 self._drop()

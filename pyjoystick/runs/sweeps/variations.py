@@ -116,7 +116,9 @@ def read_variation(table: Table, name: str, fmu: FmuDescription) -> Variation:
         try:
             (variable,) = checked_varied(fmu, [name], {})
         except ParameterError as error:
-            raise table.error("", "is no parameter or start value that can be varied", error.hint) from error
+            raise table.error(
+                "", "is not a parameter or start value that can be varied", error.hint
+            ) from error
     if "values" in table:
         variation: Variation = _values(table, variable)
     elif variable.type not in REALS:

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 from fmpy import simulate_fmu
 
-from fmu_build import build_fmu
+from tests.shared_fmus import SharedFmus
 
 from .case import Array, Case, Values
-from .runner import Workshop
+from .runner import FmuOf
 
 HALF_WIDTH = 0.05 * np.sqrt(np.log(2))
 
@@ -38,16 +38,14 @@ def check(result: Any) -> None:
 @pytest.mark.parametrize("stop_is_known", [True, False])
 @pytest.mark.parametrize("step", [1e-3, 1e-2, 0.1, 1.0, 7.0, 100.0])
 @pytest.mark.parametrize("case", [PULSE], ids=["time"])
-def test_no_step_passes_over_the_pulse(
-    case: Case, step: float, stop_is_known: bool, workshop: Workshop
-) -> None:
-    check(workshop.fmu(case.model).run(case, "CoSimulation", step, set_stop_time=stop_is_known))
+def test_no_step_passes_over_the_pulse(case: Case, step: float, stop_is_known: bool, fmu_of: FmuOf) -> None:
+    check(fmu_of(case).run(case, "CoSimulation", step, set_stop_time=stop_is_known))
 
 
 @pytest.mark.parametrize("steps", [1, 13, 997])
 @pytest.mark.parametrize("case", [INPUT_PULSE], ids=["input"])
-def test_an_input_on_its_way_is_followed(case: Case, steps: int, workshop: Workshop) -> None:
-    check(workshop.fmu(case.model).run_with_inputs(case, steps))
+def test_an_input_on_its_way_is_followed(case: Case, steps: int, fmu_of: FmuOf) -> None:
+    check(fmu_of(case).run_with_inputs(case, steps))
 
 
 @pytest.mark.parametrize("early_return", [True, False])
@@ -69,7 +67,6 @@ def test_fmi_3(early_return: bool, step: float, pulse_3: Path) -> None:
 
 
 @pytest.fixture(scope="module")
-def pulse_3(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def pulse_3(shared_fmus: SharedFmus) -> Path:
     """The FMU of FMI 3."""
-    folder = tmp_path_factory.mktemp("pulse")
-    return build_fmu(PULSE.model, folder, library=PULSE.library, fmi_version="3.0").path
+    return shared_fmus.fmu(PULSE.model, PULSE.library, fmi_version="3.0")

@@ -48,7 +48,7 @@ def test_a_stopped_sweep_goes_on_from_there(
     if stop == signal.SIGINT:
         assert process.returncode == 130
         assert "of 4096 runs of Joystick.fmu done" in out
-        assert "the same command goes on from here" in err
+        assert "the same command continues from here" in err
     else:
         assert process.returncode == -signal.SIGKILL
     assert not target.exists()
