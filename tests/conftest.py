@@ -21,12 +21,11 @@ SLOW = (
     *("benchmarks", "docs", "fmu_build", "joystick_fmu", "modelica", "other_tools", "scenarios"),
     *("test_your_joystick.py", "pyjoystick/reports", "pyjoystick/fmu/test_interruption.py"),
     *("pyjoystick/runs/sweeps/test_cluster.py", "pyjoystick/runs/sweeps/test_interruption.py"),
-    *("pyjoystick/identification/fitting/test_recovery.py", "pyjoystick/model/reference/test_accuracy.py"),
-    *(
-        "pyjoystick/runs/coupling/test_master.py",
-        "pyjoystick/cli/test_sweep.py",
-        "pyjoystick/cli/test_start.py",
-    ),
+    *("pyjoystick/cli", "pyjoystick/runs/coupling", "pyjoystick/runs/fmu_comparison"),
+    *("pyjoystick/identification/fitting", "pyjoystick/fmu/stepping", "pyjoystick/fmu/test_batch.py"),
+    *("pyjoystick/motion/test_record_peaks.py", "pyjoystick/laboratory/inertia/test_swing.py"),
+    *("pyjoystick/laboratory/load_curve/test_fit.py", "pyjoystick/model/reference/test_physics.py"),
+    "pyjoystick/model/reference/test_accuracy.py",
 )
 #: Quick all the same.
 QUICK = ("fmu_build/modelica_source", "fmu_build/runtime/test_layers.py")
