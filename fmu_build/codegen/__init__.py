@@ -1,4 +1,4 @@
-"""From a model that rumoca has compiled to C source on the runtime's model.h."""
+"""Generate C source for the runtime's model.h from a model that rumoca has compiled."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ __all__ = ["ModelSource", "generate"]
 
 
 def generate(source: ModelSource) -> GeneratedModel:
-    """The C source and the description of a compiled model.
+    """Return the C source and the description of a compiled model.
 
     Raises `UnsupportedModelError` with the name and line of an unsupported construct.
     """
@@ -56,7 +56,7 @@ def generate(source: ModelSource) -> GeneratedModel:
 
 
 def _tangents(equations: Equations, variables: Sequence[StoredVariable]) -> tuple[Tangents | None, str]:
-    """The directional derivatives, or None and why there are none."""
+    """Return the directional derivatives, or None and the reason why there are none."""
     try:
         return Tangents.of(equations, variables), ""
     except NoTangentsError as error:

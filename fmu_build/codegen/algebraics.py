@@ -1,7 +1,7 @@
-"""Algebraic equations in the order in which they can be computed.
+"""Algebraic equations in topological order.
 
-rumoca gives residuals and the order of its blocks. Most residuals hold one unknown, and linearly: those are
-solved here, so that the C code assigns them. What is left are blocks for Newton's method.
+rumoca provides residuals and the order of its blocks. Most blocks have one unknown, which enters linearly:
+these are solved here, so that the C code assigns the unknown. The other blocks are left to Newton's method.
 """
 
 from __future__ import annotations
@@ -25,18 +25,18 @@ class Assignment:
 
     @property
     def unknowns(self) -> tuple[int, ...]:
-        """What the step computes, as indices of y."""
+        """The unknown that the step computes, as an index of y."""
         return (self.unknown,)
 
     @property
     def expressions(self) -> tuple[Expression, ...]:
-        """What the step reads."""
+        """The expressions that the step evaluates."""
         return (self.value,)
 
 
 @dataclass(frozen=True, slots=True)
 class NewtonBlock:
-    """Residuals that vanish for the right ``y[unknowns]``, with their Jacobian, row by row."""
+    """An algebraic loop: residuals that are zero at the solution ``y[unknowns]``, and their Jacobian."""
 
     unknowns: tuple[int, ...]
     residuals: tuple[Expression, ...]
@@ -44,12 +44,12 @@ class NewtonBlock:
 
     @property
     def expressions(self) -> tuple[Expression, ...]:
-        """What the step reads."""
+        """The expressions that the step evaluates."""
         return self.residuals
 
     @property
     def is_linear(self) -> bool:
-        """Whether the residuals are linear in the unknowns: one step of Newton's method solves them."""
+        """Whether the residuals are linear in the unknowns, so that one Newton step solves them."""
         unknowns = {ex.y(index) for index in self.unknowns}
         return all(_is_linear(residual, unknowns) for residual in self.residuals)
 
@@ -69,7 +69,7 @@ def _is_linear(value: Expression, unknowns: set[Expression]) -> bool:
 
 
 def _keeps_linear(operator: str, moves: Sequence[bool]) -> bool:
-    """Whether an operator is linear in the arguments that move."""
+    """Return whether an operator is linear in the arguments that depend on the unknowns."""
     match operator:
         case "Add" | "Sub" | "Neg":
             return True
@@ -84,7 +84,7 @@ def _keeps_linear(operator: str, moves: Sequence[bool]) -> bool:
 
 
 def order(model: LoweredModel, rows: dict[int, Expression], plan: dict[str, Any]) -> tuple[Step, ...]:
-    """The algebraic equations `rows` (by row number), solved block by block as the plan orders them."""
+    """Solve the algebraic equations `rows` (by row number) block by block, in the order of the plan."""
     steps: list[Step] = []
     for block in plan["blocks"]:
         unknowns = tuple(block["y_indices"])
@@ -108,13 +108,13 @@ def _solve(model: LoweredModel, unknowns: tuple[int, ...], residuals: tuple[Expr
         names = model.solve["solve_layout"]["solver_maps"]["names"]
         which = ", ".join(names[u] for u in unknowns)
         raise model.unsupported(
-            f"the algebraic loop for {which} runs through a {error} without derivative"
+            f"the algebraic loop for {which} contains a {error}, which has no derivative"
         ) from error
     return NewtonBlock(unknowns, residuals, jacobian)
 
 
 def isolate(residual: Expression, unknown: Expression) -> Expression | None:
-    """The value of `unknown` for which `residual` is zero, where it enters linearly; else None."""
+    """Return the value of `unknown` at which `residual` is zero, or None if it does not enter linearly."""
     value = _undo(residual, unknown, ZERO)
     if value is not None:
         return value
@@ -128,7 +128,7 @@ def isolate(residual: Expression, unknown: Expression) -> Expression | None:
 
 
 def _undo(node: Expression, unknown: Expression, target: Expression) -> Expression | None:
-    """Solve ``node = target`` by undoing one operation after the other; the unknown must occur once."""
+    """Solve ``node = target`` by inverting one operation after another; the unknown must occur once."""
     while node != unknown:
         holders = [a for a in node.arguments if unknown in ex.leaves(a)]
         if len(holders) != 1 or node.operator not in ("Add", "Sub", "Mul", "Neg"):
@@ -150,7 +150,7 @@ def _undo(node: Expression, unknown: Expression, target: Expression) -> Expressi
 
 
 def needed(steps: Sequence[Step], roots: Iterable[Expression]) -> tuple[Step, ...]:
-    """The steps, in order, that the expressions need directly or through other steps."""
+    """Return the steps, in order, on which the expressions depend directly or through other steps."""
     wanted = {leaf.index for leaf in ex.leaves(*roots) if leaf.operator == "y"}
     kept: list[Step] = []
     for step in reversed(steps):
@@ -161,7 +161,7 @@ def needed(steps: Sequence[Step], roots: Iterable[Expression]) -> tuple[Step, ..
 
 
 def in_order(rows: Sequence[tuple[int, Expression]]) -> list[tuple[int, Expression]]:
-    """Computed parameters, each after those that it reads."""
+    """Return computed parameters in topological order: each after those that it reads."""
     values = dict(rows)
     ordered: list[tuple[int, Expression]] = []
     visited: set[int] = set()

@@ -1,4 +1,4 @@
-"""The class annotations that rumoca does not hand on, read from the Modelica source."""
+"""Read from the Modelica source the class annotations that rumoca does not pass on."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _ESCAPES = {"n": "\n", "t": "\t", "r": "\r"}
 
 
 def default_experiment(model: LoweredModel) -> DefaultExperiment:
-    """The ``experiment`` annotation; what it leaves out keeps the runtime's default."""
+    """Return the ``experiment`` annotation; attributes that it omits have their default."""
     text = _class_text(model, model.name, keep_strings=False)
     match = re.search(r"\bexperiment\s*\(([^()]*)\)", text)
     settings = dict(re.findall(r"(\w+)\s*=\s*([-+.\deE]+)", match.group(1))) if match else {}
@@ -28,7 +28,7 @@ def default_experiment(model: LoweredModel) -> DefaultExperiment:
 
 
 def documentation(model: LoweredModel) -> str:
-    """The HTML of the ``Documentation`` annotation, an empty string where there is none."""
+    """Return the HTML of the ``Documentation`` annotation, or an empty string if there is none."""
     text = _class_text(model, model.name, keep_strings=True)
     match = re.search(rf"\bDocumentation\s*\(\s*info\s*=\s*({STRING})", text, re.DOTALL)
     if match is None:
@@ -39,10 +39,10 @@ def documentation(model: LoweredModel) -> str:
 
 
 def terminals(model: LoweredModel) -> tuple[Terminal, ...]:
-    """The ``__pyjoystick(terminals(...))`` annotation of the class or of the first base class that has one.
+    """Return the ``__pyjoystick(terminals(...))`` annotation of the class or of its nearest base class.
 
-    ``__pyjoystick(terminals(shaft(inflow(tau = "T"), signal(phi = "theta"))))`` is a terminal `shaft` whose
-    members are, by kind and by name in the terminal, the variables ``T`` and ``theta``.
+    ``__pyjoystick(terminals(shaft(inflow(tau = "T"), signal(phi = "theta"))))`` defines a terminal `shaft`;
+    its inflow ``tau`` is the variable ``T``, its signal ``phi`` the variable ``theta``.
     """
     waiting = [model.name]
     for name in waiting:
@@ -66,14 +66,14 @@ def _terminal(name: str, members: str) -> Terminal:
 
 
 def _bases(name: str, text: str) -> list[str]:
-    """Where the base classes of a class may be: in any of the packages around it."""
+    """Return possible full names of the base classes: in each enclosing package, innermost first."""
     packages = [""] + [f"{name[: match.start()]}." for match in re.finditer(r"\.", name)]
     extended = re.findall(r"\bextends\s+([\w.]+)", blanked(text))
     return [package + base for base in extended for package in reversed(packages)]
 
 
 def _class_text(model: LoweredModel, class_name: str, keep_strings: bool) -> str:
-    """The source of a class, from its keyword to its end; empty where there is none of that name."""
+    """Return the source of a class from its keyword to its end, or "" if no class has that name."""
     parent, _, name = class_name.rpartition(".")
     begin = re.compile(rf"\b(?:model|block|class)\s+{re.escape(name)}\b")
     end = re.compile(rf"\bend\s+{re.escape(name)}\s*;")

@@ -1,9 +1,9 @@
-"""Parameters whose value the compiler has put into the equations, so that setting them would do nothing.
+"""Find baked parameters: the compiler has put their values into the equations, so setting them has no effect.
 
 Array sizes, the arguments of ``sample()``, conditions of conditional components and the like are evaluated
-when the model is compiled, and nothing in rumoca's output says which parameters went into them. They are
-found by trying: a parameter that is free can have another value without a change to the equations, and every
-parameter that follows it is computed from it when the FMU is initialised.
+when the model is compiled, and rumoca's output does not say which parameters they depend on. Trial
+compilations with other values tell: a parameter is free if its value does not change the equations and if
+every parameter that depends on it is computed from it when the FMU is initialized.
 """
 
 from __future__ import annotations
@@ -26,24 +26,24 @@ _TARGET = Path(__file__).parent / "target" / "variant"
 
 
 def baked_parameters(source: ModelSource, model: LoweredModel, starts: StartValues) -> frozenset[str]:
-    """Names of the parameters (of whole arrays) that cannot be set after compiling."""
+    """Return the names of the parameters (arrays as a whole) that cannot be set after compilation."""
     candidates = list(_candidates(model, starts))
     return frozenset(_search(source, _computed(model), candidates)) if candidates else frozenset()
 
 
 @dataclass(frozen=True, slots=True)
 class _Candidate:
-    """Names of parameters that are set together, with their present values and others."""
+    """Names of parameters that are set together, with their present value and a different one."""
 
     names: tuple[str, ...]
     present: Setting
     other: Setting
     fallback: _Candidate | None = None
-    """Another way of setting them, for where the first does not compile."""
+    """Another way to set them, tried if they do not prove free in this way."""
 
 
 def _computed(model: LoweredModel) -> frozenset[str]:
-    """Parameters that the model itself computes from others at initialisation."""
+    """Return the parameters that the model computes from others at initialization."""
     bindings = model.solve["layout"]["bindings"]
     slots = {t["P"]["index"] for t in model.solve["initialization"]["update_targets"] if "P" in t}
     return frozenset(
@@ -56,7 +56,7 @@ def _computed(model: LoweredModel) -> frozenset[str]:
 
 
 def _search(source: ModelSource, computed: frozenset[str], group: Sequence[_Candidate]) -> Iterator[str]:
-    """Halve a group of parameters until it is free together, or a single one that is not."""
+    """Yield the baked parameters of a group: bisect it until a part is free or holds a single candidate."""
     if _is_free(source, computed, group):
         return
     if len(group) == 1:
@@ -84,7 +84,7 @@ def _is_free(source: ModelSource, computed: frozenset[str], group: Sequence[_Can
 
 
 def _variant(source: ModelSource, settings: Sequence[Setting]) -> dict[str, Any] | None:
-    """The equations with other parameter values, None where the model does not compile with them."""
+    """Return the equations for other parameter values, or None if the model does not compile with them."""
     try:
         return read_mapping(source.variant(settings).codegen(str(_TARGET)).files[0].content)
     except (rumoca.RumocaError, RuntimeError):
@@ -92,7 +92,7 @@ def _variant(source: ModelSource, settings: Sequence[Setting]) -> dict[str, Any]
 
 
 def _candidates(model: LoweredModel, starts: StartValues) -> Iterator[_Candidate]:
-    """Every parameter that could be set, if it is not baked."""
+    """Yield every parameter that can be set unless it is baked."""
     finals = model.flat.get("variable_final_flags", {})
     groups: dict[str, list[Mapping[str, Any]]] = {}
     for entry in model.dae["variables"]:
@@ -109,7 +109,7 @@ def _candidates(model: LoweredModel, starts: StartValues) -> Iterator[_Candidate
 def _candidate(
     model: LoweredModel, starts: StartValues, path: str, entries: Sequence[Mapping[str, Any]]
 ) -> _Candidate | None:
-    """A parameter, or all those of one name in an array of components, which a modifier sets together."""
+    """Return the candidate for a parameter, in all components of an array if they form one."""
     bindings = model.solve["layout"]["bindings"]
     scalars = [scalar for entry in entries for scalar in entry["scalar_names"] if scalar in bindings]
     values = [starts.of(("p", bindings[scalar]["P"]["index"])) for scalar in scalars]
@@ -128,13 +128,13 @@ def _candidate(
     )
     if len(names) == 1 or len(set(present)) > 1:
         return whole
-    # A modifier for the whole array does not take the place of one that was given with "each".
+    # A modifier for the whole array does not replace one that was given with "each".
     one, another = (Setting(path, kind, (), value, each=True) for value in (present[0], other[0]))
     return _Candidate(names, one, another, fallback=whole)
 
 
 def _kind(model: LoweredModel, starts: StartValues, entry: Mapping[str, Any]) -> str:
-    """The name of a parameter's type in Modelica."""
+    """Return the Modelica type name of a parameter."""
     enumeration = starts.enumeration_of(model.flat["variable_type_names"].get(entry["name"], ""))
     kind = entry["value_type"]["scalar"]
     return enumeration.name if kind == "enumeration" and enumeration else kind.capitalize()
@@ -143,7 +143,7 @@ def _kind(model: LoweredModel, starts: StartValues, entry: Mapping[str, Any]) ->
 def _texts(
     model: LoweredModel, starts: StartValues, entry: Mapping[str, Any], value: float
 ) -> tuple[str, str] | None:
-    """A value and another one of the same type; None where there is no other."""
+    """Return the Modelica text of a value and of a different one of its type; None if there is no other."""
     match entry["value_type"]["scalar"]:
         case "real":
             return repr(value), repr(value * 1.0625 + 0.03125)
@@ -161,7 +161,7 @@ def _texts(
 
 
 def _array(values: Sequence[str], dimensions: Sequence[int]) -> str:
-    """Values in row-major order as nested array constructors."""
+    """Return values in row-major order as nested array constructors."""
     if not dimensions:
         return values[0]
     size = len(values) // dimensions[0]

@@ -1,4 +1,4 @@
-"""Expressions as C text."""
+"""Write expressions as C text."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ _FUNCTIONS = {
 
 
 def shared_nodes(roots: Iterable[Expression]) -> frozenset[Expression]:
-    """Operations that are used more than once below the roots, and so are worth a variable."""
+    """Return the common subexpressions of `roots` that are worth a variable."""
     roots = tuple(roots)
     uses = Counter(argument for node in ex.walk(*roots) for argument in node.arguments)
     uses.update(roots)
@@ -64,13 +64,13 @@ def _is_worth_a_variable(node: Expression) -> bool:
 
 
 class Writer:
-    """Writes expressions; `names` says what a node is called where it has a name already."""
+    """Writes expressions as C; a node in `names` is written as its name."""
 
     def __init__(self, names: Mapping[Expression, str]) -> None:
         self._names = names
 
     def text(self, node: Expression) -> str:
-        """The C expression of a value of type double."""
+        """Return `node` as a C expression of type double."""
         return self._text(node)[0]
 
     def _text(self, node: Expression) -> tuple[str, int]:
@@ -100,7 +100,7 @@ class Writer:
     def _infix(self, node: Expression) -> tuple[str, int]:
         symbol, level = _INFIX[node.operator]
         a, b = node.arguments
-        # Floating-point sums and products are not associative: the right operand keeps its parentheses.
+        # Floating-point addition and multiplication are not associative: the right operand keeps parentheses.
         return f"{self._within(a, level)} {symbol} {self._within(b, level + 1)}", level
 
     def _select(self, node: Expression) -> tuple[str, int]:
@@ -114,12 +114,12 @@ class Writer:
         if node.operator == "Not":
             return f"!{self._condition(node.arguments[0], PRIMARY)}", _UNARY
         symbol, level = ("&&", _AND) if node.operator == "And" else ("||", _OR)
-        # && inside || gets parentheses, which compilers ask for.
+        # && inside || gets parentheses, because compilers warn without them.
         a, b = (self._condition(argument, _EQUAL) for argument in node.arguments)
         return f"{a} {symbol} {b}", level
 
     def _condition(self, node: Expression, level: int) -> str:
-        """A truth value as a C condition: doubles are compared with zero, conditions stand as they are."""
+        """Return a truth value as a C condition: a double is compared with zero, a comparison is kept."""
         if node.operator in ex.TRUTH and node not in self._names:
             return self._within(node, level)
         text = f"{self._within(node, _EQUAL + 1)} != 0.0"

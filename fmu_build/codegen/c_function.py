@@ -1,4 +1,4 @@
-"""Bodies of generated C functions: straight-line code with a variable for every shared part."""
+"""Bodies of generated C functions: straight-line code with a variable for each common subexpression."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from fmu_build.codegen.half_angle import NAME as SIN_FROM_HALF
 
 
 class FunctionBody:
-    """Collects the lines of one function."""
+    """The lines of one C function, collected in order."""
 
     def __init__(
         self,
@@ -25,7 +25,7 @@ class FunctionBody:
         sines: Mapping[Expression, Expression],
         known: Mapping[Expression, Expression],
     ) -> None:
-        """`known` says in which slot a value is found that need not be computed again."""
+        """`known` maps a value that need not be computed again to the slot that holds it."""
         self.lines: list[str] = []
         self._slot_names = slot_names
         self._signatures = signatures
@@ -39,12 +39,12 @@ class FunctionBody:
         self._calls: dict[tuple[str, tuple[Expression, ...]], str] = {}
 
     def value(self, node: Expression) -> str:
-        """The C text of a value, after the lines that compute what it shares with others."""
+        """Return the C text of a value, after appending the lines that compute its common subexpressions."""
         self._prepare(node)
         return self._writer.text(node)
 
     def _prepare(self, *nodes: Expression) -> None:
-        """The lines that compute what the nodes share with others."""
+        """Append the lines that compute the common subexpressions of the nodes."""
         for part in ex.walk(*nodes, closed=self._names):
             if part in self._names:
                 continue
@@ -63,7 +63,7 @@ class FunctionBody:
         self._names[node] = name
 
     def _name_call(self, node: Expression) -> None:
-        """One C call gives all results of a Modelica function."""
+        """Name a result of a Modelica function; one C call computes all its results."""
         assert isinstance(node.payload, tuple)
         function, result = node.payload
         signature = self._signatures[function]
@@ -80,7 +80,7 @@ class FunctionBody:
         self._names[node] = self._calls[key] if signature.returns_value else f"{self._calls[key]}[{result}]"
 
     def _arguments(self, signature: FunctionSignature, scalars: Sequence[Expression]) -> list[str]:
-        """The scalars that are passed, put together to arrays where the function takes arrays."""
+        """Return the C arguments: scalars, gathered into an array wherever the function takes one."""
         arguments = []
         rest = list(scalars)
         for size in signature.inputs:
@@ -97,7 +97,7 @@ class FunctionBody:
     def steps(
         self, steps: Sequence[Step], block_names: Mapping[NewtonBlock, str], stored: Callable[[int], bool]
     ) -> None:
-        """Compute algebraic variables; those that are `stored` go into y, the others are local."""
+        """Compute algebraic variables: those for which `stored` is true go into y, the others stay local."""
         for step in steps:
             if isinstance(step, NewtonBlock):
                 self.lines.append(f"if (!block_solve(&{block_names[step]}, time, y, p)) return false;")
@@ -115,14 +115,14 @@ class FunctionBody:
             text = self._writer.text(value)
         self.lines.append(f"const double {local} = {text};")
         self._names[ex.y(step.unknown)] = local
-        # What shares the value uses the variable, not one more name.
+        # Later uses of the same value read this variable instead of a new temporary.
         self._names.setdefault(value, local)
         if stored:
             self.lines.append(f"y[{slot}] = {local};")
 
 
 def _is_stretch(elements: Sequence[Expression]) -> bool:
-    """Whether these are elements of p, or tangents of them, one behind the other."""
+    """Return whether the elements are contiguous in p, or their tangents in dp."""
     first = elements[0]
     return first.operator in ("p", "dp") and all(
         e.operator == first.operator and e.index == first.index + i for i, e in enumerate(elements)
@@ -130,7 +130,7 @@ def _is_stretch(elements: Sequence[Expression]) -> bool:
 
 
 class _Names(dict[Expression, str]):
-    """Names of nodes; a slot that has no local name is read from its array."""
+    """Names of nodes; a slot without a local name is read from its array."""
 
     def __init__(self, slot_names: Mapping[Slot, str]) -> None:
         super().__init__({ex.TIME: "time", ex.DTIME: "dtime"})
@@ -140,7 +140,7 @@ class _Names(dict[Expression, str]):
 
 
 def c_function(signature: str, lines: Sequence[str]) -> str:
-    """A C function; parameters that its lines do not name are marked as unused."""
+    """Return a C function; parameters that its lines do not mention are marked as unused."""
     names = [
         part.replace("*", " ").split()[-1] for part in signature[signature.index("(") + 1 : -1].split(",")
     ]
@@ -154,11 +154,11 @@ def _mentions(text: str, name: str) -> bool:
 
 
 _FORMATS = {"Real": "%.6g", "Integer": "%.0f", "Enumeration": "%.0f", "Boolean": "%s"}
-"""String() of a Real has six significant digits (Modelica 3.4, section 3.7.1.1)."""
+"""``String()`` writes a Real with six significant digits (Modelica 3.4, section 3.7.1.1)."""
 
 
 def message_call(action: Action, body: FunctionBody) -> tuple[str, list[str]]:
-    """The statement that formats the message, and the lines that have to come before it."""
+    """Return the statement that formats the message, and the lines that must precede it."""
     text = ""
     values: list[str] = []
     for part in action.message:
@@ -174,7 +174,7 @@ def message_call(action: Action, body: FunctionBody) -> tuple[str, list[str]]:
 
 
 def c_string(text: str) -> str:
-    """A C string literal; characters beyond ASCII are written as UTF-8 octal escapes."""
+    """Return a C string literal of the UTF-8 text; bytes other than printable ASCII are octal escapes."""
     escaped = ""
     for byte in text.encode():
         character = chr(byte)

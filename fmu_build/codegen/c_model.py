@@ -1,4 +1,4 @@
-"""The C file of one model, on the runtime's model.h."""
+"""Write the C file of a model for the runtime's model.h."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def write_model(
     functions: FunctionSources,
     tangents: Tangents | None,
 ) -> str:
-    """C11 source that defines everything that model.h declares; without `tangents`, no derivatives."""
+    """Return C11 source that defines all of model.h; without `tangents`, its tangent functions are empty."""
     inputs = {s.index for s in variables if s.store == "p" and s.variable.causality == "input"}
     side = arrange(equations, inputs | written_slots(equations))
     equations = with_parts(equations, side.parts)
@@ -84,7 +84,7 @@ def _enumeration(names: Mapping[Slot, str], store: str) -> str:
 
 
 class _Code:
-    """The functions of one model."""
+    """Writes the functions of one model."""
 
     def __init__(
         self,
@@ -115,7 +115,7 @@ class _Code:
         return FunctionBody(self._names, self._signatures, expressions, self._sines, known)
 
     def blocks(self) -> list[str]:
-        """Residual, Jacobian and table of each system that Newton's method solves."""
+        """Return residual, Jacobian and table of each algebraic loop that Newton's method solves."""
         parts = []
         for block, name in self._block_names.items():
             signature = (
@@ -137,7 +137,7 @@ class _Code:
         return parts
 
     def functions(self) -> list[str]:
-        """The functions that model.h declares, in its order."""
+        """Return the functions that model.h declares, in the same order."""
         e = self._equations
         read_y = "double time, const double *y, const double *p"
         return [
@@ -174,7 +174,7 @@ class _Code:
         ]
 
     def tangents(self, tangents: Tangents | None) -> list[str]:
-        """The functions of the directional derivatives; the algebraic variables are up to date in y."""
+        """Return the directional derivatives; these functions expect up-to-date algebraic variables in y."""
         steps = [step for step in self._equations.algebraics if isinstance(step, Assignment)]
         computed = {step.value: ex.y(step.unknown) for step in reversed(steps) if step.value.arguments}
 
@@ -196,7 +196,7 @@ class _Code:
     def _evaluation(
         self, name: str, output: str, values: Sequence[Expression], array: str, as_truth: bool = False
     ) -> str:
-        """A function of the states: the algebraic variables that it needs, then its values."""
+        """Return a function that computes the algebraic variables it needs, then its values."""
         steps = needed(self._equations.algebraics, values)
         in_blocks = _read_by_blocks(steps)
         body = self._body([*_parts(steps), *values])
@@ -206,7 +206,7 @@ class _Code:
         return c_function(f"bool {name}(double time, double *y, const double *p, {output})", body.lines)
 
     def _derivatives(self) -> str:
-        """The derivatives, and on request the roots, which need much the same algebraic variables."""
+        """Return `model_derivatives`, with optional roots, which need mostly the same algebraic variables."""
         side, roots = self._side, self._equations.relations.roots
         steps = (*side.for_derivatives, *side.for_roots)
         in_blocks = _read_by_blocks(steps)
@@ -235,7 +235,7 @@ class _Code:
         return c_function("bool model_algebraics(double time, double *y, const double *p)", body.lines)
 
     def _dependent_parameters(self) -> list[str]:
-        """In the order of their dependence; later ones read the earlier ones from p."""
+        """Assign parameters in topological order: later ones read earlier ones from p."""
         rows = in_order(self._equations.dependent_parameters)
         return self._sequence((("p", index), value) for index, value in rows)
 

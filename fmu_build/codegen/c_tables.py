@@ -1,4 +1,4 @@
-"""The constant tables of a model: `const Model model` and what it points to."""
+"""Write the constant tables of a model: `const Model model` and the arrays that it points to."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def tables(
     nominals: Mapping[int, float],
     tangents: Tangents | None,
 ) -> str:
-    """The definition of `model` with its tables."""
+    """Return the C definition of `model` and its tables."""
     writer = _Tables(names)
     e = equations
     indicators = e.relations.indicators
@@ -136,20 +136,20 @@ def tables(
 
 
 def _followed(equations: Equations) -> set[Expression]:
-    """What the zero crossings read, by themselves and through algebraic variables."""
+    """Return the leaves that the zero crossings read, directly or through algebraic variables."""
     roots = equations.relations.roots
     steps = needed(equations.algebraics, roots)
     return set(ex.leaves(*roots, *(value for step in steps for value in step.expressions)))
 
 
 def _read_algebraic(equations: Equations, expressions: Sequence[Expression]) -> bool:
-    """Whether one of the expressions reads an algebraic variable."""
+    """Return whether any of the expressions reads an algebraic variable."""
     read = ex.leaves(*expressions)
     return any(leaf.operator == "y" and leaf.index >= equations.n_states for leaf in read)
 
 
 class _Tables:
-    """Static arrays; an empty one is left out, its pointer stays null."""
+    """Static arrays; an empty one is omitted, so its pointer in `model` stays null."""
 
     def __init__(self, names: Mapping[Slot, str]) -> None:
         self.parts: list[str] = []

@@ -1,4 +1,4 @@
-"""The C functions of a model's directional derivatives."""
+"""Write the C functions for the directional derivatives of a model."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ Body = Callable[[Iterable[Expression]], FunctionBody]
 def tangent_functions(
     tangents: Tangents | None, names: Mapping[Slot, str], block_names: Mapping[NewtonBlock, str], body: Body
 ) -> list[str]:
-    """The functions that model.h declares, in its order; empty ones where there are no tangents."""
+    """Return the tangent functions in the order of model.h; they are empty without `tangents`."""
     t = tangents or Tangents((), (), (), (), (), cover_initialization=False)
     return [
         _parameters(t, names, body),
@@ -27,7 +27,7 @@ def tangent_functions(
 
 
 def _parameters(t: Tangents, names: Mapping[Slot, str], body: Body) -> str:
-    """Each in a scope of its own: later ones read what earlier ones have set."""
+    """Assign each tangent in its own scope, because later ones read what earlier ones have stored."""
     lines: list[str] = []
     for tangent in t.parameters:
         one = body([tangent.value])
@@ -75,7 +75,7 @@ def _store(tangent: Tangent, names: Mapping[Slot, str], body: FunctionBody) -> s
 
 
 def _solve(step: BlockTangent, names: Mapping[Slot, str], block: str, body: FunctionBody) -> None:
-    """The unknowns of a system move so that its residuals stay zero."""
+    """Solve for the tangents of an algebraic loop's unknowns, which keep its residuals at zero."""
     texts = [body.value(residual) for residual in step.residuals]
     moves = f"{block}_moves"
     body.lines += [

@@ -1,4 +1,4 @@
-"""Periodic clocks, which ``sample()`` makes, and what they own."""
+"""Periodic clocks, defined by ``sample()``, and the variables that they own."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from fmu_build.codegen.lowered import LoweredModel
 
 @dataclass(frozen=True, slots=True)
 class Clock:
-    """A periodic clock: ``p[activation]`` is 1 in the first pass at its ticks.
+    """A periodic clock: ``p[activation]`` is 1 in the first pass at each tick.
 
-    Period and phase are fractions of seconds, (numerator, denominator).
+    Period and phase are fractions of a second: (numerator, denominator).
     """
 
     activation: int
@@ -23,7 +23,7 @@ class Clock:
 
 
 def periodic_clocks(model: LoweredModel) -> tuple[Clock, ...]:
-    """The clocks of the model; raises `UnsupportedModelError` for one that is not tied to absolute time."""
+    """Return the clocks of the model; raises `UnsupportedModelError` for one not tied to absolute time."""
     clocks = model.solve["clocks"]
     result = []
     for slot, schedule in zip(
@@ -37,9 +37,9 @@ def periodic_clocks(model: LoweredModel) -> tuple[Clock, ...]:
 
 
 def ticks_of_slots(model: LoweredModel) -> dict[Slot, int]:
-    """From the slot of a clocked variable, or of a state under a clocked reinit(), to its clock's activation.
+    """Map the slot of each clocked variable, or state under a clocked reinit(), to its clock's activation.
 
-    The Solve IR does not carry this; it is read from the DAE's clock ownerships and guarded actions.
+    The Solve IR lacks this mapping; the DAE's clock ownerships and guarded actions provide it.
     """
     activations = model.solve["clocks"]["activation_parameter_indices"]
     bindings = model.solve["layout"]["bindings"]
@@ -64,7 +64,7 @@ def ticks_of_slots(model: LoweredModel) -> dict[Slot, int]:
 
 
 def _clock_in(operation: dict[str, Any], conditions: dict[int, dict[str, Any]]) -> int | None:
-    """The clock that a condition waits for, alone or together with others."""
+    """Return the clock that a condition waits for, alone or combined with others; None if there is none."""
     if operation["kind"] == "clock":
         return int(operation["clock"])
     if operation["kind"] == "and":

@@ -1,4 +1,4 @@
-"""Equations without what nothing reads: rumoca keeps memories for every condition and relation it sees."""
+"""Dead code elimination: rumoca keeps a memory for every condition and relation that it sees."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ Change = Callable[[Expression], Expression]
 
 
 def compact(equations: Equations, n_named: int) -> Equations:
-    """Drop idle memories, and number what is left of p without gaps.
+    """Drop unused memories, and renumber the remaining slots of p without gaps.
 
-    The first `n_named` slots of p are parameters, inputs and discrete variables: they stay where they are.
+    The first `n_named` slots of p hold parameters, inputs and discrete variables, and keep their numbers.
     """
     equations = _without_unwritten(equations, n_named)
     equations = _without_unread(equations)
@@ -28,7 +28,7 @@ def compact(equations: Equations, n_named: int) -> Equations:
 
 
 def _without_unwritten(equations: Equations, n_named: int) -> Equations:
-    """A memory that nothing writes stays 0."""
+    """Replace each memory that nothing writes by 0, the value that it would keep."""
     written = written_slots(equations)
     zero = {ex.p(slot): ZERO for slot in range(n_named, equations.n_p) if slot not in written}
     return _changed(equations, lambda e: ex.substitute(e, zero))
@@ -55,13 +55,13 @@ def _without_unread(equations: Equations) -> Equations:
 
 
 def _keeps_step(relation: Relation, relations: Relations) -> bool:
-    """Whether a crossing is there to update the memory of floor() and its relatives."""
+    """Return whether a crossing exists to update the memory of floor() or a similar function."""
     steps = {ex.p(memory) for memory in relations.floors.values()}
     return not steps.isdisjoint(ex.leaves(relation.root))
 
 
 def _expressions(equations: Equations) -> list[Expression]:
-    """Everything that reads memories; a relation's own root does not keep its memory alive."""
+    """Return every expression that may read a memory; a relation's root does not read its own."""
     found: list[Expression] = []
 
     def note(expression: Expression) -> Expression:
@@ -73,7 +73,7 @@ def _expressions(equations: Equations) -> list[Expression]:
 
 
 def _changed(equations: Equations, change: Change) -> Equations:
-    """The equations with a change made to every expression."""
+    """Apply `change` to every expression of the equations."""
     relations = equations.relations
     return replace(
         equations,

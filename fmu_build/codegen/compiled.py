@@ -1,4 +1,4 @@
-"""A model as rumoca compiles it, before it is lowered: its flat form and its source."""
+"""A model as compiled by rumoca, before lowering: its flat form and its source."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from fmu_build.modelica_source.text import declarations
 from fmu_build.support.errors import UnsupportedModelError
 
 Span = Mapping[str, int]
-"""Bytes of a source file: ``source`` is the number of the file, ``start`` and ``end`` are offsets."""
+"""A byte range of a source file: ``source`` is the number of the file, ``start`` and ``end`` are offsets."""
 
 
 @dataclass(frozen=True)
 class CompiledModel:
-    """A compiled model; `flat` has what later stages do not keep (display units, final flags)."""
+    """A compiled model; `flat` holds facts that later stages drop (display units, final flags)."""
 
     name: str
     flat: dict[str, Any]
@@ -36,17 +36,17 @@ class CompiledModel:
         return self.name
 
     def text(self, span: Span) -> str:
-        """What stands in the source at a span."""
+        """Return the source text of a span."""
         return self._sources[span["source"]][1].encode()[span["start"] : span["end"]].decode()
 
     def place(self, span: Span | None) -> Place | None:
-        """The place of a source span, None where the compiler gave none."""
+        """Return the place of a source span, or None if the compiler gave none."""
         if span is None or span.get("source") not in self._sources:
             return None
         path, text = self._sources[span["source"]]
         return place_at(path, text, len(text.encode()[: span["start"]].decode(errors="ignore")))
 
     def unsupported(self, what: str, span: Span | None = None) -> UnsupportedModelError:
-        """The error for an unsupported construct, with its place in the source."""
+        """Return the error for an unsupported construct, with its place in the source."""
         place = self.place(span)
         return UnsupportedModelError(located(what, [place] if place else [], self.name, self._file))

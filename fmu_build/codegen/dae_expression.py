@@ -1,4 +1,4 @@
-"""Simple expressions of the DAE stage: those that start values are given by."""
+"""Simple expressions of the DAE stage, which define start values."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from fmu_build.codegen.lowered import LoweredModel
 
 
 def parameter_expression(model: LoweredModel, number: int, element: int = 0) -> Expression | None:
-    """One element, row by row, of expression `number` of the DAE in terms of parameters.
+    """Return an element, by row-major offset, of expression `number` of the DAE in terms of parameters.
 
-    None for what is not plain arithmetic, such as a call of a Modelica function.
+    None for anything but plain arithmetic, such as a call of a Modelica function.
     """
     entry = model.dae["expressions"][number]
     operation = entry["operation"]
@@ -43,7 +43,7 @@ def parameter_expression(model: LoweredModel, number: int, element: int = 0) -> 
 
 
 def _operator(model: LoweredModel, operation: dict[str, Any]) -> tuple[str, list[int]]:
-    """The operator of an operation that goes element by element, with its operands; "" for any other."""
+    """Return the operator and the operands of an element-wise operation; "" for any other operation."""
     match operation["kind"]:
         case "conditional":
             return "Select", operation["operands"]
@@ -73,7 +73,7 @@ def _applied(operator: str, operands: list[Expression]) -> Expression:
 
 
 def _place(model: LoweredModel, operation: dict[str, Any]) -> int | None:
-    """Which element, row by row, an index picks; None where it is no number."""
+    """Return the row-major offset of the element that an index selects; None if it is not constant."""
     place = 0
     dimensions = model.dae["expressions"][operation["base"]]["value_type"]["dimensions"]
     for size, subscript in zip(dimensions, operation["subscripts"], strict=True):

@@ -1,4 +1,4 @@
-"""Symbolic derivatives of expressions, exact within a branch: relations and conditions are held."""
+"""Symbolic derivatives of expressions, exact within a branch: relations and conditions count as constant."""
 
 from __future__ import annotations
 
@@ -9,19 +9,19 @@ from fmu_build.codegen import expression as ex
 from fmu_build.codegen.expression import ONE, ZERO, Expression, binary, negate, number, unary
 
 CallTangent = Callable[[Expression, tuple[Expression, ...]], Expression]
-"""From the call of a function and the tangents of its arguments to the tangent of the result."""
+"""Maps a function call and the tangents of its arguments to the tangent of its result."""
 
 
 class NotDifferentiableError(Exception):
-    """The expression contains something without a known derivative, such as a call of a function."""
+    """The expression contains an operation without a known derivative, such as a function call."""
 
 
 def differentiate(
     root: Expression, seeds: Mapping[Expression, Expression], call_tangent: CallTangent | None = None
 ) -> Expression:
-    """The directional derivative of `root` for leaves that change as `seeds` says, all others held.
+    """Return the forward-mode tangent of `root` for the leaf tangents in `seeds`; other leaves are constant.
 
-    Raises `NotDifferentiableError` where a function call depends on a seeded leaf and there is no
+    Raises `NotDifferentiableError` for a function call that depends on a seeded leaf if there is no
     `call_tangent`.
     """
     tangents: dict[Expression, Expression] = {}
@@ -38,7 +38,7 @@ def differentiate(
 
 
 def partial(root: Expression, leaf: Expression) -> Expression:
-    """The derivative of `root` with respect to one leaf."""
+    """Return the derivative of `root` with respect to one leaf."""
     return differentiate(root, {leaf: ONE})
 
 
@@ -65,7 +65,7 @@ def _over(a: Expression, b: Expression) -> Expression:
     return binary("Div", a, b)
 
 
-# The derivative of a function of one argument, from the node: f'(a).
+# f'(a) of each function of one argument, given the node f(a).
 _UNARY: dict[str, Callable[[Expression], Expression]] = {
     "Abs": lambda n: unary("Sign", n.arguments[0]),
     "Sqrt": lambda n: _over(number(0.5), n),
@@ -101,7 +101,7 @@ def _power(node: Expression, da: Expression, db: Expression) -> Expression:
         return by_base
     by_exponent = binary("Mul", binary("Mul", node, unary("Log", a)), db)
     if not db.is_number and not a.is_number:
-        # An exponent that does not change is no reason to take the logarithm of a negative base or of zero.
+        # A constant exponent must not require the logarithm of a negative base or of zero.
         by_exponent = ex.select(Expression("Ne", (db, ZERO)), by_exponent, ZERO)
     return binary("Add", by_base, by_exponent)
 

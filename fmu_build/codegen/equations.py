@@ -1,4 +1,4 @@
-"""The equations of a lowered model, read from the Solve IR and ready to be written as C."""
+"""Read the equations of a lowered model from the Solve IR, ready to be written as C."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ ActionKind = Literal["error", "warning", "terminate"]
 
 @dataclass(frozen=True, slots=True)
 class DiscreteRow:
-    """``slot = value`` at events; `kind` says when, as in the runtime's model.h."""
+    """``slot = value`` at events; `kind` determines at which, see `DiscreteKind` in the runtime's model.h."""
 
     kind: DiscreteKind
     slot: Slot
@@ -31,7 +31,7 @@ class DiscreteRow:
 
     @property
     def holds(self) -> bool:
-        """Whether this is a discrete variable that keeps its value until a when-clause sets it."""
+        """Whether the row holds a discrete variable's value until a when-clause sets it."""
         value = self.value
         while value.operator == "Select":
             value = value.arguments[2]
@@ -40,7 +40,7 @@ class DiscreteRow:
 
 @dataclass(frozen=True, slots=True)
 class Action:
-    """assert or terminate: taken where `condition` is true; the message's parts are texts and values."""
+    """An assert() or terminate(), taken when `condition` is true; the message is made of texts and values."""
 
     kind: ActionKind
     condition: Expression
@@ -49,7 +49,7 @@ class Action:
 
 @dataclass(frozen=True)
 class Equations:
-    """Everything that happens to y and p."""
+    """All equations that determine y and p."""
 
     n_states: int
     n_y: int
@@ -67,11 +67,11 @@ class Equations:
     initial_residuals: tuple[Expression, ...]
     initial_event: int | None
     guesses: tuple[tuple[Slot, Expression], ...] = ()
-    """Where the search for the solution of a system starts, as far as parameters decide it."""
+    """Initial guesses for the unknowns of algebraic loops, as far as they depend on parameters."""
 
 
 def read_equations(model: LoweredModel, function_name: FunctionNames) -> Equations:
-    """Reads the Solve IR of `model`; raises `UnsupportedModelError` for an unsupported construct."""
+    """Read the Solve IR of `model`; raises `UnsupportedModelError` for an unsupported construct."""
     return _Reader(model, function_name).equations()
 
 
@@ -121,7 +121,7 @@ class _Reader:
         )
 
     def _rows(self, section: Mapping[str, Any]) -> dict[int, Expression]:
-        """The rows of a section that may hold tensor nodes beside its scalar programs."""
+        """Return the rows of a section; raises `UnsupportedModelError` unless all are scalar programs."""
         if "scalar_programs" in section:
             return self.programs.read_rows(section["scalar_programs"])
         rows: dict[int, Expression] = {}
@@ -133,7 +133,7 @@ class _Reader:
         return rows
 
     def _frozen(self, rows: dict[int, Expression]) -> dict[int, Expression]:
-        """Rows that read memories of relations, and the actual side of homotopy()."""
+        """Return the rows with memories in place of relations, and the actual expression of homotopy()."""
         if self.homotopy is not None:
             rows = {n: ex.substitute(row, {ex.p(self.homotopy): ex.ONE}) for n, row in rows.items()}
         memories = freeze_comparisons(rows.values(), self.relations, self.unwatched)
@@ -164,7 +164,7 @@ class _Reader:
         return (*result, *floors)
 
     def _reject_missing_rows(self, slots: set[Slot]) -> None:
-        """The equations of discrete arrays are dropped by rumoca outside of when-clauses."""
+        """Reject discrete arrays with equations outside when-clauses: rumoca drops these equations."""
         bindings = self.solve["layout"]["bindings"]
         for variable in self.model.dae["variables"]:
             if variable["role"].startswith("discrete"):
@@ -177,13 +177,13 @@ class _Reader:
                         )
 
     def _guarded_by_tick(self, value: Expression, slot: Slot, tick: int | None) -> Expression:
-        """The bodies of ``when sample(...)`` come from rumoca without their guard; here they get it."""
+        """Add the guard of ``when sample(...)``, which rumoca leaves out of the clause's equations."""
         if tick is None or ex.p(tick) in ex.leaves(value):
             return value
         return ex.select(ex.p(tick), value, ex.y(slot[1]) if slot[0] == "y" else ex.p(slot[1]))
 
     def _condition_memories(self) -> frozenset[int]:
-        """Slots behind the named variables and the pre() slots, before the relation memories."""
+        """Return the slots of condition memories: those after named variables and pre() with no other use."""
         pre = [binding["dest_p_index"] for binding in self.layout["pre_param_bindings"]]
         other = {
             *self.layout["relation_memory_parameter_indices"],
@@ -221,7 +221,7 @@ class _Reader:
     def _updates(
         self, n_states: int, sought: set[Slot]
     ) -> tuple[tuple[tuple[int, Expression], ...], _Starts, _Starts]:
-        """Computed parameters, start values that depend on parameters, and guesses of what is `sought`."""
+        """Return computed parameters, start values given by parameters, and guesses for `sought` slots."""
         initialization = self.solve["initialization"]
         rows = self.programs.read_rows(initialization["update_rhs"])
         targets = [_slot(target) for target in initialization["update_targets"]]
@@ -231,7 +231,7 @@ class _Reader:
         sources: dict[Slot, Slot] = {("p", slot): source for slot, source in self._pre()}
         for number, slot in enumerate(targets):
             if sources.get(slot) in targets:
-                continue  # pre(v) gets its value from v
+                continue  # pre(v) takes its value from v
             if slot[0] == "p" and slot[1] < n_parameters:
                 dependent.append((slot[1], rows[number]))
             else:
@@ -242,7 +242,7 @@ class _Reader:
         return tuple(dependent), (*starts, *self._previous_values(sought)), guesses
 
     def _previous_values(self, sought: set[Slot]) -> Iterator[tuple[Slot, Expression]]:
-        """The start values of discrete variables that initial equations ``pre(v) = ...`` give."""
+        """Yield the start values of discrete variables given by initial equations ``pre(v) = ...``."""
         initialization = self.solve["initialization"]
         rows = self._rows(initialization["residual"])
         sources = {ex.p(slot): source for slot, source in self._pre()}
@@ -273,13 +273,13 @@ class _Reader:
             residuals += [rows[row] for row in block["rows"]]
         if len(unknowns) != len(residuals):
             raise self.model.unsupported(
-                f"{len(residuals)} initial equations for {len(unknowns)} unknowns of the initialisation"
+                f"{len(residuals)} initial equations for {len(unknowns)} unknowns of the initialization"
             )
         return tuple(unknowns), tuple(residuals)
 
 
 def n_named_slots(model: LoweredModel) -> int:
-    """How many slots of p hold parameters, inputs and discrete variables; they come first."""
+    """Return the number of leading slots of p, which hold parameters, inputs and discrete variables."""
     bindings = model.solve["layout"]["bindings"].values()
     return max((_slot(binding)[1] for binding in bindings if "P" in binding), default=-1) + 1
 
@@ -291,7 +291,7 @@ def _slot(target: Mapping[str, Any]) -> Slot:
 
 
 def watched_conditions(equations: Equations) -> list[Expression]:
-    """Conditions of the actions that can become due without an event: they read y or time."""
+    """Return the conditions of actions that can become true without an event: those that read y or time."""
     return [
         action.condition
         for action in equations.actions
@@ -300,7 +300,7 @@ def watched_conditions(equations: Equations) -> list[Expression]:
 
 
 def written_slots(equations: Equations) -> set[int]:
-    """Slots of p that the runtime or an equation writes."""
+    """Return the slots of p that the runtime or an equation writes."""
     relations = equations.relations
     slots = {relation.memory for relation in (*relations.crossings, *relations.of_time)}
     slots |= {row.slot[1] for row in equations.discrete if row.slot[0] == "p"}
@@ -309,7 +309,7 @@ def written_slots(equations: Equations) -> set[int]:
 
 
 def acting_expressions(equations: Equations) -> Sequence[Expression]:
-    """Every expression that acts on the solution after initialisation; asserts only judge it."""
+    """Return every expression that affects the solution after initialization; assertions do not."""
     return (
         *equations.derivatives,
         *(e for step in equations.algebraics for e in step.expressions),

@@ -1,7 +1,7 @@
 """Expressions of a lowered model: immutable nodes that can be compared, searched and differentiated.
 
-Values are doubles throughout; a truth value is 1 or 0. Nodes that are equal compare equal however they
-were made, so shared parts of an expression can be found by looking them up in a dictionary.
+All values are doubles; a truth value is 1 or 0. Equality is structural, so that common subexpressions can
+be found in a dictionary.
 """
 
 from __future__ import annotations
@@ -21,17 +21,17 @@ COMPARE = frozenset(("Lt", "Le", "Gt", "Ge", "Eq", "Ne"))
 TRUTH = COMPARE | {"And", "Or", "Not"}
 
 Slot = tuple[Literal["y", "p"], int]
-"""A place in one of the two arrays of values."""
+"""A position in one of the two arrays of values."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Expression:
     """One node: an operator with its arguments, or a leaf.
 
-    Leaves: ``number`` (payload: float), ``time``, ``y`` and ``p`` (payload: index), and the tangents of
-    these, ``dtime``, ``dy`` and ``dp``. Operators: the names in
-    `UNARY`, `BINARY` and `COMPARE`, ``Select`` (condition, value if true, value if false), and ``call``
-    (payload: function name and number of the result; arguments: the scalars that are passed).
+    Leaves: ``number`` (payload: float), ``time``, ``y`` and ``p`` (payload: index), and the tangents of the
+    last three, ``dtime``, ``dy`` and ``dp``. Operators: the names in `UNARY`, `BINARY` and `COMPARE`,
+    ``Select`` (condition, value if true, value if false), and ``call`` (payload: function name and number of
+    the result; arguments: scalars).
     """
 
     operator: str
@@ -58,7 +58,7 @@ class Expression:
 
     @property
     def is_number(self) -> bool:
-        """Whether this is a literal."""
+        """Whether this node is a literal."""
         return self.operator == "number"
 
     @property
@@ -69,7 +69,7 @@ class Expression:
 
     @property
     def index(self) -> int:
-        """The index of a ``y`` or ``p`` node."""
+        """The index of a ``y`` or ``p`` node, or of its tangent."""
         assert isinstance(self.payload, int)
         return self.payload
 
@@ -78,22 +78,22 @@ TIME = Expression("time")
 
 
 def number(value: float) -> Expression:
-    """A literal."""
+    """Return a literal."""
     return Expression("number", payload=float(value))
 
 
 def y(index: int) -> Expression:
-    """A state or an algebraic variable."""
+    """Return the leaf that reads a state or an algebraic variable."""
     return Expression("y", payload=index)
 
 
 def p(index: int) -> Expression:
-    """A parameter, input, discrete variable or memory."""
+    """Return the leaf that reads a parameter, input, discrete variable or memory."""
     return Expression("p", payload=index)
 
 
 def leaf(slot: Slot) -> Expression:
-    """What is in a slot."""
+    """Return the leaf that reads a slot."""
     return y(slot[1]) if slot[0] == "y" else p(slot[1])
 
 
@@ -101,7 +101,7 @@ DTIME = Expression("dtime")
 
 
 def tangent_leaf(slot: Slot) -> Expression:
-    """How far the value of a slot moves when states, inputs, parameters and time (by `DTIME`) move."""
+    """Return the leaf that reads the tangent of a slot; `DTIME` is that of time."""
     return Expression(f"d{slot[0]}", payload=slot[1])
 
 
@@ -115,7 +115,7 @@ _FOLD: dict[str, Callable[[float, float], float]] = {
 
 
 def negate(a: Expression) -> Expression:
-    """-a; the sign is taken off where there is one, and goes into a difference."""
+    """Return -a: a double negation cancels, a difference is swapped."""
     if a.is_number:
         return number(-a.value)
     if a.operator == "Sub":
@@ -124,7 +124,7 @@ def negate(a: Expression) -> Expression:
 
 
 def unary(operator: str, a: Expression) -> Expression:
-    """An operator of one argument applied."""
+    """Return a unary operation, simplified."""
     if operator == "Neg":
         return negate(a)
     if operator == "Not" and a.is_number:
@@ -133,7 +133,7 @@ def unary(operator: str, a: Expression) -> Expression:
 
 
 def binary(operator: str, a: Expression, b: Expression) -> Expression:
-    """An operator applied, with the simplifications that change no result of finite arguments."""
+    """Return a binary operation, with simplifications that preserve its value for finite arguments."""
     if a.is_number and b.is_number and operator in _FOLD:
         return number(_FOLD[operator](a.value, b.value))
     if operator in _SIMPLIFY:
@@ -198,13 +198,13 @@ _SIMPLIFY: dict[str, Callable[[Expression, Expression], Expression]] = {
 
 
 def select(condition: Expression, if_true: Expression, if_false: Expression) -> Expression:
-    """One value or the other; the condition itself is gone where it decides nothing."""
+    """Return a conditional value, without the condition if that makes no difference."""
     if condition.is_number:
         return if_true if condition.value != 0.0 else if_false
     if if_true == if_false:
         return if_true
     if if_false == ZERO and _is_finite_guard(condition, if_true):
-        # rumoca wraps a divisor as "finite ? divisor : 0"; a divisor that is not finite shows by itself.
+        # rumoca wraps a divisor as "finite ? divisor : 0"; a non-finite divisor shows without the guard.
         return if_true
     return Expression("Select", (condition, if_true, if_false))
 
@@ -218,9 +218,9 @@ def _is_finite_guard(condition: Expression, guarded: Expression) -> bool:
 
 
 def walk(*roots: Expression, closed: Container[Expression] = ()) -> Iterator[Expression]:
-    """Every distinct node below the roots, arguments before the nodes that use them.
+    """Yield every distinct node of the roots in post-order: arguments before the nodes that use them.
 
-    What is below a node of `closed` is left out.
+    The arguments of a node in `closed` are not visited.
     """
     seen: set[Expression] = set()
     for root in roots:
@@ -237,12 +237,12 @@ def walk(*roots: Expression, closed: Container[Expression] = ()) -> Iterator[Exp
 
 
 def leaves(*roots: Expression) -> set[Expression]:
-    """The ``y``, ``p`` and ``time`` nodes that the expressions read."""
+    """Return the ``y``, ``p`` and ``time`` nodes that the expressions read."""
     return {node for node in walk(*roots) if node.operator in ("y", "p", "time")}
 
 
 def substitute(root: Expression, replacements: Mapping[Expression, Expression]) -> Expression:
-    """The expression with nodes replaced; what is put in is not searched again."""
+    """Return the expression with nodes replaced; replacements are not searched in turn."""
     done: dict[Expression, Expression] = dict(replacements)
     for node in walk(root):
         if node not in done:
@@ -251,7 +251,7 @@ def substitute(root: Expression, replacements: Mapping[Expression, Expression]) 
 
 
 def rebuild(node: Expression, arguments: tuple[Expression, ...]) -> Expression:
-    """The same operator on other arguments, simplified."""
+    """Return the same operation on other arguments, simplified."""
     if arguments == node.arguments:
         return node
     if node.operator == "Select":

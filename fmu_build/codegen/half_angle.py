@@ -1,7 +1,7 @@
-"""Sines of angles whose half has its tangent computed anyway: sin(u) = 2t/(1 + t^2) with t = tan(u/2).
+"""Compute sin(u) = 2t/(1 + t^2) from t = tan(u/2) where the model computes that tangent anyway.
 
-The quotient is as accurate as the tangent, everywhere: a relative error of t makes at most the same one of
-the sine. It saves a call of the C library.
+This saves a call of the C library. The quotient is as accurate as the tangent everywhere: the relative error
+of the sine is at most that of t.
 """
 
 from __future__ import annotations
@@ -21,11 +21,11 @@ _TWO, _HALF = ex.number(2.0), ex.number(0.5)
 
 
 def sines_from_half(expressions: Iterable[Expression]) -> dict[Expression, Expression]:
-    """From each sine to the tangent of half its angle, where the expressions, those of a model, contain both.
+    """Map each sine to the tangent of half its angle, if the expressions of a model contain both.
 
-    A sine beside the cosine of the same angle is left alone: C compilers make one call of the two. Every
-    function of the model must go by the same answer: the zero crossings are computed in two of them, to the
-    same last digit.
+    A sine next to the cosine of the same angle is left alone: C compilers merge the two into one call. All
+    functions of the model must use the same map: two of them compute the zero crossings and must agree to the
+    last bit.
     """
     nodes = set(ex.walk(*expressions))
     tangents = {}
@@ -42,7 +42,7 @@ def sines_from_half(expressions: Iterable[Expression]) -> dict[Expression, Expre
 
 
 def _doubled(angle: Expression) -> Expression | None:
-    """The angle u where `angle` is written as u/2, u*0.5 or 0.5*u."""
+    """Return u if `angle` is written as u/2, u*0.5 or 0.5*u, else None."""
     match angle.operator, angle.arguments:
         case ("Div", (u, divisor)) if divisor == _TWO:
             return u

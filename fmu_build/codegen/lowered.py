@@ -1,4 +1,4 @@
-"""A model as rumoca lowers it: the Solve IR and what other stages know of the variables."""
+"""A model as lowered by rumoca: the Solve IR, and the variables as other stages know them."""
 
 from __future__ import annotations
 
@@ -19,16 +19,16 @@ SOLVE_SCHEMA = 71
 
 _TARGET = Path(__file__).parent / "target"
 
-# The template engine prints a mapping as JSON, but for its words for "nothing" and the non-finite numbers.
+# The template engine prints a mapping as JSON, except for its null and its non-finite numbers.
 _TOKEN = re.compile(r'("(?:[^"\\]|\\.)*")|\b(none|undefined)\b|(-?)\b(inf|NaN|nan)\b')
 _RUST_ESCAPE = re.compile(r"\\u\{([0-9a-fA-F]+)\}|\\'|\\0")
 
 
 @dataclass(frozen=True)
 class LoweredModel(CompiledModel):
-    """The stages of one compiled model, as plain JSON data.
+    """The stages of one compiled model as plain JSON data.
 
-    `solve` holds equations as register programs, `dae` variables and functions with their attributes.
+    `solve` holds equations as register programs; `dae` holds variables and functions with their attributes.
     """
 
     solve: dict[str, Any]
@@ -36,9 +36,9 @@ class LoweredModel(CompiledModel):
 
 
 def lower(model: rumoca.Model) -> LoweredModel:
-    """Take a compiled rumoca model apart.
+    """Lower a compiled rumoca model.
 
-    Raises `UnsupportedModelError` where rumoca cannot lower the model or its IR is of another version.
+    Raises `UnsupportedModelError` if rumoca cannot lower the model or writes another version of its IR.
     """
     files = model.to_dict("dae")["source_map"]["files"]
     compiled = CompiledModel(
@@ -67,7 +67,7 @@ def lower(model: rumoca.Model) -> LoweredModel:
 
 
 def read_mapping(text: str) -> dict[str, Any]:
-    """A mapping as the template engine prints it."""
+    """Parse a mapping as printed by the template engine."""
 
     def as_json(match: re.Match[str]) -> str:
         string, nothing, sign, number = match.groups()

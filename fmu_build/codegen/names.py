@@ -1,4 +1,4 @@
-"""What slots are called: in C, so that the generated code can be read, and in messages to people."""
+"""Name the slots: as identifiers in readable C, and as Modelica names in messages."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from fmu_build.codegen.lowered import LoweredModel
 
 
 def slot_names(model: LoweredModel, equations: Equations, parts: Mapping[Expression, int]) -> dict[Slot, str]:
-    """A C identifier for every slot: ``Y_theta``, ``P_forward_returnSpring_k_s``, ``P_pre_v`` ..."""
+    """Return a C identifier for every slot: ``Y_theta``, ``P_forward_returnSpring_k_s``, ``P_pre_y_3``."""
     names: dict[Slot, str] = {}
     taken: set[str] = set()
     for slot, text in (*_variables(model), *_memories(equations), *_parts(model, parts), *_others(equations)):
@@ -52,7 +52,7 @@ def _memories(equations: Equations) -> Iterator[tuple[Slot, str]]:
 
 
 def _parts(model: LoweredModel, parts: Mapping[Expression, int]) -> Iterator[tuple[Slot, str]]:
-    """What is computed from parameters: ``inverse_J`` for 1/J, else a number."""
+    """Name the expressions hoisted from the right-hand side: ``inverse_J`` for 1/J, ``part_3`` for others."""
     texts = dict(_variables(model))
     for number, (part, slot) in enumerate(parts.items()):
         text = f"part_{number}"
@@ -73,7 +73,7 @@ def _identifier(text: str) -> str:
 
 
 class _ModelicaWriter(Writer):
-    """Calls have no name of their own in a message: they are written as they are called."""
+    """Writes function calls under their Modelica name, with their arguments."""
 
     def _text(self, node: Expression) -> tuple[str, int]:
         if node.operator != "call":
@@ -85,7 +85,7 @@ class _ModelicaWriter(Writer):
 
 
 def modelica_texts(model: LoweredModel, equations: Equations) -> Writer:
-    """A writer that calls variables what they are called in the model; memories stay numbered."""
+    """Return a writer that uses the Modelica names of variables; memories are numbered."""
     names: dict[Expression, str] = {ex.TIME: "time"}
     names |= {ex.p(index): f"memory[{index}]" for index in range(equations.n_p)}
     for text, binding in model.solve["layout"]["bindings"].items():

@@ -1,4 +1,4 @@
-"""Why rumoca could not lower a model: it does not say where, but the flat model shows it."""
+"""Explain why rumoca could not lower a model: its message gives no place, but the flat model shows it."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ _STAGE = re.compile(r"^(?:Target rendering error: |Lower Solve IR for target cap
 _ATTRIBUTES = ("start", "min", "max", "nominal")
 
 Obstacles = Iterator[tuple[str, Span | None]]
-"""What stands in the way, and where."""
+"""Unsupported constructs with their source spans."""
 
 
 def not_lowered(model: CompiledModel, message: str) -> UnsupportedModelError:
-    """The error for a model that compiles and cannot be lowered; `message` is what rumoca says."""
+    """Return the error for a model that compiles but cannot be lowered; `message` is rumoca's."""
     for pattern, obstacles in _FINDERS:
         match = re.search(pattern, message)
         if match is not None:
@@ -36,14 +36,14 @@ def _strings(model: CompiledModel, _: re.Match[str]) -> Obstacles:
 
 
 def _variable_attributes(model: CompiledModel, _: re.Match[str]) -> Obstacles:
-    """Attributes must be known before the simulation; parameters are, inputs and unknowns are not."""
+    """Find attributes that depend on inputs or unknowns: they must be known before the simulation."""
     variables = model.flat["variables"]
     for name, variable in variables.items():
         for attribute in _ATTRIBUTES:
             for reference in _found(variable[attribute], "VarRef"):
                 other = reference["name"]["name"]
                 if other in variables and not _is_fixed(variables[other]):
-                    what = f"{attribute} of {name} depends on {other}, which is no parameter"
+                    what = f"{attribute} of {name} depends on {other}, which is not a parameter"
                     yield what, reference["span"]
 
 
@@ -90,11 +90,11 @@ _FINDERS: tuple[tuple[str, Callable[[CompiledModel, re.Match[str]], Obstacles]],
     ("clock activation owners", _partly_sampled_clauses),
     (r"structurally singular system: (\d+) matched out of (\d+) equations", _dependent_equations),
 )
-"""What rumoca says, and where to look then; Strings and external functions are in the way of any message."""
+"""Pattern of rumoca's message, and finder; Strings and external functions may cause any message."""
 
 
 def _is_fixed(variable: dict[str, Any]) -> bool:
-    """Whether a variable is a parameter or a constant."""
+    """Return whether a variable is a parameter or a constant."""
     return any(kind in variable["variability"] for kind in ("Parameter", "Constant"))
 
 
@@ -103,7 +103,7 @@ def _calls(tree: Any, function: str) -> Iterator[dict[str, Any]]:
 
 
 def _found(tree: Any, kind: str) -> Iterator[dict[str, Any]]:
-    """All expressions of a kind inside a tree."""
+    """Yield all expressions of a kind in a tree."""
     if isinstance(tree, dict):
         if kind in tree:
             yield tree[kind]

@@ -1,4 +1,4 @@
-"""Register programs of the Solve IR, read as expressions."""
+"""Read register programs of the Solve IR as expressions."""
 
 from __future__ import annotations
 
@@ -15,20 +15,20 @@ from fmu_build.codegen.lowered import LoweredModel
 Operation = Mapping[str, Any]
 Span = dict[str, int]
 FunctionNames = Callable[[Mapping[str, Any], Span | None], str]
-"""From a call site of the IR, and the span of the equation it stands in, to the name of the C function."""
+"""Maps a call site of the IR, and the span of its equation, to the name of the C function."""
 Fields = Mapping[str, Any]
 Registers = MutableMapping[int, Expression]
 
 
 class ProgramReader:
-    """Turns the programs of one model into expressions; refuses operations that it does not know."""
+    """Converts the programs of one model to expressions; raises for operations that it does not know."""
 
     def __init__(self, model: LoweredModel, function_name: FunctionNames) -> None:
         self._model = model
         self._function_name = function_name
 
     def read_rows(self, table: Mapping[str, Any]) -> dict[int, Expression]:
-        """The outputs of a table of programs (its ``programs`` and ``output_indices``) by output index."""
+        """Return the outputs of a table (``programs`` and ``output_indices``) by output index."""
         spans = table.get("program_spans") or [None] * len(table["programs"])
         rows: dict[int, Expression] = {}
         position = 0
@@ -39,7 +39,7 @@ class ProgramReader:
         return rows
 
     def read(self, program: Sequence[Operation], span: Span | None = None) -> list[Expression]:
-        """The outputs of one program, in the order in which it stores them."""
+        """Return the outputs of one program in the order in which it stores them."""
         registers: dict[int, Expression] = {}
         outputs: list[Expression] = []
         self._run(program, registers, outputs, span)
@@ -102,7 +102,7 @@ class ProgramReader:
     def _conditional(
         self, fields: Mapping[str, Any], registers: dict[int, Expression], span: Span | None
     ) -> None:
-        """A chain of guarded alternatives, as when-clauses are lowered: nested selects, one per result."""
+        """Read a chain of guarded alternatives (a lowered when-clause) as nested selects, one per result."""
         chain = fields["program"]
         start = fields["capture_start"]
         captures = {i: registers[start + i] for i in range(chain["capture_count"])}
@@ -137,18 +137,18 @@ class ProgramReader:
                 result += 1
 
 
-# Operations on ranges of registers, spelled out element by element.
+# Operations on ranges of registers, expanded element by element.
 
 
 def _load(fields: Fields, registers: Registers) -> None:
-    """A range of y or p."""
+    """Load a range of y or p."""
     leaf = ex.y if fields["input"] == "Y" else ex.p
     for i in range(fields["count"]):
         registers[fields["dst_start"] + i] = leaf(fields["input_start"] + i)
 
 
 def _elementwise(fields: Fields, registers: Registers) -> None:
-    """An operator between two arrays, or an array and a scalar (stride 0)."""
+    """Apply an operator to two arrays, or to an array and a scalar (stride 0)."""
     for i in range(fields["count"]):
         a = registers[fields["lhs_start"] + i * fields["lhs_stride"]]
         b = registers[fields["rhs_start"] + i * fields["rhs_stride"]]
@@ -156,7 +156,7 @@ def _elementwise(fields: Fields, registers: Registers) -> None:
 
 
 def _matrix_product(fields: Fields, registers: Registers) -> None:
-    """Row-major matrices, rows by inner and inner by columns."""
+    """Multiply two row-major matrices, rows by inner and inner by columns."""
     rows, inner, columns = fields["rows"], fields["inner"], fields["columns"]
     for i, j in product(range(rows), range(columns)):
         terms = (
@@ -173,7 +173,7 @@ def _matrix_product(fields: Fields, registers: Registers) -> None:
 
 
 def _transposed(fields: Fields, registers: Registers) -> None:
-    """A row-major matrix of elements of `element_width` scalars each; the shape given is the result's."""
+    """Transpose a row-major matrix of elements with `element_width` scalars, to the shape in `fields`."""
     rows, columns, width = fields["rows"], fields["columns"], fields["element_width"]
     for i, j, k in product(range(rows), range(columns), range(width)):
         source = fields["src_start"] + (j * rows + i) * width + k
@@ -181,13 +181,13 @@ def _transposed(fields: Fields, registers: Registers) -> None:
 
 
 def _filled(fields: Fields, registers: Registers) -> None:
-    """``fill(value, ...)``."""
+    """Evaluate ``fill(value, ...)``."""
     for i in range(fields["count"]):
         registers[fields["dst_start"] + i] = registers[fields["value_start"]]
 
 
 def _concatenated(fields: Fields, registers: Registers) -> None:
-    """``cat(axis + 1, ...)`` of row-major arrays."""
+    """Evaluate ``cat(axis + 1, ...)`` of row-major arrays."""
     axis = fields["axis"]
     outer = math.prod(fields["dimensions"][:axis])
     position = fields["dst_start"]
@@ -200,7 +200,7 @@ def _concatenated(fields: Fields, registers: Registers) -> None:
 
 
 def _element(fields: Fields, registers: Registers) -> Expression:
-    """``array[i, j, ...]``; NaN where an index that is known at run time only lies outside of its bounds."""
+    """Return ``array[i, j, ...]``; NaN if an index that is known only at run time is out of bounds."""
     chosen = ex.number(math.nan)
     places = product(*(range(size) for size in fields["dimensions"]))
     for offset, place in reversed(list(enumerate(places))):
@@ -212,7 +212,7 @@ def _element(fields: Fields, registers: Registers) -> Expression:
 
 
 def _is_at(index: Fields, position: int, registers: Registers) -> Expression:
-    """Whether an index has a position, counted from 0; run-time indices count from 1, as Modelica's do."""
+    """Return whether an index equals a zero-based position; run-time indices are one-based."""
     ((kind, value),) = index.items()
     if kind == "Runtime":
         return Expression("Eq", (registers[value], ex.number(position + 1)))

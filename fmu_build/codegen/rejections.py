@@ -1,4 +1,4 @@
-"""Rejects models that rumoca lowers without complaint but wrongly; names the construct and its line."""
+"""Reject models that rumoca silently lowers wrongly; the error names the construct and its line."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from fmu_build.support.errors import UnsupportedModelError
 
 
 def reject_unsupported(model: LoweredModel) -> None:
-    """Raises `UnsupportedModelError` for the first construct that would be translated wrongly."""
+    """Raise `UnsupportedModelError` for the first construct that would be translated wrongly."""
     _reject_operators(model)
     _reject_dynamic_state_selection(model)
     _reject_surplus_initial_equations(model)
@@ -49,7 +49,7 @@ def _reject_surplus_initial_equations(model: LoweredModel) -> None:
 
 
 def initial_spans(model: LoweredModel) -> dict[int, Span]:
-    """The source of the rows of the initial equations, of those whose programs have one output each."""
+    """Return the source spans of initial equations by row, for tables with one output per program."""
     return dict(_row_spans(model.solve["initialization"]["residual"]["nodes"]))
 
 
@@ -61,7 +61,7 @@ def _row_spans(nodes: Iterable[Any]) -> Iterator[tuple[int, Span]]:
 
 
 def _reject_undetermined_parameters(model: LoweredModel) -> None:
-    """A parameter with ``fixed = false`` gets its value from the initial equations or not at all."""
+    """Reject a parameter with ``fixed = false`` that no initial equation determines."""
     initialization = model.solve["initialization"]
     blocks = initialization["projection_plan"]["blocks"]
     slots = [*initialization["update_targets"], *(slot for block in blocks for slot in block["unknowns"])]
@@ -81,7 +81,7 @@ def _reject_undetermined_parameters(model: LoweredModel) -> None:
 
 
 def _reject_repeated_assignments(model: LoweredModel) -> None:
-    """Of several assignments to a discrete Real in one when-clause the first unconditional one would win."""
+    """Reject repeated assignments to a discrete Real in a when-clause: the first unconditional one wins."""
     expressions = model.dae["expressions"]
     unconditional: set[tuple[object, object]] = set()
     for row in model.dae["systems"]["discrete_real"]["residuals"]:
@@ -115,7 +115,7 @@ _REDECLARED_COMPONENT = re.compile(rf"\bredeclare\s+(?:replaceable\s+)?(?!{_KIND
 
 
 def _reject_lost_modifiers(model: LoweredModel) -> None:
-    """Raises `UnsupportedModelError` for the first modifier in the model's classes that would be lost."""
+    """Raise `UnsupportedModelError` for the first modifier in the model's classes that would be lost."""
     texts = {Path(path): content for _, path, content in model.source_files}
     text = ModelText(model.name, texts, around=False)
     for pattern, why in (_REDECLARED_CLASS, _CONSTRAINING_CLASS):

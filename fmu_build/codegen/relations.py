@@ -1,10 +1,10 @@
-"""Relations: where an expression changes its branch, and so where an event has to be.
+"""Relations: an expression changes its branch where a relation changes its value, which takes an event.
 
-Between events an equation reads the memory of a relation, not the relation itself, so that the branch is
-frozen while the integrator passes the kink and looks for it. rumoca gives most relations a memory. Those that
-it leaves as direct comparisons are matched to their zero crossing here, or found to be time events; only what
-is under noEvent(), or constant between events, stays a comparison. floor() and its relatives get a memory of
-their value, and two crossings where it changes.
+Between events an equation reads the memory of a relation instead of the relation itself, so that the branch
+is frozen while the integrator passes the kink and locates it. rumoca gives most relations a memory. A direct
+comparison that it leaves is matched here to its zero crossing or recognized as a time event; it stays a
+comparison only inside noEvent() or if it is constant between events. floor(), ceil() and trunc() get a
+memory for their value, and two zero crossings at which the value changes.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from fmu_build.codegen.programs import ProgramReader
 
 @dataclass(frozen=True, slots=True)
 class Relation:
-    """``p[memory]`` is 1 where ``root < 0``, and at zero where `holds_at_zero`."""
+    """``p[memory]`` is 1 where ``root < 0``, and also where ``root == 0`` if `holds_at_zero`."""
 
     root: Expression
     memory: int
@@ -31,24 +31,24 @@ class Relation:
 
 @dataclass
 class Relations:
-    """All relations of a model; grows while its equations are read."""
+    """All relations of a model; the lists grow while its equations are read."""
 
     n_p: int
-    """Length of p, with the memories that were added here."""
+    """Length of p, including the memories added here."""
     crossings: list[Relation] = field(default_factory=list)
-    """Watched for zero crossings during integration."""
+    """Relations monitored for zero crossings during integration."""
     of_time: list[Relation] = field(default_factory=list)
-    """Change at time events only."""
+    """Relations that change only at time events."""
     event_times: list[Expression] = field(default_factory=list)
     """The time of each time event, in terms of p."""
     floors: dict[Expression, int] = field(default_factory=dict)
-    """The value of floor(), ceil() and trunc() of something continuous, and its memory."""
+    """Calls of floor(), ceil() and trunc() with a continuous argument, and the slot of their value."""
 
     @property
     def indicators(self) -> dict[tuple[Expression, bool], int]:
         """The number of each distinct zero crossing, in the model's order.
 
-        Relations that hold at zero have one of their own: at zero they are on the other side of it.
+        ``<`` and ``<=`` of the same root have separate crossings, because they differ at zero.
         """
         sides = dict.fromkeys((relation.root, relation.holds_at_zero) for relation in self.crossings)
         return {side: number for number, side in enumerate(sides)}
@@ -60,9 +60,9 @@ class Relations:
 
     @property
     def opposites(self) -> tuple[int, ...]:
-        """For each relation the position of one that has the negated root, where both are false at zero.
+        """For each relation, the position of the one with the negated root, if both are false at zero.
 
-        The number of relations stands for none; empty where no relation has one.
+        The number of relations means none; the tuple is empty if no relation has an opposite.
         """
         strict = {r.root: position for position, r in enumerate(self.crossings) if not r.holds_at_zero}
         everything = (*self.crossings, *self.of_time)
@@ -72,7 +72,7 @@ class Relations:
 
     @property
     def time_roots(self) -> tuple[Expression, ...]:
-        """The distinct roots of relations of time, in the model's order."""
+        """The distinct roots of relations in time alone, in the model's order."""
         return tuple(dict.fromkeys(relation.root for relation in self.of_time))
 
     def _add(self, to: list[Relation], root: Expression, holds_at_zero: bool) -> int:
@@ -82,7 +82,7 @@ class Relations:
         return memory
 
     def freeze_step(self, node: Expression) -> Expression:
-        """The memory of floor(u), ceil(u) or trunc(u), which change where u leaves an interval."""
+        """Return the memory of floor(u), ceil(u) or trunc(u), adding it and its two crossings if needed."""
         if node not in self.floors:
             memory = ex.p(self.n_p)
             self.floors[node] = self.n_p
@@ -94,7 +94,7 @@ class Relations:
         return ex.p(self.floors[node])
 
     def freeze(self, node: Expression, unwatched: frozenset[tuple[Expression, bool]]) -> Expression | None:
-        """The memory that stands for a comparison, made where it is missing; None where it stays direct."""
+        """Return the memory that replaces a comparison, adding it if needed; None if the comparison stays."""
         root, holds_at_zero, negated = _as_root(node)
         for relation in (*self.crossings, *self.of_time):
             if relation.root == root and relation.holds_at_zero == holds_at_zero:
@@ -115,7 +115,7 @@ def _memory(index: int, negated: bool) -> Expression:
 
 
 def _interval(operator: str, value: Expression) -> tuple[Expression, Expression]:
-    """Where floor, ceil or trunc has this value, as bounds on the argument."""
+    """Return the bounds of the argument between which floor, ceil or trunc has this value."""
     above, below = binary("Add", value, ex.ONE), binary("Sub", value, ex.ONE)
     if operator == "Floor":
         return value, above
@@ -126,7 +126,7 @@ def _interval(operator: str, value: Expression) -> tuple[Expression, Expression]
 
 
 def _as_root(node: Expression) -> tuple[Expression, bool, bool]:
-    """(root, whether the relation holds at zero, whether it is negated) of an order comparison."""
+    """Return (root, holds at zero, is negated) of an order comparison."""
     a, b = node.arguments
     match node.operator:
         case "Lt":
@@ -141,7 +141,7 @@ def _as_root(node: Expression) -> tuple[Expression, bool, bool]:
 
 
 def _event_time(root: Expression) -> Expression | None:
-    """Where `root`, linear in time and else constant between events, is zero; None for other roots."""
+    """Return the time at which `root` is zero if it is linear in time and otherwise discrete; else None."""
     read = ex.leaves(root)
     if TIME not in read or any(leaf.operator == "y" for leaf in read):
         return None
@@ -157,7 +157,7 @@ def _event_time(root: Expression) -> Expression | None:
 def read_relations(
     model: LoweredModel, reader: ProgramReader, n_p: int
 ) -> tuple[Relations, frozenset[tuple[Expression, bool]]]:
-    """The relations that rumoca gives a memory, and the zero crossings that it watches without one."""
+    """Return the relations with a memory from rumoca, and the zero crossings that it monitors without one."""
     events = model.solve["events"]
     rows = reader.read_rows(events["root_conditions"])
     relations = Relations(n_p)
@@ -174,7 +174,7 @@ def read_relations(
 
 
 def _is_step_crossing(root: Expression) -> bool:
-    """Whether this is how rumoca finds the steps of floor(u): where sin(pi*u) is zero."""
+    """Return whether this is rumoca's root for the steps of floor(u): -sin(pi*u)."""
     if root.operator != "Neg" or root.arguments[0].operator != "Sin":
         return False
     argument = root.arguments[0].arguments[0]
@@ -192,7 +192,7 @@ def _holds_at_zero(model: LoweredModel, root: Expression, domain: str) -> bool:
 def freeze_comparisons(
     roots: Iterable[Expression], relations: Relations, unwatched: frozenset[tuple[Expression, bool]]
 ) -> dict[Expression, Expression]:
-    """What to substitute so that the expressions read memories instead of comparing directly."""
+    """Return the substitutions that make expressions read memories instead of comparing directly."""
     replacements: dict[Expression, Expression] = {}
     for node in ex.walk(*roots):
         if node.operator in ("Floor", "Ceil", "Trunc") and _varies(node):
@@ -205,5 +205,5 @@ def freeze_comparisons(
 
 
 def _varies(node: Expression) -> bool:
-    """Whether a value can change between events."""
+    """Return whether a value can change between events."""
     return any(leaf.operator in ("y", "time") for leaf in ex.leaves(node))

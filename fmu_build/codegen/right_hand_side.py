@@ -1,10 +1,10 @@
-"""What the integrator computes thousands of times a run, without what can be computed once.
+"""Hoist costly expressions of parameters out of the right-hand side, which runs thousands of times a run.
 
-A division takes several times as long as a product, and the next stage of the integrator waits for it: where
-only parameters decide the divisor, the derivatives are multiplied by its reciprocal. The reciprocal, and
-other costly parts that only parameters decide, become slots of p, computed with the dependent parameters.
+A division takes several times as long as a product, and the next stage of the integrator waits for it. If
+the divisor depends only on parameters, its reciprocal is a factor instead. Reciprocals and other costly
+expressions of parameters become slots of p ("parts"), computed with the dependent parameters.
 
-What a zero crossing reads is left as it stands: ``x/L >= 1`` must hold where x equals L.
+Divisions that a zero crossing reads are kept: ``x/L >= 1`` must hold where x equals L.
 """
 
 from __future__ import annotations
@@ -22,19 +22,19 @@ _CHEAP = {"Add", "Sub", "Mul", "Neg", "Not", "Abs", "Sign", "Min", "Max", "And",
 
 @dataclass(frozen=True)
 class RightHandSide:
-    """The derivatives and, in addition, the zero crossings."""
+    """The derivatives, and the steps that they and the zero crossings need."""
 
     derivatives: tuple[Expression, ...]
     for_derivatives: tuple[Step, ...]
-    """The algebraic equations that the derivatives need, in order."""
+    """The algebraic equations that the derivatives need, in topological order."""
     for_roots: tuple[Step, ...]
-    """Those that the zero crossings need beside them."""
+    """The additional ones that the zero crossings need."""
     parts: Mapping[Expression, int]
-    """What only parameters decide, and its slot of p."""
+    """The hoisted expressions of parameters, and their slots of p."""
 
 
 def arrange(equations: Equations, changing: Collection[int]) -> RightHandSide:
-    """The right-hand side of a model; `changing` has the slots of p that are no parameters."""
+    """Return the right-hand side of a model; `changing` holds the slots of p that are not parameters."""
     roots = equations.relations.roots
     read_by_roots = needed(equations.algebraics, roots)
     for_derivatives = tuple(
@@ -57,7 +57,7 @@ def arrange(equations: Equations, changing: Collection[int]) -> RightHandSide:
 
 
 def with_parts(equations: Equations, parts: Mapping[Expression, int]) -> Equations:
-    """The equations with the parts as dependent parameters at the end of p."""
+    """Append the parts to the dependent parameters and to p."""
     rows = tuple((slot, part) for part, slot in parts.items())
     return replace(
         equations,
@@ -79,7 +79,7 @@ def _with_reciprocals(value: Expression, changing: Collection[int]) -> Expressio
 
 
 def _constants(expressions: Iterable[Expression], changing: Collection[int]) -> set[Expression]:
-    """The nodes that parameters decide, and nothing but parameters and literals."""
+    """Return the nodes that depend on parameters and on nothing else but literals; calls are excluded."""
     found: set[Expression] = set()
     for node in ex.walk(*expressions):
         if node.operator == "p":
@@ -95,7 +95,7 @@ def _constants(expressions: Iterable[Expression], changing: Collection[int]) -> 
 
 
 def _costly_parts(expressions: Iterable[Expression], changing: Collection[int]) -> list[Expression]:
-    """The largest parts that parameters decide, of those that more than a few products and sums go into."""
+    """Return the largest subexpressions of parameters that contain an operation not in `_CHEAP`."""
     expressions = list(expressions)
     constant = _constants(expressions, changing)
     found: dict[Expression, None] = {}

@@ -1,4 +1,4 @@
-"""A compiled model together with the session that compiled it, to compile variants of it."""
+"""A compiled model with the session that compiled it, so that variants can be compiled."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ import rumoca
 
 _VARIANT = "FmuBuildVariant"
 SETTING_PREFIX = "fmuBuildSetting"
-"""What the names of the parameters begin with that a variant has more than its model."""
+"""Prefix of the parameters that a variant adds to its model."""
 
 
 @dataclass(frozen=True, slots=True)
 class Setting:
     """A parameter's dotted name, Modelica type, array dimensions and value as Modelica text.
 
-    With `each` the one value is given to the parameter of that name in every element of an array.
+    With `each`, the value applies to the parameter in every element of an array of components.
     """
 
     name: str
@@ -28,16 +28,16 @@ class Setting:
 
 @dataclass(frozen=True)
 class ModelSource:
-    """A model by name in a session that has loaded it."""
+    """A compiled model and the session that has loaded its source."""
 
     session: rumoca.Session
     model: rumoca.Model
 
     def variant(self, settings: Sequence[Setting]) -> rumoca.Model:
-        """The model with other parameter values.
+        """Compile the model with other parameter values.
 
-        Each value is a parameter of the variant: rumoca folds literals in modifiers into the equations,
-        which would make a parameter constant that is none. Raises what rumoca raises in compiling.
+        Each value becomes a parameter of the variant: rumoca folds literals in modifiers into the equations,
+        which would turn free parameters into constants. Errors of rumoca propagate.
         """
         names = {setting.name: f"{SETTING_PREFIX}{number}" for number, setting in enumerate(settings)}
         declarations = " ".join(
@@ -57,7 +57,7 @@ def _subscripts(dimensions: tuple[int, ...]) -> str:
 
 
 def _modifier(bindings: Mapping[str, tuple[str, str]]) -> str:
-    """Dotted names as nested modifiers: ``a.b`` and ``a.c`` become ``(a(b = ..., c = ...))``."""
+    """Write dotted names as nested modifiers: ``a.b`` and ``a.c`` become ``(a(b = ..., c = ...))``."""
     direct = [f"{prefix}{name} = {value}" for name, (prefix, value) in bindings.items() if "." not in name]
     nested: dict[str, dict[str, tuple[str, str]]] = {}
     for name, binding in bindings.items():

@@ -1,4 +1,4 @@
-"""The values that variables have before anybody sets one."""
+"""Start values of the variables."""
 
 from __future__ import annotations
 
@@ -13,19 +13,19 @@ from fmu_build.support.description import EnumerationType
 
 
 class StartValues:
-    """Start values by slot, and the enumeration types that some of them belong to."""
+    """Start values by slot, and the enumeration types of the model."""
 
     def __init__(self, model: LoweredModel) -> None:
         self._model = model
         self._values = self._read()
 
     def of(self, slot: Slot) -> float:
-        """The start value of a slot, 0 where the model gives none (Modelica's default)."""
+        """Return the start value of a slot: by default 0 or the first literal of an enumeration."""
         return self._values.get(slot, 0.0)
 
     @cached_property
     def enumerations(self) -> tuple[EnumerationType, ...]:
-        """All enumeration types of the model, from their qualified literals."""
+        """All enumeration types of the model, longest name first."""
         literals: dict[str, dict[int, str]] = {}
         for qualified, ordinal in self._model.flat["enum_literal_ordinals"].items():
             type_name, _, literal = qualified.rpartition(".")
@@ -37,7 +37,7 @@ class StartValues:
         )
 
     def enumeration_of(self, type_name: str) -> EnumerationType | None:
-        """The enumeration of that name, which may lack the packages around it."""
+        """Return the enumeration of that name, which need not include the enclosing packages."""
         for enumeration in self.enumerations:
             if enumeration.name == type_name or enumeration.name.endswith(f".{type_name}"):
                 return enumeration
@@ -73,7 +73,7 @@ class StartValues:
         return 1.0 if variable["value_type"]["scalar"] == "enumeration" else 0.0
 
     def _literal(self, number: int, element: int) -> float | None:
-        """The value of a literal of the DAE's expressions, or of one element of an array of literals."""
+        """Return the value of a literal expression of the DAE, or of an element of an array of literals."""
         operation = self._model.dae["expressions"][number]["operation"]
         if operation["kind"] == "literal":
             ((kind, value),) = operation["value"].items()
@@ -86,10 +86,10 @@ class StartValues:
 def starts_from_parameters(
     model: LoweredModel, n_states: int, sought: Container[Slot], without: Container[Slot]
 ) -> list[tuple[Slot, Expression]]:
-    """Start values that parameters decide: those that the Solve IR leaves out, except of the slots `without`.
+    """Return start values that depend on parameters and that the Solve IR omits, except for slots `without`.
 
-    These are discrete variables, states that are not fixed, and the unknowns of systems of equations, whose
-    slots are `sought`.
+    They belong to discrete variables, to states that are not fixed, and to the unknowns of algebraic loops
+    and initial equations, whose slots are `sought`.
     """
     bindings = model.solve["layout"]["bindings"]
     expressions = model.dae["expressions"]

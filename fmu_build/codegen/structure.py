@@ -1,4 +1,4 @@
-"""FMI's ModelStructure: what the outputs, derivatives and initial values depend on, and how."""
+"""FMI's ModelStructure: the dependencies of outputs, derivatives and initial unknowns, and their kinds."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _TIME_SLOT = ("time", 0)
 
 
 class Structure:
-    """Dependencies of one model, found by following its equations."""
+    """Dependencies of one model, derived from its equations."""
 
     def __init__(self, equations: Equations, variables: Sequence[StoredVariable]) -> None:
         self._equations = equations
@@ -30,7 +30,7 @@ class Structure:
         }
 
     def outputs(self) -> tuple[Unknown, ...]:
-        """What every output depends on, in continuous time."""
+        """Return each output with its dependencies in continuous time."""
         return tuple(
             self._unknown(n, self._value(s))
             for n, s in enumerate(self._variables)
@@ -38,7 +38,7 @@ class Structure:
         )
 
     def derivatives(self) -> tuple[Unknown, ...]:
-        """What every derivative depends on, in continuous time."""
+        """Return each derivative with its dependencies in continuous time."""
         return tuple(
             self._unknown(n, self._value(s))
             for n, s in enumerate(self._variables)
@@ -46,7 +46,7 @@ class Structure:
         )
 
     def initial_unknowns(self) -> tuple[Unknown, ...]:
-        """Outputs, states, derivatives and calculated parameters whose value initialisation finds."""
+        """Return the outputs, states, derivatives and calculated parameters that initialization computes."""
         found = []
         knowns = {
             (s.store, s.index): n
@@ -75,7 +75,7 @@ class Structure:
         return ex.y(stored.index) if stored.store == "y" else ex.p(stored.index)
 
     def _unknown(self, reference: int, value: Expression) -> Unknown:
-        """Dependencies on states, inputs, parameters and time, with kinds where equations are explicit."""
+        """Return dependencies on states, inputs, parameters and time; explicit equations give their kind."""
         explicit, reached = self._expand(value)
         behind = self._parameters_behind(reached)
         dependencies: list[tuple[int, DependencyKind]] = []
@@ -93,7 +93,7 @@ class Structure:
         return is_state or stored.variable.causality in ("input", "independent")
 
     def _parameters_behind(self, reached: Iterable[Expression]) -> set[Expression]:
-        """The parameters among the leaves, and those that others among them are computed from."""
+        """Return the parameters among the leaves and, transitively, those from which they are computed."""
         found: set[Expression] = set()
         waiting = list(reached)
         while waiting:
@@ -105,7 +105,7 @@ class Structure:
         return found
 
     def _expand(self, value: Expression) -> tuple[Expression | None, frozenset[Expression]]:
-        """The value in terms of states and p (None behind a Newton block), and the leaves it reaches."""
+        """Return the value in terms of states and p (None behind an algebraic loop), and its leaves."""
         reached: set[Expression] = set()
         replacements: dict[Expression, Expression] = {}
         explicit = True
@@ -141,7 +141,7 @@ class Structure:
         return "fixed" if all(item.index in self._tunable for item in read) else "dependent"
 
     def _reach_initially(self, stored: StoredVariable) -> set[tuple[str, int]]:
-        """Every slot that a value reaches at initialisation, through start values and equations."""
+        """Return all slots on which a value depends at initialization, through start values and equations."""
         starts: Mapping[ex.Slot, Expression] = dict(self._equations.start_values)
         seen: set[tuple[str, int]] = set()
         waiting = list(ex.leaves(self._value(stored)))
@@ -169,12 +169,12 @@ class Structure:
 
 
 def _leaf(stored: StoredVariable) -> Expression | None:
-    """What the equations read where they read the variable; None for those that they only compute."""
+    """Return the leaf that reads the variable in equations; None for derivatives, which they only compute."""
     if stored.store == "time":
         return TIME
     return None if stored.store == "derivative" else ex.leaf((stored.store, stored.index))
 
 
 def _outside(residuals: Sequence[Expression], unknowns: Sequence[int]) -> list[Expression]:
-    """What a Newton block reads beside its own unknowns."""
+    """Return the leaves that an algebraic loop reads besides its own unknowns."""
     return [leaf for leaf in ex.leaves(*residuals) if leaf.operator != "y" or leaf.index not in unknowns]

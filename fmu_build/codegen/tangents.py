@@ -1,9 +1,9 @@
-"""Directional derivatives: how far every value moves when states, inputs, parameters and time move a little.
+"""Directional derivatives by forward-mode tangents with respect to states, inputs, parameters and time.
 
-Each assignment ``v = e`` has a tangent, the sum of ``de/dx`` times the tangent of x over all x that e reads,
-and the tangents are computed in the order of the assignments. A system of equations moves as its
-linearization says. Relations, conditions and what when-clauses have set are held: the derivatives are those
-of the present branch.
+The tangent of an assignment ``v = e`` is the sum of ``de/dx`` times the tangent of x over all x that e reads;
+tangents are computed in the order of the assignments. The tangents of an algebraic loop's unknowns solve its
+linearization. Relations, conditions and values set by when-clauses are constant: the derivatives are those of
+the active branch.
 """
 
 from __future__ import annotations
@@ -22,54 +22,54 @@ Seeds = Mapping[Expression, Expression]
 
 
 class NoTangentsError(Exception):
-    """Why a model has no directional derivatives."""
+    """The model has no directional derivatives; the message says why."""
 
 
 @dataclass(frozen=True, slots=True)
 class Tangent:
-    """The tangent of one value."""
+    """The tangent of the value in one slot."""
 
     slot: Slot
     value: Expression
 
     @property
     def values(self) -> tuple[Expression, ...]:
-        """What is to be computed."""
+        """The expressions to compute."""
         return (self.value,)
 
 
 @dataclass(frozen=True, slots=True)
 class BlockTangent:
-    """A system of equations, and how its residuals move while its unknowns are held."""
+    """An algebraic loop, and the tangents of its residuals at constant unknowns."""
 
     block: NewtonBlock
     residuals: tuple[Expression, ...]
 
     @property
     def values(self) -> tuple[Expression, ...]:
-        """What is to be computed."""
+        """The expressions to compute."""
         return self.residuals
 
 
 @dataclass(frozen=True)
 class Tangents:
-    """The tangents of one model, in the order in which they are computed."""
+    """The tangents of one model in topological order."""
 
     parameters: tuple[Tangent, ...]
     """Computed parameters."""
     steps: tuple[Tangent | BlockTangent, ...]
-    """Algebraic variables, and discrete variables that follow continuously from others."""
+    """Algebraic variables, and discrete variables that depend continuously on other values."""
     derivatives: tuple[Expression, ...]
     starts: tuple[Tangent, ...]
     """Start values of states that depend on parameters."""
     initial_residuals: tuple[Expression, ...]
     cover_initialization: bool
-    """Whether no when-clause that may act at the start moves a value there, and no start value of a discrete
-    variable moves."""
+    """Whether they hold across initialization: no when-clause that can act at the start sets a state or a
+    value with a tangent, and no start value of a discrete variable has a tangent."""
 
     @classmethod
     def of(cls, equations: Equations, variables: Sequence[StoredVariable]) -> Tangents:
-        """Raises `NoTangentsError` where there is no order to compute them in."""
+        """Derive the tangents; raises `NoTangentsError` if the equations have no topological order."""
         seeds = {TIME: DTIME} | _moving(("y", i) for i in range(equations.n_y))
         seeds |= _moving(_independent(equations, variables))
         parameters = []
@@ -105,7 +105,7 @@ def _moving(slots: Iterable[Slot]) -> dict[Expression, Expression]:
 
 
 def _independent(equations: Equations, variables: Iterable[StoredVariable]) -> list[Slot]:
-    """The slots of p that an importer, or an initial equation, moves."""
+    """Return the slots of p that an importer or an initial equation sets."""
     found: list[Slot] = [
         ("p", s.index)
         for s in variables
@@ -125,7 +125,7 @@ def _tangent(value: Expression, seeds: Seeds) -> Expression:
 
 
 def _move(seeds: dict[Expression, Expression], tangent: Tangent) -> None:
-    """Let the seeds say whether a value moves."""
+    """Seed the slot of a tangent, or remove its seed if the tangent is zero."""
     seeds.pop(leaf(tangent.slot), None)
     if tangent.value != ZERO:
         seeds |= _moving([tangent.slot])
@@ -146,7 +146,7 @@ def _is_unknown(value: Expression, block: NewtonBlock) -> bool:
 
 
 def _moving_rows(equations: Equations, seeds: Seeds) -> list[_DiscreteStep]:
-    """Discrete variables whose equation holds always, not at events only, and that move with the rest."""
+    """Return the discrete variables whose equation holds at all times and whose tangent is not zero."""
     rows = [row for row in equations.discrete if row.kind == "assign" and not row.holds]
     moving: list[_DiscreteStep] = []
     known = dict(seeds)
@@ -159,7 +159,7 @@ def _moving_rows(equations: Equations, seeds: Seeds) -> list[_DiscreteStep]:
 
 
 def _ordered(steps: Sequence[Step | _DiscreteStep]) -> list[Step | _DiscreteStep]:
-    """The steps, each after those that compute what it reads."""
+    """Sort the steps topologically; raises `NoTangentsError` for a cycle."""
     by_slot = {slot: step for step in steps for slot in _slots(step)}
     ordered: list[Step | _DiscreteStep] = []
     entered: set[int] = set()
@@ -169,7 +169,7 @@ def _ordered(steps: Sequence[Step | _DiscreteStep]) -> list[Step | _DiscreteStep
         if id(step) in done:
             return
         if id(step) in entered:
-            raise NoTangentsError("discrete and algebraic equations depend on each other in a circle")
+            raise NoTangentsError("discrete and algebraic equations form a cycle")
         entered.add(id(step))
         values = (step.value,) if isinstance(step, _DiscreteStep) else step.expressions
         own = _slots(step)
@@ -191,7 +191,7 @@ def _slots(step: Step | _DiscreteStep) -> list[tuple[str, object]]:
 
 
 def _acts_at_start(equations: Equations, seeds: Seeds) -> bool:
-    """Whether a when-clause that can act at the start sets a state or a value that moves."""
+    """Return whether a when-clause that can act at the start sets a state, or a value with a tangent."""
     starters = {clock.activation for clock in equations.clocks}
     if equations.initial_event is not None:
         starters.add(equations.initial_event)

@@ -1,4 +1,4 @@
-"""Which variables an FMU shows, with their attributes, and where their values are stored."""
+"""The variables that an FMU exposes, with their attributes and where their values are stored."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ _TYPES: dict[str, ValueType] = {
 
 @dataclass(frozen=True, slots=True)
 class StoredVariable:
-    """A variable of the FMU with its place in the runtime's arrays."""
+    """A variable of the FMU with its position in the runtime's arrays."""
 
     variable: Variable
     store: Store
@@ -69,7 +69,7 @@ class VariableReader:
         }
 
     def _parameters_in_use(self) -> frozenset[int]:
-        """Indices of parameters that still act after initialisation, directly or through others."""
+        """Return the indices of parameters that act after initialization, directly or through others."""
         used = {
             leaf.index for leaf in ex.leaves(*acting_expressions(self._equations)) if leaf.operator == "p"
         }
@@ -79,7 +79,7 @@ class VariableReader:
         return frozenset(used)
 
     def read(self) -> tuple[StoredVariable, ...]:
-        """All visible variables: time, the model's own, and the derivatives of the states."""
+        """Return all visible variables: time, those of the model, and the derivatives of the states."""
         time = Variable("time", "Real", "independent", "continuous", None, None, "Simulation time", unit="s")
         stored = [StoredVariable(time, "time", 0)]
         for entry in self._model.dae["variables"]:
@@ -88,7 +88,7 @@ class VariableReader:
         return (*stored, *self._derivatives(stored))
 
     def _is_visible(self, entry: dict[str, Any]) -> bool:
-        """Protected variables stay inside, but for states: FMI lists all of them."""
+        """Return whether FMI lists the variable: protected variables are hidden, except for states."""
         flat = self._model.flat["variables"].get(entry["name"])
         is_hidden = flat is not None and flat["is_protected"] and entry["role"] != "state"
         return entry["attributes"]["origin"] == "source" and not is_hidden
@@ -109,9 +109,9 @@ class VariableReader:
             yield StoredVariable(variable, *self._place(slot))
 
     def _place(self, slot: ex.Slot) -> tuple[Store, int]:
-        """Where a value is read from: an algebraic variable that is a derivative, such as alpha, from there.
+        """Return the store and index of a value; an algebraic variable equal to a derivative is read from it.
 
-        Importers read it as often as the states, and the derivatives cost less than all algebraic variables.
+        Importers read it as often as the states, and derivatives cost less than all algebraic variables.
         """
         if slot[0] == "y" and slot[1] >= self._equations.n_states:
             value = self._resolved(ex.y(slot[1]))
@@ -122,7 +122,7 @@ class VariableReader:
         return slot
 
     def _resolved(self, value: ex.Expression) -> ex.Expression:
-        """What an alias stands for, through any number of others."""
+        """Return the value at the end of a chain of aliases."""
         while value.operator == "y" and value.index in self._copies:
             value = self._copies[value.index]
         return value
@@ -156,7 +156,7 @@ class VariableReader:
         )
 
     def _role(self, entry: dict[str, Any], slot: ex.Slot) -> _Role:
-        """Causality, variability and initial, by FMI 2.0's table of what goes together."""
+        """Return causality, variability and initial, in a combination that FMI 2.0 allows."""
         if entry["role"] in ("parameter", "constant"):
             return self._parameter_role(entry, slot)
         if entry["role"] == "input" and "." not in entry["name"]:
@@ -195,7 +195,7 @@ class VariableReader:
         return found
 
     def _derivatives(self, stored: list[StoredVariable]) -> Iterator[StoredVariable]:
-        """der(state) for every state, visible or not: FMI's ModelStructure needs a variable for each."""
+        """Yield der(state) for every state: FMI's ModelStructure needs a variable for each."""
         references = {s.index: n for n, s in enumerate(stored) if s.store == "y"}
         names = self._model.solve["solve_layout"]["solver_maps"]["names"]
         for index in range(self._equations.n_states):
@@ -217,7 +217,7 @@ class VariableReader:
 
 
 def nominals(model: LoweredModel) -> dict[int, float]:
-    """Nominal values, where the model gives them, of the variables in y: visible or not."""
+    """Return the nominal values that the model gives for variables in y, visible or not, by index."""
     found = {}
     for entry in model.dae["variables"]:
         for number, name in enumerate(entry["scalar_names"]):
@@ -229,7 +229,7 @@ def nominals(model: LoweredModel) -> dict[int, float]:
 
 
 def _given_by_when(equations: Equations) -> frozenset[ex.Slot]:
-    """Discrete variables that keep their start value until a when-clause sets them."""
+    """Return the discrete variables that keep their start value until a when-clause sets them."""
     return frozenset(row.slot for row in equations.discrete if row.kind == "assign" and row.holds)
 
 
@@ -245,7 +245,7 @@ def _per_second(unit: str) -> str:
 
 
 def _element(values: list[float] | None, number: int) -> float | None:
-    """The attribute of one element; a single value holds for all of an array. Huge bounds mean none."""
+    """Return the attribute of one array element; a single value applies to all, 1e60 or more to none."""
     if not values:
         return None
     value = values[number] if len(values) > 1 else values[0]

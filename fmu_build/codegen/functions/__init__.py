@@ -1,4 +1,4 @@
-"""Modelica functions as C functions."""
+"""Translate Modelica functions to C functions."""
 
 from fmu_build.codegen.functions.library import FunctionLibrary, FunctionSources
 from fmu_build.codegen.functions.signature import FunctionSignature

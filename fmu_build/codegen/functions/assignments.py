@@ -1,4 +1,4 @@
-"""Assignments in bodies of Modelica functions as C statements."""
+"""Write assignments in bodies of Modelica functions as C statements."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ from fmu_build.codegen.functions.index import Index, positions
 
 @dataclass(frozen=True, slots=True)
 class Assignment:
-    """``target := rhs``, the number of a variable and the id of an expression."""
+    """``target := rhs``: the number of a variable and the id of an expression."""
 
     target: int
     rhs: int
 
 
 class AssignmentWriter:
-    """Writes assignments to variables that are declared."""
+    """Writes assignments to variables that have been declared."""
 
     def __init__(self, dae: FunctionDae, expressions: FunctionExpressions, code: FunctionCode) -> None:
         self._dae = dae
@@ -30,7 +30,7 @@ class AssignmentWriter:
         self._code = code
 
     def write(self, assignments: Sequence[Assignment]) -> None:
-        """Assign at the same time: no assignment sees the value that another one sets."""
+        """Write simultaneous assignments: none reads a value that another one sets."""
         pending = [assignment for assignment in assignments if not self._keeps_value(assignment)]
         if len(pending) > 1 and all(map(self.is_if, pending)) and self._have_same_conditions(pending):
             self._if(pending)
@@ -46,7 +46,7 @@ class AssignmentWriter:
                 return
 
     def is_if(self, assignment: Assignment) -> bool:
-        """Whether this is written as an if-statement: it was one, or it chooses between arrays."""
+        """Return whether to write an if-statement: it was one in Modelica, or it chooses between arrays."""
         if self._dae.operation(assignment.rhs)["kind"] != "conditional":
             return False
         return bool(self._dae.dimensions(assignment.rhs)) or self._dae.is_generated(assignment.rhs)
@@ -60,7 +60,7 @@ class AssignmentWriter:
         )
 
     def _is_needed(self, assignment: Assignment, pending: Sequence[Assignment]) -> bool:
-        """Whether another assignment still reads the old value of the target."""
+        """Return whether another pending assignment reads the old value of the target."""
         others = [other.rhs for other in pending if other is not assignment]
         return self._reads(others, assignment.target)
 
@@ -77,7 +77,7 @@ class AssignmentWriter:
             self._code.assign(name, self._expressions.scalar(assignment.rhs))
 
     def _assign_last(self, assignment: Assignment, others: Sequence[Assignment]) -> None:
-        """Each variable needs another one's old value: keep one new value until the others are set."""
+        """Break a cycle of assignments that need each other's old values: hold one new value back."""
         if self._dae.dimensions(assignment.rhs):
             copy = self._copy_of(assignment)
             self.write(others)
@@ -130,7 +130,7 @@ class AssignmentWriter:
             self._fill(name, assignment.rhs)
 
     def _copy_of(self, assignment: Assignment) -> str:
-        """A new array with the value of the right-hand side."""
+        """Declare a new array with the value of the right-hand side and return its name."""
         name = self._code.name("new")
         self._code.declare(name, self._dae.size(assignment.rhs))
         updates, base = self._updates(assignment.rhs)
@@ -144,7 +144,7 @@ class AssignmentWriter:
         self._expressions.loops.copy(name, copy, self._dae.size(assignment.rhs))
 
     def _fill(self, name: str, rhs: int) -> None:
-        """Set all elements of a C array that the right-hand side does not read."""
+        """Set all elements of a C array; the right-hand side must not read it."""
         dimensions = self._dae.dimensions(rhs)
         if self._expressions.is_only_result(rhs):
             self._expressions.call_into(rhs, name)
@@ -161,7 +161,7 @@ class AssignmentWriter:
             self._expressions.loops.for_each(dimensions, store)
 
     def _updates(self, rhs: int) -> tuple[list[dict[str, Any]], int]:
-        """The element assignments that the right-hand side is made of, in order, and the array below them."""
+        """Return the chain of element assignments in the right-hand side, in order, and their base array."""
         updates: list[dict[str, Any]] = []
         while (operation := self._dae.operation(rhs))["kind"] == "array_update":
             updates.insert(0, operation)
@@ -169,7 +169,7 @@ class AssignmentWriter:
         return updates, rhs
 
     def _update(self, assignment: Assignment, name: str) -> None:
-        """Assignments to elements, in place where none needs an element that one before it sets."""
+        """Assign to elements, in place unless an assignment needs an element that an earlier one sets."""
         updates, base = self._updates(assignment.rhs)
         late = updates if self._dae.dimensions(updates[0]["value"]) else updates[1:]
         inputs = [number for update in late for number in _inputs(update)]
@@ -196,5 +196,5 @@ class AssignmentWriter:
 
 
 def _inputs(update: dict[str, Any]) -> list[int]:
-    """What an assignment to elements reads beside the array itself."""
+    """Return the expressions that an assignment to elements reads besides the array itself."""
     return [update["value"], *(s["expression"] for s in update["subscripts"] if "expression" in s)]

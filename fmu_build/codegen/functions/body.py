@@ -1,8 +1,8 @@
-"""The algorithm of a Modelica function as a C function.
+"""Write the algorithm of a Modelica function as a C function.
 
-rumoca hands algorithms over in static single assignment form: every assignment is a definition of its own,
-and every read names the definition that it means. Here the definitions of one variable share one C variable;
-each read is checked against the definition whose value the C variable has at that point.
+rumoca provides algorithms in static single assignment form: every assignment is a new definition, and every
+read names its definition. Here all definitions of a variable share one C variable; each read is checked
+against the definition whose value the C variable holds at that point.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ def write_function(
     callees: Callees,
     is_tangent: bool = False,
 ) -> str:
-    """C source of a function, or of the one that computes the tangents of its results.
+    """Return the C source of a function, or of the function that computes the tangents of its results.
 
     Raises `UnsupportedModelError` for an unsupported construct.
     """
@@ -83,7 +83,7 @@ class _FunctionWriter:
         return f"static void {self._signature.name}({', '.join([*parameters, result])})"
 
     def _parameter(self, parameter: Mapping[str, Any]) -> tuple[str, str]:
-        """The C name of a parameter and its declaration."""
+        """Return the C name of a parameter and its declaration."""
         dimensions = self._dae.declared_dimensions(parameter)
         name = self._code.name(parameter["name"])
         self._expressions.parameters[parameter["ordinal"]] = name
@@ -111,7 +111,7 @@ class _FunctionWriter:
                     raise self._dae.unsupported(f"a statement of kind {kind} in a loop", where)
 
     def _group(self, definitions: Sequence[int], is_outermost: bool) -> None:
-        """Assignments that all read the values before the group."""
+        """Write a group of assignments that all read the values from before the group."""
         live = [
             d for d in definitions if d in self._live and self._definitions[d]["target"] not in self._records
         ]
@@ -126,7 +126,7 @@ class _FunctionWriter:
             self._expressions.current[self._definitions[definition]["target"]] = definition
 
     def _for(self, statement: Statement) -> None:
-        """A loop; its fold says which definitions stand for the carried values before, in and after it."""
+        """Write a loop; its fold names the definitions of the carried values before, inside and after it."""
         fold = self._function["folds"][statement["fold"]]
         inner = [s["definition"] for s in flattened(statement["statements"]) if s["kind"] == "assignment"]
         targets = [
@@ -146,7 +146,7 @@ class _FunctionWriter:
         self._carry(fold, "update_definitions", "output_definitions")
 
     def _carry(self, fold: Mapping[str, Any], before: str, after: str) -> None:
-        """The carried variables keep their values, which other definitions stand for from here on."""
+        """Rename the definitions of carried variables, whose C variables keep their values."""
         for target, old, new in zip(fold["targets"], fold[before], fold[after], strict=True):
             if new in self._live:
                 if self._expressions.current.get(target) != old:
@@ -165,7 +165,7 @@ class _FunctionWriter:
         return name
 
     def _is_declaration(self, assignment: Assignment) -> bool:
-        """Whether an assignment can stand in the declaration of its variable."""
+        """Return whether an assignment can be the initializer of its variable's declaration."""
         if assignment.target in self._declared or self._assignments.is_if(assignment):
             return False
         return not self._dimensions[assignment.target] or self._expressions.is_list(assignment.rhs)
@@ -190,7 +190,7 @@ class _FunctionWriter:
         return sum(s["kind"] == "assertion" for s in flattened(self._function["statements"]))
 
     def _record_results(self) -> dict[int, list[int]]:
-        """Outputs that are records, put together from variables at the end, with their fields."""
+        """Return the outputs that are records, with the expressions of their fields."""
         records = {}
         for definition in self._function["results"]:
             operation = self._dae.operation(self._definitions[definition]["rhs"])
@@ -217,7 +217,7 @@ class _FunctionWriter:
                 offset = self._store_array(name, self._dimensions[target], offset)
 
     def _store_result(self, number: int, offset: int) -> int:
-        """Store the elements of an expression from `offset` on; gives the place behind them."""
+        """Store the elements of an expression from `offset` on; return the offset behind them."""
         dimensions = self._dae.dimensions(number)
         for place, at in enumerate(positions(dimensions)):
             self._code.result(str(offset + place), self._expressions.element(number, at))

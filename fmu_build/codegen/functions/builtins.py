@@ -1,4 +1,4 @@
-"""Operators and built-in functions in bodies of Modelica functions, element by element."""
+"""Translate operators and built-in functions in bodies of Modelica functions, element by element."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ At = tuple[Position, ...]
 
 
 class Builtins:
-    """Applies operators; `element` gives the elements of their operands."""
+    """Applies operators; `element` returns an element of an operand."""
 
     def __init__(
         self,
@@ -47,7 +47,7 @@ class Builtins:
         self._element = element
 
     def unary(self, number: int, operation: Operation, at: At) -> Expression:
-        """Sign and negation, ``-a`` and ``not a``."""
+        """Apply ``+a``, ``-a`` or ``not a``."""
         name = {"negate": "Neg", "not": "Not", "plus": None}.get(operation["operator"], "")
         if name == "":
             raise self._dae.unsupported(f"operator {operation['operator']}", number)
@@ -55,7 +55,7 @@ class Builtins:
         return operand if name is None else ex.unary(name, operand)
 
     def binary(self, number: int, operation: Operation, at: At) -> Expression:
-        """Operators on scalars, on scalars and arrays, on arrays of one shape, and products of matrices."""
+        """Apply an operator with broadcasting of scalars, or multiply matrices."""
         operator, a, b = operation["operator"], operation["lhs"], operation["rhs"]
         if operator == "multiply" and self._dae.dimensions(a) and self._dae.dimensions(b):
             return self._matrix_product(a, b, at)
@@ -70,7 +70,7 @@ class Builtins:
         return a, b
 
     def _matrix_product(self, a: int, b: int, at: At) -> Expression:
-        """The sum over a's last and b's first axis."""
+        """Return an element of the matrix product: the sum over a's last and b's first axis."""
         outer = len(self._dae.dimensions(a)) - 1
         left, right = at[:outer], at[outer:]
         return self._loops.reduced(
@@ -80,7 +80,7 @@ class Builtins:
         )
 
     def builtin(self, number: int, operation: Operation, at: At) -> Expression:
-        """Built-in functions of Modelica, of numbers and of arrays."""
+        """Apply a built-in function of Modelica, scalar or array."""
         name, arguments = operation["builtin"], operation["arguments"]
         if name in UNARY_FUNCTIONS:
             return ex.unary(UNARY_FUNCTIONS[name], self._element(arguments[0], at))
@@ -98,7 +98,7 @@ class Builtins:
         return self._of_array(number, operation, at)
 
     def _of_array(self, number: int, operation: Operation, at: At) -> Expression:
-        """Built-in functions that make arrays or ask for their size."""
+        """Apply a built-in function that constructs or transposes an array, or returns its size."""
         match operation["builtin"]:
             case "zeros" | "ones":
                 return ex.number(operation["builtin"] == "ones")
@@ -114,12 +114,12 @@ class Builtins:
 
 
 def equal(a: Expression, b: Expression) -> Expression:
-    """``a == b``, decided here for numbers."""
+    """Return ``a == b``, evaluated here if both are numbers."""
     return ex.number(a.value == b.value) if a.is_number and b.is_number else Expression("Eq", (a, b))
 
 
 def _division(name: str, a: Expression, b: Expression) -> Expression:
-    """Integer division and its remainders, Modelica 3.6 section 3.7.2."""
+    """Return an integer division or its remainder (Modelica 3.6, section 3.7.2)."""
     quotient = ex.binary("Div", a, b)
     if name == "div":
         return ex.unary("Trunc", quotient)

@@ -1,9 +1,9 @@
-"""Which Modelica function each call site of the Solve IR calls.
+"""Identify the Modelica function that each call site of the Solve IR calls.
 
-The Solve IR names the callee by the number of a call site only. rumoca numbers the sites in the order in
-which it meets the calls in the equations of the DAE, outer calls before those in their arguments. So the
-sites in the programs of one equation, sorted, are the calls in the equation's expressions in that order;
-that is accepted only where their number and every signature agree.
+The Solve IR identifies the callee only by the number of the call site. rumoca numbers the sites in the
+order in which it visits the calls in the equations of the DAE, outer calls before those in their arguments.
+The sorted sites in the programs of one equation therefore match the calls in the equation's expressions in
+that order; the match is accepted only if their number and every signature agree.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ _REFERENCES = ("residual", "bodies", "expression", "message")
 
 
 class CallSites:
-    """Finds the functions behind the call sites of one model."""
+    """Maps the call sites of one model to functions."""
 
     def __init__(self, model: LoweredModel) -> None:
         self._model = model
@@ -30,7 +30,7 @@ class CallSites:
         self._found = self._match_all()
 
     def function_of(self, site: Mapping[str, Any], span: dict[str, int] | None) -> int:
-        """The id of the function; raises `UnsupportedModelError` where it is not certain."""
+        """Return the id of the function; raises `UnsupportedModelError` if it is ambiguous."""
         found = self._found.get(site["owner"])
         if found is not None:
             return found
@@ -44,13 +44,13 @@ class CallSites:
         raise self._model.unsupported(f"a function call that cannot be identified: it fits {what}", span)
 
     def _match_all(self) -> dict[int, int]:
-        """{number of the call site: id of the function} for all equations where both sides agree."""
+        """Return {number of the call site: id of the function} for all equations whose call sites match."""
         roots = self._roots_by_span()
         found: dict[int, int] = {}
         for span, sites in self._sites_by_span().items():
             ordered = sorted(sites)
             all_calls = self._calls_below(roots.get(span, []))
-            # rumoca may have computed calls of constants itself.
+            # rumoca may have evaluated calls with constant arguments.
             for calls in (all_calls, [call for call in all_calls if not self._is_constant(call)]):
                 functions = [self._expressions[call]["operation"]["function"] for call in calls]
                 if len(functions) == len(ordered) and all(
@@ -74,7 +74,7 @@ class CallSites:
         return sites
 
     def _roots_by_span(self) -> dict[_SpanKey, list[int]]:
-        """The expressions that belong to each place in the source, in the order of the DAE."""
+        """Return the root expressions at each source span, in the order of the DAE."""
         roots: dict[_SpanKey, list[int]] = {}
         for entry in _placed(self._model.dae["systems"]):
             for name in _REFERENCES:
@@ -91,14 +91,14 @@ class CallSites:
         return roots
 
     def _calls_below(self, roots: Sequence[int]) -> list[int]:
-        """The call expressions below the roots, outer calls first; several results of one call count once."""
+        """Return the calls in the roots, outer calls first; several results of one call count once."""
         calls: list[int] = []
         seen: set[int] = set()
         met: set[tuple[int, tuple[int, ...]]] = set()
 
         def visit(number: int, is_root: bool) -> None:
             if number in seen or (number in self._relations and not is_root):
-                return  # the equation reads the memory of the relation, which has a row of its own
+                return  # the equation reads the memory of the relation, which has its own row
             seen.add(number)
             operation = self._expressions[number]["operation"]
             if operation["kind"] == "call":
@@ -119,7 +119,7 @@ class CallSites:
                 yield expression["operation"]
 
     def _fits(self, number: int, site: Mapping[str, Any]) -> bool:
-        """Whether inputs and results of the function have the shapes that the call site has."""
+        """Return whether the inputs and results of the function have the shapes of the call site."""
         function = self._functions[number]
         inputs = [self._dimensions(parameter["value_type"]) for parameter in function["parameters"]]
         results = [list(shape) for kind in function["result_types"] for shape in shapes(self._types, kind)]
@@ -133,7 +133,7 @@ class CallSites:
 
 
 def shapes(types: Sequence[Mapping[str, Any]], kind: int) -> list[tuple[int, ...]]:
-    """The array sizes of what a value of a type consists of: itself, or the fields of a record."""
+    """Return the array sizes of a value of a type or, for a record, of all its fields."""
     fields = types[kind]["record_fields"]
     if types[kind]["scalar"] != "record":
         return [tuple(types[kind]["dimensions"])]
@@ -141,7 +141,7 @@ def shapes(types: Sequence[Mapping[str, Any]], kind: int) -> list[tuple[int, ...
 
 
 def operands(operation: Mapping[str, Any]) -> Iterator[int]:
-    """The expressions that an operation of the DAE reads directly, in the order in which they are written."""
+    """Yield the direct operands of an operation of the DAE in source order."""
     for name in ("operand", "lhs", "rhs", "base", "body", "value"):
         if isinstance(operation.get(name), int) and operation["kind"] != "function_value":
             yield operation[name]
@@ -157,7 +157,7 @@ def operands(operation: Mapping[str, Any]) -> Iterator[int]:
 
 
 def _tables(tree: Any) -> Iterator[Mapping[str, Any]]:
-    """Every table of programs, but for those of derivatives, which have call sites of their own."""
+    """Yield every table of programs except for those of derivatives, whose call sites are separate."""
     if isinstance(tree, dict):
         if "programs" in tree and "program_spans" in tree:
             yield tree

@@ -1,7 +1,7 @@
-"""The lines of a C function while they are collected.
+"""The lines of a C function, with forward-mode tangents on request.
 
-With tangents, every variable ``x`` has a twin ``d_x`` that is set just before it: to the derivative of its
-value in the direction in which the twins of the inputs point.
+With tangents, every variable ``x`` has a twin ``d_x``, set just before it: the derivative of its value in the
+direction given by the twins of the inputs.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from fmu_build.codegen.expression import Expression
 from fmu_build.codegen.functions.index import Index
 
 _WORTH_A_VARIABLE = 6
-"""Operations from which on a part that occurs twice in a statement is computed once."""
+"""Number of nodes from which a common subexpression of a statement becomes a variable."""
 
 _RESERVED = """
     auto break case char const continue default do double else enum extern float for goto if inline int long
@@ -26,11 +26,11 @@ _RESERVED = """
     while bool true false result sign fabs sqrt exp log log10 sin cos tan asin acos atan sinh cosh tanh floor
     ceil trunc pow atan2 fmin fmax at put within NAN INFINITY NULL EOF BUFSIZ HUGE_VAL
 """
-"""Names that a Modelica variable may have but that mean something else in the C code."""
+"""Names that are valid in Modelica but have another meaning in the C code."""
 
 
 def twin(text: str) -> str:
-    """The tangent of a variable or of an element of an array."""
+    """Return the C name of the tangent of a variable or array element."""
     return f"d_{text}"
 
 
@@ -38,11 +38,11 @@ def twin(text: str) -> str:
 class _Line:
     text: str
     sets: str | None
-    """The variable that the line declares or sets and does nothing beside."""
+    """The variable that the line declares or sets, if it has no other effect."""
 
 
 class FunctionCode:
-    """Lines with their indentation, names that are in use, and values that have a C text already."""
+    """Lines with their indentation, names in use, and values with a C text."""
 
     def __init__(self, with_tangents: bool = False) -> None:
         self.with_tangents = with_tangents
@@ -56,7 +56,7 @@ class FunctionCode:
         self._called: dict[str, str] = {}
 
     def name(self, wanted: str) -> str:
-        """A C identifier like `wanted` that nothing else in the function has."""
+        """Return a C identifier like `wanted` that is unique in the function."""
         base = re.sub(r"\W+", "_", wanted.removeprefix("__rumoca_")).strip("_") or "value"
         base = base if not base[0].isdigit() else f"n{base}"
         candidate, number = base, 2
@@ -66,7 +66,7 @@ class FunctionCode:
         return candidate
 
     def release(self, name: str) -> None:
-        """Let another variable in another scope have the name."""
+        """Allow another scope to reuse the name."""
         self._taken.difference_update(self._with_twin(name))
 
     def _with_twin(self, name: str) -> tuple[str, ...]:
@@ -75,9 +75,9 @@ class FunctionCode:
     def leaf(
         self, text: str, tangent: Callable[[], str] | None = None, is_costly: bool = False
     ) -> Expression:
-        """A value that stands in C as `text`, which binds like a name; a costly one is computed once.
+        """Return a leaf written in C as `text`, which binds like a name; a costly one is computed once.
 
-        `tangent` gives the C text of its tangent; without, it has none, as a loop variable.
+        `tangent` returns the C text of its tangent; a leaf without it, such as a loop variable, is constant.
         """
         if text not in self._leaves:
             leaf = Expression("text", payload=len(self._leaves))
@@ -90,15 +90,15 @@ class FunctionCode:
         return self._leaves[text]
 
     def variable(self, text: str) -> Expression:
-        """The value of a variable, or of an element of an array at a place that is known."""
+        """Return the leaf for a variable, or for an array element at a known position."""
         return self.leaf(text, lambda: twin(text))
 
     def tangent(self, value: Expression) -> Expression:
-        """The tangent of a value."""
+        """Return the tangent of a value."""
         return differentiate(value, self._tangents)
 
     def index_value(self, index: Index) -> Expression:
-        """The value of an index as a double."""
+        """Return the value of an index as a double."""
         total = ex.number(index.constant)
         for variable, factor in reversed(index.terms):
             term = ex.binary("Mul", ex.number(factor), self.leaf(f"(double){variable.name}"))
@@ -106,7 +106,7 @@ class FunctionCode:
         return total
 
     def text(self, node: Expression) -> str:
-        """The C text of a value, after lines that compute large parts which it has twice."""
+        """Return the C text of a value, after appending lines for its large common subexpressions."""
         names = dict(self._texts)
         uses = Counter(argument for part in ex.walk(node) for argument in part.arguments)
         sizes: dict[Expression, int] = {}
@@ -120,21 +120,21 @@ class FunctionCode:
         return Writer(names).text(node)
 
     def condition(self, node: Expression) -> str:
-        """The C text of a truth value as a condition."""
+        """Return the C text of a truth value as a condition."""
         text = self.text(node)
         return text if node.operator in ex.TRUTH else f"{text} != 0.0"
 
     def declare(self, name: str, size: int | None = None) -> None:
-        """A variable, or an array with so many elements, without a value yet."""
+        """Declare a variable, or an array of `size` elements, without a value."""
         for each in self._with_twin(name):
             self.line(f"double {each};" if size is None else f"double {each}[{size}];", sets=each)
 
     def define(self, name: str, value: Expression, is_constant: bool = True) -> None:
-        """A variable with its value."""
+        """Define a variable with its value."""
         self._set(name, value, "const double " if is_constant else "double ")
 
     def define_array(self, name: str, values: Sequence[Expression], is_constant: bool = True) -> None:
-        """An array with the values of its elements."""
+        """Define an array with the values of its elements."""
         kind = "const double" if is_constant else "double"
         texts = {name: [self.text(value) for value in values]}
         if self.with_tangents:
@@ -143,7 +143,7 @@ class FunctionCode:
             self.line(f"{kind} {each}[{len(elements)}] = {{{', '.join(elements)}}};", sets=each)
 
     def assign(self, target: str, value: Expression) -> None:
-        """Set a variable, or an element of an array at a place that is known."""
+        """Assign to a variable, or to an array element at a known position."""
         self._set(target, value, "")
 
     def _set(self, target: str, value: Expression, declaration: str) -> None:
@@ -154,7 +154,7 @@ class FunctionCode:
         self.line(f"{declaration}{target} = {self.text(value)};", sets=target.partition("[")[0])
 
     def put(self, array: str, size: int, place: Expression, value: Expression) -> None:
-        """Set an element of an array at a place, counted from one, that is known only when the code runs."""
+        """Assign to an array element whose one-based position is known only at run time."""
         where = self.text(place)
         if self.with_tangents:
             tangent = self.text(self.tangent(value))
@@ -162,11 +162,11 @@ class FunctionCode:
         self.line(f"put({array}, {size}, {where}, {self.text(value)});", sets=array)
 
     def result(self, place: str, value: Expression) -> None:
-        """Store one of several results of the function."""
+        """Store one of several results of the function, or its tangent."""
         self.line(f"result[{place}] = {self.text(self.tangent(value) if self.with_tangents else value)};")
 
     def results(self, call: Callable[[str], str], tangent_call: Callable[[str], str], size: int) -> str:
-        """The array with the results of a call; the calls take the name of the array."""
+        """Return the name of an array with the results of a call; both callables take that name."""
         key = call("")
         if key not in self._called:
             name = self._called[key] = self.name("r")
@@ -177,22 +177,22 @@ class FunctionCode:
     def store_results(
         self, name: str, call: Callable[[str], str], tangent_call: Callable[[str], str]
     ) -> None:
-        """Let a call set the elements of an array."""
+        """Write a call that stores its results in an array."""
         if self.with_tangents:
             self.line(f"{tangent_call(twin(name))};", sets=twin(name))
         self.line(f"{call(name)};", sets=name)
 
     def new_statement(self) -> None:
-        """Results of calls are not used again: variables may have changed."""
+        """Forget the results of calls: variables may change between statements."""
         self._called.clear()
 
     def line(self, text: str, sets: str | None = None) -> None:
-        """A line at the present indentation; `sets` is the variable that it sets, if it does nothing else."""
+        """Append an indented line; `sets` is the variable that it sets, if that is its only effect."""
         self._lines.append(_Line("    " * self._depth + text, sets))
 
     @property
     def lines(self) -> list[str]:
-        """The function's lines; with tangents, without those that set what nothing reads."""
+        """The function's lines; with tangents, after dead code elimination."""
         lines = self._lines
         while self.with_tangents:
             idle = {line.sets for line in lines} - {None} - _read(lines)
@@ -209,7 +209,7 @@ class FunctionCode:
         self.new_statement()
 
     def close(self, tail: str = "") -> None:
-        """End a block; `tail` is what follows its brace, such as ``else {``, which opens the next one."""
+        """End a block; `tail` follows its brace, such as ``else {``, which opens the next block."""
         self._depth -= 1
         self.line(f"}} {tail}".rstrip())
         if tail:
@@ -218,7 +218,7 @@ class FunctionCode:
 
 
 def _read(lines: Sequence[_Line]) -> set[str | None]:
-    """The names that lines mention, but for what each of them sets."""
+    """Return the names that lines mention, except for the variable that each line sets."""
     names: set[str | None] = set()
     for line in lines:
         names.update(name for name in re.findall(r"[A-Za-z_]\w*", line.text) if name != line.sets)
@@ -232,14 +232,14 @@ def _without_empty_blocks(lines: Sequence[_Line]) -> list[_Line]:
         if not is_empty:
             kept.append(line)
         elif kept[-1].text.strip().startswith("}"):
-            kept[-1] = line  # nothing to do otherwise
+            kept[-1] = line  # an empty else branch
         else:
             kept.pop()
     return kept
 
 
 class _Tangents(Mapping[Expression, Expression]):
-    """The tangents of leaves, made when they are first needed: they may take lines of their own."""
+    """The tangents of leaves, created when they are needed, because they may append lines."""
 
     def __init__(self) -> None:
         self.makers: dict[Expression, Callable[[], Expression]] = {}

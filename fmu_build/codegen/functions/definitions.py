@@ -1,4 +1,4 @@
-"""What the definitions of an algorithm read, which of them matter, and what makes two algorithms equal."""
+"""Definitions of an algorithm: the values they read, which of them are live, and equality of algorithms."""
 
 from __future__ import annotations
 
@@ -9,23 +9,23 @@ from fmu_build.codegen.functions.calls import operands
 
 Statement = Mapping[str, Any]
 Expressions = Mapping[int, Mapping[str, Any]]
-"""The expressions of the DAE by their ids."""
+"""The expressions of the DAE by id."""
 
 
 def flattened(statements: Sequence[Statement]) -> Iterator[Statement]:
-    """All statements with those inside loops and groups."""
+    """Yield all statements, including those inside loops and groups."""
     for statement in statements:
         yield statement
         yield from flattened(statement.get("statements", ()))
 
 
 def assertions(function: Mapping[str, Any]) -> int:
-    """How many assert statements a function has, each of which gives a truth value beside the results."""
+    """Return the number of assert statements; each adds a truth value to the results of the function."""
     return sum(statement["kind"] == "assertion" for statement in flattened(function["statements"]))
 
 
 def reads(expressions: Expressions, roots: Iterable[int]) -> set[tuple[int, int]]:
-    """The variables that expressions read, each with the definition that is meant."""
+    """Return the variables that expressions read, each with its definition."""
     found: set[tuple[int, int]] = set()
     waiting = list(roots)
     seen = set(waiting)
@@ -40,7 +40,7 @@ def reads(expressions: Expressions, roots: Iterable[int]) -> set[tuple[int, int]
 
 
 def live_definitions(function: Mapping[str, Any], expressions: Expressions) -> frozenset[int]:
-    """Definitions that a result or an assertion depends on."""
+    """Return the live definitions: those on which a result or an assertion depends."""
     conditions = [s["condition"] for s in flattened(function["statements"]) if s["kind"] == "assertion"]
     waiting = [*function["results"], *(definition for _, definition in reads(expressions, conditions))]
     carried = _carried(function["folds"])
@@ -59,7 +59,7 @@ def live_definitions(function: Mapping[str, Any], expressions: Expressions) -> f
 
 
 def _carried(folds: Iterable[Mapping[str, Any]]) -> dict[int, tuple[int, int]]:
-    """Values at the start of a turn and after a loop stem from before the loop and from the last turn."""
+    """Map a definition at the start of an iteration or after a loop to its two sources."""
     carried: dict[int, tuple[int, int]] = {}
     for fold in folds:
         starts, updates = fold["initial_definitions"], fold["update_definitions"]
@@ -70,7 +70,7 @@ def _carried(folds: Iterable[Mapping[str, Any]]) -> dict[int, tuple[int, int]]:
 
 
 def are_equal(expressions: Expressions, a: int, b: int) -> bool:
-    """Whether two expressions are written alike."""
+    """Return whether two expressions are structurally equal."""
     if a == b:
         return True
     one, other = expressions[a]["operation"], expressions[b]["operation"]
@@ -83,7 +83,7 @@ def are_equal(expressions: Expressions, a: int, b: int) -> bool:
 
 
 def _head(operation: Mapping[str, Any]) -> dict[str, Any]:
-    """What an operation has beside the expressions that it reads."""
+    """Return the attributes of an operation other than its operands."""
     names = (
         "kind",
         "operator",
@@ -103,9 +103,9 @@ def _head(operation: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def bodies(dae: Mapping[str, Any]) -> object:
-    """The algorithms of all functions, without places in the source and numbers of expressions.
+    """Return the algorithms of all functions without source positions and expression ids.
 
-    Two models have equal functions where this compares equal.
+    Two models have equal functions if these compare equal.
     """
     expressions = {expression["id"]: expression for expression in dae["expressions"]}
     loops = {domain["id"]: domain["domain"]["binders"] for domain in dae["domains"]}

@@ -1,8 +1,8 @@
-"""Expressions in bodies of Modelica functions, element by element.
+"""Translate expressions in bodies of Modelica functions, element by element.
 
-An array expression is never built as a whole: `element` gives the scalar at a position, which may depend on
-the variables of C loops. What needs statements of its own (long sums, calls with several results) puts them
-in front of the statement that is being written.
+An array expression is never built as a whole: `element` returns the scalar at a position, which may depend on
+the variables of C loops. Expressions that need statements (long sums, calls with several results) put them
+before the statement being written.
 """
 
 from __future__ import annotations
@@ -27,17 +27,17 @@ At = tuple[Position, ...]
 
 
 class Callees(Protocol):
-    """Knows the C functions of the Modelica functions that a body calls."""
+    """Maps the Modelica functions that a body calls to C functions."""
 
     def signature(self, function: int) -> FunctionSignature:
-        """How the function with this id is called."""
+        """Return the signature of the function with this id."""
 
 
 class FunctionExpressions:
     """Translates the expressions of one function.
 
-    `parameters` and `variables` are the C names by number; `current` is the definition whose value each
-    variable has at the point that is being written.
+    `parameters` and `variables` hold C names by number; `current` holds the definition whose value each
+    variable has at the statement being written.
     """
 
     def __init__(self, dae: FunctionDae, code: FunctionCode, callees: Callees) -> None:
@@ -66,15 +66,15 @@ class FunctionExpressions:
         }
 
     def scalar(self, number: int) -> Expression:
-        """The value of an expression without dimensions."""
+        """Return the value of a scalar expression."""
         return self.element(number, ())
 
     def text(self, number: int) -> str:
-        """The C text of an expression without dimensions."""
+        """Return the C text of a scalar expression."""
         return self._code.text(self.scalar(number))
 
     def element(self, number: int, at: At) -> Expression:
-        """The element of an expression at a position (none for a scalar)."""
+        """Return the element of an expression at a position, which is empty for a scalar."""
         operation = self._dae.operation(number)
         if self.is_list(number):
             return self._listed(number, operation, at)
@@ -100,7 +100,10 @@ class FunctionExpressions:
         return self._code.index_value(index)
 
     def _variable_name(self, number: int) -> str | None:
-        """The C variable that an expression is, if it is one; it has to hold the value that is meant."""
+        """Return the C variable that an expression reads, if it is a mere reference.
+
+        Raises `UnsupportedModelError` if the variable no longer holds the value of that definition.
+        """
         operation = self._dae.operation(number)
         if operation["kind"] == "function_value":
             if self.current.get(operation["value"]) != operation["definition"]:
@@ -123,7 +126,7 @@ class FunctionExpressions:
         return self.element(operation["base"], base_at)
 
     def _comprehension(self, number: int, operation: Operation, at: At) -> Expression:
-        """``{body for i in ..., j in ...}``: the first positions are those of the loops."""
+        """Return an element of ``{body for i in ..., j in ...}``: the loops take the first positions."""
         domain = operation["domain"]
         loops = self._dae.loops(domain)
         for ordinal, (loop, position) in enumerate(zip(loops, at, strict=False)):
@@ -141,7 +144,7 @@ class FunctionExpressions:
         return self._code.index_value(index)
 
     def is_list(self, number: int) -> bool:
-        """Whether the elements are written out one by one: ``{a, b, c}`` or ``[a, b; c, d]``."""
+        """Return whether the expression lists its elements: ``{a, b, c}`` or ``[a, b; c, d]``."""
         operation = self._dae.operation(number)
         return operation["kind"] == "array" or operation.get("builtin") in _CONCATENATIONS
 
@@ -163,17 +166,17 @@ class FunctionExpressions:
         raise AssertionError(f"no element {place} in expression {number}")
 
     def _materialized(self, number: int, at: At) -> Expression:
-        """The element of a copy of the whole expression in an array of its own."""
+        """Return an element of the expression, copied as a whole to a new array."""
         name = self._code.name("list")
         self._code.define_array(name, self.elements(number))
         return self.subscripts.read(name, self._dae.dimensions(number), at)
 
     def elements(self, number: int) -> list[Expression]:
-        """All elements of an array, row by row."""
+        """Return all elements of an array in row-major order."""
         return [self.element(number, at) for at in positions(self._dae.dimensions(number))]
 
     def _updated(self, number: int, operation: Operation, at: At) -> Expression:
-        """An element of an array of which one element has a new value."""
+        """Return an element of an array in which one element has a new value."""
         if any(subscript["kind"] != "index" for subscript in operation["subscripts"]):
             raise self._dae.unsupported("the use of an array right after assigning to part of it", number)
         dimensions = self._dae.dimensions(operation["base"])
@@ -197,18 +200,18 @@ class FunctionExpressions:
         return self.subscripts.read(name, dimensions, at, offset)
 
     def is_only_result(self, number: int) -> bool:
-        """Whether this is a call that has no other results than the array that it stands for."""
+        """Return whether this is a call whose only result is the array that it denotes."""
         operation = self._dae.operation(number)
         if operation["kind"] != "call":
             return False
         return self._callees.signature(operation["function"]).n_results == self._dae.size(number)
 
     def call_into(self, number: int, name: str) -> None:
-        """Let a call set the array that is its only result."""
+        """Write a call that stores its only result, an array, in `name`."""
         self._code.store_results(name, self._call_text(number), lambda r: self._tangent_call_text(number)(r))
 
     def _call_text(self, number: int) -> Callable[[str], str]:
-        """The C text of a call, from the name of the array for its results, if it does not return one."""
+        """Return a function from the name of the results' array, if there is one, to the C text of a call."""
         operation: dict[str, Any] = self._dae.operation(number)
         callee = self._dae.functions[operation["function"]]
         kinds = [parameter["value_type"] for parameter in callee["parameters"]]
@@ -221,7 +224,7 @@ class FunctionExpressions:
         return lambda results: signature.call(arguments, results)
 
     def _tangent_call_text(self, number: int) -> Callable[[str], str]:
-        """The same for the call that computes the tangents of the results."""
+        """Return the same for the call that computes the tangents of the results."""
         operation = self._dae.operation(number)
         signature = self._callees.signature(operation["function"]).tangent
         values = [self._argument(argument) for argument in operation["arguments"]]

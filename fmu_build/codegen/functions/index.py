@@ -1,4 +1,4 @@
-"""Positions in arrays that are known up to loop variables, such as ``3*i + j - 4``."""
+"""Positions in arrays as affine functions of loop variables, such as ``3*i + j - 4``."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from fmu_build.codegen.expression import Expression
 
 @dataclass(frozen=True, slots=True)
 class LoopVariable:
-    """An int of the C code with the smallest and largest value that it takes."""
+    """An int of the C code with its smallest and its largest value."""
 
     name: str
     minimum: int
@@ -18,19 +18,19 @@ class LoopVariable:
 
 @dataclass(frozen=True, slots=True)
 class Index:
-    """``constant + sum of factor * loop variable``, counted from zero where it stands for a position."""
+    """``constant + sum of factor * loop variable``; zero-based if it is a position."""
 
     constant: int
     terms: tuple[tuple[LoopVariable, int], ...] = ()
 
     @staticmethod
     def of(variable: LoopVariable) -> Index:
-        """The value of a loop variable."""
+        """Return the index equal to a loop variable."""
         return Index(0, ((variable, 1),))
 
     @property
     def is_constant(self) -> bool:
-        """Whether the value is a number that is known here."""
+        """Whether the value is independent of loop variables."""
         return not self.terms
 
     def __add__(self, other: Index | int) -> Index:
@@ -48,14 +48,14 @@ class Index:
         )
 
     def lies_in(self, size: int) -> bool:
-        """Whether the value is in 0 ... size - 1 whatever the loop variables are."""
+        """Return whether the value is in 0 ... size - 1 for all values of the loop variables."""
         ends = [(f * v.minimum, f * v.maximum) for v, f in self.terms]
         lowest = self.constant + sum(min(pair) for pair in ends)
         highest = self.constant + sum(max(pair) for pair in ends)
         return lowest >= 0 and highest < size
 
     def text(self) -> str:
-        """The C expression, of type int."""
+        """Return the C expression, of type int."""
         text = ""
         for variable, factor in self.terms:
             sign = " - " if factor < 0 else " + "
@@ -69,12 +69,12 @@ class Index:
 
 
 Position = Index | Expression
-"""Where an element stands: an `Index` inside the bounds, counted from zero, or, if that is only known when
-the code runs, an expression that counts from one as Modelica does."""
+"""The position of an element: a zero-based `Index` inside the bounds or, if it is known only at run time, a
+one-based expression, as in Modelica."""
 
 
 def flat(positions: tuple[Index, ...], dimensions: tuple[int, ...]) -> Index:
-    """The position in the row-major sequence of all elements."""
+    """Return the row-major offset of an element."""
     result = Index(0)
     for position, dimension in zip(positions, dimensions, strict=True):
         result = result * dimension + position
@@ -82,7 +82,7 @@ def flat(positions: tuple[Index, ...], dimensions: tuple[int, ...]) -> Index:
 
 
 def positions(dimensions: tuple[int, ...]) -> list[tuple[Index, ...]]:
-    """Every position in an array, row by row."""
+    """Return every position in an array in row-major order."""
     found: list[tuple[Index, ...]] = [()]
     for dimension in dimensions:
         found = [(*position, Index(i)) for position in found for i in range(dimension)]

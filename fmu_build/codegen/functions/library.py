@@ -1,4 +1,4 @@
-"""The C functions that a model needs: found by call site, written once, callees first."""
+"""The C functions that a model calls: found by call site, each written once, callees first."""
 
 from __future__ import annotations
 
@@ -18,16 +18,16 @@ from fmu_build.codegen.lowered import LoweredModel
 
 @dataclass(frozen=True, slots=True)
 class FunctionSources:
-    """The Modelica functions of a model as C, and how they are called."""
+    """The Modelica functions of a model in C, and their signatures."""
 
     source: str = ""
     signatures: Mapping[str, FunctionSignature] = field(default_factory=dict)
-    """Of the functions, and of those that compute the tangents of their results."""
+    """Signatures by C name, of the functions and of those that compute the tangents of their results."""
     tangents: Mapping[str, str] = field(default_factory=dict)
-    """The source of each function that computes tangents, by its name, callees first."""
+    """Source of each function that computes tangents, by C name, callees first."""
 
     def tangents_for(self, code: str) -> list[str]:
-        """The sources of the tangents that C code calls, and of those that they call."""
+        """Return the sources of the tangent functions that `code` calls, directly or through others."""
         kept: list[str] = []
         for name, source in reversed([*self.tangents.items()]):
             if any(re.search(rf"\b{name}\(", text) for text in (code, *kept)):
@@ -48,9 +48,9 @@ class FunctionLibrary:
         self._tangents: dict[str, str] = {}
 
     def name_of(self, site: Mapping[str, Any], span: dict[str, int] | None) -> str:
-        """The C function for a call site of the Solve IR in an equation at `span`.
+        """Return the C function for a call site of the Solve IR in an equation at `span`.
 
-        Raises `UnsupportedModelError` where the function cannot be identified or its body cannot be carried.
+        Raises `UnsupportedModelError` if the function cannot be identified or translated.
         """
         number = self._call_sites.function_of(site, span)
         signature = self.signature(number)
@@ -63,7 +63,7 @@ class FunctionLibrary:
         return signature.name
 
     def signature(self, function: int) -> FunctionSignature:
-        """How a function is called; its source and those of the functions that it calls are written here."""
+        """Return the signature of a function; the first call writes its source and those of its callees."""
         if function not in self._signatures:
             declared = self._functions[function]
             if declared["external"] is not None:
@@ -97,7 +97,7 @@ class FunctionLibrary:
         )
 
     def _name(self, modelica_name: str) -> str:
-        """``f_`` and the Modelica name; rumoca has a function of its own for every size of the arguments."""
+        """Return ``f_`` and the Modelica name, made unique: rumoca has one function per argument size."""
         base = "f_" + re.sub(r"\W+", "_", modelica_name).strip("_")
         taken = {signature.name for signature in self._signatures.values()}
         candidate, number = base, 2
@@ -106,7 +106,7 @@ class FunctionLibrary:
         return candidate
 
     def sources(self) -> FunctionSources:
-        """C source of the functions that `name_of` named, and of those that they call, callees first."""
+        """Return the C source of the functions named by `name_of` and of their callees, callees first."""
         source = "\n".join(self._sources.values())
         helpers = [text for name, text in HELPERS.items() if re.search(rf"\b{name}\(", source)]
         called = [self._signatures[number] for number in self._sources]

@@ -1,4 +1,4 @@
-"""C loops over the elements of arrays."""
+"""Write C loops over the elements of arrays."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from fmu_build.codegen.functions.code import FunctionCode
 from fmu_build.codegen.functions.index import Index, LoopVariable, positions
 
 _UNROLLED = 3
-"""Up to so many elements are written one by one instead of in a loop."""
+"""The largest number of elements that are unrolled instead of written as a loop."""
 
 REDUCTIONS = {
     "sum": ("Add", 0.0),
@@ -20,19 +20,19 @@ REDUCTIONS = {
     "min": ("Min", math.inf),
     "max": ("Max", -math.inf),
 }
-"""What combines two elements, and where the combination of many starts."""
+"""The operator and the initial value of each reduction."""
 
 At = tuple[Index, ...]
 
 
 class ArrayLoops:
-    """Does something with every element: one by one where they are few, else in loops."""
+    """Applies an action to every element: unrolled if there are few, else in loops."""
 
     def __init__(self, code: FunctionCode) -> None:
         self._code = code
 
     def for_each(self, dimensions: tuple[int, ...], action: Callable[[At], None]) -> None:
-        """Write the statements that `action` writes for a position, for all positions."""
+        """Write the statements of `action` for all positions."""
         if math.prod(dimensions) <= _UNROLLED:
             for position in positions(dimensions):
                 action(position)
@@ -46,7 +46,7 @@ class ArrayLoops:
             self._code.release(variable.name)
 
     def copy(self, target: str, source: str, size: int) -> None:
-        """Copy a whole array to another one."""
+        """Copy a whole array to another."""
 
         def assign(at: At) -> None:
             self._code.assign(f"{target}[{at[0].text()}]", self._code.variable(f"{source}[{at[0].text()}]"))
@@ -56,7 +56,7 @@ class ArrayLoops:
     def reduced(
         self, reduction: str, dimensions: tuple[int, ...], term: Callable[[At], Expression]
     ) -> Expression:
-        """Sum, product, minimum or maximum of the terms at all positions."""
+        """Return the sum, product, minimum or maximum of the terms at all positions."""
         operator, start = REDUCTIONS[reduction]
         if math.prod(dimensions) <= _UNROLLED:
             terms = [term(position) for position in positions(dimensions)] or [ex.number(start)]

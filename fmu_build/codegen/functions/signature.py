@@ -1,4 +1,4 @@
-"""How the C function of a Modelica function is called."""
+"""The signature of the C function of a Modelica function."""
 
 from __future__ import annotations
 
@@ -8,11 +8,10 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True)
 class FunctionSignature:
-    """Scalars are passed as ``double``, arrays as ``const double *``, element by element in row-major order.
+    """A C function that takes scalars as ``double`` and arrays as ``const double *``, in row-major order.
 
-    `inputs` has the number of elements of every array input, None for a scalar. A function with one scalar
-    result returns it. Others store all results, one behind the other, in the array that they get as last
-    argument.
+    `inputs` holds the number of elements of each array input, None for a scalar. A function with one scalar
+    result and no assertions returns it; others store all results contiguously in their last argument.
     """
 
     name: str
@@ -22,9 +21,9 @@ class FunctionSignature:
 
     @property
     def tangent(self) -> FunctionSignature:
-        """The function from the inputs and, after them, their tangents to the tangents of the results."""
+        """The function that maps the inputs, followed by their tangents, to the tangents of the results."""
         return FunctionSignature(f"d{self.name}", self.inputs * 2, self.n_results, self.returns_value)
 
     def call(self, arguments: Sequence[str], results: str = "") -> str:
-        """The C text of a call; `results` is the array for the results of a function that returns none."""
+        """Return the C text of a call; `results` names the array for results that are not returned."""
         return f"{self.name}({', '.join(filter(None, (*arguments, results)))})"

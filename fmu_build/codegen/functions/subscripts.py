@@ -1,4 +1,4 @@
-"""Subscripts in bodies of Modelica functions: places in C arrays, checked where they may lie outside."""
+"""Subscripts in bodies of Modelica functions: positions in C arrays, checked if they may be out of bounds."""
 
 from __future__ import annotations
 
@@ -36,11 +36,11 @@ static double within(double index, int size)
 }
 """,
 }
-"""C functions, by name, that the bodies may call."""
+"""C helper functions by name."""
 
 
 class Subscripts:
-    """Finds places of array elements; `element` gives elements of expressions."""
+    """Resolves subscripts to positions; `element` returns an element of an expression."""
 
     def __init__(
         self, dae: FunctionDae, code: FunctionCode, element: Callable[[int, tuple[Position, ...]], Expression]
@@ -53,7 +53,7 @@ class Subscripts:
     def read(
         self, name: str, dimensions: tuple[int, ...], at: tuple[Position, ...], offset: int = 0
     ) -> Expression:
-        """An element of a C array that starts at `offset`, or a C variable where there are no dimensions."""
+        """Return an element of an array that begins at `offset` of a C array, or a scalar C variable."""
         place = self._place(dimensions, at)
         if isinstance(place, Index):
             return self._code.variable(f"{name}[{(place + offset).text()}]" if dimensions else name)
@@ -64,7 +64,7 @@ class Subscripts:
     def store(
         self, name: str, dimensions: tuple[int, ...], at: tuple[Position, ...], value: Expression
     ) -> None:
-        """Set an element."""
+        """Write the assignment to an element."""
         place = self._place(dimensions, at)
         if isinstance(place, Index):
             self._code.assign(f"{name}[{place.text()}]", value)
@@ -72,7 +72,7 @@ class Subscripts:
             self._code.put(name, math.prod(dimensions), place, value)
 
     def _place(self, dimensions: tuple[int, ...], at: tuple[Position, ...]) -> Position:
-        """The place in the sequence of all elements."""
+        """Return the row-major position of an element."""
         indices = tuple(position for position in at if isinstance(position, Index))
         if len(indices) == len(at):
             return flat(indices, dimensions)
@@ -88,13 +88,13 @@ class Subscripts:
         return total
 
     def value(self, position: Position) -> Expression:
-        """A position as Modelica counts it, from one."""
+        """Return a position as a one-based expression."""
         return self._code.index_value(position + 1) if isinstance(position, Index) else position
 
     def base_positions(
         self, subscripts: Sequence[Mapping[str, Any]], dimensions: tuple[int, ...], at: tuple[Position, ...]
     ) -> tuple[Position, ...]:
-        """Where the element `at` of ``a[subscripts]`` stands in the array a that has the `dimensions`."""
+        """Return the position in ``a``, which has `dimensions`, of the element `at` of ``a[subscripts]``."""
         rest = list(at)
         result: list[Position] = []
         for place, dimension in enumerate(dimensions):
@@ -118,7 +118,7 @@ class Subscripts:
         return tuple(result)
 
     def integer(self, number: int, at: tuple[Position, ...]) -> Index | None:
-        """The value of an Integer expression where it is known up to loop variables."""
+        """Return the value of an Integer expression if it is affine in loop variables, else None."""
         operation = self._dae.operation(number)
         match operation["kind"]:
             case "literal" if "integer" in operation["value"]:
@@ -160,7 +160,7 @@ class Subscripts:
 
 
 def _in_range(operation: Mapping[str, Any], place: Index) -> Index | None:
-    """The number at a place of ``start:step:stop``, where start and step are known."""
+    """Return the number at a position of ``start:step:stop`` if start and step are constant, else None."""
     start, step = operation["start"]["value"], operation["explicit_step"]
     increment = 1 if step is None else step["value"]
     if not isinstance(start, int) or not isinstance(increment, int):

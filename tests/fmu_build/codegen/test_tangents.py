@@ -108,7 +108,7 @@ def test_discrete_variables_that_a_when_clause_sets_stay() -> None:
 def test_a_circle_has_no_order() -> None:
     follows = DiscreteRow("assign", ("p", 2), binary("Add", y(1), p(0)))
     equations = _equations(Assignment(1, binary("Mul", p(2), y(0))), discrete=(follows,))
-    with pytest.raises(NoTangentsError, match="in a circle"):
+    with pytest.raises(NoTangentsError, match="form a cycle"):
         Tangents.of(equations, [_parameter(0)])
 
 

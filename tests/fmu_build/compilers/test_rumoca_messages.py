@@ -138,7 +138,7 @@ _CASES = {
         "Real x(start = 0, fixed = true, max = y); Real y = time;",
         "der(x) = 1;",
         UnsupportedModelError,
-        "M.mo:2:41: max of x depends on y, which is no parameter",
+        "M.mo:2:41: max of x depends on y, which is not a parameter",
     ),
     "one of two parameters undetermined": Case(
         _X + "parameter Real p[2](each fixed = false); initial equation p[1] = 3;",
