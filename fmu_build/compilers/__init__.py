@@ -1,4 +1,4 @@
-"""The Modelica compilers that can make FMUs, by name."""
+"""The Modelica compilers that build FMUs, by name."""
 
 from __future__ import annotations
 
@@ -28,19 +28,19 @@ _COMPILERS: dict[str, Callable[[], Compiler]] = {"rumoca": _rumoca, "openmodelic
 
 
 def compiler_names() -> tuple[str, ...]:
-    """The names that `get_compiler` knows, the default first."""
+    """Return the names that `get_compiler` accepts, the default first."""
     return tuple(_COMPILERS)
 
 
 def get_compiler(name: str) -> Compiler:
-    """The backend of that name; raises `UnknownCompilerError` that lists what there is."""
+    """Return the backend of that name; raises `UnknownCompilerError` with the names that exist."""
     if name not in _COMPILERS:
         raise UnknownCompilerError(f"unknown compiler {name!r}; use {' or '.join(_COMPILERS)}")
     return _COMPILERS[name]()
 
 
 def build(compiler: str, request: BuildRequest) -> BuildResult:
-    """Builds with the compiler of that name; raises `BuildError` for an option that it does not have."""
+    """Build with the compiler of that name; raises `BuildError` for an option that it does not have."""
     backend = get_compiler(compiler)
     unknown = [name for name in request.options if name not in backend.options]
     if unknown:

@@ -9,16 +9,16 @@ from fmu_build.support.request import BuildRequest, BuildResult
 
 
 class Compiler(Protocol):
-    """A Modelica compiler that can make FMUs."""
+    """A Modelica compiler that builds FMUs."""
 
     name: str
     options: Mapping[str, str]
-    """The names of the options that `BuildRequest.options` may have for it, each with what it means."""
+    """The options of this compiler in `BuildRequest.options`: names and descriptions."""
 
     def version(self) -> str:
-        """The version of the installed compiler; raises `ToolchainError` where it is not installed."""
+        """Return the version of the installed compiler; raises `ToolchainError` if it is not installed."""
         ...
 
     def build(self, request: BuildRequest) -> BuildResult:
-        """Build the FMU or raise a `BuildError`; on an error, no file is left or replaced."""
+        """Build the FMU or raise a `BuildError`; an error leaves every file as it was."""
         ...

@@ -1,8 +1,8 @@
-"""What drives a model's default experiment: a table beside the Modelica source.
+"""Inputs of a model's default experiment, from a table next to the Modelica source.
 
-``Resources/Inputs/Joystick/Joystick.csv`` in the folder of the library PreloadedSprings is that of its class
-``Joystick.Joystick``. The first row has ``time`` and the names of inputs; every other row has a time in
-seconds and the values that the inputs have from then on, until the next row.
+The table of class ``Joystick.Joystick`` is ``Resources/Inputs/Joystick/Joystick.csv`` in the folder of its
+library PreloadedSprings. The header holds ``time`` and the names of inputs; every other row holds a time in
+seconds and the values of the inputs from then on, until the time of the next row.
 """
 
 from __future__ import annotations
@@ -17,17 +17,17 @@ from fmu_build.support.errors import ModelicaError
 
 
 def input_steps_file(library: Path, model: str) -> Path:
-    """Where the table of a class is, if there is one; `library` is a package folder or a Modelica file."""
+    """Return the path for the table of a class; `library` is a package folder or a Modelica file."""
     folder = library if library.is_dir() else library.parent
     *packages, name = model.split(".")
     return folder.joinpath("Resources", "Inputs", *packages[1:], f"{name}.csv")
 
 
 def read_input_steps(file: Path, inputs: Collection[str]) -> tuple[InputStep, ...]:
-    """The table's rows, none where there is no such file.
+    """Read the rows of the table; a missing file has none.
 
-    Raises `ModelicaError` naming file, line and value where a name is none of `inputs`, a cell is no finite
-    number or the times do not rise.
+    Raises `ModelicaError` with file, line and value if a name is not in `inputs`, a cell is not a finite
+    number or the times do not increase.
     """
     if not file.is_file():
         return ()

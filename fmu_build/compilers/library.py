@@ -1,4 +1,4 @@
-"""Modelica libraries on disk: where they are and which classes they declare."""
+"""Modelica libraries on disk: their files and the classes that they declare."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ MODEL_KINDS = ("model", "block", "class")
 
 @dataclass(frozen=True, slots=True)
 class ModelicaClass:
-    """A class that a library declares: its qualified name, its restriction ("model", ...) and its file."""
+    """A class declared in a library: its qualified name, its restriction ("model", ...) and its file."""
 
     name: str
     kind: str
@@ -26,9 +26,9 @@ class ModelicaClass:
 
 
 def default_library() -> Path:
-    """The package folder of this project's own library: inside an installation, or beside it in a checkout.
+    """Return the package folder of this project's library, inside an installation or in a checkout.
 
-    Raises `ModelNotFoundError` where it is in neither place.
+    Raises `ModelNotFoundError` if it is in neither place.
     """
     package = Path(str(resources.files("fmu_build")))
     for folder in (package / "modelica", package.parent / "modelica"):
@@ -38,9 +38,9 @@ def default_library() -> Path:
 
 
 def entry_file(library: Path) -> Path:
-    """The file that a compiler opens: a single .mo file itself, package.mo of a package folder.
+    """Return the file that a compiler opens: a single .mo file itself, or package.mo of a package folder.
 
-    Raises `ModelNotFoundError` where there is none.
+    Raises `ModelNotFoundError` if there is none.
     """
     if library.is_dir():
         if not (library / "package.mo").is_file():
@@ -54,22 +54,22 @@ def entry_file(library: Path) -> Path:
 
 
 def source_files(library: Path) -> list[Path]:
-    """All Modelica files of a library."""
+    """Return all Modelica files of a library."""
     return sorted(library.rglob("*.mo")) if library.is_dir() else [library]
 
 
 def readable_files(library: Path) -> list[Path]:
-    """The files that a compiler may read for a model: also those beside a single file, and this project's."""
+    """Return the files that a compiler may read, with those next to a single file and this project's."""
     beside = () if library.is_dir() else filter(Path.is_file, sorted(library.parent.glob("*.mo")))
     own = source_files(default_library())
     return list({file.resolve(): file for file in (*own, *beside, *source_files(library))}.values())
 
 
 def needed_files(library: Path) -> list[Path]:
-    """The entry files to open for a library: those of the libraries that it mentions, then its own.
+    """Return the entry files to open for a library: those of the libraries that it needs, then its own.
 
-    Such are this project's library and, for a single file, the other files in its folder, in so far as their
-    top-level classes are mentioned. Raises `ModelNotFoundError` where there is no library.
+    It needs this project's library or, if it is a single file, others in its folder, if it mentions their
+    top-level classes, directly or through others. Raises `ModelNotFoundError` if there is no library.
     """
     entry = entry_file(library)
     own = {name for name in read_classes(library) if "." not in name}
@@ -89,9 +89,9 @@ def needed_files(library: Path) -> list[Path]:
 
 
 def read_classes(library: Path) -> dict[str, ModelicaClass]:
-    """The classes that the library's files declare, by qualified name; inherited ones are not among them.
+    """Return the classes declared in the library's files by qualified name, without inherited ones.
 
-    Reads leniently: it is for finding and suggesting names, and a file with errors must not hide others.
+    Parsing is lenient: it serves to find and suggest names, and a file with errors must not hide others.
     """
     classes: dict[str, ModelicaClass] = {}
     for file in source_files(library):
@@ -103,9 +103,9 @@ def read_classes(library: Path) -> dict[str, ModelicaClass]:
 def not_found(
     model: str, library: Path, classes: dict[str, ModelicaClass], syntax_errors: Sequence[str] = ()
 ) -> ModelNotFoundError:
-    """The error for a class that is not there or is no model, with the names that come closest.
+    """Return the error for a class that is missing or not a model, with the closest names.
 
-    `syntax_errors` are added where the class is missing: one of them may hide it.
+    `syntax_errors` are appended if the class is missing: one of them may hide it.
     """
     known = classes.get(model)
     if known is not None:
@@ -121,13 +121,13 @@ def not_found(
 
 
 def mentions(library: Path, name: str) -> bool:
-    """Whether the library's source has `name` as a word."""
+    """Return whether the library's source contains `name` as a word."""
     pattern = re.compile(rf"\b{re.escape(name)}\b")
     return any(pattern.search(read_text(file)) for file in source_files(library))
 
 
 def read_text(file: Path) -> str:
-    """A file's text, line ends as they are; raises `ModelicaError` where it cannot be read."""
+    """Return a file's text with its line ends unchanged; raises `ModelicaError` if it cannot be read."""
     try:
         return file.read_bytes().decode("utf-8", errors="replace")
     except OSError as error:

@@ -1,4 +1,4 @@
-"""The default backend: rumoca lowers the Modelica model, this project makes C and the FMU from it."""
+"""The default backend: rumoca lowers the Modelica model, this project generates C and builds the FMU."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class RumocaCompiler:
     options: Mapping[str, str] = {}
 
     def version(self) -> str:
-        """The installed version; raises `ToolchainError` where rumoca is not installed."""
+        """Return the installed version; raises `ToolchainError` if rumoca is not installed."""
         try:
             return metadata.version("rumoca")
         except metadata.PackageNotFoundError as error:
@@ -48,7 +48,7 @@ class RumocaCompiler:
             ) from error
 
     def build(self, request: BuildRequest) -> BuildResult:
-        """Builds the FMU; raises a `BuildError` and leaves every file as it was where that fails."""
+        """Build the FMU; on failure, raise a `BuildError` and leave every file as it was."""
         start = time.perf_counter()
         version = self.version()
         check_request(request)
@@ -60,7 +60,7 @@ class RumocaCompiler:
 
 
 def generate_model(request: BuildRequest) -> tuple[GeneratedModel, str]:
-    """The C model, and what rumoca printed on the way; raises as `RumocaCompiler.build` does."""
+    """Return the C model and rumoca's log; raises as `RumocaCompiler.build` does."""
     from fmu_build.codegen import ModelSource, generate
 
     library = request.library or default_library()
@@ -80,7 +80,7 @@ def generate_model(request: BuildRequest) -> tuple[GeneratedModel, str]:
 
 
 def _with_input_steps(model: GeneratedModel, library: Path) -> GeneratedModel:
-    """The model with what drives its default experiment."""
+    """Add the input steps of the default experiment to the model."""
     description = model.description
     inputs = [v.name for v in description.variables if v.causality == "input" and v.type == "Real"]
     steps = read_input_steps(input_steps_file(library, description.model_name), inputs)
@@ -89,7 +89,7 @@ def _with_input_steps(model: GeneratedModel, library: Path) -> GeneratedModel:
 
 
 def _session(library: Path, classes: dict[str, ModelicaClass]) -> rumoca.Session:
-    """A session that knows this project's library where the user's own library mentions it."""
+    """Return a session, with this project's library if the user's library mentions it."""
     import rumoca
 
     roots = []
@@ -97,7 +97,7 @@ def _session(library: Path, classes: dict[str, ModelicaClass]) -> rumoca.Session
         roots = [str(default_library())]
     session = rumoca.Session(roots=roots)
     if roots:
-        # rumoca reads a root only when the text that it is given mentions it, and package.mo of a package
-        # does not mention what its models use.
+        # rumoca reads a root only if the text that it is given mentions it, and package.mo of a package does
+        # not mention what its models use.
         session.loads(f"model Import import {DEFAULT_LIBRARY}; end Import;", model="Import")
     return session

@@ -1,4 +1,4 @@
-"""What rumoca reports when it fails, as this project's errors with file, line and column."""
+"""Translate rumoca's failures to this project's errors with file, line and column."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _QUOTED = re.compile(r"[`']([A-Za-z_][\w.\[\], ]*)[`']")
 _SPAN = re.compile(r"Span \{[^}]*start: BytePos\((\d+)\), end: BytePos\((\d+)\)")
 _DERIVATIVE = r"der\s*\(.*\)"
 _UNEXPLAINED = "because resolve/parse failed"
-# What fails only after the types have been checked is Modelica that the compiler does not carry.
+# A failure after type checking means valid Modelica that the compiler does not support.
 _AFTER_TYPES = re.compile(r"^(?:flatten|todae) failed: ")
 _NOT_CARRIED = "unevaluable array dimensions"
 _PHASE = re.compile(r"^\w+ failed: \S+ failed in \w+: ")
@@ -34,9 +34,9 @@ _PHASE = re.compile(r"^\w+ failed: \S+ failed in \w+: ")
 
 @contextmanager
 def native_stderr() -> Iterator[Callable[[], str]]:
-    """Keeps what compiled code writes to the process's standard error; yields a function that reads it.
+    """Capture what compiled code writes to the standard error; yield a function that returns it afterwards.
 
-    rumoca announces its panics there, before they reach Python as exceptions.
+    rumoca prints its panics there before they reach Python as exceptions.
     """
     sys.stderr.flush()
     with tempfile.TemporaryFile() as sink:
@@ -54,9 +54,9 @@ def native_stderr() -> Iterator[Callable[[], str]]:
 
 @contextmanager
 def translated_errors(model: str, file: Path, files: Iterable[Path]) -> Iterator[None]:
-    """Turns rumoca's exceptions into build errors.
+    """Convert rumoca's exceptions to build errors.
 
-    `file` is where the model is declared, `files` are all that it may be made of.
+    `file` declares the model; `files` are all files that may contribute to it.
     """
     import rumoca
 
@@ -67,14 +67,14 @@ def translated_errors(model: str, file: Path, files: Iterable[Path]) -> Iterator
     except (rumoca.RumocaError, RuntimeError) as error:
         raise _translated(str(error), model, file, files) from error
     except BaseException as error:
-        # A panic of the Rust code; its class derives from BaseException and cannot be imported.
+        # A panic in Rust code: its class derives from BaseException and cannot be imported.
         if type(error).__module__ != "pyo3_runtime":
             raise
         raise _panic(str(error), model, file, files) from error
 
 
 def syntax_errors(files: Iterable[Path]) -> list[str]:
-    """The first syntax error of each file that has one, with file, line, column and the line itself."""
+    """Return the first syntax error of each file, with file, line, column and the line itself."""
     return [error for file in files if (error := _syntax_error(file)) is not None]
 
 
@@ -105,7 +105,7 @@ def _translated(text: str, model: str, file: Path, files: Iterable[Path]) -> Bui
 
 
 def _syntax_error(file: Path) -> str | None:
-    """The first syntax error of a file, with the line; the ones after it only follow from it."""
+    """Return the first syntax error of a file with its line; later ones only follow from it."""
     import rumoca
 
     try:
@@ -120,7 +120,7 @@ def _syntax_error(file: Path) -> str | None:
 
 
 def _panic(text: str, model: str, file: Path, files: Iterable[Path]) -> BuildError:
-    """A panic names its construct and the bytes where it is written, but not the file."""
+    """Return the error for a panic, which names a construct and its byte range but not its file."""
     source = ModelText(model, {file: read_text(file) for file in files})
     meaning, span = meaning_of(text, source), _SPAN.search(text)
     if meaning is not None and span is not None:

@@ -1,4 +1,4 @@
-"""What rumoca's messages mean in Modelica's terms, and what to look for in the source to give their place."""
+"""Explain rumoca's messages in Modelica's terms, and find the source constructs that cause them."""
 
 from __future__ import annotations
 
@@ -10,18 +10,18 @@ from fmu_build.modelica_source.constructs import Construct, ModelText
 from fmu_build.support.errors import BuildError, ModelicaError, UnsupportedModelError
 
 _NAME = r"(?:[^`']*\.)?(?P<name>\w+)(?:\[[^`'.]*\])?"
-"""The last part of a qualified name, as it stands in the source."""
+"""The last part of a qualified name, as written in the source."""
 
 _VARIABLE = r"\s*\w+(?:\[[^\[\]]*\])?(?:\.\w+(?:\[[^\[\]]*\])?)*\s*"
 
 
 @dataclass(frozen=True, slots=True)
 class Meaning:
-    """What a message stands for.
+    """The explanation of a message.
 
-    `message` is a pattern; `says` may use its named groups. `constructs` are patterns of what is to blame in
-    the source, the likeliest first, with NAME for the group of that name. `called` is set where the message
-    begins with the construct itself, and stands for it where several different ones come into question.
+    `message` is a pattern; `says` may use its named groups. `constructs` are patterns of possible causes in
+    the source, most likely first, in which NAME stands for the group ``name``. `called` is set if the
+    explanation begins with the construct itself; it replaces the construct if several different ones match.
     """
 
     message: str
@@ -30,16 +30,16 @@ class Meaning:
     constructs: tuple[str, ...] = ()
     called: str = ""
     only_there: bool = False
-    """Stands for this only where one of the constructs occurs in the source."""
+    """Whether the explanation applies only if one of the constructs occurs in the source."""
 
     def search(self, message: str, source: ModelText) -> list[Construct]:
-        """The constructs in the source that the message may be about."""
+        """Return the constructs in the source that may have caused the message."""
         match = re.search(self.message, message)
         name = re.escape(match.groupdict().get("name") or "") if match is not None else ""
         return source.find([pattern.replace("NAME", name) for pattern in self.constructs])
 
     def text(self, message: str, found: Sequence[Construct]) -> str:
-        """What to tell of the message."""
+        """Return the explanation, given the constructs found."""
         match = re.search(self.message, message)
         told = self.says.format(**match.groupdict()) if match is not None else self.says
         texts = {construct.text for construct in found}
@@ -86,7 +86,7 @@ MEANINGS = (
         rf"sequential read of `{_NAME}`",
         UnsupportedModelError,
         "an algorithm section that uses the value of `{name}` and then assigns it again is not supported; "
-        "give the first value a variable of its own",
+        "use a separate variable for the first value",
         (r"(?<![\w.])NAME\s*(?:\[[^\[\]]*\]\s*)?(?=:=)",),
     ),
     Meaning(
@@ -98,35 +98,35 @@ MEANINGS = (
     Meaning(
         r"owned by clock identity",
         UnsupportedModelError,
-        "a when-clause that has sample() in one branch and another condition in another is not supported",
+        "a when-clause that has sample() in one branch and a different condition in another is not supported",
         (r"\belsewhen\b[^;]*?\bsample\s*\(", r"\belsewhen\b"),
         "elsewhen",
     ),
     Meaning(
         r"`(?:history operator|pre) expression`: (?P<name>\w+)\(\.\.\.\) must have exactly one",
         ModelicaError,
-        "{name}() is of variables, not of expressions",
+        "{name}() applies to variables, not to expressions",
         (rf"\bNAME\s*\((?!{_VARIABLE}\))",),
         "edge(...), pre(...) or change(...)",
     ),
     Meaning(
         r"`change expression`: change\(\.\.\.\) must name a discrete coordinate",
         ModelicaError,
-        "change() is of discrete variables only",
+        "change() applies to discrete variables only",
         (r"\bchange\s*\(",),
         "change(...)",
     ),
     Meaning(
         rf"`pre expression`: pre\(`{_NAME}`",
         ModelicaError,
-        "pre() of the continuous variable {name} has a meaning inside a when-clause only",
+        "pre() of the continuous variable {name} is allowed only inside a when-clause",
         (r"\bpre\s*\(\s*(?:[\w.]+\.)?NAME\s*(?:\[[^\[\]]*\])?\s*\)",),
         "pre(...)",
     ),
     Meaning(
         rf"reinit\(\) can only be applied to state variables: {_NAME}",
         ModelicaError,
-        "reinit() can be applied to states only: {name} is none",
+        "reinit() can be applied to states only: {name} is not a state",
         (r"\breinit\s*\((?=\s*(?:[\w.]+\.)?NAME\s*[,\[])",),
         "reinit(...)",
     ),
@@ -162,14 +162,14 @@ MEANINGS = (
     Meaning(
         r"missing source scope for imports",
         UnsupportedModelError,
-        "leaving out the first of the results of a function is not supported; give it a variable",
+        "omitting the first result of a function is not supported; assign it to a variable",
         (r"\((?=\s*,)",),
     ),
     Meaning(
         r"construction rejected an invalid operation: expected a numeric expression, found (?P<kind>\w+)",
         UnsupportedModelError,
-        "an equation for a value of type {kind} is not supported where it stands; of an initial equation "
-        "pre(v) = ... make v(start = ..., fixed = true)",
+        "an equation for a value of type {kind} is not supported here; replace an initial equation "
+        "pre(v) = ... by v(start = ..., fixed = true)",
         (r"\bpre\s*\([^()]*\)\s*=(?!=)",),
     ),
     Meaning(
@@ -190,6 +190,6 @@ MEANINGS = (
 
 
 def meaning_of(message: str, source: ModelText) -> Meaning | None:
-    """What a message about a source stands for, None where that is not known."""
+    """Return the explanation of a message about a source, or None if there is none."""
     meanings = (meaning for meaning in MEANINGS if re.search(meaning.message, message))
     return next((m for m in meanings if not m.only_there or source.find(m.constructs)), None)

@@ -1,4 +1,4 @@
-"""Finds constructs in the Modelica source of a model, for errors that come without a place."""
+"""Find constructs in the Modelica source of a model, for errors without a place."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ _WORD = re.compile(r"'(?:[^'\\\n]|\\.)*'|[A-Za-z_]\w*")
 
 @dataclass(frozen=True, slots=True)
 class Construct:
-    """A piece of source, on one line, and its place."""
+    """A piece of source, joined to one line, and its place."""
 
     text: str
     place: Place
 
 
 class ModelText:
-    """The text of the classes that a model can be made of, from the files of its libraries.
+    """The text of the classes that may contribute to a model, from the files of its libraries.
 
-    A class is made of itself, of the classes `around` it and of every class that one of these can mean by a
-    name: one beside or around it, or one of a package that it mentions. An error can be about no other.
+    They are the class itself, with `around` its enclosing classes, and every class to which a name in one of
+    these can refer: in an enclosing scope, or in a package that is mentioned. Any error is in one of them.
     """
 
     def __init__(self, model: str, texts: Mapping[Path, str], *, around: bool = True) -> None:
@@ -40,7 +40,7 @@ class ModelText:
         }
 
     def find(self, patterns: Sequence[str]) -> list[Construct]:
-        """What matches the first of the patterns that matches anywhere; an open ``(`` brings its ``)``."""
+        """Return all matches of the first pattern that has any; a final ``(`` extends to its ``)``."""
         for pattern in patterns:
             found = [
                 self._construct(file, match.start(), _closing(plain, match.end()))
@@ -52,7 +52,7 @@ class ModelText:
         return []
 
     def mentions(self, simple_name: str, pattern: str) -> bool | None:
-        """Whether the pattern occurs in a class of that simple name; None where there is no such class."""
+        """Return whether the pattern occurs in a class of that simple name; None without such a class."""
         found = [text for name, text in self._classes.items() if name.rpartition(".")[2] == simple_name]
         return any(re.search(pattern, text) for text in found) if found else None
 
@@ -61,7 +61,7 @@ class ModelText:
         return " ".join(plain[start:end] for start, end in part.spans)
 
     def at_bytes(self, start: int, end: int, pattern: str) -> list[Construct]:
-        """What stands at these bytes of a file and matches; which file is not known."""
+        """Return the matching text at these bytes in any file: the byte range comes without its file."""
         found = []
         for file, plain in self._plain.items():
             content = self._texts[file].encode()
@@ -77,7 +77,7 @@ class ModelText:
 
 @dataclass(frozen=True, slots=True)
 class _Part:
-    """A class without the classes inside it: where its own text stands in its file, and the words of it."""
+    """A class without its inner classes: the spans of its own text in its file, and the words in it."""
 
     name: str
     file: Path
@@ -121,19 +121,19 @@ def _reached(model: str, parts: Sequence[_Part], around: bool) -> list[_Part]:
 
 
 def _scopes(name: str) -> list[str]:
-    """The qualified names of a class and of all classes around it."""
+    """Return the qualified names of a class and of all its enclosing classes."""
     parts = name.split(".")
     return [".".join(parts[: n + 1]) for n in range(len(parts))]
 
 
 def _can_be_meant(name: str, words: Container[str], mentioned: Container[str]) -> bool:
-    """Whether a class can be what a word means: its scope is around the word, or is mentioned somewhere."""
+    """Return whether a word can refer to a class: its scope encloses the word or is mentioned somewhere."""
     scope, _, simple = name.rpartition(".")
     return simple in words and (not scope or scope in mentioned or scope.rpartition(".")[2] in mentioned)
 
 
 def _only(text: str, spans: Sequence[tuple[int, int]]) -> str:
-    """The text inside the spans, with spaces for everything before and between them."""
+    """Return the text inside the spans, with spaces in place of everything before and between them."""
     kept, cursor = [], 0
     for start, end in sorted(spans):
         first = max(start, cursor)
@@ -144,7 +144,7 @@ def _only(text: str, spans: Sequence[tuple[int, int]]) -> str:
 
 
 def _closing(text: str, end: int) -> int:
-    """Where the parenthesis is closed that opens right before `end`; `end` where none does."""
+    """Return the end of the parenthesis that opens right before `end`; `end` itself if none does."""
     depth = 1 if text[end - 1] == "(" else 0
     for position in range(end, len(text)):
         if depth == 0:

@@ -1,4 +1,4 @@
-"""Places in Modelica source, and messages that begin with them."""
+"""Places in Modelica source, and messages that begin with a place."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 _MOST_NAMED = 5
-"""With more places than this none of them helps to find the one that is meant."""
+"""More candidate places than this are not listed, because they would not help."""
 
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """A line and a column (both from 1) of a file; printed as compilers and editors do."""
+    """A file, line and column (both one-based), printed as compilers and editors do."""
 
     file: str
     line: int
@@ -23,16 +23,15 @@ class Place:
 
 
 def place_at(file: str | Path, text: str, offset: int) -> Place:
-    """The place of a character of a file's text."""
+    """Return the place of the character at an offset in a file's text."""
     line = text.count("\n", 0, offset) + 1
     return Place(str(file), line, offset - text.rfind("\n", 0, offset))
 
 
 def located(what: str, places: Sequence[Place], model: str, file: str | Path) -> str:
-    """A message with its place, where exactly one is known.
+    """Return a message that begins with its place, if exactly one is known.
 
-    Otherwise it begins with the file of the model, names the model, and lists the places that come into
-    question.
+    Otherwise it begins with the file of the model, names the model, and lists a few candidate places.
     """
     distinct = list(dict.fromkeys(places))
     if len(distinct) == 1:

@@ -1,4 +1,4 @@
-"""Modelica source as text, where the compiler does not hand on what is in it."""
+"""Scan Modelica source text for facts that the compiler does not pass on."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _KINDS = frozenset(
 
 @dataclass(frozen=True, slots=True)
 class Declaration:
-    """A class that a file declares: its qualified name, its restriction ("model", "partial model", ...).
+    """A class declared in a file: its qualified name and its restriction ("model", "partial model", ...).
 
     `start` and `end` are offsets into the text; `in_modifier` is true for ``(redeclare model A = B)``.
     """
@@ -30,14 +30,14 @@ class Declaration:
 
 
 def blanked(text: str) -> str:
-    """The text with spaces for comments and strings, so that places and lines stay what they are."""
+    """Return the text with comments and strings replaced by spaces; offsets and lines are unchanged."""
     return _SKIPPED.sub(lambda match: match[1] or re.sub(r"[^\n]", " ", match.group()), text)
 
 
 def declarations(text: str) -> Iterator[Declaration]:
-    """The classes that a file declares, the inner ones first, read from its tokens alone.
+    """Yield the classes that a file declares, inner ones first, from its tokens alone.
 
-    Reads leniently: a class that is never closed reaches to the end of the text.
+    Parsing is lenient: a class that is never closed extends to the end of the text.
     """
     plain = blanked(text)
     tokens = list(_TOKEN.finditer(plain))
@@ -74,7 +74,7 @@ def declarations(text: str) -> Iterator[Declaration]:
 
 
 def inside_parentheses(text: str, position: int) -> bool:
-    """Whether something stands in a modifier; `text` is blanked."""
+    """Return whether a position is inside parentheses, so in a modifier; `text` is blanked."""
     statement = text[text.rfind(";", 0, position) + 1 : position]
     return statement.count("(") > statement.count(")")
 

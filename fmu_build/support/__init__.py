@@ -1,1 +1,1 @@
-"""What every room uses: errors, the description of a model, requests and results of builds."""
+"""Shared by all rooms: errors, the description of a model, requests and results of builds."""

@@ -1,4 +1,4 @@
-"""What a compiled model is, independent of the compiler that made it and of the FMI version."""
+"""The description of a compiled model, independent of the compiler and of the FMI version."""
 
 from __future__ import annotations
 
@@ -48,8 +48,8 @@ class Variable:
 class Terminal:
     """Variables that are connected together, such as angle and torque of a shaft.
 
-    `members` are variable, name in the terminal, and kind: ``signal`` where connected values are equal,
-    ``inflow`` or ``outflow`` where they sum up to zero (FMI 3.0.2, section 2.4.9.2).
+    `members` are (variable, name in the terminal, kind): connected values are equal for ``signal``, and sum
+    to zero for ``inflow`` and ``outflow`` (FMI 3.0.2, section 2.4.9.2).
     """
 
     name: str
@@ -58,7 +58,7 @@ class Terminal:
 
 @dataclass(frozen=True, slots=True)
 class Unknown:
-    """An entry of FMI's ModelStructure: value references of the unknown and of what it depends on."""
+    """An entry of FMI's ModelStructure: value references of the unknown and of its dependencies."""
 
     value_reference: int
     dependencies: tuple[int, ...]
@@ -67,7 +67,7 @@ class Unknown:
 
 @dataclass(frozen=True, slots=True)
 class InputStep:
-    """The values that inputs take at a time and keep until the next step."""
+    """Values that inputs take at a time (s) and keep until the next step."""
 
     time: float
     values: Mapping[str, float]
@@ -75,19 +75,19 @@ class InputStep:
 
 @dataclass(frozen=True, slots=True)
 class DefaultExperiment:
-    """SI seconds; the `experiment` annotation of the Modelica class, with the runtime's defaults."""
+    """The `experiment` annotation of the Modelica class, times in seconds; it may omit any of them."""
 
     start_time: float = 0.0
     stop_time: float = 1.0
     tolerance: float = 1e-8
     step_size: float = 1e-3
     input_steps: tuple[InputStep, ...] = ()
-    """What drives it; before the first step, and without any, inputs have their start values."""
+    """Inputs over time; before the first step, and without any, inputs have their start values."""
 
 
 @dataclass(frozen=True, slots=True)
 class ModelDescription:
-    """Everything that modelDescription.xml says of a model, whatever the FMI version."""
+    """The content of modelDescription.xml, for either FMI version."""
 
     model_name: str
     """The qualified Modelica class, such as ``PreloadedSprings.Joystick.Joystick``."""
@@ -97,7 +97,7 @@ class ModelDescription:
     derivatives: tuple[Unknown, ...]
     initial_unknowns: tuple[Unknown, ...]
     event_indicators: tuple[str, ...]
-    """What each event indicator is, in the names of the model."""
+    """The expression of each event indicator, in Modelica names."""
     default_experiment: DefaultExperiment = field(default_factory=DefaultExperiment)
     documentation: str = ""
     """The HTML of the class's Documentation annotation."""
@@ -112,9 +112,9 @@ class ModelDescription:
 
 @dataclass(frozen=True, slots=True)
 class GeneratedModel:
-    """A model as C source on the runtime's `model.h`, with its description."""
+    """A model as C source for the runtime's `model.h`, with its description."""
 
     description: ModelDescription
     c_source: str
     notes: str = ""
-    """What the one who asked for the FMU may want to know of it, in lines."""
+    """Remarks for the user who builds the FMU, one per line."""

@@ -1,4 +1,4 @@
-"""Errors of a build. Each message names the file, model or value at fault and what is allowed."""
+"""Errors of a build. Each message names the file, model or value at fault, and what is allowed."""
 
 from __future__ import annotations
 
@@ -16,15 +16,15 @@ class ModelNotFoundError(BuildError):
 
 
 class ModelicaError(BuildError):
-    """The Modelica source has an error; the message has file, line and column where known."""
+    """The Modelica source has an error; the message gives file, line and column if known."""
 
 
 class UnsupportedModelError(BuildError):
-    """The model is valid Modelica but has a construct that the FMU would not reproduce exactly.
+    """The model is valid Modelica but contains a construct that the FMU would not reproduce exactly.
 
-    The message has the construct's name and line number.
+    The message gives the construct's name and line number.
     """
 
 
 class ToolchainError(BuildError):
-    """A compiler is missing or failed; the message has what it printed."""
+    """A compiler is missing or has failed; the message includes its output."""

@@ -1,4 +1,4 @@
-"""The request for a build and its result, whichever compiler does it."""
+"""The request for a build and its result, common to all compilers."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ def _ignore(stage: str) -> None:
 class BuildRequest:
     """What to build.
 
-    `model` is a qualified Modelica class name; `library` is the Modelica file or package folder that it
-    is looked up in (default: the PreloadedSprings library of this project); `output` is the folder that
-    receives ``<last part of the class name>.fmu``.
+    `model` is a qualified Modelica class name; `library` is the Modelica file or package folder that declares
+    it (default: the PreloadedSprings library of this project); `output` is the folder that receives
+    ``<last part of the class name>.fmu``.
     """
 
     model: str
@@ -35,13 +35,13 @@ class BuildRequest:
     """Platform tuples such as ``aarch64-linux``, FMI 2's names such as ``win64``, or ``all``; empty means the
     host's."""
     options: Mapping[str, str] = field(default_factory=dict)
-    """Settings that only one compiler has, by its own names for them; see `Compiler.options`."""
+    """Options specific to one compiler, by its names for them; see `Compiler.options`."""
     on_stage: Callable[[str], None] = _ignore
     """Called with a short text, such as ``generating C``, when a stage of the build begins."""
 
 
 def check_fmi(request: BuildRequest) -> None:
-    """Raises `BuildError` for an unknown FMI version or type."""
+    """Raise `BuildError` for an unknown FMI version or type."""
     versions, types = get_args(FmiVersion), get_args(FmiType)
     if request.fmi_version not in versions:
         raise BuildError(
@@ -53,7 +53,7 @@ def check_fmi(request: BuildRequest) -> None:
 
 @dataclass(frozen=True, slots=True)
 class BuildResult:
-    """A finished FMU: where it is, which compiler made it, and what that compiler printed."""
+    """A finished FMU: its path, the compiler that built it, the log, and the time that the build took."""
 
     path: Path
     compiler: str

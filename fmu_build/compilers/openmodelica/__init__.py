@@ -1,4 +1,4 @@
-"""The OpenModelica backend: omc makes the whole FMU, in a session through OMPython or by a script."""
+"""The OpenModelica backend: omc builds the whole FMU, in a session through OMPython or from a script."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ _CLASS_NAME = re.compile(rf"{_IDENTIFIER}(?:\.{_IDENTIFIER})*", re.ASCII)
 
 @dataclass(frozen=True, slots=True)
 class _Sources:
-    """The library that the model is looked up in, what it declares, and all files to load for it."""
+    """The library that contains the model, the classes that it declares, and all files to load."""
 
     library: Path
     classes: dict[str, ModelicaClass]
@@ -50,16 +50,16 @@ class OpenModelicaCompiler:
     options: Mapping[str, str] = OPTIONS
 
     def version(self) -> str:
-        """The version of the omc that is found; raises `ToolchainError` where there is none."""
+        """Return the version of the omc that is found; raises `ToolchainError` if there is none."""
         return omc_version(find_omc(None))
 
     def build(self, request: BuildRequest) -> BuildResult:
-        """Builds the FMU; raises a `BuildError` and leaves every file as it was where that fails."""
+        """Build the FMU; on failure, raise a `BuildError` and leave every file as it was."""
         start = time.perf_counter()
         options = read_options(request.options)
         check_request(request, "OpenModelica")
         sources = _sources(request)
-        # omc surrounds an FMU with dozens of files, and deletes the old one before it makes the new.
+        # omc writes dozens of files next to an FMU, and deletes the old one before it builds the new.
         with tempfile.TemporaryDirectory(prefix="fmu_build-", ignore_cleanup_errors=True) as name:
             folder = Path(name).resolve()
             request.on_stage("starting OpenModelica")
@@ -68,7 +68,7 @@ class OpenModelicaCompiler:
                 attempt = _attempt(opened, request, options, sources, folder)
             made = folder / f"{identifier(request.model)}.fmu"
             if not made.is_file():
-                # Nothing else is asked: omc may give the name of an FMU that it has failed to make.
+                # The file alone decides: omc may return the name of an FMU that it has failed to build.
                 raise _reason(attempt, request, sources)
             request.on_stage("checking the FMU")
             path, checks = place(made, request)
@@ -79,7 +79,7 @@ class OpenModelicaCompiler:
 def _sources(request: BuildRequest) -> _Sources:
     library = (request.library or default_library()).absolute()
     files, classes = needed_files(library), read_classes(library)
-    if not _CLASS_NAME.fullmatch(request.model):  # it becomes a part of a statement
+    if not _CLASS_NAME.fullmatch(request.model):  # it becomes part of a statement
         raise not_found(request.model, library, classes)
     return _Sources(library, classes, files)
 
@@ -95,7 +95,7 @@ def _attempt(
 
 
 def _reason(attempt: Attempt, request: BuildRequest, sources: _Sources) -> BuildError:
-    """Why there is no FMU after the attempt."""
+    """Return the error that explains why the attempt produced no FMU."""
     known = sources.classes.get(request.model)
     if known is None or known.kind not in MODEL_KINDS:
         reasons = [str(message) for message in attempt.load_errors]
@@ -107,9 +107,9 @@ def _log(opened: Opened, attempt: Attempt, request: BuildRequest, options: Optio
     lines = [f"OpenModelica {attempt.version}: {opened.what}", opened.log().strip()]
     if "cs" in request.fmi_types:
         lines.append(
-            f"co-simulation: {options.cs_solver} was asked for"
+            f"co-simulation: integrator {options.cs_solver} requested"
             if attempt.solver_offered
-            else "co-simulation: this OpenModelica offers no choice of the integrator: explicit Euler"
+            else "co-simulation: integrator explicit Euler, the only one in this OpenModelica"
         )
     lines += map(str, attempt.messages)
     return "".join(f"{line}\n" for line in lines if line)

@@ -1,4 +1,4 @@
-"""The statements that make an FMU, and what the answers to them say."""
+"""Write the statements that build an FMU, and evaluate the answers to them."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ _VERSION, _SOLVER, _LOAD = "version", "solver", "load"
 
 
 def identifier(model: str) -> str:
-    """The name of the FMU's files: the last part of the class name, with ``_`` for what C does not take."""
+    """Return the base name of the FMU: the last part of the class name, as a C identifier."""
     return re.sub(r"\W", "_", model.rpartition(".")[2])
 
 
 def build_call(request: BuildRequest) -> str:
-    """The call of ``buildModelFMU``; its named arguments are the same from version 1.14 to the newest."""
+    """Return the call of ``buildModelFMU``; its named arguments have been the same since version 1.14."""
     types = _TYPES[tuple(sorted(set(request.fmi_types)))]
     return (
         f"buildModelFMU({request.model}, version={quoted(request.fmi_version)}, fmuType={quoted(types)}, "
@@ -30,14 +30,14 @@ def build_call(request: BuildRequest) -> str:
 
 
 def solver_call(solver: str) -> str:
-    """Asks for an integrator in the co-simulation; versions before 1.16 do not know the option."""
+    """Return the call that selects an integrator for co-simulation, an option since version 1.16."""
     return f"setCommandLineOptions({quoted(f'--fmiFlags=s:{solver}')})"
 
 
 def statements(request: BuildRequest, files: Sequence[Path], folder: Path, solver: str) -> Mapping[str, str]:
-    """The statements of a build, in their order, each by a name for its answer.
+    """Return the statements of a build in order, each with a name for its answer.
 
-    `files` are the libraries' entry files; the FMU is made in `folder`.
+    `files` are the libraries' entry files; the FMU is built in `folder`.
     """
     return {
         _VERSION: "getVersion()",
@@ -50,17 +50,17 @@ def statements(request: BuildRequest, files: Sequence[Path], folder: Path, solve
 
 @dataclass(frozen=True, slots=True)
 class Attempt:
-    """What has come of a build."""
+    """The outcome of a build."""
 
     version: str
     load_errors: tuple[Message, ...]
     messages: tuple[Message, ...]
-    """Of all statements but that for the solver, whose refusal is no failure."""
+    """Messages of all statements except the one for the solver, whose rejection is not a failure."""
     solver_offered: bool
 
 
 def read_attempt(answers: Mapping[str, Answer]) -> Attempt:
-    """What the answers to the statements of a build say; the last ones may be missing."""
+    """Evaluate the answers to the statements of a build; the last ones may be missing."""
     loading = [answer for name, answer in answers.items() if name.startswith(_LOAD)]
     return Attempt(
         version=plain_version(answers[_VERSION].text),

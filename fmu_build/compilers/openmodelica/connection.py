@@ -1,4 +1,4 @@
-"""The connection to an omc server, through OMPython."""
+"""Connect to an omc server through OMPython."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ _MILLISECONDS = 200
 
 
 class _PatientSocket:
-    """What OMPython uses of its socket.
+    """The part of a socket that OMPython uses, with a check while waiting.
 
-    OMPython waits for an answer for ever, also for one of a server that has died meanwhile; this calls
-    `check`, which may raise, every fifth of a second. Since it is no `zmq.Socket`, OMPython does not ask the
-    server to quit when the session is collected: a server that was there before stays.
+    OMPython waits for an answer forever, even from a server that has died; this class calls `check`, which
+    may raise, every fifth of a second. Because it is not a `zmq.Socket`, OMPython does not ask the server to
+    quit when the session is garbage-collected: a server that was running before keeps running.
     """
 
     def __init__(self, socket: Any, check: Callable[[], None]) -> None:
@@ -47,7 +47,7 @@ class _PatientSocket:
 
 
 class Connection:
-    """A session of OMPython in which no answer is waited for without end."""
+    """A session of OMPython with a time limit for each answer."""
 
     def __init__(self, session: OMCSessionABC, timeout: float, check: Callable[[], None]) -> None:
         self._session = session
@@ -58,16 +58,16 @@ class Connection:
         session._omc_zmq = self._socket  # type: ignore[assignment]
 
     def run(self, statements: Sequence[str]) -> list[Answer]:
-        """The answers; the last one has the reason where there are fewer of them than statements.
+        """Return the answers; if there are fewer than statements, the last one holds the reason.
 
-        Raises `ToolchainError` where there is no server, or it has ended or does not answer in time.
+        Raises `ToolchainError` if there is no server, it has ended or it does not answer in time.
         """
         answers: list[Answer] = []
         for statement in statements:
             marker = uuid.uuid4().hex
             self._deadline = time.monotonic() + self._timeout
             try:
-                # The messages are fetched with the value: OMPython, which fetches them next, finds none.
+                # This fetches the messages with the value; OMPython fetches them next and finds none.
                 output = self._session.sendExpression(watched(statement, marker), parsed=False)
             except OMSessionException as error:
                 output = str(error)
@@ -77,12 +77,12 @@ class Connection:
         return answers
 
     def quit(self) -> None:
-        """Asks the server to end."""
+        """Ask the server to quit."""
         self._deadline = time.monotonic() + self._timeout
         self._session.sendExpression("quit()")
 
     def close(self) -> None:
-        """Ends the connection; the server stays. What OMPython leaves behind is removed."""
+        """Close the connection, leave the server running, and remove OMPython's log file."""
         self._socket.close()
         self._session._omc_zmq = None
         if self._session._omc_loghandle is not None:
@@ -97,7 +97,7 @@ class Connection:
 
 @contextmanager
 def connected(address: str, timeout: float, check: Callable[[], None] = lambda: None) -> Iterator[Connection]:
-    """A connection to the server at a ZeroMQ address; `check` raises where that server has ended."""
+    """Connect to the server at a ZeroMQ address; `check` raises if that server has ended."""
     connection = Connection(OMCSessionPort(address, timeout=_SECONDS_TO_CONNECT), timeout, check)
     try:
         yield connection
@@ -107,9 +107,9 @@ def connected(address: str, timeout: float, check: Callable[[], None] = lambda: 
 
 @contextmanager
 def container(image: str, arguments: Sequence[str], timeout: float) -> Iterator[Connection]:
-    """A connection to a server in a container of a Docker image, which has ended when this is left.
+    """Connect to a server in a new container of a Docker image; kill the container on exit.
 
-    `arguments` are added to ``docker run``. Raises `ToolchainError` where it does not start.
+    `arguments` are added to ``docker run``. Raises `ToolchainError` if the server does not start.
     """
     try:
         session = OMCSessionDocker(docker=image, dockerExtraArgs=list(arguments), timeout=_SECONDS_TO_START)
@@ -126,7 +126,7 @@ def container(image: str, arguments: Sequence[str], timeout: float) -> Iterator[
 
 @contextmanager
 def log_of_ompython() -> Iterator[Callable[[], str]]:
-    """Keeps what OMPython logs off the standard error; yields a function that reads it."""
+    """Redirect OMPython's log away from the standard error; yield a function that returns it."""
     sink = io.StringIO()
     handler = logging.StreamHandler(sink)
     handler.setFormatter(logging.Formatter("OMPython: %(levelname)s: %(message)s"))

@@ -1,4 +1,4 @@
-"""omc in a Docker image: what is shared with the container, and how it is run there."""
+"""Run omc in a Docker container that shares folders with the host."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ _SECONDS_TO_INSPECT = 60
 
 
 def check_image(image: str) -> None:
-    """Raises `ToolchainError` where Docker does not run or does not have the image.
+    """Raise `ToolchainError` if Docker does not run or does not have the image.
 
-    OMPython would wait for minutes for either.
+    OMPython would wait for minutes in either case.
     """
     command = ["docker", "image", "inspect", "--format", "{{.Id}}", image]
     try:
@@ -37,14 +37,14 @@ def check_image(image: str) -> None:
 
 
 def mounts(folder: Path, libraries: Sequence[Path]) -> list[str]:
-    """Arguments of ``docker run`` that show it `folder` and, to read only, `libraries` at their own paths."""
+    """Return ``docker run`` arguments that mount `folder`, and `libraries` read-only, at the same paths."""
     shared = {str(path if path.is_dir() else path.parent): ":ro" for path in libraries}
     shared[str(folder)] = ""
     return [word for path, mode in shared.items() for word in ("--volume", f"{path}:{path}{mode}")]
 
 
 def run_in_container(image: str, folder: Path, libraries: Sequence[Path]) -> list[str]:
-    """The command that runs omc once in a container, as the present user and in `folder`."""
+    """Return the command that runs omc once in a container, as the current user and in `folder`."""
     user = ["--user", str(os.getuid())] if os.name == "posix" else []
     return [
         *("docker", "run", "--rm", *user, "--workdir", str(folder)),

@@ -1,4 +1,4 @@
-"""Where OpenModelica's compiler, omc, is on this machine."""
+"""Find OpenModelica's compiler, omc, on this machine."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ HOW_TO_GO_ON = (
 
 
 def find_omc(explicit: Path | None, environment: Mapping[str, str] = os.environ) -> Path:
-    """The executable: the one that is asked for, else that of OPENMODELICAHOME, else the first on PATH.
+    """Return the executable: `explicit` if given, else that of OPENMODELICAHOME, else the first on PATH.
 
-    `explicit` is the executable itself or an installation with ``bin/omc`` in it. Raises `ToolchainError`
-    that tells where it was looked for and how to go on.
+    `explicit` is the executable itself or an installation that contains ``bin/omc``. Raises `ToolchainError`,
+    which lists the places searched and the alternatives.
     """
     if explicit is not None:
         found = _executable(explicit) or _executable(explicit / "bin" / _NAME)
@@ -47,7 +47,7 @@ def find_omc(explicit: Path | None, environment: Mapping[str, str] = os.environ)
 
 
 def omc_version(executable: Path) -> str:
-    """What ``omc --version`` says, such as ``1.14.2``; raises `ToolchainError` where it does not run."""
+    """Return the version of omc, such as ``1.14.2``; raises `ToolchainError` if omc does not run."""
     try:
         done = subprocess.run(
             [str(executable), "--version"],
@@ -68,7 +68,7 @@ def omc_version(executable: Path) -> str:
 
 
 def plain_version(text: str) -> str:
-    """The version in what omc calls itself: ``OMCompiler v1.14.2``, ``OpenModelica 1.26.3``."""
+    """Return the number in a version text such as ``OMCompiler v1.14.2`` or ``OpenModelica 1.26.3``."""
     number = re.search(r"\d+\.\d\S*", text)
     return number.group() if number is not None else text.strip()
 

@@ -1,4 +1,4 @@
-"""What omc writes: answers to statements, and messages with their places."""
+"""Parse the output of omc: answers to statements, and messages with their places."""
 
 from __future__ import annotations
 
@@ -33,39 +33,39 @@ class Message:
 
 @dataclass(frozen=True, slots=True)
 class Answer:
-    """What came of one statement: its value as omc prints it, and the messages on the way."""
+    """The answer to one statement: its value as printed by omc, and the messages it caused."""
 
     value: str
     messages: tuple[Message, ...]
 
     @property
     def text(self) -> str:
-        """The value of a statement that gives a String."""
+        """The value of a statement that returns a String."""
         return unquoted(self.value)
 
     @property
     def succeeded(self) -> bool:
-        """Whether a statement that gives a Boolean gave true, whatever was printed before that."""
+        """Whether a statement that returns a Boolean returned true, whatever it printed before."""
         return self.value.endswith("true")
 
 
 def quoted(text: str) -> str:
-    """The text as a Modelica String literal."""
+    """Return the text as a Modelica String literal."""
     return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'
 
 
 def unquoted(literal: str) -> str:
-    """The text of a Modelica String literal; anything else as it is."""
+    """Return the text of a Modelica String literal; anything else is returned as it is."""
     if len(literal) < 2 or not literal.startswith('"') or not literal.endswith('"'):
         return literal
     return _ESCAPE.sub(r"\1", literal[1:-1])
 
 
 def read_messages(text: str) -> tuple[Message, ...]:
-    """The messages in what ``getErrorString()`` gives, or in what omc prints when it gives up.
+    """Return the messages in the result of ``getErrorString()``, or in omc's output when it gives up.
 
-    A message may have many lines, and begins where one begins with its place or its level. What stands
-    before the first of them is a message of its own.
+    A message may have several lines; it begins at a line that begins with a place or a level. Text before the
+    first of these is one message of level ``error``.
     """
     starts = list(_MESSAGE.finditer(text))
     before = text[: starts[0].start()] if starts else text
@@ -79,20 +79,19 @@ def read_messages(text: str) -> tuple[Message, ...]:
 
 
 def errors(messages: Iterable[Message]) -> list[Message]:
-    """The messages that are errors."""
+    """Return the messages that are errors."""
     return [message for message in messages if message.level == "error"]
 
 
 def watched(statement: str, marker: str) -> str:
-    """The statement, followed by what makes its value and its messages stand apart in omc's answer."""
+    """Return the statement, followed by statements that delimit its value and its messages in the output."""
     return f'{statement}; "{marker}"; getErrorString(); "{marker}"'
 
 
 def read_answers(output: str, marker: str, count: int) -> list[Answer]:
-    """The answers to that many watched statements; `output` is all that omc has printed.
+    """Return the answers to `count` watched statements; `output` is all that omc has printed.
 
-    Where omc has given up on the way, what it printed last is in the messages of the last answer, and the
-    answers after it are missing.
+    If omc gave up, the messages of the last answer hold the end of its output, and later answers are missing.
     """
     parts = re.split(rf'^"{re.escape(marker)}"\n?', output, flags=re.MULTILINE)
     complete = min(count, (len(parts) - 1) // 2)
@@ -106,7 +105,7 @@ def read_answers(output: str, marker: str, count: int) -> list[Answer]:
     return answers
 
 
-# Only repeat that there was an error, or follow from one.
+# These messages only repeat that there was an error, or follow from one.
 _FOLLOWS = re.compile(r"Error occurred while flattening model |Failed to load package |.*\bfailed\.?$")
 _TOOLS = re.compile(r"Error building simulator|Failed to make clean|omc (?:ended|stopped)|Build commands? ")
 _VERSION = re.compile(r"Unknown FMU version|Export of FMU type")
@@ -115,9 +114,9 @@ _UNSUPPORTED = re.compile(r"(?i)not (?:yet )?(?:supported|implemented)|internal 
 
 
 def failure(messages: Sequence[Message], model: str, file: Path) -> BuildError:
-    """The error for a build that has failed with these messages.
+    """Return the error for a build that failed with these messages.
 
-    `file` is where the model is declared; it stands for the place of a message that has none.
+    `file` declares the model; it is the place of messages without one.
     """
     found = errors(messages)
     tools = [message for message in found if _TOOLS.match(message.text)]

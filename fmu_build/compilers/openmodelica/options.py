@@ -1,4 +1,4 @@
-"""What can be set for the OpenModelica backend alone."""
+"""Options of the OpenModelica backend."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from pathlib import Path
 from fmu_build.support.errors import BuildError
 
 OPTIONS = {
-    "omc": "path of omc, or of an OpenModelica installation; else OPENMODELICAHOME, then PATH",
-    "port-file": "file with the port of an omc server that runs already; it is left running",
+    "omc": "path of omc, or of an OpenModelica installation (default: OPENMODELICAHOME, then PATH)",
+    "port-file": "port file of a running omc server, which is left running",
     "docker": "name of a Docker image with omc in it",
-    "timeout": "seconds that one answer of omc may take (1800)",
-    "cs-solver": "what integrates in co-simulation, where omc offers a choice: cvode (default) or euler",
+    "timeout": "longest time for one answer of omc in seconds (default: 1800)",
+    "cs-solver": "integrator in co-simulation, if omc offers a choice: cvode (default) or euler",
 }
 _SOLVERS = ("cvode", "euler")
 _TIMEOUT = 1800.0
@@ -23,7 +23,7 @@ _PLACES = ("omc", "port-file", "docker")
 
 @dataclass(frozen=True, slots=True)
 class Options:
-    """Where omc is (one of the first three at most), and how it is used."""
+    """Where omc is (at most one of the first three is set), and how it is used."""
 
     omc: Path | None = None
     port_file: Path | None = None
@@ -33,7 +33,7 @@ class Options:
 
 
 def read_options(given: Mapping[str, str]) -> Options:
-    """The options from their names and texts; raises `BuildError` for a value that is not allowed."""
+    """Parse the options from their names and texts; raises `BuildError` for an invalid value."""
     places = [name for name in _PLACES if name in given]
     if len(places) > 1:
         raise BuildError(f"the options {' and '.join(places)} exclude each other: each names the omc to use")

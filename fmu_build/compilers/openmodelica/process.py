@@ -1,4 +1,4 @@
-"""Processes that end with the one that started them, together with all that they started themselves."""
+"""Processes that end with their parent, together with all their descendants."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from pathlib import Path
 
 from fmu_build.support.errors import ToolchainError
 
-# Reads until this process closes the pipe, be it because it was killed, then kills its own group.
+# Reads until this process closes the pipe, even by being killed, then kills its own group.
 _GUARD = "read -r _; kill -s KILL 0"
 
 
@@ -20,9 +20,9 @@ _GUARD = "read -r _; kill -s KILL 0"
 def running(
     command: Sequence[str], *, folder: Path, log: Path, environment: Mapping[str, str]
 ) -> Iterator[subprocess.Popen[bytes]]:
-    """Runs a program in a folder; its output goes to `log`. It has ended when the context is left.
+    """Run a program in a folder, with its output in `log`; end it when the context exits.
 
-    Raises `ToolchainError` where it cannot be started.
+    Raises `ToolchainError` if it cannot be started.
     """
     with log.open("wb") as sink, _guard() as group:
         try:
@@ -46,7 +46,7 @@ def running(
 def run(
     command: Sequence[str], *, folder: Path, log: Path, environment: Mapping[str, str], timeout: float
 ) -> tuple[int, str]:
-    """Exit code and output of a program; raises `ToolchainError` where it takes longer than `timeout` (s)."""
+    """Return exit code and output of a program; raises `ToolchainError` after `timeout` (s)."""
     with running(command, folder=folder, log=log, environment=environment) as process:
         try:
             code = process.wait(timeout)
@@ -58,15 +58,15 @@ def run(
 
 
 def read_log(log: Path) -> str:
-    """What a program has printed so far."""
+    """Return what a program has printed so far."""
     return log.read_bytes().decode(errors="replace") if log.exists() else ""
 
 
 @contextmanager
 def _guard() -> Iterator[int | None]:
-    """A process group, None on Windows, that ends with this process even where that runs no handler.
+    """Yield a process group, None on Windows, that ends with this process even if that runs no handler.
 
-    The guard is there before anything that it guards, so that there is no moment without it.
+    The guard process starts first, so that its group is guarded at all times.
     """
     if os.name != "posix":
         yield None
@@ -86,7 +86,7 @@ def _guard() -> Iterator[int | None]:
 
 def _end(process: subprocess.Popen[bytes], group: int | None) -> None:
     if group is not None:
-        # Of a compilation that is cut short, make and the C compiler are left in the group.
+        # An interrupted compilation leaves make and the C compiler in the group.
         with contextlib.suppress(ProcessLookupError, PermissionError):
             os.killpg(group, signal.SIGKILL)
     elif process.poll() is None:

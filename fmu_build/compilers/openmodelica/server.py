@@ -1,4 +1,4 @@
-"""An omc server of one's own, and the port of one that runs already."""
+"""Start an omc server, or read the port file of a running one."""
 
 from __future__ import annotations
 
@@ -18,19 +18,19 @@ _REFUSAL = "as a server using the root user"
 
 
 class RootRefusedError(ToolchainError):
-    """omc does not serve the root user."""
+    """omc refuses to serve the root user."""
 
 
 @dataclass(frozen=True, slots=True)
 class Server:
-    """A server of one's own: its ZeroMQ address and its process."""
+    """A server started by this process: its ZeroMQ address, process and log."""
 
     address: str
     process: Popen[bytes]
     log: Path
 
     def check(self) -> None:
-        """Raises `ToolchainError` where the server has ended."""
+        """Raise `ToolchainError` if the server has ended."""
         code = self.process.poll()
         if code is not None:
             raise ToolchainError(f"omc ended suddenly (exit code {code})\n{read_log(self.log)}".rstrip())
@@ -38,24 +38,24 @@ class Server:
 
 @contextmanager
 def local_server(omc: Path, folder: Path, environment: Mapping[str, str]) -> Iterator[Server]:
-    """Starts omc as a server, which has ended when the context is left.
+    """Start omc as a server, and end it when the context exits.
 
-    OMPython can start one too, but waits its whole patience for one that has refused to serve, and loses
-    hold of it where that wait is interrupted.
+    OMPython can start a server too, but it waits for its full timeout if omc refuses to serve, and loses
+    track of the process if this wait is interrupted.
 
     Raises `RootRefusedError` or another `ToolchainError` with what omc printed.
     """
     suffix = uuid.uuid4().hex
     log = folder / "omc.log"
     command = [str(omc), "--locale=C", "--interactive=zmq", f"-z={suffix}"]
-    # omc writes its port file to the folder for temporary files.
+    # omc writes its port file to the temporary folder.
     environment = {**environment, "TMPDIR": str(folder)}
     with running(command, folder=folder, log=log, environment=environment) as process:
         yield Server(_address(process, folder, suffix, log), process, log)
 
 
 def read_port_file(file: Path) -> str:
-    """The ZeroMQ address in the port file of a server; raises `ToolchainError` where there is none."""
+    """Return the ZeroMQ address in the port file of a server; raises `ToolchainError` if there is none."""
     try:
         lines = file.read_text(encoding="utf-8").splitlines()
     except (OSError, UnicodeDecodeError) as error:

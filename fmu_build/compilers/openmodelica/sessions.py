@@ -1,4 +1,4 @@
-"""A session with omc, of the kind that the options ask for and the user may have."""
+"""Sessions with omc, of the kind that the options request and the user is allowed."""
 
 from __future__ import annotations
 
@@ -19,29 +19,29 @@ from fmu_build.compilers.openmodelica.server import RootRefusedError, local_serv
 from fmu_build.support.errors import ToolchainError
 
 ROOT_NOTE = (
-    "omc refuses to serve the root user: it is run on a script instead, which gives the same FMU (run "
-    "the build as another user for a session)"
+    "omc refuses to serve the root user: it runs a script instead, with the same FMU as a result (for a "
+    "session, build as another user)"
 )
 
 
 class Session(Protocol):
-    """Something that runs statements of OpenModelica's scripting language."""
+    """Runs statements of OpenModelica's scripting language."""
 
     def run(self, statements: Sequence[str]) -> list[Answer]:
-        """The answers; the last one has the reason where there are fewer of them than statements."""
+        """Return the answers; if there are fewer than statements, the last one holds the reason."""
         ...
 
 
 @dataclass(frozen=True, slots=True)
 class Opened:
-    """A session and what it is a session with."""
+    """A session, and the omc at its other end."""
 
     session: Session
     what: str
     shared: bool = False
-    """Whether the server was there before, and is to be left as it was."""
+    """Whether the server was running before, and must be left as it was."""
     log: Callable[[], str] = field(default=lambda: "")
-    """What was noted on the way."""
+    """Returns the remarks logged so far."""
 
 
 @contextmanager
@@ -51,9 +51,9 @@ def open_session(
     libraries: Sequence[Path] = (),
     tell: Callable[[str], None] = lambda stage: None,
 ) -> Iterator[Opened]:
-    """Opens a session that can write to `folder` and read `libraries`; ends what it has started.
+    """Open a session that can write to `folder` and read `libraries`; end the processes that it starts.
 
-    Raises `ToolchainError`. Where omc refuses the root user, it falls back to the script form and says so
+    Raises `ToolchainError`. If omc refuses the root user, the session runs scripts instead and reports this
     through `tell`.
     """
     if options.docker is not None:
@@ -92,7 +92,7 @@ def _local(omc: Path, options: Options, folder: Path, tell: Callable[[str], None
 def _running_already(port_file: Path, options: Options, folder: Path) -> Iterator[Opened]:
     address = read_port_file(port_file)
     if os.name == "posix" and os.geteuid() == 0:
-        # The server belongs to another user, since root gets none; it has to write here.
+        # The server belongs to another user, because omc refuses root, and must write to this folder.
         os.chown(folder, port_file.stat().st_uid, -1)
     _require_ompython()
     from fmu_build.compilers.openmodelica.connection import connected, log_of_ompython
@@ -107,7 +107,7 @@ def _in_docker(
 ) -> Iterator[Opened]:
     check_image(image)
     if os.name == "posix" and os.geteuid() == 0:
-        # OMPython runs the container as the user who asks.
+        # OMPython runs the container as the current user.
         tell(ROOT_NOTE)
         command = run_in_container(image, folder, libraries)
         script = ScriptSession(command, folder, os.environ, options.timeout)
@@ -132,9 +132,9 @@ def _require_ompython() -> None:
 
 @dataclass(frozen=True, slots=True)
 class ScriptSession:
-    """Runs each list of statements in an omc of its own, so that nothing is kept from one to the next.
+    """Runs each list of statements in a new omc process; no state is kept between lists.
 
-    `command` is what runs omc, `folder` where the scripts are written and run.
+    `command` runs omc; scripts are written to and run in `folder`.
     """
 
     command: Sequence[str]
@@ -143,9 +143,9 @@ class ScriptSession:
     timeout: float
 
     def run(self, statements: Sequence[str]) -> list[Answer]:
-        """The answers; the last one has the reason where there are fewer of them than statements.
+        """Return the answers; if there are fewer than statements, the last one holds the reason.
 
-        Raises `ToolchainError` where omc cannot be run or does not end in time.
+        Raises `ToolchainError` if omc cannot be run or does not end in time.
         """
         marker = uuid.uuid4().hex
         script = self.folder / f"{marker}.mos"

@@ -34,13 +34,13 @@ _CASES = {
         _X + _N,
         "der(x) = 1; when edge(x > 0.5) then n = 1; end when;",
         ModelicaError,
-        "M.mo:4:20: edge(x > 0.5): edge() is of variables, not of expressions",
+        "M.mo:4:20: edge(x > 0.5): edge() applies to variables, not to expressions",
     ),
     "pre of an expression": Case(
         _X + _N,
         "der(x) = 1; when x > 0.5 then n = pre(n + 1); end when;",
         ModelicaError,
-        "M.mo:4:37: pre(n + 1): pre() is of variables",
+        "M.mo:4:37: pre(n + 1): pre() applies to variables",
     ),
     "pre of a continuous variable": Case(
         _X + "Real y;",
@@ -52,7 +52,7 @@ _CASES = {
         _X + "Real y;",
         "der(x) = 1; y = x; when x > 0.5 then reinit(y, 0); end when;",
         ModelicaError,
-        "M.mo:4:40: reinit(y, 0): reinit() can be applied to states only: y is none",
+        "M.mo:4:40: reinit(y, 0): reinit() can be applied to states only: y is not a state",
     ),
     "assigned in two when-clauses": Case(
         _X + "discrete Real d;",
