@@ -1,4 +1,4 @@
-"""Builds FMUs from Modelica models, with tools that pip installs.
+"""Build FMUs from Modelica models, with tools that pip installs.
 
 >>> from fmu_build import build_fmu
 >>> result = build_fmu("PreloadedSprings.Joystick.Joystick", "build/fmi2")  # doctest: +SKIP
@@ -51,11 +51,11 @@ def build_fmu(
     options: Mapping[str, str] | None = None,
     on_stage: Callable[[str], None] | None = None,
 ) -> BuildResult:
-    """Builds the FMU of a Modelica model.
+    """Build the FMU of a Modelica model.
 
     Args:
         model: qualified class name, such as ``PreloadedSprings.Joystick.Joystick``.
-        output: folder that receives ``<last part of the class name>.fmu``; made where it is missing.
+        output: folder that receives ``<last part of the class name>.fmu``; created if it is missing.
         compiler: name of the Modelica compiler; see `compiler_names`.
         library: Modelica file or package folder with the model; the PreloadedSprings library by default.
             A library of your own may use PreloadedSprings without naming it here.

@@ -1,4 +1,4 @@
-"""From a generated model to an .fmu file."""
+"""Package a generated model as an .fmu file."""
 
 from __future__ import annotations
 
@@ -39,14 +39,14 @@ __all__ = ["PackagedFmu", "check_request", "package_fmu"]
 
 @dataclass(frozen=True, slots=True)
 class PackagedFmu:
-    """Where the FMU is, and what the C compiler and the checks printed."""
+    """The path of the FMU, and what the C compiler and the checks printed."""
 
     path: Path
     log: str
 
 
 def check_request(request: BuildRequest) -> None:
-    """Raises `BuildError` for a request that cannot be met, before any work is done."""
+    """Raise `BuildError` for a request that cannot be met, before any work is done."""
     check_fmi(request)
     select_platforms(request.platforms)
     generation_time()
@@ -54,23 +54,23 @@ def check_request(request: BuildRequest) -> None:
 
 
 def package_fmu(model: GeneratedModel, request: BuildRequest) -> PackagedFmu:
-    """Compiles the model with the runtime and writes ``<identifier>.fmu`` into the output folder.
+    """Compile the model with the runtime and write ``<identifier>.fmu`` to the output folder.
 
-    The same model gives the same bytes. The file appears only when it has passed all checks; on a
-    `BuildError` nothing has changed.
+    The same model gives the same bytes. The file appears only after it has passed all checks; a `BuildError`
+    leaves everything as it was.
     """
     check_request(request)
     check_description(model.description)
     identifier, version = model.description.identifier, request.fmi_version
     platforms, host = select_platforms(request.platforms), host_platform()
     token, xml, sources = _description_and_sources(model, request)
-    # Importers of FMI 3 bring the headers of the standard (3.0.2, section 2.5.1.4).
+    # Importers of FMI 3 provide the headers of the standard (3.0.2, section 2.5.1.4).
     left_out = FMI_HEADERS[version] if version == "3.0" else ()
     entries = {f"sources/{name}": content for name, content in sources.items() if name not in left_out}
     entries["modelDescription.xml"] = xml
     if version == "3.0":
         entries[TERMINALS] = terminals_and_icons_xml(model.description)
-    # This machine's too, for the default run.
+    # The default run needs the library of this machine too.
     libraries, log = _compiled(sources, identifier, (*platforms, *([host] if host else [])), request.on_stage)
     entries |= binary_entries({p: libraries[p] for p in platforms}, identifier, version)
     request.on_stage("running the default experiment")
@@ -94,7 +94,7 @@ def _compiled(
     platforms: Iterable[Platform],
     on_stage: Callable[[str], None],
 ) -> tuple[dict[Platform, bytes], str]:
-    """The library for each of the platforms, and what the compiler printed."""
+    """Return the library for each of the platforms, and what the compiler printed."""
     libraries, log = {}, ""
     for platform in dict.fromkeys(platforms):
         on_stage(f"compiling the C code for {platform.name}")
@@ -106,9 +106,9 @@ def _compiled(
 def _description_and_sources(
     model: GeneratedModel, request: BuildRequest
 ) -> tuple[str, bytes, dict[str, bytes]]:
-    """The GUID, modelDescription.xml and sources/; the GUID is made from both others and ties them together.
+    """Return the GUID, modelDescription.xml and sources/; the GUID is a hash of the other two.
 
-    The date is no part of the GUID: it is not content.
+    The hash leaves out the generation date, which is not content.
     """
     sources = collect_sources(model.c_source, request.fmi_version)
 
@@ -133,7 +133,7 @@ def _description_and_sources(
 
 
 def _documents(description: ModelDescription, run: DefaultRun | str) -> dict[str, bytes]:
-    """Archive name -> content of what is said of the model and of its default experiment."""
+    """Return archive name -> content of the documents about the model and its default experiment."""
     documents = {"documentation/index.html": index_html(description, run, _generation_tool())}
     if not isinstance(run, str):
         documents[f"documentation/{FIGURE}"] = default_run_svg(run, description)

@@ -1,4 +1,4 @@
-"""The .fmu file: a ZIP archive whose bytes follow from its content alone, written whole or not at all."""
+"""The .fmu file: a ZIP archive whose bytes depend only on its content, written atomically."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from pathlib import Path
 
 from fmu_build.support.errors import BuildError
 
-_EARLIEST = (1980, 1, 1, 0, 0, 0)  # of the dates that a ZIP entry can have
+_EARLIEST = (1980, 1, 1, 0, 0, 0)  # the earliest date that a ZIP entry can have
 _PLAIN_FILE = 0o100644
 
 
 def archive_bytes(entries: Mapping[str, bytes]) -> bytes:
-    """The archive of the given files; names are relative paths with "/".
+    """Return the archive of the given files; names are relative paths with "/".
 
     Raises `BuildError` for a name that is not plain ASCII.
     """
@@ -26,7 +26,7 @@ def archive_bytes(entries: Mapping[str, bytes]) -> bytes:
             if not name.isascii() or "\\" in name or name.startswith("/"):
                 raise BuildError(f"internal error: {name!r} cannot be a file name in an FMU")
             info = zipfile.ZipInfo(name, _EARLIEST)
-            info.create_system = 3  # Unix, wherever this runs
+            info.create_system = 3  # Unix, on every platform
             info.external_attr = _PLAIN_FILE << 16
             archive.writestr(info, entries[name], zipfile.ZIP_DEFLATED, compresslevel=9)
     return buffer.getvalue()
@@ -34,10 +34,10 @@ def archive_bytes(entries: Mapping[str, bytes]) -> bytes:
 
 @contextmanager
 def replacing(target: Path, content: bytes) -> Iterator[Path]:
-    """Writes `content` to a file beside `target` and yields its path; on leaving, it becomes `target`.
+    """Write `content` to a file next to `target` and yield its path; rename it to `target` on exit.
 
-    Where the body raises, the new file is removed and `target` stays as it was. Folders that are missing
-    are made. Raises `BuildError` naming the path that cannot be written.
+    If the body raises, the new file is removed and `target` stays as it was. Missing folders are created.
+    Raises `BuildError`, which names the path that cannot be written.
     """
     temporary = target.with_name(f".{target.stem}-{os.getpid()}-{os.urandom(4).hex()}.tmp")
     made = _make_folder(target.parent)
@@ -55,7 +55,7 @@ def replacing(target: Path, content: bytes) -> Iterator[Path]:
 
 
 def check_output_folder(folder: Path) -> None:
-    """Raises `BuildError` where no file could be written into the folder, without creating it."""
+    """Raise `BuildError` if no file could be written to the folder; do not create it."""
     existing = next(path for path in (folder, *folder.absolute().parents) if path.exists())
     if not existing.is_dir():
         raise BuildError(f"cannot write to {folder}: {existing} is not a folder")
@@ -64,7 +64,7 @@ def check_output_folder(folder: Path) -> None:
 
 
 def _make_folder(folder: Path) -> list[Path]:
-    """Makes the folder and those above it; returns what it made, innermost first."""
+    """Create the folder and its parents; return those that it created, innermost first."""
     missing = [path for path in (folder, *folder.parents) if not path.exists()]
     with _path_errors(folder):
         folder.mkdir(parents=True, exist_ok=True)

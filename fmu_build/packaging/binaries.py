@@ -1,6 +1,6 @@
-"""The shared libraries of an FMU, compiled with the C compiler that `pip install ziglang` brings.
+"""Compile the shared libraries of an FMU with zig, the C compiler of the package ziglang.
 
-The runtime is the same for every model. It is compiled once for each platform, into a static library in zig's
+The runtime is the same for every model. It is compiled once for each platform, to a static library in zig's
 cache folder; a build then compiles the model alone and links both.
 """
 
@@ -24,8 +24,8 @@ from fmu_build.packaging.sources import MODEL_FILE, TOKEN_FILE, c_files
 from fmu_build.support.errors import ToolchainError
 from fmu_build.support.request import FmiVersion
 
-# Floating point: no contraction to fused multiply-add and nothing of -ffast-math, so that every platform
-# computes alike. -s and the relative paths keep this machine's names out of the library.
+# No contraction to fused multiply-add and no -ffast-math, so that every platform computes the same
+# floating-point results. -s and relative paths keep this machine's names out of the library.
 COMPILER_FLAGS = (
     "-std=c11",
     "-O2",
@@ -38,9 +38,9 @@ COMPILER_FLAGS = (
     "-Wextra",
 )
 LINKER_FLAGS = ("-shared", "-fPIC", "-s")
-# Search paths of the user's own compilers, which clang would read too.
+# Search paths for the user's own compilers, which clang would use too.
 _FOREIGN_PATHS = ("CPATH", "C_INCLUDE_PATH", "LIBRARY_PATH", "SDKROOT")
-# Where zig looks for its cache folder, in this order: a variable, and the folder's place in what it names.
+# Where zig looks for its cache folder, in this order: an environment variable, and a folder below its value.
 _CACHE_PLACES = {
     "ZIG_GLOBAL_CACHE_DIR": "",
     "XDG_CACHE_HOME": "zig",
@@ -51,17 +51,17 @@ _RUNTIME = "runtime.a"
 
 
 def toolchain_version() -> str:
-    """Name and version of the C compiler; raises `ToolchainError` where it is not installed."""
+    """Return name and version of the C compiler; raises `ToolchainError` if it is not installed."""
     if importlib.util.find_spec("ziglang") is None:
         raise ToolchainError("the C compiler is missing: pip install 'pyjoystick[build]' (ziglang)")
     return f"ziglang {metadata.version('ziglang')}"
 
 
 def compile_library(sources: Mapping[str, bytes], identifier: str, platform: Platform) -> tuple[bytes, str]:
-    """The library for one platform, and the compiler's commands and output.
+    """Return the library for one platform, and the compiler's commands and output.
 
-    All files but model.c and token.h are taken for the runtime. Raises `ToolchainError` with the compiler's
-    output where it fails.
+    All files except model.c and token.h count as the runtime. Raises `ToolchainError` with the compiler's
+    output if it fails.
     """
     toolchain_version()
     runtime = {name: content for name, content in sources.items() if name not in (MODEL_FILE, TOKEN_FILE)}
@@ -76,7 +76,7 @@ def compile_library(sources: Mapping[str, bytes], identifier: str, platform: Pla
 
 
 def cache_folder() -> Path | None:
-    """Zig's cache folder of this user; None where it cannot be written, as in many containers."""
+    """Return zig's cache folder for this user; None if it is not writable, as in many containers."""
     for name, place in _CACHE_PLACES.items():
         if os.environ.get(name):
             folder = Path(os.environ[name], place).absolute()
@@ -86,7 +86,7 @@ def cache_folder() -> Path | None:
 
 
 def runtime_folder() -> Path | None:
-    """Where compiled runtimes are kept from build to build; None where nothing can be."""
+    """Return the folder that caches compiled runtimes; None if there is no writable cache."""
     folder = cache_folder()
     return None if folder is None else folder / "fmu_build"
 
@@ -94,10 +94,10 @@ def runtime_folder() -> Path | None:
 def binary_entries(
     libraries: Mapping[Platform, bytes], identifier: str, fmi_version: FmiVersion
 ) -> dict[str, bytes]:
-    """Archive name -> content of binaries/.
+    """Return archive name -> content of binaries/.
 
-    Importers of FMI 2 on macOS look into darwin64, whatever the processor: where there are libraries for
-    both, it holds the universal one.
+    Importers of FMI 2 on macOS look in darwin64, whatever the processor: with libraries for both, it holds a
+    universal one.
     """
     content = dict(libraries)
     macos = [platform for platform in libraries if platform.extension == ".dylib"]
@@ -110,7 +110,7 @@ def binary_entries(
 
 
 def _runtime_archive(runtime: Mapping[str, bytes], platform: Platform) -> tuple[bytes, str]:
-    """The runtime as a static library, from the cache where it is there, and what the compiler printed."""
+    """Return the runtime as a static library, from the cache if possible, and what the compiler printed."""
     arguments = _archive_arguments(c_files(runtime), platform)
     digest = hashlib.sha256(repr([toolchain_version(), arguments, sorted(runtime.items())]).encode())
     folder = runtime_folder()
@@ -124,7 +124,7 @@ def _runtime_archive(runtime: Mapping[str, bytes], platform: Platform) -> tuple[
 
 
 def _read_stored(file: Path) -> bytes | None:
-    """What `_store` wrote; None where the file is missing or damaged."""
+    """Return the content that `_store` wrote; None if the file is missing or damaged."""
     try:
         stored = file.read_bytes()
     except OSError:
@@ -134,9 +134,9 @@ def _read_stored(file: Path) -> bytes | None:
 
 
 def _store(file: Path, content: bytes) -> None:
-    """Replaces a file by its digest and content, safe against other writers and against being killed.
+    """Write digest and content to a file, atomically with respect to other writers and to being killed.
 
-    A cache that cannot be written is no reason to fail.
+    Failure to write the cache is ignored.
     """
     with contextlib.suppress(OSError):
         file.parent.mkdir(parents=True, exist_ok=True)
@@ -151,7 +151,7 @@ def _store(file: Path, content: bytes) -> None:
 def _compiled(
     files: Mapping[str, bytes], arguments: list[str], result: str, platform: Platform
 ) -> tuple[bytes, str]:
-    """The file that zig makes of others in an empty folder, and its command and output."""
+    """Return the file that zig makes from others in an empty folder, and its command and output."""
     with tempfile.TemporaryDirectory(prefix="fmu_build-") as folder:
         work = Path(folder)
         for name, content in files.items():
@@ -180,10 +180,10 @@ def _compiled(
 
 
 def _environment(local: Path) -> dict[str, str]:
-    """This process's, with zig's cache of one build in the folder `local`.
+    """Return this process's environment, with zig's cache of one build in the folder `local`.
 
-    zig keeps the C library that it builds once in the user's cache folder. Where there is none that can be
-    written, it builds it anew in `local`.
+    zig keeps the C library, which it builds once, in the user's cache folder. Without a writable one, it
+    builds the library again in `local`.
     """
     environment = {name: value for name, value in os.environ.items() if name not in _FOREIGN_PATHS}
     environment["ZIG_LOCAL_CACHE_DIR"] = str(local)
@@ -201,12 +201,12 @@ def _archive_arguments(files: list[str], platform: Platform) -> list[str]:
 def _library_arguments(files: Mapping[str, bytes], library: str, platform: Platform) -> list[str]:
     whole = ["-Wl,--whole-archive", _RUNTIME, "-Wl,--no-whole-archive"] if _RUNTIME in files else []
     own = {
-        # A function that is missing is an error here, not when an importer first calls it. Optimizing across
-        # files pays: the model's functions are short, and the runtime calls them thousands of times a run.
-        # zig links that for Linux alone.
+        # A missing function is an error now, not when an importer first calls it. Link-time optimization
+        # pays: the model's functions are short, and the runtime calls them thousands of times a run. zig
+        # supports it for Linux only.
         ".so": ["-Wl,-z,defs", "-flto"],
         ".dll": [],
-        # Without its own install name, a macOS library would carry the path that it was linked at.
+        # Without an install name, a macOS library would carry the path at which it was linked.
         ".dylib": [f"-Wl,-install_name,@rpath/{library}"],
     }[platform.extension]
     sources = [*c_files(files), *whole]
@@ -224,7 +224,7 @@ _ALIGNMENT = 14  # pages of 16 kB, those of aarch64
 
 
 def universal_library(libraries: Sequence[bytes]) -> bytes:
-    """The libraries, each for one processor, in one file; macOS loads the one that suits the process."""
+    """Return one file with all libraries, each for one processor; macOS loads the one for the process."""
     page = 1 << _ALIGNMENT
     content = bytearray(_HEADER.pack(_MAGIC, len(libraries)))
     offset = page

@@ -1,4 +1,4 @@
-"""The last look at a new FMU, before it takes its place."""
+"""The final checks of a new FMU before it replaces the old one."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ _SECONDS_TO_LOAD = 300  # so that a library that hangs does not hang the build
 
 
 def check_fmu(path: Path, *, fmi_types: Sequence[FmiType], load: bool) -> str:
-    """Reads the archive again, validates it and, with `load`, instantiates it on this machine.
+    """Read the archive back, validate it and, with `load`, instantiate it on this machine.
 
-    The library is loaded in a process of its own, because a faulty one can kill the process.
-    Returns what the checks printed; raises `BuildError` for any finding.
+    The library is loaded in a separate process, because a faulty one can kill it. Returns what the checks
+    printed; raises `BuildError` for any finding.
     """
     check_archive(path)
     problems = validate_fmu(str(path))
@@ -34,7 +34,7 @@ def check_fmu(path: Path, *, fmi_types: Sequence[FmiType], load: bool) -> str:
 
 
 def check_archive(path: Path) -> None:
-    """Reads every file of the archive; raises `BuildError` where one is damaged."""
+    """Read every file of the archive; raises `BuildError` if one is damaged."""
     with zipfile.ZipFile(path) as archive:
         damaged = archive.testzip()
     if damaged is not None:
@@ -42,15 +42,15 @@ def check_archive(path: Path) -> None:
 
 
 def check_loads(path: Path, fmi_types: Sequence[FmiType]) -> str:
-    """Instantiates the FMU on this machine as each of the types; returns what it printed.
+    """Instantiate the FMU on this machine as each of the types; return what it printed.
 
-    Raises `BuildError` where that fails.
+    Raises `BuildError` if that fails.
     """
     script = Path(__file__).with_name("load_fmu.py")
     with tempfile.TemporaryDirectory(prefix="fmu_build-", ignore_cleanup_errors=True) as folder:
         with zipfile.ZipFile(path) as archive:
             archive.extractall(folder)
-        # -P keeps the folder of the script, with its module names, out of the search path.
+        # -P keeps the script's folder, and so the modules in it, off the search path.
         command = [sys.executable, "-P", str(script), folder, *fmi_types]
         try:
             done = subprocess.run(

@@ -1,7 +1,7 @@
-"""What FMI 2.0.4 demands of a model description beyond the XML schema (sections 2.2.7 and 2.2.8).
+"""Requirements of FMI 2.0.4 on a model description beyond the XML schema (sections 2.2.7 and 2.2.8).
 
-A description that breaks a rule here is either a fault of the model, told as a `ModelicaError`, or one of the
-compiler backend, told as a `BuildError` that calls itself an internal error.
+A violation is either a fault of the model, reported as a `ModelicaError`, or one of the compiler backend,
+reported as a `BuildError` that calls itself an internal error.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ _EXACT: tuple[Initial, ...] = ("exact",)
 _COMPUTED: tuple[Initial, ...] = ("calculated", "approx")
 _ANY: tuple[Initial, ...] = ("calculated", "exact", "approx")
 
-# The values of `initial` that go with a causality and a variability; () where the attribute must be absent.
+# The values of `initial` allowed for a causality and a variability; () if the attribute must be absent.
 ALLOWED_INITIAL: dict[tuple[str, str], tuple[Initial, ...]] = {
     ("parameter", "fixed"): _EXACT,
     ("parameter", "tunable"): _EXACT,
@@ -38,7 +38,7 @@ _INT32 = 2**31
 
 
 def check_description(description: ModelDescription) -> None:
-    """Raises `BuildError` or `ModelicaError` naming the variable and the rule that it breaks."""
+    """Raise `BuildError` or `ModelicaError`, which names the variable and the rule that it violates."""
     identifier = description.identifier
     if not (identifier.isascii() and identifier.isidentifier()):
         raise BuildError(
@@ -69,7 +69,8 @@ def _check_terminals(description: ModelDescription) -> None:
         for variable, _, _ in terminal.members:
             if causalities.get(variable) not in connectable:
                 raise ModelicaError(
-                    f"terminal {terminal.name!r}: {variable!r} is no input, output or parameter of the model"
+                    f"terminal {terminal.name!r}: {variable!r} is not an input, output or parameter "
+                    "of the model"
                 )
 
 

@@ -1,4 +1,4 @@
-"""The default experiment, run on the new library: what an importer can compare its own run with."""
+"""Run the default experiment on the new library, for importers to compare their own run with."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from fmu_build.packaging.platforms import Platform
 from fmu_build.support.description import DefaultExperiment, ModelDescription, Variable
 from fmu_build.support.request import FmiVersion
 
-# Tighter than what anyone compares with it.
+# Tighter than the tolerance of any comparison with it.
 TOLERANCE = 1e-10
-# What the rules of the FMI cross-check recommend at most.
+# Upper limits recommended by the rules of the FMI cross-check.
 _MOST_VARIABLES = 10
 _MOST_INTERVALS = 300
 _MOST_SECONDS = 60
@@ -27,7 +27,7 @@ _MOST_SECONDS = 60
 class DefaultRun:
     """Values at every communication point.
 
-    The inputs' are those that hold until the next point, the outputs' those of the step that ends there.
+    Input values hold until the next point; output values are those at the end of the step to this point.
     """
 
     time: tuple[float, ...]
@@ -38,9 +38,9 @@ class DefaultRun:
 def run_default_experiment(
     library: bytes, platform: Platform, description: ModelDescription, guid: str, fmi_version: FmiVersion
 ) -> DefaultRun | str:
-    """The run, or why there is none; `platform` is this machine's.
+    """Return the run, or the reason why there is none; `platform` is this machine's.
 
-    The library runs in a process of its own, because a faulty one can kill the process.
+    The library runs in a separate process, because a faulty one can kill it.
     """
     outputs = _chosen(description)
     points = communication_points(description.default_experiment)
@@ -59,7 +59,7 @@ def run_default_experiment(
         "outputs": [(variable.type, references[variable.name]) for variable in outputs],
     }
     with tempfile.TemporaryDirectory(prefix="fmu_build-", ignore_cleanup_errors=True) as folder:
-        # Where FMPy looks for that of FMI 3, whatever it is told.
+        # FMPy looks for a library of FMI 3 here, whatever path it is given.
         binaries = Path(folder, "binaries", platform.folder(fmi_version))
         binaries.mkdir(parents=True)
         file = binaries / (description.identifier + platform.extension)
@@ -72,7 +72,7 @@ def run_default_experiment(
 
 
 def communication_points(experiment: DefaultExperiment) -> tuple[float, ...]:
-    """From start to stop in whole step sizes, few enough to be looked at, and where inputs change."""
+    """Return the points: an even grid of at most 300 intervals from start to stop, and all input changes."""
     start, stop = experiment.start_time, experiment.stop_time
     if not start < stop < math.inf:
         return ()
@@ -84,7 +84,7 @@ def communication_points(experiment: DefaultExperiment) -> tuple[float, ...]:
 
 
 def _chosen(description: ModelDescription) -> list[Variable]:
-    """The outputs, or the states of a model without any."""
+    """Return the outputs, or the states of a model without outputs."""
     outputs = [v for v in description.variables if v.causality == "output"]
     states = [
         description.variables[v.derivative_of] for v in description.variables if v.derivative_of is not None
@@ -93,7 +93,7 @@ def _chosen(description: ModelDescription) -> list[Variable]:
 
 
 def _held_inputs(description: ModelDescription, points: Sequence[float]) -> dict[str, tuple[float, ...]]:
-    """The real inputs by name, each with its value from every point to the next."""
+    """Return the Real inputs by name, each with its value from every point to the next."""
     columns = {}
     for variable in description.variables:
         if variable.causality != "input" or variable.type != "Real":
@@ -108,7 +108,7 @@ def _held_inputs(description: ModelDescription, points: Sequence[float]) -> dict
 
 
 def _rows(asked: dict[str, object], file: Path) -> list[list[float]] | str:
-    """What the outputs are at each point, or why they are not known."""
+    """Return the outputs at each point, or the reason why they are unknown."""
     file.write_text(json.dumps(asked), "utf-8")
     script = Path(__file__).with_name("run_library.py")
     try:

@@ -1,4 +1,4 @@
-"""documentation/index.html of an FMU: a page for its reader."""
+"""Write documentation/index.html of an FMU."""
 
 from __future__ import annotations
 
@@ -23,9 +23,9 @@ FIGURE = "default_run.svg"
 
 
 def index_html(description: ModelDescription, run: DefaultRun | str, generation_tool: str) -> bytes:
-    """documentation/index.html: what the model is, its parameters, inputs, outputs and units, and its run.
+    """Return the page: the model, its parameters, inputs, outputs and units, and its default experiment.
 
-    `run` is that of the default experiment, or why there is none.
+    `run` is the run of the default experiment, or the reason why there is none.
     """
     body = builder.BODY(builder.H1(description.identifier), builder.P(xml_text(description.description)))
     body.extend(_class_documentation(description.documentation))
@@ -45,7 +45,7 @@ def index_html(description: ModelDescription, run: DefaultRun | str, generation_
 
 
 def _class_documentation(text: str) -> list[html.HtmlElement]:
-    """The class's own HTML, without what leads nowhere outside a Modelica tool."""
+    """Return the class's own HTML without scripts, styles, images and ``modelica:`` links."""
     if not text.strip():
         return []
     division: html.HtmlElement = html.fragment_fromstring(xml_text(text), create_parent="div")

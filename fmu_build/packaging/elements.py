@@ -1,4 +1,4 @@
-"""XML elements with attributes in the XML schema's spelling, and what both versions of FMI write alike."""
+"""XML elements with attributes in the XML schema's spelling, and elements common to FMI 2 and FMI 3."""
 
 from __future__ import annotations
 
@@ -25,14 +25,14 @@ _LOG_CATEGORIES = {
 
 
 def add(parent: etree._Element, tag: str, **attributes: Any) -> etree._Element:
-    """A new element inside `parent`, with the attributes that are not None."""
+    """Add an element to `parent`, with the attributes that are not None."""
     element = etree.SubElement(parent, tag)
     put(element, **attributes)
     return element
 
 
 def put(element: etree._Element, **attributes: Any) -> None:
-    """Sets what is not None; booleans, numbers and text in the XML schema's spelling."""
+    """Set the attributes that are not None, in the XML schema's spelling."""
     for name, value in attributes.items():
         if isinstance(value, bool):
             element.set(name, "true" if value else "false")
@@ -43,13 +43,13 @@ def put(element: etree._Element, **attributes: Any) -> None:
 
 
 def document(root: etree._Element) -> bytes:
-    """The file with that root."""
+    """Return the file with that root."""
     content: bytes = etree.tostring(root, xml_declaration=True, encoding="UTF-8", pretty_print=True)
     return content
 
 
 def generation_time() -> str | None:
-    """`SOURCE_DATE_EPOCH` as FMI writes dates, None where it is not set; raises `BuildError` if malformed."""
+    """Return `SOURCE_DATE_EPOCH` as an FMI date, None if unset; raises `BuildError` if malformed."""
     epoch = os.environ.get("SOURCE_DATE_EPOCH")
     if not epoch:
         return None
@@ -63,14 +63,14 @@ def generation_time() -> str | None:
 
 
 def add_log_categories(root: etree._Element, prefix: str) -> None:
-    """The standard categories that the runtime uses; `prefix` is the version's, such as ``fmi2``."""
+    """Add the standard log categories that the runtime uses; `prefix` is ``fmi2`` or ``fmi3``."""
     categories = add(root, "LogCategories")
     for name, text in _LOG_CATEGORIES.items():
         add(categories, "Category", name=name, description=text.format(prefix=prefix))
 
 
 def add_default_experiment(root: etree._Element, experiment: DefaultExperiment) -> None:
-    """The experiment that the model proposes."""
+    """Add the model's default experiment."""
     add(
         root,
         "DefaultExperiment",
@@ -82,7 +82,7 @@ def add_default_experiment(root: etree._Element, experiment: DefaultExperiment) 
 
 
 def value_attributes(variable: Variable) -> dict[str, Any]:
-    """What the element of the variable's type says of its values, in either version of FMI."""
+    """Return the attributes of the variable's type element that FMI 2 and FMI 3 have in common."""
     attributes: dict[str, Any] = {"start": _start(variable), "reinit": variable.reinit or None}
     if variable.enumeration is not None:
         attributes["declaredType"] = variable.enumeration.name
@@ -110,7 +110,7 @@ def _number(value: float | None, variable: Variable) -> float | None:
 
 
 def enumeration_types(variables: Iterable[Variable]) -> list[EnumerationType]:
-    """The enumerations that variables are of, each once and in the order of their names."""
+    """Return the enumeration types of the variables, each once and sorted by name."""
     types: dict[str, EnumerationType] = {}
     for variable in variables:
         if variable.enumeration is not None:
@@ -121,7 +121,7 @@ def enumeration_types(variables: Iterable[Variable]) -> list[EnumerationType]:
 
 
 def add_items(parent: etree._Element, enumeration: EnumerationType) -> None:
-    """The literals of an enumeration, numbered from 1."""
+    """Add the literals of an enumeration, numbered from 1."""
     for value, (literal, description) in enumerate(enumeration.literals, start=1):
         add(parent, "Item", name=literal, value=value, description=description or None)
 
@@ -130,5 +130,5 @@ _NOT_XML = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
 
 
 def xml_text(text: str) -> str:
-    """The text with a space for each character that XML 1.0 has no form for, not even an escaped one."""
+    """Return the text with a space for each character that XML 1.0 cannot represent, even escaped."""
     return _NOT_XML.sub(" ", text)

@@ -1,4 +1,4 @@
-"""The pictures of an FMU: its icon, and its default run."""
+"""Draw the pictures of an FMU: its icon and its default run."""
 
 from __future__ import annotations
 
@@ -18,21 +18,21 @@ from fmu_build.support.request import FmiVersion
 
 @contextmanager
 def _own_settings(settings: Mapping[Any, Any]) -> Iterator[None]:
-    """Matplotlib as it comes, but for these settings: not as this user or this program has set it."""
+    """Use Matplotlib's defaults and these settings, whatever the user or this program has set."""
     with mpl.rc_context():
         mpl.rcdefaults()
         mpl.rcParams.update(settings)
         yield
 
 
-# Where it is in the archive.
+# The path of the icon in the archive.
 ICONS: Mapping[FmiVersion, str] = {"2.0": "model.png", "3.0": "terminalsAndIcons/icon.png"}
 _MOST_PORTS = 12  # on one side; more would not be legible
 _COLOR = "#1f3b63"
 
 
 def model_png(description: ModelDescription) -> bytes:
-    """A PNG of 400 by 300 pixels."""
+    """Return the icon as a PNG of 400 by 300 pixels."""
     with _own_settings({}):
         return _drawn(description)
 
@@ -56,19 +56,19 @@ def _drawn(description: ModelDescription) -> bytes:
             )
             axes.text(inside, y, name, ha=align, va="center", fontsize=8, parse_math=False)
     buffer = io.BytesIO()
-    # Without the name and version of the drawing library, whose place this is by default.
+    # By default, this would hold the name and version of the drawing library.
     figure.savefig(buffer, format="png", metadata={"Software": None})
     return buffer.getvalue()
 
 
-# Those of Okabe and Ito, which the color-blind can tell apart; the dashes tell them apart in gray.
+# The color-blind-safe palette of Okabe and Ito; the dashes distinguish the curves in gray.
 _COLORS = ("#000000", "#D55E00", "#0072B2", "#009E73", "#CC79A7")
 _DASHES = ("-", (0, (6, 2)), (0, (2, 1.5)), (0, (6, 1.5, 1.5, 1.5)), (0, (1, 1)))
-# In inches: the margins, the panels' width and height, and an average letter of the names on the right.
+# In inches: the margins, the panels' width and height, and the average letter of the names on the right.
 _LEFT, _BELOW, _CURVES, _PANEL, _LETTER = 1.0, 0.5, 5.6, 1.4, 0.09
 _SETTINGS = {
-    "svg.fonttype": "none",  # text as text
-    "svg.hashsalt": "default run",  # the same names within the file every time
+    "svg.fonttype": "none",  # text stays text
+    "svg.hashsalt": "default run",  # the same identifiers in the file every time
     "font.family": "sans-serif",
     "axes.grid": True,
     "grid.color": "0.9",
@@ -78,7 +78,7 @@ _SETTINGS = {
 
 
 def default_run_svg(run: DefaultRun, description: ModelDescription) -> bytes:
-    """The figure as SVG; the same run gives the same bytes."""
+    """Return the figure as SVG; the same run gives the same bytes."""
     units = {variable.name: variable.unit for variable in description.variables}
     panels = [(unit, names, run.inputs, "steps-post") for unit, names in _by_unit(run.inputs, units)]
     panels += [(unit, names, run.outputs, "default") for unit, names in _by_unit(run.outputs, units)]
@@ -86,7 +86,7 @@ def default_run_svg(run: DefaultRun, description: ModelDescription) -> bytes:
         height = _BELOW + _PANEL * len(panels)
         width = _LEFT + _CURVES + _LETTER * (8 + max(map(len, [*run.inputs, *run.outputs])))
         figure = Figure(figsize=(width, height))
-        # Placed by hand: matplotlib takes half a second to find places.
+        # Placed by hand, because Matplotlib's layout takes half a second.
         right, top = (_LEFT + _CURVES) / width, 1.0 - 0.1 / height
         figure.subplots_adjust(_LEFT / width, _BELOW / height, right, top, hspace=0.15)
         all_axes = figure.subplots(len(panels), sharex=True, squeeze=False)[:, 0]
@@ -119,5 +119,5 @@ def _by_unit(names: Iterable[str], units: Mapping[str, str]) -> list[tuple[str, 
 
 
 def _plain(text: str) -> str:
-    """Without the signs that would begin a formula, or keep a line out of the legend."""
+    """Return the text without signs that would begin a formula or keep a line out of the legend."""
     return " " + text.replace("$", r"\$") if text.startswith("_") else text.replace("$", r"\$")

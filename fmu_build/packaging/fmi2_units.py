@@ -1,4 +1,4 @@
-"""The UnitDefinitions of an FMI 2 model description."""
+"""Write the UnitDefinitions of a model description, the same in FMI 2 and FMI 3."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from fmu_build.packaging.units import BASE_UNITS, Unit, UnitError, conversion, p
 from fmu_build.support.description import Variable
 from fmu_build.support.errors import ModelicaError
 
-# Offered to importers beside what the model itself asks for.
+# Offered to importers in addition to the display units of the model.
 _USUAL_DISPLAY_UNITS = {
     "rad": ("deg",),
     "rad/s": ("deg/s", "rev/min"),
@@ -31,14 +31,14 @@ _USUAL_DISPLAY_UNITS = {
 
 
 def distinct_display_unit(variable: Variable) -> str:
-    """The variable's display unit, or "" where that is none or the unit itself."""
+    """Return the variable's display unit, or "" if it has none or it equals the unit."""
     return "" if variable.display_unit == variable.unit else variable.display_unit
 
 
 def unit_definitions(variables: Iterable[Variable]) -> list[etree._Element]:
-    """At most one `UnitDefinitions` element: every unit of the variables with base unit and display units.
+    """Return at most one `UnitDefinitions` element: every unit, with its base unit and display units.
 
-    Raises `ModelicaError` naming the variable whose unit or display unit is not a unit.
+    Raises `ModelicaError`, which names the variable, for an invalid unit or display unit.
     """
     display_units: dict[str, set[str]] = {}
     for variable in variables:
@@ -64,10 +64,10 @@ def unit_definitions(variables: Iterable[Variable]) -> list[etree._Element]:
 
 
 def add_unit_definitions(model_description: bytes) -> tuple[bytes, list[str]]:
-    """An FMI 2 model description with a definition for every unit of its variables; and which were added.
+    """Add the missing unit definitions to an FMI 2 model description; return it and the added units.
 
-    A unit that is not a Modelica unit gets a definition of its name alone, which the standard allows. Other
-    versions of FMI, and descriptions with all definitions, stay as they are.
+    A unit that is not a Modelica unit is defined by its name alone, which the standard allows. Descriptions
+    of other FMI versions, and complete ones, are returned unchanged.
     """
     root = etree.fromstring(model_description)
     used = {variable.get("unit") for variable in root.iterfind("ModelVariables/ScalarVariable/Real")}

@@ -1,4 +1,4 @@
-"""modelDescription.xml of FMI 2.0.4."""
+"""Write modelDescription.xml of FMI 2.0.4."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from fmu_build.packaging.fmi2_units import unit_definitions
 from fmu_build.support.description import ModelDescription, Unknown, Variable
 from fmu_build.support.request import FmiType
 
-# What the runtime can do. Both kinds of FMU are one library with one identifier.
+# The runtime's capabilities. Both FMI types share one library and one identifier.
 _CAPABILITIES = {
     "needsExecutionTool": "false",
     "canBeInstantiatedOnlyOncePerProcess": "false",
@@ -48,11 +48,10 @@ def model_description_xml(
     generation_tool: str,
     generation_time: str | None,
 ) -> bytes:
-    """The file's content.
+    """Return the file's content.
 
-    `source_files` are the C files in sources/. `generation_time` is written where it is given: a date of
-    today would make every build of the same model a different file.
-    Raises `ModelicaError` for a unit that is not one.
+    `source_files` are the C files in sources/. `generation_time` is written only if it is given: today's date
+    would make every build of the same model a different file. Raises `ModelicaError` for an invalid unit.
     """
     root = etree.Element("fmiModelDescription")
     put(
@@ -131,14 +130,14 @@ def _model_structure(description: ModelDescription) -> etree._Element:
 
 
 def _without(unknown: Unknown, left_out: Collection[int]) -> Unknown:
-    """Without some dependencies: FMI 2 counts parameters among the knowns of the initialization only."""
+    """Leave out some dependencies: in FMI 2, parameters are knowns of the initialization only."""
     pairs = zip(unknown.dependencies, unknown.dependency_kinds, strict=True)
     kept = [(reference, kind) for reference, kind in pairs if reference not in left_out]
     return Unknown(unknown.value_reference, tuple(r for r, _ in kept), tuple(k for _, k in kept))
 
 
 def _add_unknown(parent: etree._Element, unknown: Unknown) -> None:
-    # Indices count the ScalarVariables from 1; value references are their positions from 0.
+    # Indices of ScalarVariables are one-based; value references are their zero-based positions.
     add(
         parent,
         "Unknown",

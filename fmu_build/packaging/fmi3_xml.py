@@ -1,4 +1,4 @@
-"""modelDescription.xml and terminalsAndIcons.xml of FMI 3.0."""
+"""Write modelDescription.xml and terminalsAndIcons.xml of FMI 3.0."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from fmu_build.packaging.fmi2_units import unit_definitions
 from fmu_build.support.description import ModelDescription, Unknown, Variable
 from fmu_build.support.request import FmiType
 
-# What the runtime can do. Both kinds of FMU are one library with one identifier.
+# The runtime's capabilities. Both FMI types share one library and one identifier.
 _CAPABILITIES = {
     "needsExecutionTool": "false",
     "canBeInstantiatedOnlyOncePerProcess": "false",
@@ -52,10 +52,10 @@ def model_description_xml(
     generation_tool: str,
     generation_time: str | None,
 ) -> bytes:
-    """The file's content; `guid` is the instantiation token, the rest is as in FMI 2.
+    """Return the file's content; `guid` is the instantiation token, the rest is as in FMI 2.
 
-    Event indicators are variables in FMI 3; their value references follow those of the model's own.
-    Raises `ModelicaError` for a unit that is not one.
+    Event indicators are variables in FMI 3; their value references follow those of the model's variables.
+    Raises `ModelicaError` for an invalid unit.
     """
     root = etree.Element("fmiModelDescription")
     put(
@@ -90,7 +90,7 @@ def model_description_xml(
 
 
 def _event_indicators(description: ModelDescription) -> list[Variable]:
-    """The variables of the event indicators, with a name that the model does not use."""
+    """Return variables for the event indicators, under a name that the model does not use."""
     name = "eventIndicator"
     while any(variable.name.startswith(f"{name}[") for variable in description.variables):
         name += "_"
@@ -133,7 +133,7 @@ def _add_model_structure(root: etree._Element, description: ModelDescription) ->
         for unknown in unknowns:
             _add_unknown(structure, tag, unknown)
     for number in range(len(description.event_indicators)):
-        # Without dependencies: they may depend on every state and input.
+        # Without a list of dependencies, they may depend on every state and input.
         add(structure, "EventIndicator", valueReference=len(description.variables) + number)
 
 
@@ -151,16 +151,16 @@ TERMINALS = "terminalsAndIcons/terminalsAndIcons.xml"
 
 
 def terminals_and_icons_xml(description: ModelDescription) -> bytes:
-    """The file's content: where the icon is, and the model's terminals."""
+    """Return the file's content: the position of the icon, and the model's terminals."""
     root = etree.Element("fmiTerminalsAndIcons", fmiVersion="3.0")
     graphics = add(root, "GraphicalRepresentation")
-    # The icon has four parts of width to three of height, 20 mm wide.
+    # The icon is 20 mm wide, at an aspect ratio of 4:3.
     extent = {"x1": -100.0, "y1": -75.0, "x2": 100.0, "y2": 75.0}
     add(graphics, "CoordinateSystem", **extent, suggestedScalingFactorTo_mm=0.1)
     add(graphics, "Icon", **extent)
     terminals = add(root, "Terminals") if description.terminals else root
     for terminal in description.terminals:
-        # Whoever connects one may do without some of the members: "bus", where "plug" would demand all.
+        # "bus" allows a connection that leaves members out; "plug" would require all of them.
         element = add(terminals, "Terminal", name=terminal.name, matchingRule="bus")
         for variable, member, kind in terminal.members:
             names = {"variableName": variable, "memberName": member}

@@ -1,4 +1,4 @@
-"""FMUs that another tool has packaged: checked as far as they can be, and put in place."""
+"""Check FMUs packaged by another tool as far as possible, and install them in the output folder."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _DESCRIPTION = "modelDescription.xml"
 
 
 def check_request(request: BuildRequest, tool: str) -> None:
-    """Raises `BuildError` for what such a tool cannot do, before any work is done."""
+    """Raise `BuildError` for a request that such a tool cannot meet, before any work is done."""
     check_fmi(request)
     host = host_platform()
     asked = select_platforms(request.platforms) if request.platforms else ()
@@ -32,11 +32,11 @@ def check_request(request: BuildRequest, tool: str) -> None:
 
 
 def place(made: Path, request: BuildRequest) -> tuple[Path, str]:
-    """Puts an FMU that loads on this machine into the output folder.
+    """Move an FMU that loads on this machine to the output folder.
 
-    Returns where it is and what was found. Raises `BuildError`, with the old FMU in its place, where it is
-    damaged, does not load, or lacks one of the FMI types that were asked for. Findings of FMPy's
-    validation are reported only; units without a definition are given one.
+    Returns its path and the findings. Raises `BuildError`, and leaves the old FMU in place, if the new one is
+    damaged, does not load, or lacks a requested FMI type. Findings of FMPy's validation are only reported;
+    missing unit definitions are added.
     """
     if not zipfile.is_zipfile(made):
         raise BuildError(f"{made.name} is not a complete ZIP archive")
@@ -53,9 +53,9 @@ def place(made: Path, request: BuildRequest) -> tuple[Path, str]:
 
 
 def _with_unit_definitions(content: bytes) -> tuple[bytes, str]:
-    """The archive with a definition for every unit that its variables have; and what was added.
+    """Return the archive with a definition for every unit of its variables, and a log of those added.
 
-    Importers that validate, FMPy among them, refuse an FMU without; old versions of OpenModelica write none.
+    Importers that validate, such as FMPy, reject an FMU without; old versions of OpenModelica write none.
     """
     with zipfile.ZipFile(io.BytesIO(content)) as old:
         description, units = add_unit_definitions(old.read(_DESCRIPTION))

@@ -1,4 +1,4 @@
-"""documentation/licenses/license.txt: the licences of the parts of an FMU."""
+"""Write documentation/licenses/license.txt: the licences of the parts of an FMU."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ _RULE = "=" * 78
 
 
 def license_text(fmi_version: FmiVersion, platforms: Iterable[Platform]) -> str:
-    """The file's content for an FMU with binaries for these platforms.
+    """Return the file's content for an FMU with binaries for these platforms.
 
-    Raises `BuildError` where a licence is missing from the package that has it.
+    Raises `BuildError` if a package lacks its licence.
     """
     apache = resources.files("fmu_build.packaging") / "licenses" / "Apache-2.0.txt"
     compiler = resources.files("ziglang")
@@ -48,7 +48,7 @@ def _read(file: Traversable) -> str:
 
 
 def _fmi_license(fmi_version: FmiVersion) -> str:
-    """Copyright and licence of the FMI headers, as they state it themselves."""
+    """Return copyright and licence of the FMI headers, as stated in the headers."""
     header = FMI_HEADERS[fmi_version][0]
     text = fmi_header(header).decode()
     match = re.search(r"^ *Copyright \(C\).*?-{20,}.*?-{20,}", text, re.DOTALL | re.MULTILINE)

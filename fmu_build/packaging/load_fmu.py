@@ -1,6 +1,6 @@
 """Script: load the library of an unpacked FMU and instantiate it once as each of the given FMI types.
 
-Usage: python load_fmu.py FOLDER {me,cs}...    Exit code 0 where everything worked.
+Usage: python load_fmu.py FOLDER {me,cs}...    Exit code 0 on success.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ _CLASSES = {"2.0": (FMU2Model, FMU2Slave), "3.0": (FMU3Model, FMU3Slave)}
 
 
 def load(folder: str, fmi_types: list[str]) -> None:
-    """Raises whatever FMPy raises for a library that does not load or refuses the GUID."""
+    """Load and instantiate the FMU; FMPy's errors, such as a rejected GUID, propagate."""
     description = read_model_description(folder, validate=False)
     model_class, slave_class = _CLASSES[description.fmiVersion]
     interfaces = {

@@ -1,4 +1,4 @@
-"""The platforms that binaries are built for: folder names, zig target, file extension."""
+"""The platforms for which binaries are built: folder names, zig target, file extension."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ ALL = "all"
 
 @dataclass(frozen=True, slots=True)
 class Platform:
-    """`name` is the platform tuple of FMI 3, `target` what `zig cc -target` takes."""
+    """A platform: `name` is the platform tuple of FMI 3, `target` the argument of `zig cc -target`."""
 
     name: str
     target: str
@@ -23,13 +23,13 @@ class Platform:
     fmi2_name: str
 
     def folder(self, fmi_version: FmiVersion) -> str:
-        """The name of the folder in binaries/."""
+        """Return the name of the folder in binaries/."""
         return self.fmi2_name if fmi_version == "2.0" else self.name
 
 
-# glibc 2.17 is the oldest that current distributions' wheels (manylinux2014) reckon with, and the first for
-# aarch64; macOS 11 is the first for aarch64. FMI 2 has names of its own for x86 alone; from 2.0.5 on it
-# refers to the platform tuples of FMI 3 for all others.
+# glibc 2.17 is the oldest that manylinux2014 wheels support, and the first for aarch64; macOS 11 is the
+# first for aarch64. FMI 2 defines names for x86 only; since 2.0.5 it refers to the platform tuples of FMI 3
+# for all others.
 PLATFORMS = {
     p.name: p
     for p in (
@@ -46,22 +46,22 @@ _MACHINES = {"x86_64": "x86_64", "amd64": "x86_64", "aarch64": "aarch64", "arm64
 
 
 def host_platform() -> Platform | None:
-    """The platform that this Python runs on, or None where it is not in the table."""
+    """Return the platform of this Python, or None if it is not in the table."""
     machine = _MACHINES.get(platform.machine().lower())
     return PLATFORMS.get(f"{machine}-{_SYSTEMS.get(sys.platform)}")
 
 
 def find_platform(name: str) -> Platform:
-    """The platform with that platform tuple or FMI 2 name; raises `BuildError` for any other name."""
+    """Return the platform with that platform tuple or FMI 2 name; raises `BuildError` for any other name."""
     if name not in _BY_ANY_NAME:
         raise BuildError(f"unknown platform {name!r}; known platforms are {', '.join([*PLATFORMS, ALL])}")
     return _BY_ANY_NAME[name]
 
 
 def select_platforms(names: Sequence[str]) -> tuple[Platform, ...]:
-    """The named platforms, each once and in the order of the table; the host's where none is named.
+    """Return the named platforms, each once and in the order of the table; the host's if none is named.
 
-    "all" stands for the whole table. Raises `BuildError` for a name that is not in the table.
+    "all" selects the whole table. Raises `BuildError` for a name that is not in the table.
     """
     named = {find_platform(name) for name in names if name != ALL}
     if ALL in names:

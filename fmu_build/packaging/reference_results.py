@@ -1,7 +1,7 @@
-"""The default run as files that importers can check themselves with.
+"""Write the default run as files against which importers can check themselves.
 
-The three tables have the names and the form that the rules of the FMI cross-check demand; the manifest makes
-them known as the layered standard FMI-LS-REF has it.
+The three tables have the names and the format of the FMI cross-check rules; the manifest announces them
+according to the layered standard FMI-LS-REF.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ _DESCRIPTION = "Layered Standard providing information on related files included
 
 
 def reference_files(run: DefaultRun, identifier: str) -> dict[str, bytes]:
-    """Archive name -> content."""
+    """Return archive name -> content."""
     result, options, inputs = (f"{identifier}{end}" for end in ("_ref.csv", "_ref.opt", "_in.csv"))
     files = {
         result: (_table(["time", *run.outputs], zip(run.time, *run.outputs.values(), strict=True))),
@@ -37,7 +37,7 @@ def reference_files(run: DefaultRun, identifier: str) -> dict[str, bytes]:
 
 
 def _corners(run: DefaultRun) -> list[tuple[float, ...]]:
-    """The steps of the inputs as straight lines: two rows at the time of a jump."""
+    """Return the steps of the inputs as a piecewise linear table: two rows at the time of a jump."""
     values = list(zip(*run.inputs.values(), strict=True))
     rows = [(run.time[0], *values[0])]
     for time, before, after in zip(run.time[1:], values, values[1:], strict=False):
@@ -50,13 +50,13 @@ def _corners(run: DefaultRun) -> list[tuple[float, ...]]:
 
 def _table(names: Sequence[str], rows: Iterable[Sequence[float]]) -> bytes:
     lines = [",".join(f'"{name}"' for name in names)]
-    # Ten digits: more than the tolerance gives, fewer than processors agree on.
+    # Ten digits: more than the tolerance warrants, fewer than those on which processors agree.
     lines += [",".join(f"{value + 0.0:.10g}" for value in row) for row in rows]
     return ("\n".join(lines) + "\n").encode()
 
 
 def _options(run: DefaultRun) -> bytes:
-    """A step size of zero stands for a solver with variable steps."""
+    """Return the options; a step size of zero stands for a variable-step solver."""
     settings = {
         "StartTime": run.time[0],
         "StopTime": run.time[-1],

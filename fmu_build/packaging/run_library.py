@@ -1,7 +1,7 @@
 """Script: run the library of an FMU for Co-Simulation over given communication points.
 
-Usage: python run_library.py FILE    The file holds a JSON object with what is asked (see `default_run`); the
-values of the outputs, a row for each point, are written over it. Exit code 0 where everything worked.
+Usage: python run_library.py FILE    The file holds the request as a JSON object (see `default_run`); it is
+overwritten with the values of the outputs, one row for each point. Exit code 0 on success.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ _REAL_SETTERS = {"2.0": "setReal", "3.0": "setFloat64"}
 
 
 def run(asked: dict[str, Any]) -> list[list[float]]:
-    """The outputs at each of the points; raises whatever FMPy raises."""
+    """Return the outputs at each of the points; errors of FMPy propagate."""
     version, points = asked["version"], asked["points"]
     experiment = {"tolerance": asked["tolerance"], "startTime": points[0], "stopTime": points[-1]}
     slave = (FMU2Slave if version == "2.0" else FMU3Slave)(

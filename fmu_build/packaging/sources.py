@@ -1,7 +1,7 @@
 """The sources/ folder of an FMU: the runtime, the generated model, the FMI headers and the content token.
 
-The runtime has a folder for each layer, but its files include each other by bare name and an FMU carries them
-side by side: any importer finds a header beside the file that includes it, without an include directory.
+The runtime has a folder for each layer, but its files include each other by bare name and lie side by side in
+an FMU: any importer finds a header next to the file that includes it, without an include directory.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ FMI_HEADERS: Mapping[FmiVersion, tuple[str, ...]] = {
 
 
 def runtime_files(fmi_version: FmiVersion) -> list[Path]:
-    """The runtime's files, those of the other versions of FMI left out; raises `BuildError` without any."""
+    """Return the runtime's files for one FMI version; raises `BuildError` if they are missing."""
     others = {f"fmi{version[0]}" for version in FMI_HEADERS if version != fmi_version}
     files = sorted(path for path in RUNTIME.glob("*/*.[ch]") if path.parent.name not in others)
     if not any(path.suffix == ".c" for path in files):
@@ -35,14 +35,14 @@ def runtime_files(fmi_version: FmiVersion) -> list[Path]:
 
 
 def include_arguments() -> list[str]:
-    """Compiler arguments with which a C file that lies elsewhere finds the runtime's headers."""
+    """Return the compiler arguments that let a C file elsewhere include the runtime's headers."""
     return [f"-I{folder}" for folder in sorted({path.parent for path in RUNTIME.glob("*/*.h")})]
 
 
 def collect_sources(c_source: str, fmi_version: FmiVersion) -> dict[str, bytes]:
-    """File name -> content of everything but the token, in the order of the names.
+    """Return file name -> content of everything except the token, sorted by name.
 
-    Raises `BuildError` where the runtime or FMPy's copy of the FMI headers is missing.
+    Raises `BuildError` if the runtime or FMPy's copy of the FMI headers is missing.
     """
     files = {path.name: path.read_bytes() for path in runtime_files(fmi_version)}
     files |= {name: fmi_header(name) for name in FMI_HEADERS[fmi_version]}
@@ -51,12 +51,12 @@ def collect_sources(c_source: str, fmi_version: FmiVersion) -> dict[str, bytes]:
 
 
 def c_files(names: Mapping[str, bytes]) -> list[str]:
-    """The files that are compiled."""
+    """Return the names of the C files, which are compiled."""
     return sorted(name for name in names if name.endswith(".c"))
 
 
 def content_guid(model_description: bytes, sources: Mapping[str, bytes], flags: tuple[str, ...]) -> str:
-    """A GUID that is the same for the same content, and another for any other."""
+    """Return a GUID made from a hash of the content."""
     digest = hashlib.sha256()
     parts = [model_description, *(flag.encode() for flag in flags)]
     for name in sorted(sources):
@@ -68,12 +68,12 @@ def content_guid(model_description: bytes, sources: Mapping[str, bytes], flags: 
 
 
 def token_header(guid: str) -> bytes:
-    """token.h, through which the C code knows the GUID that importers must present."""
+    """Return token.h, which tells the C code the GUID that importers must present."""
     return f'/* token.h - made from the content of this FMU. */\n#define MODEL_TOKEN "{guid}"\n'.encode()
 
 
 def fmi_header(name: str) -> bytes:
-    """FMPy's copy of a header of the standard; raises `BuildError` where it is missing."""
+    """Return FMPy's copy of a header of the standard; raises `BuildError` if it is missing."""
     try:
         return (resources.files("fmpy") / "c-code" / name).read_bytes()
     except (ModuleNotFoundError, FileNotFoundError) as error:
@@ -84,7 +84,7 @@ BUILD_DESCRIPTION = "buildDescription.xml"
 
 
 def build_description_xml(identifier: str, c_files: Sequence[str]) -> bytes:
-    """The file's content: one library from all C files, and the mathematical functions of the C library."""
+    """Return the file's content: one library from all C files, linked with libm."""
     root = etree.Element("fmiBuildDescription", fmiVersion="3.0")
     configuration = etree.SubElement(root, "BuildConfiguration", modelIdentifier=identifier)
     files = etree.SubElement(configuration, "SourceFileSet", language="C11")

@@ -1,8 +1,8 @@
-"""Modelica unit expressions as exponents of the SI base units.
+"""Convert Modelica unit expressions to exponents of the SI base units.
 
 The syntax is that of the Modelica specification, chapter "Unit Expressions": factors joined by ".", at most
-one "/" on each level, integer exponents written directly behind the symbol ("kg.m2/s2", "N.m.s/rad",
-"W/(m2.K)").  As in FMI, the radian counts as a base unit.
+one "/" on each level, integer exponents directly after the symbol ("kg.m2/s2", "N.m.s/rad", "W/(m2.K)").
+As in FMI, the radian is a base unit.
 """
 
 from __future__ import annotations
@@ -16,12 +16,12 @@ BASE_UNITS = ("kg", "m", "s", "A", "K", "mol", "cd", "rad")
 
 
 class UnitError(ValueError):
-    """A text is not a unit, or two units do not fit together."""
+    """A text is not a unit, or two units have different dimensions."""
 
 
 @dataclass(frozen=True, slots=True)
 class Unit:
-    """`base value = factor * value + offset`, with the base value in the product of the base units."""
+    """A unit: `base value = factor * value + offset`, with the base value in a product of base units."""
 
     exponents: tuple[int, ...]
     factor: Fraction
@@ -36,7 +36,7 @@ class Unit:
 
 
 def parse_unit(text: str) -> Unit:
-    """The meaning of a Modelica unit string; raises `UnitError` where it is not one."""
+    """Parse a Modelica unit string; raises `UnitError` if it is not one."""
     parser = _Parser(text)
     unit = parser.expression()
     if parser.rest:
@@ -45,9 +45,9 @@ def parse_unit(text: str) -> Unit:
 
 
 def conversion(unit: str, display_unit: str) -> tuple[float, float]:
-    """(factor, offset) with `value in display_unit = factor * value in unit + offset`.
+    """Return (factor, offset) with `value in display_unit = factor * value in unit + offset`.
 
-    Raises `UnitError` where the two do not measure the same quantity.
+    Raises `UnitError` if the units have different dimensions.
     """
     source, target = parse_unit(unit), parse_unit(display_unit)
     if source.exponents != target.exponents:
@@ -56,7 +56,7 @@ def conversion(unit: str, display_unit: str) -> tuple[float, float]:
 
 
 class _Parser:
-    """Recursive descent over the grammar; `rest` is what has not been read yet."""
+    """A recursive-descent parser of the grammar; `rest` is the text not yet read."""
 
     _FACTOR = re.compile(r"([A-Za-z]+)([+-]?\d+)?")
 

@@ -75,7 +75,7 @@ class InputStep:
 
 @dataclass(frozen=True, slots=True)
 class DefaultExperiment:
-    """The `experiment` annotation of the Modelica class, times in seconds; it may omit any of them."""
+    """The `experiment` annotation of the Modelica class, or these defaults; times in seconds."""
 
     start_time: float = 0.0
     stop_time: float = 1.0

@@ -88,7 +88,7 @@ def test_terminals(description: ModelDescription) -> None:
 @pytest.mark.parametrize("name", ["v", "missing"])
 def test_what_cannot_be_connected_is_refused(description: ModelDescription, name: str) -> None:
     terminal = Terminal("rod", ((name, "f", "signal"),))
-    with pytest.raises(ModelicaError, match=f"terminal 'rod': '{name}' is no input, output or parameter"):
+    with pytest.raises(ModelicaError, match=f"terminal 'rod': '{name}' is not an input, output or parameter"):
         check_description(replace(description, terminals=(terminal,)))
 
 
