@@ -24,13 +24,13 @@ Status call_get_output_derivatives(Instance *instance, const unsigned *reference
     return STATUS_OK;
 }
 
-/* Importers sum up times in their own ways, so that rounding errors are no fault. */
+/* Importers add up times in different ways, so rounding errors are not faults. */
 static double slack_of(double time, double step)
 {
     return 1e-6 * step + 16.0 * DBL_EPSILON * fabs(time);
 }
 
-/* Whether the arguments of a communication step are in order. */
+/* Returns whether the arguments of a communication step are valid. */
 static bool step_is_possible(const Instance *instance, double point, double step)
 {
     const double time = instance->values.time, slack = slack_of(time, step);

@@ -1,4 +1,4 @@
-/* Model Exchange, and Event Mode, which Co-Simulation has too. */
+/* Model Exchange, and Event Mode, which Co-Simulation shares. */
 #include "calls.h"
 #include "evaluation.h"
 #include "variables.h"
@@ -6,8 +6,8 @@
 #include <math.h>
 #include <string.h>
 
-/* An indicator goes on this far beyond zero before its sign changes, and as far back, so that an importer that
- * stops at its zero finds the relation changed and the indicator clearly on one side. */
+/* The sign of an indicator changes this far beyond the zero of its root, in both directions, so that an importer that
+ * stops at the zero of the indicator finds the relation changed and the indicator clearly on one side. */
 static const double hysteresis = 1e-12;
 
 static bool has_sized(Instance *instance, size_t n, size_t expected, const void *values)

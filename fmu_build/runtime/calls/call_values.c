@@ -66,7 +66,7 @@ Status call_get(Instance *instance, const AccessType *type, const unsigned *refe
     return STATUS_OK;
 }
 
-/* All or nothing: no variable changes where one of them cannot be set. */
+/* All or nothing: no variable changes if one of them cannot be set. */
 Status call_set(Instance *instance, const AccessType *type, const unsigned *references, size_t n, const void *values)
 {
     if (!call_has(instance, n, references) || !call_has(instance, n, values))

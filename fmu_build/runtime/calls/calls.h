@@ -1,8 +1,8 @@
-/* calls.h - what an importer can ask of an instance, whichever version of FMI it speaks.
+/* calls.h - the calls of an importer, independent of the version of FMI.
  *
  * The files fmi2_* and fmi3_* translate: they know the names and types of their standard and its tables of allowed
- * calls. Every function below takes the instance that call_enter let through, or NULL, and then returns STATUS_ERROR;
- * it says what is wrong with a call before it refuses it, and a refused call changes nothing. */
+ * calls. The functions for the calls, below, take the result of call_enter; they return STATUS_ERROR if it is NULL.
+ * A call is rejected with a message that explains the fault, and then changes no value of the instance. */
 #ifndef CALLS_H
 #define CALLS_H
 
@@ -16,22 +16,22 @@ typedef struct {
     unsigned model_exchange, co_simulation;
 } Rule;
 
-/* Passes the instance on where the rule allows the call in its phase; else NULL, after a message. */
+/* Returns the instance if the rule allows the call in its phase; else NULL, after a message. */
 Instance *call_enter(Instance *instance, const Rule *rule);
 
-/* Says what is wrong with the call that was entered last, and returns STATUS_ERROR. */
+/* Logs what is wrong with the call that was entered last, and returns STATUS_ERROR. */
 #if defined __GNUC__
 __attribute__((format(printf, 2, 3)))
 #endif
 Status call_refuse(const Instance *instance, const char *format, ...);
 
-/* False, after a message, where an array of n elements is missing, or where there is no instance. */
+/* Returns false, after a message, if an array of n elements is missing; false if there is no instance. */
 bool call_has(const Instance *instance, size_t n, const void *array);
 
-/* What becomes of the instance after a failure, and of warnings that were reported on the way. */
+/* Ends a call: a failure puts the instance in PHASE_ERROR, a reported warning turns STATUS_OK into STATUS_WARNING. */
 Status call_finish(Instance *instance, Status status);
 
-/* Creation: why these arguments cannot make an instance, or NULL. */
+/* Creation: returns why these arguments cannot make an instance, or NULL. */
 const char *call_fault_of_creation(const char *name, const char *token);
 
 /* The life cycle. */
@@ -46,12 +46,12 @@ typedef enum { NUMBER_DOUBLE, NUMBER_INT32, NUMBER_INT64, NUMBER_INT32_TRUTH, NU
 typedef struct {
     unsigned value_types; /* of the model, ValueType */
     NumberType stored;
-    const char *name; /* as the standard has it */
+    const char *name; /* in the standard */
 } AccessType;
 Status call_get_real(Instance *instance, const unsigned *references, size_t n, double *values);
 Status call_get(Instance *instance, const AccessType *type, const unsigned *references, size_t n, void *values);
 Status call_set(Instance *instance, const AccessType *type, const unsigned *references, size_t n, const void *values);
-/* Of types of which no model has a variable. */
+/* Access to types of which no model has a variable. */
 Status call_access_nothing(const Instance *instance, const char *type, size_t n);
 
 /* Partial derivatives. */

@@ -1,4 +1,4 @@
-/* fmi2_component.h - what the files of the FMI 2.0 face share: the component behind the importer's handle and the
+/* fmi2_component.h - shared by the files of the FMI 2.0 face: the component behind the importer's handle, and the
  * functions that are allowed in each phase. */
 #ifndef FMI2_COMPONENT_H
 #define FMI2_COMPONENT_H
@@ -13,8 +13,8 @@ typedef struct {
     fmi2ComponentEnvironment environment;
 } Component;
 
-/* The functions by name without "fmi2", with the phases in which Model Exchange and Co-Simulation allow them: FMI
- * 2.0.5, the tables of sections 3.2.3 and 4.2.4. The letters are sets of phases, see fmi2_component.c. */
+/* The functions, by name without "fmi2", and the phases in which Model Exchange and Co-Simulation allow them: FMI
+ * 2.0.5, tables in sections 3.2.3 and 4.2.4. The letters are sets of phases, see fmi2_component.c. */
 #define FMI2_CALLS(ROW)                                                                                               \
     ROW(SetDebugLogging, ALL, ALL)                                                                                    \
     ROW(SetupExperiment, I, I)                                                                                        \
@@ -62,7 +62,7 @@ typedef enum { FMI2_CALLS(FMI2_CALL_NAME) CALL_COUNT } Call;
 
 extern const Face fmi2_face;
 
-/* The instance behind a handle where the call is allowed in its phase; else NULL, after a message. */
+/* Returns the instance behind a handle if its phase allows the call; else NULL, after a message. */
 Instance *fmi2_enter(fmi2Component handle, Call call);
 
 static inline fmi2Status fmi2_status(Status status)

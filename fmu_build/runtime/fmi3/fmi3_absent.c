@@ -1,9 +1,9 @@
-/* FMI 3.0: what no model here has: variables of other types, clocks, structural parameters, dependencies by element,
- * model partitions. A call for no variable at all is in order. */
+/* FMI 3.0: functions for features that no model has: variables of other types, clocks, structural parameters,
+ * dependencies by element, model partitions. A call for zero variables is valid. */
 #include "fmi3_component.h"
 
 #if defined __GNUC__
-#pragma GCC diagnostic ignored "-Wunused-parameter" /* nothing is done with what the importer hands over */
+#pragma GCC diagnostic ignored "-Wunused-parameter" /* the arguments are not used */
 #endif
 
 static fmi3Status nothing(fmi3Instance instance, Call call, const char *type, size_t n)

@@ -1,6 +1,6 @@
 #include "fmi3_component.h"
 
-/* Sets of phases. SETTABLE is the standard's super state in which the whole state of the instance can be set. */
+/* Sets of phases. SETTABLE is the standard's super state setFMUState, in which the state of the instance can be set. */
 enum {
     NONE = 0,
     I = 1 << PHASE_INSTANTIATED,

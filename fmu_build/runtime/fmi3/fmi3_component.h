@@ -1,4 +1,4 @@
-/* fmi3_component.h - what the files of the FMI 3.0 face share: the component behind the importer's handle and the
+/* fmi3_component.h - shared by the files of the FMI 3.0 face: the component behind the importer's handle, and the
  * functions that are allowed in each phase. */
 #ifndef FMI3_COMPONENT_H
 #define FMI3_COMPONENT_H
@@ -11,12 +11,12 @@ typedef struct {
     fmi3InstanceEnvironment environment;
     fmi3LogMessageCallback log_message;
     fmi3IntermediateUpdateCallback intermediate_update;
-    bool may_get, may_set; /* in the intermediate update that is under way */
+    bool may_get, may_set; /* in the current intermediate update */
     size_t n_intermediate;
-    fmi3ValueReference *intermediate; /* [n_intermediate] what may be got or set then */
+    fmi3ValueReference *intermediate; /* [n_intermediate] the variables that it may get or set */
 } Component;
 
-/* The functions by name without "fmi3", with the phases in which Model Exchange and Co-Simulation allow them: FMI
+/* The functions, by name without "fmi3", and the phases in which Model Exchange and Co-Simulation allow them: FMI
  * 3.0.2, sections 2.3, 3.2 and 4.2. The letters are sets of phases, see fmi3_component.c. */
 #define FMI3_ACCESS(ROW, TYPE)                                                                                        \
     ROW(Get##TYPE, I | N | E | C | T, I | N | E | S | D | U | T)                                                      \
@@ -85,10 +85,10 @@ typedef enum { FMI3_CALLS(FMI3_CALL_NAME) CALL_COUNT } Call;
 
 extern const Face fmi3_face;
 
-/* The instance behind a handle where the call is allowed in its phase; else NULL, after a message. */
+/* Returns the instance behind a handle if its phase allows the call; else NULL, after a message. */
 Instance *fmi3_enter(fmi3Instance handle, Call call);
 
-/* The end of every call: after an error nothing but reading, restoring a state, resetting and freeing is left. */
+/* Ends every call: after an error, only reading, restoring a state, resetting and freeing remain possible. */
 fmi3Status fmi3_leave(fmi3Instance handle, Status status);
 
 #endif

@@ -4,11 +4,11 @@
 
 #include "fmi3_component.h"
 
-/* Has component->intermediate_update called, if there is one: after every step of the integrator, and wherever the
- * integrator needs the inputs among the variables. Why these variables cannot be had, or NULL. */
+/* Arranges calls of component->intermediate_update, if there is one: after every integrator step, and whenever the
+ * integrator needs the inputs among the variables. Returns why these variables are not possible, or NULL. */
 const char *intermediate_attend(Component *component, const fmi3ValueReference variables[], size_t n);
 
-/* False, after a message, where an intermediate update is under way that allows no such access. */
+/* Returns false, after a message, if an intermediate update is in progress that does not allow this access. */
 bool intermediate_allows(const Component *component, bool setting, const fmi3ValueReference variables[], size_t n);
 
 #endif

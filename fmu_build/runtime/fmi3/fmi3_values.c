@@ -6,7 +6,7 @@ static const AccessType int32_type = {TYPE_INTEGER, NUMBER_INT32, "Int32"};
 static const AccessType int64_type = {TYPE_ENUMERATION, NUMBER_INT64, "Int64"};
 static const AccessType boolean_type = {TYPE_BOOLEAN, NUMBER_BYTE_TRUTH, "Boolean"};
 
-/* The instance where the arrays fit together and an intermediate update, if one is under way, allows the access. */
+/* Returns the instance if the sizes of the arrays match and no intermediate update forbids the access; else NULL. */
 static Instance *enter(fmi3Instance handle, Call call, bool setting, const fmi3ValueReference references[], size_t n,
                        size_t n_values)
 {
@@ -20,7 +20,7 @@ static Instance *enter(fmi3Instance handle, Call call, bool setting, const fmi3V
     return intermediate_allows(handle, setting, references, n) ? instance : NULL;
 }
 
-/* The event indicators have the value references behind those of the variables. */
+/* The value references of event indicators follow those of the variables. */
 static bool is_event_indicator(const Instance *instance, fmi3ValueReference reference)
 {
     return reference >= model.n_variables && reference - model.n_variables < model.n_roots &&
@@ -32,7 +32,7 @@ fmi3Status fmi3GetFloat64(fmi3Instance instance, const fmi3ValueReference valueR
 {
     Instance *entered = enter(instance, CALL_GetFloat64, false, valueReferences, nValueReferences, nValues);
     Status status = call_has(entered, nValueReferences, values) ? STATUS_OK : STATUS_ERROR;
-    const double *indicators = NULL; /* computed once, where there are any */
+    const double *indicators = NULL; /* computed at most once */
     for (size_t i = 0; status == STATUS_OK && i < nValueReferences; ++i) {
         const fmi3ValueReference reference = valueReferences[i];
         if (!is_event_indicator(entered, reference)) {
@@ -71,7 +71,7 @@ SETTER(Int32, &int32_type)
 SETTER(Int64, &int64_type)
 SETTER(Boolean, &boolean_type)
 
-/* Both functions of partial derivatives have the same arguments. */
+/* Both functions for partial derivatives have the same arguments. */
 #define DERIVATIVE(NAME, GET)                                                                                         \
     fmi3Status fmi3Get##NAME(fmi3Instance instance, const fmi3ValueReference unknowns[], size_t nUnknowns,            \
                              const fmi3ValueReference knowns[], size_t nKnowns, const fmi3Float64 seed[],             \

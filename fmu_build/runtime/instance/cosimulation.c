@@ -9,16 +9,16 @@
 
 enum { MAX_CROWD = 1000 };
 
-/* So many steps of the integrator must bring it to the communication point, or a thousandth of the experiment on:
- * else a run would take a thousand million steps and more, a quarter of an hour for a small model. Runs that are
- * long for good reasons, with thousands of events or a million oscillations, stay far below that. */
+/* This many integrator steps must reach the communication point or cover a thousandth of the experiment: otherwise a
+ * run would take more than a billion steps, a quarter of an hour for a small model. Runs that are long for good
+ * reasons, with thousands of events or a million oscillations, stay far below that. */
 enum { PATIENCE = 1000000, PARTS = 1000 };
 
-/* What lies closer together than this, relative to the time or to a second, is practically at one time: importers
- * add up step sizes, so that their points miss the times that they mean by rounding. */
+/* Times closer together than this, relative to the time or to a second, are practically equal: importers add up step
+ * sizes, so that rounding moves their points away from the intended times. */
 static const double relative_instant = 1e-12;
 
-/* So many instants hold a crowd of events, each of which is located to a thousandth of an instant or so. */
+/* The width of a crowd of events in instants; each event is located to about a thousandth of an instant. */
 static const double crowd_width = 100.0;
 
 static double instant_at(double time)
@@ -49,7 +49,7 @@ static void restart(Instance *instance)
     *suggestion = step_memory_switch(&instance->steps, values->p, *suggestion);
 }
 
-/* The event at values.time, with everything that follows from it at the same instant. */
+/* Carries out the event at values.time, with all events that follow from it at the same instant. */
 static Status carry_out_event(Instance *instance, bool continuous)
 {
     const EventReporter reporter = instance_reporter(instance);
@@ -73,7 +73,7 @@ static const char *relation_text(size_t relation)
     return model.root_texts[model.relations[relation].root];
 }
 
-/* Guards against a relation that changes endlessly without time going on (Zeno, chattering). */
+/* Guards against endless events without progress in time (Zeno behaviour, chattering). */
 static Status count_event(Instance *instance, double time)
 {
     Progress *progress = &instance->progress;
@@ -92,7 +92,7 @@ static Status count_event(Instance *instance, double time)
     return fail(instance, time, why);
 }
 
-/* Time, states and inputs at a time that the last integrator step reaches. */
+/* Sets time, states and inputs to those at a time that the last integrator step covers. */
 static void move_to(Instance *instance, double time)
 {
     integrator_interpolate(&instance->integrator, time, instance->values.y);
@@ -101,7 +101,7 @@ static void move_to(Instance *instance, double time)
     evaluation_invalidate(instance);
 }
 
-/* Goes to the pending event, tells of it and counts it. */
+/* Goes to the pending event, logs it and counts it. */
 static Status reach_pending_event(Instance *instance)
 {
     const Progress *progress = &instance->progress;
@@ -117,7 +117,7 @@ static Status reach_pending_event(Instance *instance)
     return count_event(instance, time);
 }
 
-/* Whether the communication step ends before the pending event, for the importer to carry it out. */
+/* Returns whether the communication step ends before the pending event, which the importer then carries out. */
 static bool leaves_event_to_importer(const Instance *instance, double target)
 {
     const Attendance *attendance = &instance->attendance;
@@ -125,7 +125,7 @@ static bool leaves_event_to_importer(const Instance *instance, double target)
            (attendance->early_return || !cosimulation_is_before(instance->integrator.record.time, target));
 }
 
-/* The event at the end of the last integrator step: carried out, or left to the importer. */
+/* Carries out the event at the end of the last integrator step, or leaves it to the importer. */
 static Status take_event(Instance *instance, double target)
 {
     Progress *progress = &instance->progress;
@@ -139,7 +139,7 @@ static Status take_event(Instance *instance, double target)
     return STATUS_OK;
 }
 
-/* What holds between events must hold now. */
+/* Checks the assertions that apply between events at the present point. */
 static Status check_asserts_here(Instance *instance)
 {
     const EventReporter reporter = instance_reporter(instance);
@@ -154,7 +154,7 @@ static Status check_asserts_here(Instance *instance)
     return fail(instance, instance->values.time, "an assertion is violated.");
 }
 
-/* The states are still those at which the derivatives or relations could not be had. */
+/* The states are still those at which the derivatives or roots could not be computed. */
 COLD static Status fail_to_compute(Instance *instance, double time)
 {
     const Values *values = &instance->values;
@@ -164,7 +164,7 @@ COLD static Status fail_to_compute(Instance *instance, double time)
     return fail(instance, time, blocks_explain(instance->failed_at, values->y, values->p, why));
 }
 
-/* The same at the end of a step, once time passes it. */
+/* The same at the end of the last integrator step, if it is ahead of the present time. */
 static Status check_asserts(Instance *instance)
 {
     if (!model.actions_follow_states || instance->integrator.record.time <= instance->values.time)
@@ -173,7 +173,7 @@ static Status check_asserts(Instance *instance)
     return check_asserts_here(instance);
 }
 
-/* One integrator step, cut short at the first event in it. */
+/* Takes one integrator step, truncated at the first event in it. */
 static Status take_step(Instance *instance, double limit)
 {
     Progress *progress = &instance->progress;
@@ -205,7 +205,7 @@ static Status take_step(Instance *instance, double limit)
     return STATUS_OK;
 }
 
-/* Has the importer look at the end of the last integrator step. */
+/* Reports the end of the last integrator step to the importer. */
 COLD static Status show_step(Instance *instance, double *target)
 {
     const Attendance *attendance = &instance->attendance;
@@ -220,7 +220,7 @@ COLD static Status show_step(Instance *instance, double *target)
     return fail(instance, instance->values.time, "a call of the importer during the communication step failed.");
 }
 
-/* Goes back to the communication point and takes in what the importer changed there. */
+/* Goes back to the communication point and applies the changes that the importer made there. */
 static Status absorb_changes(Instance *instance)
 {
     Changes *changed = &instance->changed;
@@ -257,15 +257,15 @@ static bool reaches(const Instance *instance, double target)
     return instance->progress.event_pending ? end > target + instant_at(target) : end >= target;
 }
 
-/* How long the experiment lasts: to the communication point where the importer does not tell its end. */
+/* Returns the length of the experiment: up to the communication point if the importer gives no stop time. */
 static double span(const Instance *instance, double target)
 {
     const Experiment *experiment = &instance->experiment;
     return (isfinite(experiment->stop_time) ? experiment->stop_time : target) - experiment->start_time;
 }
 
-/* A zero crossing that follows time or an input may come and go while the states rest and steps are long. It is looked
- * at often enough: at every communication point, and in every thousandth of the experiment. */
+/* A root that depends on time or an input may cross zero and return while the states are constant and steps are long.
+ * Such roots are checked often enough: at every communication point and in every thousandth of the experiment. */
 static double limit_steps(Instance *instance, double target, double limit)
 {
     if (!model.roots_follow_time && !model.roots_follow_inputs)
@@ -278,13 +278,13 @@ static double limit_steps(Instance *instance, double target, double limit)
     return target;
 }
 
-/* Where the last steps began, and their number. */
+/* The time at which the counted steps began, and their number. */
 typedef struct {
     double since;
     size_t steps;
 } Pace;
 
-/* Counts a step; an error where the steps of late have come to nothing. */
+/* Counts a step; fails if the counted steps have made too little progress. */
 static Status keep_pace(Instance *instance, Pace *pace, double wanted)
 {
     const double now = instance->integrator.record.time, covered = now - pace->since;
@@ -309,7 +309,7 @@ Status cosimulation_advance(Instance *instance, double target)
     inputs_begin(&instance->inputs, instance->values.time, instance->values.p);
     instance->changed.any = instance->changed.any || instance->inputs.active;
     if (instance->changed.any) {
-        /* Who changes something now is likely to do it again at the next point: not past that. */
+        /* An importer that changes something now is likely to do so again at the next point: do not step past it. */
         limit = target;
         status = absorb_changes(instance);
     }
@@ -318,7 +318,7 @@ Status cosimulation_advance(Instance *instance, double target)
     const double wanted = smaller(target - instance->values.time, span(instance, target) / PARTS);
     Pace pace = {.since = instance->values.time};
     if (attended)
-        limit = target; /* what the importer gets and sets belongs to this communication step alone */
+        limit = target; /* the importer gets and sets values of this communication step only */
     while (status == STATUS_OK && !*ended && !reaches(instance, target)) {
         if (instance->progress.event_pending)
             status = take_event(instance, target);

@@ -1,25 +1,24 @@
-/* cosimulation.h - moving an instance through time with its own integrator.
+/* cosimulation.h - moves an instance through time with its own integrator.
  *
- * A communication point is no event of the model: the integrator goes past it and the answer comes from its dense
- * output. Only where the importer really changed something does the integrator go back to the point and start
- * anew from it. */
+ * A communication point is not an event of the model: the integrator steps past it and answers from its dense output.
+ * It goes back to the point and restarts there only if the importer has really changed something. */
 #ifndef COSIMULATION_H
 #define COSIMULATION_H
 
 #include "instance.h"
 
-/* By more than rounding. */
+/* Returns whether `time` is before `other` by more than rounding. */
 bool cosimulation_is_before(double time, double other);
 
-/* After the initialisation. */
+/* To be called after the initialization. */
 void cosimulation_start(Instance *instance);
 
-/* After Event Mode, which the importer has called. */
+/* To be called after Event Mode, if the importer carries it out. */
 void cosimulation_resume(Instance *instance);
 
-/* To a communication point not before the present one. STATUS_DISCARD where the model ended the simulation on
- * the way; values.time is then the time of the end. The time reached is an earlier one, too, where the importer attends
- * to the step and asks for it, or where progress.ended_at_event says so. */
+/* Advances to a communication point not before the present one. Returns STATUS_DISCARD if the model ended the
+ * simulation on the way; values.time is then the time of the end. It is also earlier than the target if the importer
+ * attends to the step and requests it, or if progress.ended_at_event is set. */
 Status cosimulation_advance(Instance *instance, double target);
 
 #endif

@@ -8,14 +8,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The present point with its algebraic variables, and the tangents there. */
+/* The present point with its algebraic variables, and the tangents at this point. */
 typedef struct {
     const Instance *instance;
-    bool initial; /* the values are those that the initialization finds */
+    bool initial; /* the values are results of the initialization */
     double *memory; /* holds the arrays below */
     double *y, *dy, *dp, *dder;
     double *moves;    /* [n_initial_unknowns] */
-    double *jacobian; /* of the initial equations, in its factors */
+    double *jacobian; /* of the initial equations, factored */
     size_t *pivot;
     double dtime;
 } Tangents;
@@ -74,7 +74,7 @@ static bool check(const Instance *instance, const Partials *partials)
     return true;
 }
 
-/* All tangents from those of the states and the independent parameters. */
+/* Computes all tangents from those of the states and the independent parameters. */
 static bool propagate(Tangents *tangents)
 {
     const Values *values = &tangents->instance->values;
@@ -120,7 +120,7 @@ static bool factor_initial_equations(Tangents *tangents)
     return lu_factor(n, tangents->jacobian, tangents->pivot);
 }
 
-/* States and parameters that the initialization computes, from those that it is given. */
+/* Computes the tangents of states and parameters that initialization computes from those that it is given. */
 static bool propagate_to_start(Tangents *tangents)
 {
     const Values *values = &tangents->instance->values;
@@ -163,8 +163,8 @@ static bool fail_to_solve(const Tangents *tangents)
     return fail(tangents->instance, blocks_explain(values->time, tangents->y, values->p, why));
 }
 
-/* A copy of y with its algebraic variables: those of the instance are first guesses, and stay what they would be
- * without this call. */
+/* Copies y and computes its algebraic variables: those of the instance serve as initial guesses later, and stay as they
+ * would be without this call. */
 static bool copy_point(Tangents *tangents, Instance *instance)
 {
     if (tangents->initial && instance_initialize(instance) != STATUS_OK)

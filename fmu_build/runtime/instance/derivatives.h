@@ -1,14 +1,15 @@
-/* derivatives.h - how computed variables ("unknowns") move with states, inputs, parameters and time ("knowns").
+/* derivatives.h - partial derivatives of computed variables ("unknowns") with respect to states, inputs, parameters and
+ * time ("knowns").
  *
- * The derivatives are exact in the present branch: relations keep their values, as do discrete variables that only
- * events change. In Initialization Mode they are those of the initial values, through start values and initial
- * equations. Nothing of the instance changes. */
+ * The derivatives are exact in the active branch: relations, and discrete variables that only events change, are
+ * constant. In Initialization Mode, the derivatives are those of the initial values, through start values and initial
+ * equations. The values that the importer reads do not change. */
 #ifndef DERIVATIVES_H
 #define DERIVATIVES_H
 
 #include "instance.h"
 
-/* The matrix J of d unknown / d known, by value references. */
+/* The Jacobian J = d unknown / d known, by value references. */
 typedef struct {
     const unsigned *unknowns;
     size_t n_unknowns;
@@ -16,14 +17,14 @@ typedef struct {
     size_t n_knowns;
 } Partials;
 
-/* Both return false, after a message, where a variable cannot be an unknown or a known now, or where there is no
+/* Both return false, after a message, if a variable cannot be an unknown or a known now, or if there is no
  * derivative. */
 
 /* sensitivity[n_unknowns] = J seed[n_knowns] */
 bool derivatives_directional(Instance *instance, const Partials *partials, const double *seed, double *sensitivity);
 
-/* sensitivity[n_knowns] = transposed J seed[n_unknowns]: column by column, at the cost of n_knowns directional
- * derivatives. */
+/* sensitivity[n_knowns] = transposed J seed[n_unknowns], assembled column by column at the cost of n_knowns
+ * directional derivatives. */
 bool derivatives_adjoint(Instance *instance, const Partials *partials, const double *seed, double *sensitivity);
 
 #endif

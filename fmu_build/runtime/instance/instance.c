@@ -5,12 +5,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The errors of single steps add up over a simulation and over its events; the tolerance is for their sum. */
+/* The errors of single steps add up over a simulation and its events; the tolerance applies to their sum. */
 static const double part_of_one_step = 0.02, least_of_one_step = 1e-14;
 
 static const double least_tolerance = 1e-13, greatest_tolerance = 1e-2;
 
-/* Without events to mark them, changes faster than this part of the experiment could be stepped over. */
+/* Longer steps than this fraction of the experiment could miss fast changes that no event marks. */
 static const double largest_step_fraction = 0.02;
 
 static size_t block_count(size_t n_inputs)

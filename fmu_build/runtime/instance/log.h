@@ -1,11 +1,11 @@
-/* log.h - messages to the importer, by those of FMI 2's standard log categories that have any. */
+/* log.h - messages to the importer, in those of FMI 2's standard log categories that the runtime uses. */
 #ifndef LOG_H
 #define LOG_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-/* How a call went, in FMI's order of severity. */
+/* The status of a call, in FMI's order of severity. */
 typedef enum { STATUS_OK, STATUS_WARNING, STATUS_DISCARD, STATUS_ERROR, STATUS_FATAL } Status;
 
 typedef enum {
@@ -21,7 +21,7 @@ typedef struct {
     void *context;
     void (*write)(void *context, Status status, const char *category, const char *message); /* may be NULL */
     unsigned enabled;     /* bit n: category n */
-    const char *escaped;  /* signs that the importer wants doubled */
+    const char *escaped;  /* characters that must be doubled for the importer */
 } Log;
 
 /* Sets of categories. */
@@ -29,7 +29,7 @@ typedef struct {
 #define LOG_PROBLEMS (1u << LOG_STATUS_WARNING | 1u << LOG_STATUS_DISCARD | LOG_FAILURES)
 #define LOG_EVERYTHING ((1u << LOG_CATEGORY_COUNT) - 1u)
 
-/* Switches one category by its name, all of them for "logAll"; false where there is no such category. */
+/* Switches one category by name, or all of them for "logAll"; returns false if there is no such category. */
 bool log_switch(Log *log, const char *category, bool on);
 
 #if defined __GNUC__

@@ -1,5 +1,5 @@
-/* What the integrator integrates: the equations of one instance, with its inputs on their lines. The roots come along
- * where the search for crossings wants them. */
+/* The right-hand side for the integrator: the derivatives of one instance, with inputs as functions of time, and the
+ * roots at the points where the search for crossings needs them. */
 
 #include "instance.h"
 

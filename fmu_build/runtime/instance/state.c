@@ -16,7 +16,7 @@ typedef struct {
     char magic[8];
     uint32_t version, byte_order;
     uint64_t size; /* of the whole state in bytes */
-    uint64_t checksum; /* of what follows the header */
+    uint64_t checksum; /* of the content after the header */
     char token[TOKEN_SIZE];
 } Header;
 
@@ -118,7 +118,7 @@ void state_write(const SavedState *state, void *bytes)
     memcpy(bytes, &header, sizeof header);
 }
 
-/* Where there is a truth value, which C leaves undefined if it is neither 0 nor 1. */
+/* Offsets of the bools, for which C leaves values other than 0 and 1 undefined. */
 static const size_t truths[] = {
     offsetof(Plain, co_simulation),       offsetof(Plain, changed.any),
     offsetof(Plain, changed.parameters),  offsetof(Plain, changed.discrete),
@@ -136,7 +136,7 @@ static bool truths_are_sound(const Plain *plain)
     return true;
 }
 
-/* Whether an instance like this one can be in the phase, and be saved there. */
+/* Returns whether an instance like this one can be in the phase and be saved in it. */
 static bool phase_is_sound(const Instance *instance, Phase phase)
 {
     switch (phase) {
@@ -158,8 +158,8 @@ static bool phase_is_sound(const Instance *instance, Phase phase)
     return false;
 }
 
-/* The steps of the integrator: sizes are never negative, and the last step reaches from at or before the present time
- * to at or behind it, where another one can follow. */
+/* Checks the steps of the integrator: sizes are not negative, and the last step covers the present time and is
+ * consistent with its own start and size. */
 static bool steps_are_sound(const Plain *plain)
 {
     const StepRecord *step = &plain->step;
@@ -195,7 +195,7 @@ static bool progress_is_sound(const Progress *progress)
            isfinite(progress->crowd_start) && (unsigned)progress->last_step <= STATUS_FATAL;
 }
 
-/* A checksum can be repaired, and what is restored is relied on: as indices, as conditions, as times that go on. */
+/* A valid checksum can be forged, so the values that are used as indices, conditions and times are checked too. */
 static const char *fault_of_content(const Instance *instance, const SavedState *state)
 {
     const Plain *plain = &state->plain;

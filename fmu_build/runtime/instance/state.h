@@ -1,5 +1,5 @@
-/* state.h - a copy of everything that makes an instance continue the way it would have: values, place in the
- * life cycle, and how far the integrator is ahead. */
+/* state.h - saved states: a copy of everything that determines how an instance continues, that is its values, its phase
+ * in the life cycle and the state of the integrator. */
 #ifndef STATE_H
 #define STATE_H
 
@@ -7,17 +7,17 @@
 
 typedef struct SavedState SavedState;
 
-/* Saves into *state, which is allocated where it is NULL; false where memory is short. */
+/* Saves to *state, which is allocated if it is NULL; returns false if memory is short. */
 bool state_save(const Instance *instance, SavedState **state);
-/* False, after a message, where the state is not one of such an instance. */
+/* Returns false, after a message, if the state belongs to the other of Model Exchange and Co-Simulation. */
 bool state_restore(Instance *instance, const SavedState *state);
 void state_free(SavedState *state);
 
-/* The state as bytes, for the same model in the same kind of binary. */
+/* The state as bytes, valid for the same model in the same kind of binary. */
 size_t state_size(const Instance *instance);
 void state_write(const SavedState *state, void *bytes);
 
-/* NULL, after a message, where the bytes are not a whole state of this model. */
+/* Returns NULL, after a message, if the bytes are not a complete and consistent state of this model. */
 SavedState *state_read(const Instance *instance, const void *bytes, size_t size);
 
 #endif

@@ -44,7 +44,7 @@ static bool fail_not_a_number(const Instance *instance, const Variable *variable
     return false;
 }
 
-/* Before the initialization a variable has no value but its start value. */
+/* Before the initialization, only start values can be read. */
 static bool read_start(const Instance *instance, const Variable *variable, double *value)
 {
     const bool has_start = variable->initial == INITIAL_EXACT || variable->initial == INITIAL_APPROX ||
@@ -114,7 +114,7 @@ const char *variable_name_of_state(size_t index)
     return "";
 }
 
-/* Whether a reinit() sets the state. */
+/* Returns whether a reinit() sets the state. */
 static bool is_reinitialized(size_t state)
 {
     for (size_t i = 0; i < model.n_discrete; ++i)
@@ -123,8 +123,8 @@ static bool is_reinitialized(size_t state)
     return false;
 }
 
-/* What may be set when: FMI 2.0.5, the notes to the tables of sections 3.2.3 and 4.2.4; FMI 3.0.2, the states of
- * sections 2.3, 3.2 and 4.2. */
+/* Which variables may be set in which phase: FMI 2.0.5, notes to the tables in sections 3.2.3 and 4.2.4; FMI 3.0.2,
+ * states in sections 2.3, 3.2 and 4.2. */
 static bool is_settable_now(const Instance *instance, const Variable *variable)
 {
     const bool input = variable->causality == CAUSALITY_INPUT;

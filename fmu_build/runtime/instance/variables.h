@@ -1,4 +1,4 @@
-/* variables.h - reading and setting variables by value reference, with every check that setting needs. */
+/* variables.h - access to variables by value reference, with all checks that setting requires. */
 #ifndef VARIABLES_H
 #define VARIABLES_H
 
@@ -7,14 +7,14 @@
 #include <math.h>
 #include <stdint.h>
 
-/* The variable of a value reference; NULL, after a message, where there is none or it has none of the types, a set
- * that the importer calls `wanted`. */
+/* Returns the variable of a value reference; NULL, after a message, if there is none or its type is not in the set
+ * `types`, which the importer calls `wanted`. */
 const Variable *variable_find(const Instance *instance, size_t reference, unsigned types, const char *wanted);
 
-/* Its present value, after the equations that it needs. False, after a message, where it could not be computed. */
+/* Computes its present value, and first the equations that it needs. Returns false, after a message, on failure. */
 bool variable_compute(Instance *instance, const Variable *variable, double *value);
 
-/* The same, by a short cut where the value is there already. */
+/* The same, with a shortcut if the value is already available. */
 static inline bool variable_get(Instance *instance, const Variable *variable, double *value)
 {
     if (instance->phase > PHASE_INITIALIZATION && variable->store == STORE_STATE_OR_ALGEBRAIC &&
@@ -26,17 +26,17 @@ static inline bool variable_get(Instance *instance, const Variable *variable, do
     return variable_compute(instance, variable, value);
 }
 
-/* False, after a message, where a value of an Integer variable or an enumeration, held as a double, is beyond 32 bits. */
+/* Returns false, after a message, if the value of an Integer or enumeration, stored as a double, exceeds 32 bits. */
 bool variable_fits(const Instance *instance, const Variable *variable, double value);
 
-/* The name of a state by its place among the states. */
+/* Returns the name of a state by its index in y. */
 const char *variable_name_of_state(size_t index);
 
-/* Whether it may be set, now and to this value. False after a message that names variable, value and what is
- * allowed. */
+/* Returns whether the variable may be set now and to this value; false after a message that names the variable, the
+ * value and what is allowed. */
 bool variable_may_set(const Instance *instance, const Variable *variable, double value);
 
-/* Sets it; a value that it already has is no change. */
+/* Sets the variable; setting its present value is not a change. */
 void variable_set(Instance *instance, const Variable *variable, double value);
 
 #endif

@@ -16,7 +16,7 @@ static void report(const Values *values, size_t action, const EventReporter *rep
     reporter->report(reporter->context, model.actions[action], message);
 }
 
-/* The conditions; true in *any where one holds. The messages may read all algebraic variables. */
+/* Evaluates the conditions. If one holds, sets *any and computes the algebraic variables, which messages may read. */
 static bool evaluate(Values *values, bool *active, bool *any)
 {
     if (model.actions_read_algebraic && !model_algebraics(values->time, values->y, values->p))

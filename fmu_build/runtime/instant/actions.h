@@ -4,8 +4,8 @@
 
 #include "events.h"
 
-/* Takes the actions whose condition holds, a warning only once while it holds. `active` is scratch of
- * model.n_actions. */
+/* Takes the actions whose condition holds, a warning only once while its condition holds. `active` is scratch space for
+ * model.n_actions values. */
 EventStatus actions_take(Values *values, bool *active, const EventReporter *reporter);
 
 #endif

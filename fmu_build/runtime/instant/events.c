@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-/* A chain of when-clauses that has not ended after so many passes goes on for ever. */
+/* A chain of when-clauses that has not ended after this many passes is endless. */
 enum { MAX_PASSES = 1000 };
 
 static EventStatus fail(const EventReporter *reporter, const char *what)
@@ -21,8 +21,8 @@ static EventStatus worse(EventStatus a, EventStatus b)
     return a == EVENT_OK ? b : a;
 }
 
-/* Passes with a fixed pre() each, until one has changed nothing. Clocks tick in the first pass alone. What goes through
- * zero has its event at zero, and behind it another. */
+/* Repeats passes, each with constant pre() values, until a pass changes nothing. Clocks tick only in the first pass. A
+ * root that passes through zero causes one event at zero and another one behind it. */
 static EventStatus iterate(Iteration *iteration, Values *values, bool continuous, const EventReporter *reporter,
                            bool *states_changed)
 {

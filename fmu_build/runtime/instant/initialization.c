@@ -46,8 +46,8 @@ static bool evaluate(void *context, double *residual)
     return true;
 }
 
-/* Forward differences, with steps that are exact in binary. The tangents of the model are no substitute: they move
- * discrete variables with what these follow, whereas all of them are held here. */
+/* Forward differences, with steps that are exact in binary. The model's tangents cannot replace them: they include
+ * discrete variables that depend on others, whereas all discrete variables are constant here. */
 static bool differentiate(void *context, const double *residual, double *jacobian)
 {
     const InitialSystem *system = context;
@@ -67,7 +67,7 @@ static bool differentiate(void *context, const double *residual, double *jacobia
     return true;
 }
 
-/* The initial equations, NULL where they are solved, else what went wrong. */
+/* Solves the initial equations; returns NULL on success, else what went wrong. */
 static const char *solve(InitialSystem *initial, char text[NEWTON_TEXT_SIZE])
 {
     const NewtonSystem system = {.size = model.n_initial_unknowns,
@@ -86,7 +86,7 @@ static const char *solve(InitialSystem *initial, char text[NEWTON_TEXT_SIZE])
     return newton_explain(&system, result, "the initial equations", text);
 }
 
-/* Square norm of the residual; INFINITY where it cannot be computed. */
+/* Returns the squared norm of the residual; INFINITY if it cannot be computed. */
 static double residual_norm(InitialSystem *system)
 {
     double sum = 0.0;
@@ -103,8 +103,8 @@ static void set_initial_event(Values *values, double value)
         values->p[model.initial_event_slot] = value;
 }
 
-/* During initialisation a when-clause acts only through initial() (Modelica 3.4, section 8.6): where initial() makes
- * a condition true that is false without it. */
+/* During initialization, a when-clause acts only through initial() (Modelica 3.4, section 8.6): if initial() makes a
+ * condition true that is false without it. */
 static const char *settle_initially(Iteration *iteration, Values *values)
 {
     set_initial_event(values, 0.0);
@@ -118,7 +118,7 @@ static const char *settle_initially(Iteration *iteration, Values *values)
     return iteration_settle(iteration, values);
 }
 
-/* Initial equations and discrete variables depend on each other through the relations. */
+/* Alternates between initial equations and discrete variables, which depend on each other through relations. */
 static const char *settle_together(InitialSystem *system, Iteration *iteration)
 {
     const Values *values = system->values;
@@ -138,7 +138,7 @@ static const char *settle_together(InitialSystem *system, Iteration *iteration)
     return "the initial values do not settle: equations and relations change each other in a circle";
 }
 
-/* What the initial pass has found counts as pre() in the events that follow it: values and conditions. */
+/* Commits the states and conditions of the initial pass, to which pre() and edges refer in the events that follow. */
 static const char *conclude(Iteration *iteration, Values *values)
 {
     const char *problem = NULL;

@@ -5,9 +5,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Changed all at once, equations that depend on each other may swing for ever where they settle when one waits for the
- * other: after so many rounds they change one at a time. What has not settled after so many turns of each changes for
- * ever. */
+/* Equations that depend on each other may oscillate forever if they change all at once, but settle if they change in
+ * turn: after ROUNDS_AT_ONCE rounds they change one at a time. What has not settled after MAX_TURNS turns for each of
+ * them never settles. */
 enum { ROUNDS_AT_ONCE = 100, MAX_TURNS = 100 };
 
 bool iteration_create(Iteration *iteration)
@@ -98,12 +98,12 @@ static bool update_assigned(const Iteration *iteration, Values *values)
     return changed;
 }
 
-/* Whose turn it is to change. */
+/* The relation and the discrete equation whose turn it is to change. */
 typedef struct {
     size_t relation, row;
 } Turn;
 
-/* One relation that is out of date, or where there is none one discrete equation, in turn. */
+/* Updates one relation that is out of date, in turn, or else one discrete equation. */
 static bool update_one(const Iteration *iteration, Values *values, Turn *turn)
 {
     for (size_t k = 0; k < model.n_relations; ++k) {

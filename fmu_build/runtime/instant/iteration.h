@@ -1,4 +1,4 @@
-/* iteration.h - one pass of the event iteration: what relations, discrete equations and when-clauses do together. */
+/* iteration.h - one pass of the event iteration over relations, discrete equations and when-clauses. */
 #ifndef ITERATION_H
 #define ITERATION_H
 
@@ -10,37 +10,37 @@ typedef struct {
     double *root;   /* [n_roots + n_time_relations] */
     double *value;  /* [n_discrete] */
     bool *active;   /* [n_actions] */
-    bool *stopped;  /* [n_relations] those that stay false for now */
+    bool *stopped;  /* [n_relations] whether the relation must stay false for now */
     bool any_stopped;
-    char text[NEWTON_TEXT_SIZE]; /* of a message about what went wrong */
+    char text[NEWTON_TEXT_SIZE]; /* the message of a failure */
 } Iteration;
 
 bool iteration_create(Iteration *iteration);
 void iteration_free(Iteration *iteration);
 
-/* p[slot of pre(v)] = v for all v; true where one of them was different. */
+/* p[slot of pre(v)] = v for all v; returns whether any of them changed. */
 bool iteration_copy_pre(Values *values);
 
-/* Relations and discrete equations, again and again until none of them changes; pre() values, condition memories
- * and states stay. NULL on success, else what went wrong. */
+/* Updates relations and discrete equations until none of them changes; pre() values, condition memories and states are
+ * constant. Returns NULL on success, else what went wrong. */
 const char *iteration_settle(Iteration *iteration, Values *values);
 
-/* From now on no relation becomes true whose opposite is true: in between, their root is zero and both are false.
- * iteration_leave_zero ends that, and returns whether there is a relation that becomes true now. */
+/* From now on, no relation becomes true whose opposite is true now: in between, their root is zero and both are false.
+ * iteration_leave_zero ends this, and returns whether a relation now becomes true. */
 void iteration_stop_at_zero(Iteration *iteration, const Values *values);
 bool iteration_leave_zero(Iteration *iteration);
 
-/* Sets condition memories from the pass that has settled; true where one was different. */
+/* Sets the condition memories from the settled pass; returns whether any of them changed. */
 bool iteration_commit_conditions(const Iteration *iteration, Values *values);
 
-/* Makes every condition memory true, so that no when-clause sees an edge. */
+/* Sets every condition memory to true, so that no when-clause sees an edge. */
 void iteration_hold_conditions(Values *values);
 
-/* With the memories as they are without initial(), and initial() true now: only the conditions that this makes true
- * will have an edge. */
+/* Expects condition memories for a false initial(), which is now true: gives an edge only to the conditions that become
+ * true by this. */
 void iteration_arm_initial_conditions(const Iteration *iteration, Values *values);
 
-/* Carries out the reinit()s of the pass that has settled; true where a state changed. */
+/* Carries out the reinit()s of the settled pass; returns whether a state changed. */
 bool iteration_commit_states(const Iteration *iteration, Values *values);
 
 #endif

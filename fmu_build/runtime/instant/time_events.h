@@ -1,17 +1,17 @@
-/* time_events.h - events whose time is known beforehand: ticks of periodic clocks and relations of time. */
+/* time_events.h - events whose time is known in advance: ticks of periodic clocks and relations in time. */
 #ifndef TIME_EVENTS_H
 #define TIME_EVENTS_H
 
 #include "values.h"
 
-/* The time at which a time event at `time` is past, so that "time > t" has become true as well as "time >= t", also
- * where the importer's own time, a sum of step sizes, is a rounding error short of it. */
+/* Returns a time just after a time event at `time`, at which "time > t" is true as well as "time >= t", even if the
+ * importer's own time, a sum of step sizes, falls short of it by a rounding error. */
 double time_just_after(double time);
 
 /* Skips the ticks of all clocks before values->time. */
 void clocks_start(Values *values);
 
-/* p[activation] = 1 for each clock with a tick at values->time, whose next tick then follows; false where none has. */
+/* p[activation] = 1 for each clock with a tick at values->time, and advances it; returns false if no clock ticks. */
 bool clocks_tick(Values *values);
 
 /* p[activation] = 0 for all clocks. */

@@ -9,7 +9,7 @@
 
 /* The method's nodes, weights (a7j are those of order 5), error weights and dense output weights. */
 enum { STAGES = 7 };
-static const double nodes[STAGES - 1] = {1.0 / 5, 3.0 / 10, SAMPLE_FRACTION, 8.0 / 9, 1.0, 1.0}; /* of stage 2 to 7 */
+static const double nodes[STAGES - 1] = {1.0 / 5, 3.0 / 10, SAMPLE_FRACTION, 8.0 / 9, 1.0, 1.0}; /* of stages 2 to 7 */
 static const double weights[STAGES - 1][STAGES - 1] = {
     {1.0 / 5},
     {3.0 / 40, 9.0 / 40},
@@ -44,7 +44,7 @@ static double *states_of(const Integrator *integrator)
     return integrator->arrays;
 }
 
-/* Of stage 1 to 7. */
+/* Returns the slope of stage 1 to 7. */
 static double *slope_of(const Integrator *integrator, size_t stage)
 {
     return integrator->arrays + (SLOPES + stage - 1) * model.n_states;
@@ -60,7 +60,7 @@ void integrator_restart(Integrator *integrator, double time, const double *state
         memmove(states_of(integrator), states, model.n_states * sizeof(double));
 }
 
-/* The dense output at the fraction s of the step. */
+/* Evaluates the dense output at the fraction s of the step. */
 static void interpolate(const double *arrays, double s, double *states)
 {
     const size_t n = model.n_states;
@@ -86,14 +86,14 @@ void integrator_truncate(Integrator *integrator, double time)
         interpolate(integrator->arrays, (time - record->base) / record->step, states_of(integrator));
     record->time = time;
     record->slope_known = false;
-    /* What was cut off must not let the steps grow, for the dense output of a step that is far too long for what
-     * is used of it is spoilt by rounding. */
+    /* A truncated step must not let the steps grow: rounding spoils the dense output of a step of which only a
+     * tiny part is used. */
     record->suggestion = smaller(record->suggestion, record->step);
 }
 
-/* x^(-1/10) within 1 % between the values of it that no step size uses, 0.1 and 6.3. That is plenty for a step
- * size, takes far less time than pow(), and gives the same number on every platform. A double read as a whole number
- * is its binary logarithm in units of 2^-52, from -1023 on and with straight lines between the powers of 2. */
+/* Returns x^(-1/10) within 1 % for results between 0.1 and 6.3; step sizes use no others. That is accurate enough for a
+ * step size, takes far less time than pow(), and gives the same number on every platform. The bits of a double, read as
+ * an integer, are its binary logarithm in units of 2^-52, offset by 1023 and linear between the powers of 2. */
 static double inverse_tenth_root(double x)
 {
     static const double unit = 4503599627370496.0 /* 2^52 */, bias = 1023.0;
@@ -120,7 +120,7 @@ static double weight(const Integrator *integrator, size_t i, double magnitude)
     return 1.0 / (integrator->tolerance * (integrator->nominal[i] + magnitude));
 }
 
-/* A first step from the sizes of the first and second derivatives (Hairer, Norsett and Wanner, section II.4). */
+/* Guesses a first step from the norms of the first and second derivatives (Hairer, Norsett, Wanner, section II.4). */
 static bool guess_step(Integrator *integrator)
 {
     const size_t n = model.n_states;
@@ -161,7 +161,7 @@ static inline void combine(const double *arrays, double h, const double *weight,
     }
 }
 
-/* One stage of a step of size h. Called with a constant, so that the loop over the weights is unrolled. */
+/* Computes one stage of a step of size h. `number` is always a literal, so that compilers unroll the weights' loop. */
 static inline bool stage(Integrator *integrator, size_t number, double h, double end)
 {
     const StepPoint point = number == 4 ? STEP_SAMPLE : number == 7 ? STEP_END : STEP_ELSEWHERE;
@@ -170,15 +170,15 @@ static inline bool stage(Integrator *integrator, size_t number, double h, double
     return evaluate(integrator, time, point, slope_of(integrator, number));
 }
 
-/* All stages; the result of order 5 is left in `argument`. */
+/* Computes all stages; leaves the result of order 5 in `argument`. */
 static bool stages(Integrator *integrator, double h, double end)
 {
     return stage(integrator, 2, h, end) && stage(integrator, 3, h, end) && stage(integrator, 4, h, end) &&
            stage(integrator, 5, h, end) && stage(integrator, 6, h, end) && stage(integrator, 7, h, end);
 }
 
-/* Mean square, in units of the tolerance, of the error estimate and of the rounding in the dense output, which is
- * relative to the change over the whole step. */
+/* Returns the mean square, in units of the tolerance, of the error estimate plus the rounding error of the dense
+ * output, which is relative to the change over the whole step. */
 static double squared_error(const Integrator *integrator, double h)
 {
     const size_t n = model.n_states;
@@ -212,7 +212,7 @@ static void make_dense(double *restrict arrays, double h, const double *restrict
     }
 }
 
-/* Takes the step over: the dense output, the new states and the first slope of the next step. */
+/* Accepts the step: computes the dense output, the new states and the first slope of the next step. */
 static void accept(Integrator *integrator, double h, double end)
 {
     StepRecord *record = &integrator->record;
@@ -224,7 +224,7 @@ static void accept(Integrator *integrator, double h, double end)
     ++record->accepted;
 }
 
-/* Derivatives at the start of the step, and a size to try. */
+/* Computes the derivatives at the start of the step and a step size to try. */
 static bool prepare(Integrator *integrator)
 {
     StepRecord *record = &integrator->record;
@@ -247,7 +247,7 @@ StepResult integrator_step(Integrator *integrator, double limit)
     double h = smaller(record->suggestion, integrator->largest_step);
     bool rejected = false;
     for (;;) {
-        /* A step that would leave a sliver before the limit is stretched to it. */
+        /* A step that would leave a sliver before the limit is stretched to the limit. */
         const bool limited = record->time + 1.01 * h >= limit;
         if (limited)
             h = limit - record->time;

@@ -32,7 +32,7 @@ static bool has_changed(size_t relation, const double *root, const double *p)
 {
     const Relation *r = &model.relations[relation];
     if (r->root >= model.n_roots)
-        return false; /* changes at time events only */
+        return false; /* changes only at time events */
     return relation_holds(r, root[r->root]) != (p[r->memory] != 0.0);
 }
 
@@ -57,7 +57,7 @@ static void swap(Sample *a, Sample *b)
     *b = kept;
 }
 
-/* The relation that a straight line between the samples has change first, of those changed in `after`. */
+/* Of the relations that have changed in `after`, returns the one whose secant from `before` crosses zero first. */
 static size_t first_by_secant(const Sample *before, const Sample *after, const double *p)
 {
     size_t first = model.n_relations;
@@ -75,8 +75,8 @@ static size_t first_by_secant(const Sample *before, const Sample *after, const d
     return first;
 }
 
-/* Where in the bracket to look next, as a fraction from a to b: inverse quadratic interpolation through the
- * bracket and a third point where that is sure to help (Chandrupatla, Adv. Eng. Softw. 28, 1997), else halving. */
+/* Returns the next point to try in the bracket, as a fraction from a to b: inverse quadratic interpolation through the
+ * bracket and a third point if it is sure to help (Chandrupatla, Adv. Eng. Softw. 28, 1997), else bisection. */
 static double next_fraction(double ta, double a, double tb, double b, double tc, double c)
 {
     const double xi = (ta - tb) / (tc - tb), phi = (a - b) / (c - b);
@@ -85,14 +85,14 @@ static double next_fraction(double ta, double a, double tb, double b, double tc,
     return a / (b - a) * (c / (b - c)) + (tc - ta) / (tb - ta) * (a / (c - a)) * (b / (c - b));
 }
 
-/* How long before `after` root k crossed zero, by a straight line from `before`. */
+/* Returns how long before `after` root k crossed zero, by the secant from `before`. */
 static double since_crossing(const Sample *before, const Sample *after, size_t k)
 {
     return (after->time - before->time) * (after->root[k] / (after->root[k] - before->root[k]));
 }
 
-/* Narrows the bracket, nothing changed in `before` and something in `after`, until `after` lies within the spacing
- * of the numbers after the crossing. `third` is another sample near by. */
+/* Narrows the bracket, with no change in `before` and some change in `after`, until `after` lies just after the
+ * crossing, within the spacing of doubles. `third` is another sample nearby. */
 static Crossing narrow(const RootFinder *finder, const double *p, Sample before, Sample after, Sample third,
                        Sample spare)
 {
@@ -106,7 +106,7 @@ static Crossing narrow(const RootFinder *finder, const double *p, Sample before,
             break;
         const Sample *a = newest_is_after ? &after : &before, *b = newest_is_after ? &before : &after;
         const double fraction = next_fraction(a->time, a->root[k], b->time, b->root[k], third.time, third.root[k]);
-        /* Aims a little past the crossing, so that a good guess falls on its far side and is the last one. */
+        /* Aim slightly past the crossing, so that a good guess falls on its far side and ends the search. */
         const double least = fmin(0.5, resolution / width);
         const double aim = (newest_is_after ? 1.0 - fraction : fraction) + 0.5 * least;
         const double time = before.time + fmin(fmax(aim, least), 1.0 - least) * width;
@@ -128,8 +128,8 @@ typedef struct {
     double time, value;
 } Point;
 
-/* Vertex of the parabola through three points; false where there is none inside, or none that comes near zero
- * in comparison with how much the root changes around it. */
+/* Computes the vertex of the parabola through three points; returns false if there is none inside, or none that comes
+ * close to zero compared with the variation of the root around it. */
 static bool vertex(Point a, Point b, Point c, double *time)
 {
     const double left = (b.value - a.value) / (b.time - a.time), right = (c.value - b.value) / (c.time - b.time);
@@ -146,8 +146,8 @@ static bool vertex(Point a, Point b, Point c, double *time)
     return (value > 0.0) != (b.value > 0.0) || fabs(value) <= 0.25 * variation;
 }
 
-/* Looks for a place between a and c, b between them, where a root goes to the other side and comes back.
- * ROOTS_CROSSED: something has changed in `found`. */
+/* Searches for a point between a and c, with b between them, at which a root is temporarily on the other side of zero.
+ * ROOTS_CROSSED: a relation has changed in `found`. */
 static RootResult search_vertex(const RootFinder *finder, const double *p, Point a, Point b, Point c, size_t root,
                                 Sample *found)
 {
@@ -166,16 +166,16 @@ static RootResult search_vertex(const RootFinder *finder, const double *p, Point
     return ROOTS_NOT_CROSSED;
 }
 
-/* Cheap test on three equidistant values before anything is searched: is there a vertex between them? */
+/* Cheap test on three equidistant values before any search: returns whether there is a vertex between them. */
 static bool may_touch_zero(double a, double b, double c)
 {
     const double bend = a - 2.0 * b + c;
     return bend * b > 0.0 && fabs(c - a) < 2.0 * fabs(bend);
 }
 
-/* Whether every root stays clear of zero: it has one sign at the start, the sample and the end, and the parabola
- * through the three has no vertex in the step, nor a quarter of the step before and behind it. Most steps are like
- * that, and the sample is at hand, whereas all that follows in roots_search has to compute more roots. */
+/* Returns whether every root stays clear of zero: it has the same sign at the start, the sample and the end, and the
+ * parabola through the three has no vertex within the step or a quarter of it on either side. Most steps are like that,
+ * and the sample is available, whereas the rest of roots_search must compute more roots. */
 static bool is_quiet(const RootFinder *finder)
 {
     const double at = SAMPLE_FRACTION, first = 1.0 / at, second = 1.0 / (1.0 - at), margin = 0.25;
@@ -190,7 +190,7 @@ static bool is_quiet(const RootFinder *finder)
     return true;
 }
 
-/* What three equidistant samples of a step tell. */
+/* The findings from three equidistant samples of a step. */
 typedef struct {
     bool changed_in_middle, changed_at_end, has_vertex;
 } Overview;
@@ -211,7 +211,7 @@ static Overview look_over(const double *start, const double *middle, const doubl
     return overview;
 }
 
-/* A relation that changes and changes back within the step: what was found is put into `after`. */
+/* Searches for a relation that changes and changes back within the step; `after` becomes the sample with the change. */
 static RootResult search_double(const RootFinder *finder, const double *p, const Sample *start, const Sample *middle,
                                 const Sample *end, Sample *after, Sample *spare)
 {

@@ -1,7 +1,7 @@
 #include "step_memory.h"
 #include "model.h"
 
-/* FNV-1a over the truth of every relation; never 0. */
+/* Returns an FNV-1a hash of the truth values of all relations, never 0. */
 static uint64_t key_of(const double *p)
 {
     uint64_t hash = 14695981039346656037u;
@@ -10,7 +10,7 @@ static uint64_t key_of(const double *p)
     return hash | 1u;
 }
 
-/* The upper bits are the best mixed ones. */
+/* The upper bits of the hash are mixed best. */
 static unsigned place_of(uint64_t key)
 {
     return (unsigned)(key >> 32) % STEP_MEMORY_SIZE;

@@ -85,7 +85,7 @@ bool block_tangents(const Block *block, double time, const double *y, const doub
     return find_tangents(block, time, y, p, moves) == NEWTON_SOLVED;
 }
 
-/* Whether the block can move with what it depends on. */
+/* Returns whether the block's Jacobian determines the tangents of its unknowns. */
 static NewtonResult try_tangents(const Block *block, double time, const double *y, const double *p)
 {
     double *moves = calloc(block->size, sizeof(double));
@@ -96,7 +96,7 @@ static NewtonResult try_tangents(const Block *block, double time, const double *
 
 const char *blocks_explain(double time, double *y, const double *p, char text[NEWTON_TEXT_SIZE])
 {
-    /* Up to the block that fails, what later ones depend on is then up to date. */
+    /* This brings the algebraic variables before the failing block up to date. */
     const bool solved = model_algebraics(time, y, p);
     for (size_t i = 0; i < model.n_blocks; ++i) {
         Point point = {model.blocks[i], time, y, p};
@@ -106,6 +106,6 @@ const char *blocks_explain(double time, double *y, const double *p, char text[NE
         if (result != NEWTON_SOLVED)
             return newton_explain(&system, result, "the algebraic loop", text);
     }
-    /* Tried again, all went well. */
+    /* The second attempt succeeded. */
     return "a system of equations has no solution, or memory was short";
 }

@@ -5,10 +5,10 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Factors the row-major n-by-n matrix in place; false where it is singular up to rounding. */
+/* Factors the row-major n-by-n matrix in place; returns false if it is singular up to rounding. */
 bool lu_factor(size_t n, double *matrix, size_t *pivot);
 
-/* Solves with the factors; x holds the right-hand side before and the solution after. */
+/* Solves with the factors; x holds the right-hand side on entry and the solution on return. */
 void lu_solve(size_t n, const double *factors, const size_t *pivot, double *x);
 
 #endif

@@ -1,12 +1,12 @@
 /* model.h - the contract between one generated model and the runtime.
  *
  * The generator writes one C file that defines everything declared here; the rest of the
- * runtime is the same for every model and knows the model through this header alone.
+ * runtime is the same for every model and knows the model only through this header.
  *
- * All values of an instance live in two arrays of double:
+ * All values of an instance are in two arrays of double:
  *   y   continuous variables: the states first, then the algebraic variables
- *   p   everything that is constant between events: parameters, inputs, discrete variables,
- *       pre() slots, condition and relation memories, clock ticks
+ *   p   everything that the equations read as constant between events: parameters, inputs, discrete
+ *       variables, pre() slots, condition and relation memories, clock ticks
  * Integers, Booleans (0 or 1) and enumerations (1, 2, ...) are stored as doubles.
  */
 #ifndef MODEL_H
@@ -34,7 +34,7 @@ typedef enum {
 } Variability;
 typedef enum { INITIAL_EXACT, INITIAL_APPROX, INITIAL_CALCULATED, INITIAL_NONE } Initial;
 
-/* One variable as importers see it. Its value reference is its position in model.variables. */
+/* One variable as exposed to importers. Its value reference is its position in model.variables. */
 typedef struct {
     const char *name;
     ValueType type;
@@ -44,10 +44,10 @@ typedef struct {
     Variability variability;
     Initial initial;
     double start;
-    double min, max; /* -INFINITY and INFINITY where the model gives none */
+    double min, max; /* -INFINITY and INFINITY if the model gives none */
 } Variable;
 
-/* A system of algebraic equations that has to be solved by Newton's method. */
+/* An algebraic loop, which Newton's method solves. */
 typedef struct {
     size_t index; /* in y */
     const char *name;
@@ -61,33 +61,32 @@ typedef struct {
     void (*jacobian)(double time, const double *y, const double *p, double *jacobian); /* row-major */
 } Block;
 
-/* The value at the entry of the event, kept in p for pre(): p[slot] = y or p [source]. */
+/* The value before the current pass of the event iteration, kept in p for pre(): p[slot] = y or p [source]. */
 typedef struct {
     size_t slot;
     Store source_store;
     size_t source;
 } PreBinding;
 
-/* relation memory p[memory] = 1 where the relation holds, that is where its root is negative,
- * or where the root is exactly zero and holds_at_zero says so. Relations of one root agree in holds_at_zero, and
- * so in their memories. Roots from n_roots on are those of model_time_relations: they change at time events only
- * and are not watched for zero crossings. */
+/* The relation memory p[memory] is 1 if the relation holds, that is if its root is negative, or exactly zero with
+ * holds_at_zero. Relations with the same root agree in holds_at_zero, and so in their memories. Roots from n_roots
+ * on are those of model_time_relations: they change only at time events and are not monitored for zero crossings. */
 typedef struct {
     size_t root;
     size_t memory;
     bool holds_at_zero;
 } Relation;
 
-/* Whether a relation holds for a value of its root. */
+/* Returns whether a relation holds for a value of its root. */
 static inline bool relation_holds(const Relation *relation, double root)
 {
     return root < 0.0 || (root == 0.0 && relation->holds_at_zero);
 }
 
 /* What a discrete equation sets, and when:
- * ASSIGN     in every pass of the event iteration,
- * CONDITION  the memory from which edges are found: committed when a pass has settled,
- * REINIT     a state: committed with the conditions. */
+ * ASSIGN     a variable, in every pass of the event iteration,
+ * CONDITION  the memory that detects edges: committed when a pass has settled,
+ * REINIT     a state: committed together with the conditions. */
 typedef enum { DISCRETE_ASSIGN, DISCRETE_CONDITION, DISCRETE_REINIT } DiscreteKind;
 typedef struct {
     DiscreteKind kind;
@@ -124,15 +123,15 @@ typedef struct {
     size_t n_variables;
     const Variable *variables;
 
-    size_t n_roots; /* zero crossings */
-    const char *const *root_texts; /* [n_roots] each as Modelica, for messages */
-    bool roots_follow_time;   /* some zero crossing depends on time otherwise than through states */
-    bool roots_follow_inputs; /* or on a continuous input */
+    size_t n_roots; /* zero-crossing functions */
+    const char *const *root_texts; /* [n_roots] in Modelica, for messages */
+    bool roots_follow_time;   /* some root depends on time other than through states */
+    bool roots_follow_inputs; /* some root depends on a continuous input */
     size_t n_time_relations;
     size_t n_relations;
     const Relation *relations;
-    const size_t *opposites; /* [n_relations] position of a relation of the negated root where both are false at zero,
-                              * n_relations for none; NULL where there are no such two */
+    const size_t *opposites; /* [n_relations] position of a relation with the negated root if both are false at zero,
+                              * n_relations for none; NULL if there is no such pair */
 
     size_t n_pre;
     const PreBinding *pre;
@@ -143,10 +142,10 @@ typedef struct {
     size_t n_time_events; /* see model_time_events */
     size_t n_actions;
     const ActionKind *actions;
-    bool actions_follow_states;    /* some action can become due between events */
-    bool actions_read_algebraic;   /* the condition of some action reads an algebraic variable */
-    bool discrete_reads_algebraic; /* and some discrete equation */
-    size_t initial_event_slot; /* p[slot] is 1 during initialisation, or NO_SLOT */
+    bool actions_follow_states;    /* some action can become due between events: its condition reads y or time */
+    bool actions_read_algebraic;   /* some action's condition reads an algebraic variable */
+    bool discrete_reads_algebraic; /* some discrete equation reads an algebraic variable */
+    size_t initial_event_slot; /* p[slot] is 1 during initialization; or NO_SLOT */
 
     size_t n_initial_unknowns;
     const InitialUnknown *initial_unknowns;
@@ -154,57 +153,57 @@ typedef struct {
     size_t n_blocks;
     const Block *const *blocks; /* in the order in which model_algebraics solves them */
 
-    bool has_tangents;         /* the functions of tangents below are there */
-    bool has_initial_tangents; /* and cover the initialization: no when-clause may move a value there */
+    bool has_tangents;         /* the tangent functions below are not empty */
+    bool has_initial_tangents; /* they also hold across initialization: no when-clause may change a value there */
 } Model;
 
 extern const Model model;
 
-/* The functions below return true on success and false when a block has no solution at this point.
- * They read the states y[0..n_states) and p; blocks take the old values in y as their first guess. */
+/* Of the functions below, those of type bool return true on success and false if a block has no solution at this
+ * point. They read the states y[0..n_states) and p; blocks use the old values in y as initial guesses. */
 
-/* der = d(states)/dt, and the roots of model_roots unless root is NULL. Computes what it needs; leaves the algebraic
- * variables of y, blocks apart, as they were. */
+/* der = d(states)/dt, and the roots of model_roots unless root is NULL. Computes only what it needs; may change the
+ * algebraic variables in y that belong to blocks or that blocks read, and no others. */
 bool model_derivatives(double time, double *y, const double *p, double *der, double *root);
-/* All algebraic variables of y. */
+/* Computes all algebraic variables in y. */
 bool model_algebraics(double time, double *y, const double *p);
-/* root[0..n_roots) = lhs - rhs of each relation, the smaller side first for "<" and "<=". */
+/* root[0..n_roots): for each relation, the side that must be smaller minus the other. */
 bool model_roots(double time, double *y, const double *p, double *root);
 
-/* root[0..n_time_relations) = lhs - rhs of the relations that depend on time and p alone. */
+/* root[0..n_time_relations): the same for relations that depend only on time and p. */
 void model_time_relations(double time, const double *p, double *root);
 
-/* p: parameters that are computed from other parameters. */
+/* Computes parameters in p from other parameters. */
 void model_dependent_parameters(double *p);
-/* y, p: start values that are computed from parameters; only in initialisation. */
+/* Computes start values in y and p from parameters; called only during initialization. */
 void model_start_values(double *y, double *p);
-/* residual[0..n_initial_unknowns) of the initial equations; the algebraic variables of y are up to date. */
+/* residual[0..n_initial_unknowns) of the initial equations; the algebraic variables in y must be up to date. */
 void model_initial_residual(double time, const double *y, const double *p, double *residual);
 
-/* Tangents: how far each value moves, dy[i] beside y[i] and dp[i] beside p[i], when states, inputs, parameters and time
- * move a little. Relations and when-clauses are held. All of y and p is up to date and stays as it is. */
+/* Forward-mode tangents: dy[i] of y[i] and dp[i] of p[i] with respect to states, inputs, parameters and time. Relations
+ * and when-clauses count as constant. All of y and p must be up to date and is not changed. */
 
-/* dp: of parameters that are computed from other parameters. */
+/* dp of parameters that are computed from other parameters. */
 void model_parameter_tangents(const double *p, double *dp);
-/* dy: of all algebraic variables; dder: of the derivatives; dp: of discrete variables that follow others at all times.
- * False where a block does not determine them. */
+/* dy of all algebraic variables, dder of the derivatives, dp of discrete variables whose equation holds at all times.
+ * Returns false if a block's Jacobian is singular. */
 bool model_tangents(double time, const double *y, const double *p, double dtime, double *dy, double *dp, double *dder);
-/* dy: of states whose start value is computed from parameters. */
+/* dy of states whose start value is computed from parameters. */
 void model_start_tangents(const double *y, const double *p, double *dy, const double *dp);
-/* residual: of the initial equations. */
+/* residual: the tangents of the residuals of the initial equations. */
 void model_initial_residual_tangents(double time, const double *y, const double *p, double dtime, const double *dy,
                                      const double *dp, double *residual);
 
-/* *due = whether an action is due that can become so between events; computes no more than that needs. */
+/* *due = whether an action that can become due between events is due; computes only what it needs. */
 bool model_watched_actions(double time, double *y, const double *p, bool *due);
-/* value[0..n_discrete) = right-hand sides of the discrete equations; y's algebraic variables are up to date
- * where discrete_reads_algebraic says that they are read. */
+/* value[0..n_discrete) = right-hand sides of the discrete equations; the algebraic variables in y must be up to date if
+ * discrete_reads_algebraic. */
 void model_discrete(double time, const double *y, const double *p, double *value);
-/* when[0..n_time_events) = the times of time events; past ones and NaN count as none. */
+/* when[0..n_time_events) = the times of time events; past times and NaN mean none. */
 void model_time_events(const double *p, double *when);
-/* active[0..n_actions): true where the action must be taken. */
+/* active[0..n_actions): whether each action must be taken. */
 void model_actions(double time, const double *y, const double *p, bool *active);
-/* The message of one action, formatted into text[0..size). */
+/* Formats the message of one action into text[0..size). */
 void model_action_message(size_t action, double time, const double *y, const double *p, char *text, size_t size);
 
 #endif

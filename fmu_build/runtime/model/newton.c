@@ -9,18 +9,18 @@
 enum {
     STACK_SIZE = 12, /* systems up to this size need no allocation */
     VECTORS = 6,
-    MAX_ITERATIONS = 100, /* problem() names it */
+    MAX_ITERATIONS = 100, /* quoted in problem() */
     MAX_HALVINGS = 30
 };
 
-/* A step this small relative to the unknown leaves, after quadratic convergence, an error at rounding. */
+/* A step this small relative to the unknown leaves an error at rounding level, due to quadratic convergence. */
 static const double small_step = 1e-9;
-/* The same for unknowns near zero, and their least size, both in parts of the nominal value. */
+/* The same for unknowns near zero, and their least size, both relative to the nominal value. */
 static const double absolute_step = 1e-14, least_size = 1e-3;
-/* Square of a scaled residual that is rounding error alone: nothing is left to improve. */
+/* Square of a scaled residual that is pure rounding error and cannot be reduced. */
 static const double rounding_merit = 1e-31;
-/* Along a step of Newton's method the residual falls, unless what is left is the rounding of terms that cancel. Then the
- * unknowns are as good as they can be, if not even the whole step moves them by more than this part of their size. */
+/* Along a Newton step the residual decreases unless it consists of the rounding errors of terms that cancel. Then the
+ * unknowns are as accurate as possible if the full step changes none of them by more than this fraction of its size. */
 static const double stagnant_step = 1e-6;
 
 typedef struct {
@@ -35,7 +35,7 @@ static bool evaluate(const Newton *newton)
     return newton->system->evaluate(newton->system->context, newton->residual);
 }
 
-/* Sum of squares of the scaled residual; NaN and infinity count as infinitely bad. */
+/* Returns the sum of squares of the scaled residual; INFINITY if it is not finite. */
 static double merit(const Newton *newton)
 {
     double sum = 0.0;
@@ -46,13 +46,13 @@ static double merit(const Newton *newton)
     return isfinite(sum) ? sum : INFINITY;
 }
 
-/* Of an unknown that is near zero, some part of its nominal value. */
+/* Returns the size of an unknown; near zero, a fraction of its nominal value. */
 static double size_of(const Newton *newton, size_t i, double value)
 {
     return fmax(fabs(value), least_size * newton->nominal[i]);
 }
 
-/* The Jacobian in its factors. Rows are scaled by what a change of the unknowns of their own size does to them. */
+/* Factors the Jacobian. The scale of a row is its largest change when one unknown changes by its own size. */
 static NewtonResult linearize(const Newton *newton)
 {
     const size_t n = newton->system->size;
@@ -96,7 +96,7 @@ static void move(const Newton *newton, double fraction)
         *newton->unknown[i] = newton->point[i] - fraction * newton->step[i];
 }
 
-/* The step of Newton's method from the present unknowns. */
+/* Computes the Newton step from the present unknowns. */
 static void find_step(const Newton *newton)
 {
     const size_t n = newton->system->size;
@@ -106,7 +106,7 @@ static void find_step(const Newton *newton)
     lu_solve(n, newton->matrix, newton->pivot, newton->step);
 }
 
-/* Halves the step until the residual falls. */
+/* Halves the step until the residual decreases. */
 static bool search_along_step(const Newton *newton, double before)
 {
     double fraction = 1.0;
@@ -119,7 +119,7 @@ static bool search_along_step(const Newton *newton, double before)
     return false;
 }
 
-/* One step, and a second one for what rounding left of the first. */
+/* Takes one step, and a second one that removes the rounding error of the first. */
 static NewtonResult solve_linear(const Newton *newton)
 {
     NewtonResult result = linearize(newton);

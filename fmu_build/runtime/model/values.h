@@ -1,4 +1,4 @@
-/* values.h - the numbers of one instance, and nothing else: plain data that can be copied and serialised. */
+/* values.h - the numbers of one instance and nothing else: plain data that can be copied and serialized. */
 #ifndef VALUES_H
 #define VALUES_H
 
@@ -9,13 +9,13 @@ typedef struct {
     double *y;          /* [model.n_y] */
     double *p;          /* [model.n_p] */
     double *clock_tick; /* [model.n_clocks] number of the next tick of each periodic clock */
-    double *reported;   /* [model.n_actions] 1 where a warning was reported and its condition still holds */
+    double *reported;   /* [model.n_actions] 1 if a warning was reported and its condition still holds */
     double *any_reported;
 } Values;
 
 /* One block of values_count() doubles holds all arrays; values_bind points the arrays into it. */
 size_t values_count(void);
 void values_bind(Values *values, double *block);
-void values_reset(Values *values); /* start values of the model, time 0; in a block of zeros */
+void values_reset(Values *values); /* start values of the model, time 0; the block must be zero */
 
 #endif
