@@ -242,7 +242,7 @@ def leaves(*roots: Expression) -> set[Expression]:
 
 
 def substitute(root: Expression, replacements: Mapping[Expression, Expression]) -> Expression:
-    """Return the expression with nodes replaced; replacements are not searched in turn."""
+    """Return the expression with nodes replaced; the replacements themselves are not searched."""
     done: dict[Expression, Expression] = dict(replacements)
     for node in walk(root):
         if node not in done:

@@ -19,7 +19,7 @@ def _ignore(stage: str) -> None:
 
 @dataclass(frozen=True, slots=True)
 class BuildRequest:
-    """What to build.
+    """A request to build an FMU.
 
     `model` is a qualified Modelica class name; `library` is the Modelica file or package folder that declares
     it (default: the PreloadedSprings library of this project); `output` is the folder that receives
