@@ -2,8 +2,8 @@
 
 Array sizes, the arguments of ``sample()``, conditions of conditional components and the like are evaluated
 when the model is compiled, and rumoca's output does not say which parameters they depend on. Trial
-compilations with other values tell: a parameter is free if its value does not change the equations and if
-every parameter that depends on it is computed from it when the FMU is initialized.
+compilations with other values show this: a parameter is free if its value does not change the equations and
+if every parameter that depends on it is computed from it when the FMU is initialized.
 """
 
 from __future__ import annotations

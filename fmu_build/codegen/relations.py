@@ -1,4 +1,4 @@
-"""Relations: an expression changes its branch where a relation changes its value, which takes an event.
+"""Relations: where one changes its value, an expression changes its branch, which takes an event.
 
 Between events an equation reads the memory of a relation instead of the relation itself, so that the branch
 is frozen while the integrator passes the kink and locates it. rumoca gives most relations a memory. A direct

@@ -1,7 +1,7 @@
 """Hoist costly expressions of parameters out of the right-hand side, which runs thousands of times a run.
 
-A division takes several times as long as a product, and the next stage of the integrator waits for it. If
-the divisor depends only on parameters, its reciprocal is a factor instead. Reciprocals and other costly
+A division takes several times as long as a product, and the next stage of the integrator waits for it. A
+division by an expression of parameters becomes a product with its reciprocal. Reciprocals and other costly
 expressions of parameters become slots of p ("parts"), computed with the dependent parameters.
 
 Divisions that a zero crossing reads are kept: ``x/L >= 1`` must hold where x equals L.
