@@ -12,7 +12,10 @@ enum { MAX_CROWD = 1000 };
 /* So many steps of the integrator must bring it to the communication point, or a thousandth of the experiment on:
  * else a run would take a thousand million steps and more, a quarter of an hour for a small model. Runs that are
  * long for good reasons, with thousands of events or a million oscillations, stay far below that. */
-enum { PATIENCE = 1000000, PARTS = 1000 };
+#ifndef PATIENCE
+#define PATIENCE 1000000
+#endif
+enum { PARTS = 1000 };
 
 /* What lies closer together than this, relative to the time or to a second, is practically at one time: importers
  * add up step sizes, so that their points miss the times that they mean by rounding. */
