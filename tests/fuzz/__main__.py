@@ -15,7 +15,9 @@ def main() -> int:
     """Return 1 where something was found, else 0."""
     parser = argparse.ArgumentParser(prog="python -m tests.fuzz", description=__doc__)
     parser.add_argument("--seconds", type=float, default=60.0, help="how long (default: %(default)g)")
-    parser.add_argument("--seed", type=int, default=random.randrange(2**31), help="default: another each time")
+    parser.add_argument(
+        "--seed", type=int, default=random.randrange(2**31), help="default: another each time"
+    )
     parser.add_argument("--folder", type=Path, default=Path("build/fuzz"), help="for programs and corpora")
     settings = parser.parse_args()
     print(f"seed {settings.seed}")
@@ -27,7 +29,9 @@ def main() -> int:
         print(f"FMI calls: skipped, {error}")
         return 0
     for outcome in outcomes:
-        print(f"{outcome.target:16} {outcome.executions:10,} inputs  {'FAULT' if outcome.fault else 'no fault'}")
+        print(
+            f"{outcome.target:16} {outcome.executions:10,} inputs  {'FAULT' if outcome.fault else 'no fault'}"
+        )
     print(f"{'FMI calls':16} {sum(outcome.executions for outcome in outcomes):10,} inputs")
     for outcome in outcomes:
         if outcome.fault:

@@ -87,7 +87,13 @@ def fuzz(target: Path, limits: list[str], seed: int) -> Outcome:
     """Run one target within limits such as ``-runs=1000`` or ``-max_total_time=10``."""
     corpus = target.with_suffix(".corpus")
     corpus.mkdir(exist_ok=True)
-    options = [f"-seed={seed}", f"-timeout={HANG}", "-max_len=512", "-print_final_stats=1", "-close_fd_mask=1"]
+    options = [
+        f"-seed={seed}",
+        f"-timeout={HANG}",
+        "-max_len=512",
+        "-print_final_stats=1",
+        "-close_fd_mask=1",
+    ]
     command = [str(target), *options, *limits, f"-artifact_prefix={target}-", str(corpus)]
     done = subprocess.run(command, capture_output=True, text=True, errors="replace", check=False)
     executions = _EXECUTIONS.search(done.stderr)
