@@ -6,6 +6,7 @@
 #             platform (PLATFORMS=all: Linux, Windows and macOS; PLATFORMS="x86_64-linux x86_64-windows": those);
 #             FMI=3: of FMI 3.0, in build/fmi3/; FMI="2 3": both
 # make ssp    operator and joystick as one system: build/joystick.ssp
+# make fuzz  random FMI calls for SECONDS=60, with the corpora of build/fuzz/; needs clang with libFuzzer
 # make lint   ruff, mypy, the C compilers with every warning an error, the Modelica checks
 # make bench  speed as ratios within one run
 # make figure  the figure of the README and the drawings of the documentation
@@ -23,6 +24,7 @@ COMPILER ?= rumoca
 COMPILER_OPTIONS ?=
 PLATFORMS ?=
 FMI ?= 2
+SECONDS ?= 60
 FMU_SETTINGS = --compiler $(COMPILER) $(addprefix --option ,$(COMPILER_OPTIONS)) $(addprefix --platform ,$(PLATFORMS))
 
 VENV := .venv
@@ -41,7 +43,7 @@ SPHINX = $(BIN)/python -m sphinx --fail-on-warning --keep-going --nitpicky --fre
 unexport PYTHONDONTWRITEBYTECODE
 
 .DELETE_ON_ERROR:
-.PHONY: FORCE run test test-quick fmu ssp lint bench figure figures claims docs docs-links lock clean distclean
+.PHONY: FORCE run test test-quick fuzz fmu ssp lint bench figure figures claims docs docs-links lock clean distclean
 
 run: fmu
 	$(BIN)/python scenarios/free_oscillation.py
@@ -52,6 +54,9 @@ test: build/fmi2/.built $(if $(filter rumoca,$(COMPILER)),build/fmi3/.built)
 
 test-quick: $(READY)
 	$(BIN)/python -m pytest --quick --numprocesses auto
+
+fuzz: $(READY)
+	$(BIN)/python -m tests.fuzz --seconds $(SECONDS)
 
 fmu: $(FMI:%=build/fmi%/.built)
 

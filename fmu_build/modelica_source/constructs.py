@@ -8,6 +8,7 @@ from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from fmu_build.modelica_source.modifiers import closing
 from fmu_build.modelica_source.places import Place, place_at
 from fmu_build.modelica_source.text import blanked, declarations
 
@@ -43,7 +44,7 @@ class ModelText:
         """Return all matches of the first pattern that has any; a final ``(`` extends to its ``)``."""
         for pattern in patterns:
             found = [
-                self._construct(file, match.start(), _closing(plain, match.end()))
+                self._construct(file, match.start(), _end(plain, match))
                 for file, plain in self._plain.items()
                 for match in re.finditer(pattern, plain)
             ]
@@ -53,8 +54,12 @@ class ModelText:
 
     def mentions(self, simple_name: str, pattern: str) -> bool | None:
         """Return whether the pattern occurs in a class of that simple name; None without such a class."""
-        found = [text for name, text in self._classes.items() if name.rpartition(".")[2] == simple_name]
+        found = self.of(simple_name)
         return any(re.search(pattern, text) for text in found) if found else None
+
+    def of(self, simple_name: str) -> list[str]:
+        """Return the texts, without comments and strings, of the classes of that simple name."""
+        return [text for name, text in self._classes.items() if name.rpartition(".")[2] == simple_name]
 
     def _plain_text(self, part: _Part) -> str:
         plain = blanked(self._texts[part.file])
@@ -143,12 +148,6 @@ def _only(text: str, spans: Sequence[tuple[int, int]]) -> str:
     return "".join(kept)
 
 
-def _closing(text: str, end: int) -> int:
-    """Return the end of the parenthesis that opens right before `end`; `end` itself if none does."""
-    depth = 1 if text[end - 1] == "(" else 0
-    for position in range(end, len(text)):
-        if depth == 0:
-            break
-        depth += {"(": 1, ")": -1}.get(text[position], 0)
-        end = position + 1
-    return end
+def _end(text: str, match: re.Match[str]) -> int:
+    """Return the end of the match, or of the parenthesis that its last character opens."""
+    return closing(text, match.end() - 1) if match[0].endswith("(") else match.end()

@@ -33,6 +33,7 @@ _COMMANDS: Final = {
     "torque": "Compute the torque that a motion requires (eq. 13).",
     "sweep": "Run an FMU for many values of its parameters.",
     "compare": "Compare an FMU with the reference or another FMU.",
+    "export": "Write a joystick as FMUs of its own.",
     "ssp": "Write a system of coupled FMUs as one SSP file.",
     "report": "Write a report on a joystick as one HTML file.",
 }

@@ -28,8 +28,11 @@ def opened(
 ) -> Iterator[tuple[fmu.Fmu, model.JoystickParameters]]:
     """The FMU of --damping or --fmu, and the joystick of --parameters and --set.
 
+    Without --parameters, --fmu brings its own joystick: its start values.
+
     Raises:
         BadParameter: both --damping and --fmu are given
+        UnsupportedFmuError: the FMU of --fmu is no joystick
         PyJoystickError: the FMU or a parameter cannot be used
     """
     file = parameter_file(parameters)
@@ -42,7 +45,8 @@ def opened(
             yield one, joystick
     else:
         with fmu.Fmu(found_or_built(name)) as one:
-            yield one, joystick_of(law_of(one.description), changes, file)
+            own = None if parameters is not None else runs.joystick_of_fmu(one.description)
+            yield one, joystick_of(law_of(one.description), changes, file, own)
 
 
 def law_of(description: fmu.FmuDescription) -> model.LawName:

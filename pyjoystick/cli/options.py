@@ -103,7 +103,10 @@ def parameter_file(path: Path | None) -> model.ParameterFile:
 
 
 def joystick_of(
-    law: model.LawName | None, changes: Mapping[str, float], file: model.ParameterFile | None = None
+    law: model.LawName | None,
+    changes: Mapping[str, float],
+    file: model.ParameterFile | None = None,
+    own: model.JoystickParameters | None = None,
 ) -> model.JoystickParameters:
     """The joystick of a parameter file, the paper's by default, with some parameters changed.
 
@@ -111,6 +114,7 @@ def joystick_of(
         law: damping law; that of the file by default
         changes: values by name (SI units)
         file: the parameter file
+        own: the joystick to change instead of that of the file
 
     Raises:
         UnknownParameterError, ParameterError: a name or value is not allowed
@@ -119,6 +123,8 @@ def joystick_of(
     for name in ("theta_start", "omega_start"):
         if name in changes:
             raise ParameterError(name, changes[name], "left out", "set the release with --release-angle")
+    if own is not None:
+        return own.replace(changes)
     file = file or model.PAPER
     return (file.joystick if law is None else file.with_law(law)).replace(changes)
 

@@ -18,6 +18,7 @@ Examples:
     pyjoystick parameters -o joystick.toml
     pyjoystick parameters -p joystick.toml --set m=0.91 -o heavier.toml
     pyjoystick parameters -p joystick.toml --damping power-law
+    pyjoystick parameters -p joystick.toml --fmu-names
 
 docs/parameters.md describes the file.
 """
@@ -34,9 +35,17 @@ def run(
         typer.Option("--output", "-o", metavar="FILE", help="Write to this file instead of printing."),
     ] = None,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace FILE if it exists.")] = False,
+    fmu_names: Annotated[
+        bool, typer.Option("--fmu-names", help="Print the parameters by their names in the FMU instead.")
+    ] = False,
 ) -> None:
     """Check a parameter file, change values in it if requested, and print it or write it to another file."""
     file = options.parameter_file(parameters)
+    if fmu_names:
+        reason = "--fmu-names prints what is in the parameter file"
+        options.refuse_given(reason, {"--set": assignments, "--output": target})
+        output().print(model.fmu_value_table(model.fmu_values(file, damping)).markdown(), markup=False)
+        return
     changes = options.parse_assignments(assignments, "--set")
     # A changed joystick is no longer the one that the title names.
     title = target.stem if target is not None and changes else None

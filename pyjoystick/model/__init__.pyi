@@ -27,6 +27,11 @@ from .parameters.file_writing import (
     updated_text as updated_text,
     write_parameters as write_parameters,
 )
+from .parameters.fmu_values import (
+    FmuValue as FmuValue,
+    fmu_value_table as fmu_value_table,
+    fmu_values as fmu_values,
+)
 from .parameters.joystick import (
     ConstantDamping as ConstantDamping,
     Damping as Damping,

@@ -14,6 +14,13 @@ from .dissipation import (
     plot_damping_function as plot_damping_function,
     plot_energy as plot_energy,
 )
+from .export.fmus import (
+    FmuExportError as FmuExportError,
+    default_name as default_name,
+    export_fmus as export_fmus,
+    values_json as values_json,
+)
+from .export.modelica_class import Direction as Direction, modelica_class as modelica_class
 from .html_report.page import Section as Section, figure as figure, page as page, paragraph as paragraph
 from .html_report.report import joystick_report as joystick_report
 from .html_report.sections import Study as Study

@@ -19,6 +19,7 @@ from .errors import (
 from .experiments import (
     fmu_of_damping as fmu_of_damping,
     free_oscillation as free_oscillation,
+    joystick_of_fmu as joystick_of_fmu,
     reference_free_oscillation as reference_free_oscillation,
     time_grid as time_grid,
 )

@@ -17,7 +17,14 @@ import numpy as np
 import pandas as pd
 
 from pyjoystick.fmu import Fmu, FmuDescription, UnsupportedFmuError
-from pyjoystick.model import NOMINAL, ConstantDamping, Damping, JoystickParameters, simulate
+from pyjoystick.model import (
+    NOMINAL,
+    NOMINAL_POWER_LAW,
+    ConstantDamping,
+    Damping,
+    JoystickParameters,
+    simulate,
+)
 from pyjoystick.motion import DisplayUnit, Quantity, make_table
 from pyjoystick.support import (
     DEFAULT_DURATION,
@@ -130,6 +137,25 @@ def reference_free_oscillation(
     table = make_table(motion.time, {name: getattr(motion, name) for name in COLUMNS}, _QUANTITIES)
     table.attrs["events"] = [dataclasses.asdict(event) for event in motion.events]
     return table
+
+
+def joystick_of_fmu(description: FmuDescription) -> JoystickParameters:
+    """The joystick that an FMU is when nothing is set: its start values.
+
+    Raises:
+        UnsupportedFmuError: the FMU has not the parameters of a joystick, or values that none can have
+    """
+    power_law = "damping.alpha" in description.variables
+    nominal = NOMINAL_POWER_LAW if power_law else NOMINAL
+    names = nominal.to_names()
+    missing = [name for name in names if name not in description.variables]
+    if missing:
+        reason = f"does not have the parameters of Joystick: it lacks {', '.join(missing)}"
+        raise UnsupportedFmuError(description.path, reason)
+    try:
+        return nominal.replace({name: float(description.variables[name].start or 0.0) for name in names})
+    except ParameterError as error:
+        raise UnsupportedFmuError(description.path, f"is no joystick: {error}") from error
 
 
 def fmu_of_damping(damping: Damping) -> str:

@@ -12,7 +12,10 @@ enum { MAX_CROWD = 1000 };
 /* This many integrator steps must reach the communication point or cover a thousandth of the experiment: otherwise a
  * run would take more than a billion steps, a quarter of an hour for a small model. Runs that are long for good
  * reasons, with thousands of events or a million oscillations, stay far below that. */
-enum { PATIENCE = 1000000, PARTS = 1000 };
+#ifndef PATIENCE
+#define PATIENCE 1000000
+#endif
+enum { PARTS = 1000 };
 
 /* Times closer together than this, relative to the time or to a second, are practically equal: importers add up step
  * sizes, so that rounding moves their points away from the intended times. */

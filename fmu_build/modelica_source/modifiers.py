@@ -1,0 +1,57 @@
+"""Modifiers in Modelica source: which names of nested components they set."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+Path = tuple[str, ...]
+
+_ARGUMENT = re.compile(
+    r"\s*(?:(?:each|final|replaceable)\s+)*(?P<name>[\w.']+)\s*(?:\[[^\]]*\]\s*)?(?P<rest>[(=].*|)$",
+    re.DOTALL,
+)
+
+
+def closing(text: str, opening: int) -> int:
+    """Return the position after the ``)`` that closes the ``(`` at `opening`, or the end of the text."""
+    depth = 0
+    for position in range(opening, len(text)):
+        depth += {"(": 1, ")": -1}.get(text[position], 0)
+        if depth == 0:
+            return position + 1
+    return len(text)
+
+
+def assigned(arguments: str) -> set[Path]:
+    """Return the dotted paths that a modifier sets.
+
+    Args:
+        arguments: what stands between the parentheses, without comments and strings: ``a(s(k = 9)), b = 1``
+            sets ``("a", "s", "k")`` and ``("b",)``. Redeclarations are left out.
+    """
+    return {path for argument in _split(arguments) for path in _paths(argument)}
+
+
+def _paths(argument: str) -> Iterator[Path]:
+    found = _ARGUMENT.match(argument)
+    if found is None or found["name"] == "redeclare":
+        return
+    name, rest = tuple(found["name"].split(".")), found["rest"]
+    if rest.startswith("("):
+        end = closing(rest, 0)
+        yield from (name + path for path in assigned(rest[1 : end - 1]))
+        rest = rest[end:]
+    if rest.lstrip().startswith("="):
+        yield name
+
+
+def _split(arguments: str) -> Iterator[str]:
+    """The arguments between commas that stand outside of all brackets."""
+    depth, start = 0, 0
+    for position, character in enumerate(arguments):
+        depth += {"(": 1, "{": 1, "[": 1, ")": -1, "}": -1, "]": -1}.get(character, 0)
+        if character == "," and depth == 0:
+            yield arguments[start:position]
+            start = position + 1
+    yield arguments[start:]

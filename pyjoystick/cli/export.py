@@ -1,0 +1,88 @@
+"""``pyjoystick export``."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from pyjoystick import model, reports
+from pyjoystick.cli import options
+from pyjoystick.cli.console import messages, print_note, write
+from pyjoystick.support import write_text
+
+EXAMPLES = """
+Examples:
+
+    pyjoystick export -p joystick.toml -o fmus
+    pyjoystick export -p joystick.toml -o fmus --name LeftStick --fmi 3 --platform all
+    pyjoystick export -p joystick.toml -o model --no-fmu --modelica --json
+"""
+
+
+class Version(StrEnum):
+    """A version of the FMI standard."""
+
+    V2 = "2"
+    V3 = "3"
+
+
+def run(
+    folder: Annotated[
+        Path,
+        typer.Option("--output", "-o", metavar="FOLDER", help="Folder for the files.", show_default=False),
+    ],
+    parameters: options.Parameters = None,
+    damping: options.Law = None,
+    name: Annotated[
+        str | None,
+        typer.Option(
+            "--name", help="Name of the FMUs; by default that of the parameter file.", show_default=False
+        ),
+    ] = None,
+    fmi: Annotated[Version, typer.Option("--fmi", help="Version of the FMI standard.")] = Version.V2,
+    platforms: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--platform",
+            metavar="PLATFORM",
+            help="Platform such as x86_64-windows, or all; repeatable. Default: this machine's.",
+            show_default=False,
+        ),
+    ] = None,
+    fmus: Annotated[bool, typer.Option("--fmu/--no-fmu", help="Build the FMUs.")] = True,
+    modelica: Annotated[
+        bool, typer.Option("--modelica", help="Write a Modelica class that extends the library's joystick.")
+    ] = False,
+    json: Annotated[
+        bool, typer.Option("--json", help="Write the parameters by FMU name, with units and uncertainties.")
+    ] = False,
+) -> None:
+    """Write a joystick as FMUs whose start values are its own, for use in other tools.
+
+    FMU NAME computes the motion from the torque, NAMEInverse the torque from the motion.
+    """
+    file = options.parameter_file(parameters)
+    own = name or reports.default_name(file)
+    law = damping or file.law
+    values = model.fmu_values(file, law)
+    if modelica:
+        text = reports.modelica_class(own, values, law=law, title=file.title)
+        write(folder / f"{own}.mo", lambda path: write_text(path, text))
+    if json:
+        write(folder / f"{own}.json", lambda path: write_text(path, reports.values_json(file, law)))
+    if fmus:
+        with messages().status(f"building {own}") as status:
+            built = reports.export_fmus(
+                file,
+                folder,
+                name=own,
+                law=law,
+                fmi_version="3.0" if fmi is Version.V3 else "2.0",
+                platforms=platforms or (),
+                on_stage=status.update,
+            )
+        for path in built:
+            print_note(f"wrote {path}")

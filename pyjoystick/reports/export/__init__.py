@@ -1,0 +1,1 @@
+"""A joystick as FMUs, a Modelica class and tables for other tools."""

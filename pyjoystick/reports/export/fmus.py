@@ -1,0 +1,149 @@
+"""The FMUs of one joystick, whose start values are its own."""
+
+from __future__ import annotations
+
+import math
+import tempfile
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from importlib.util import find_spec
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+from pyjoystick.model import JoystickParameters, LawName, ParameterFile, fmu_values, inverse_torque
+from pyjoystick.reports.export.modelica_class import BASES, Direction, check_name, modelica_class
+from pyjoystick.support import PyJoystickError, json_text, write_text
+
+if TYPE_CHECKING:
+    from fmu_build import FmiVersion
+
+_TOOLS: Final = ("fmu_build", "rumoca", "ziglang")
+_SUFFIXES: Final[dict[Direction, str]] = {"forward": "", "inverse": "Inverse"}
+_PUSH: Final = math.radians(10.0)
+
+
+@dataclass(eq=False)
+class FmuExportError(PyJoystickError):
+    """The FMUs of a joystick cannot be built.
+
+    Attributes:
+        name: the FMU
+        reason: why not, and what helps
+    """
+
+    name: str
+    reason: str
+    _message = "the FMU {name} cannot be built: {reason}"
+
+
+def default_name(file: ParameterFile) -> str:
+    """The name of a joystick's FMUs, made from that of its parameter file: ``left_stick.toml`` is LeftStick.
+
+    One that the project's own FMUs have gets "My" in front, as does one that does not begin with a letter.
+    """
+    words = "".join(c if c.isascii() and c.isalnum() else " " for c in file.path.stem).split()
+    name = "".join(word[0].upper() + word[1:] for word in words)
+    return f"My{name}" if not name[:1].isalpha() or name in BASES.values() else name
+
+
+def export_fmus(
+    file: ParameterFile,
+    folder: str | PathLike[str],
+    *,
+    name: str | None = None,
+    law: LawName | None = None,
+    directions: Sequence[Direction] = ("forward", "inverse"),
+    fmi_version: FmiVersion = "2.0",
+    platforms: Sequence[str] = (),
+    on_stage: Callable[[str], None] = lambda stage: None,
+) -> list[Path]:
+    """Build FMUs that are this joystick: an importer that sets nothing gets its motion.
+
+    The values of the file are the start values in modelDescription.xml and in the binary. The FMU has a page,
+    a default experiment, reference results and a figure of its own.
+
+    Args:
+        file: the joystick
+        folder: receives ``<name>.fmu`` and ``<name>Inverse.fmu``; made where it is missing
+        name: of the FMUs; that of the file by default, see `default_name`
+        law: damping law; that which the file chooses by default
+        directions: ``forward`` from torque to motion, ``inverse`` from motion to torque
+        fmi_version: "2.0" or "3.0"
+        platforms: as for `fmu_build.build_fmu`: this machine's by default, ``("all",)`` for all
+        on_stage: called with what is being done
+
+    Returns:
+        the FMUs, in the order of the directions
+
+    Raises:
+        ParameterError: the name cannot be that of an FMU
+        SettingsError: the file has no numbers of that law
+        FmuExportError: there is no compiler, or it failed
+    """
+    name = check_name(name or default_name(file))
+    values = fmu_values(file, law)
+    law = law or file.law
+    if not all(find_spec(tool) for tool in _TOOLS):
+        raise FmuExportError(name, "no compiler is installed; pip install 'pyjoystick[build]' brings one")
+    from fmu_build import BuildError, build_fmu
+
+    paths = []
+    with tempfile.TemporaryDirectory(prefix="pyjoystick-") as temporary:
+        for direction in directions:
+            own = name + _SUFFIXES[direction]
+            source = Path(temporary) / own / f"{own}.mo"
+            text = modelica_class(own, values, direction=direction, law=law, title=file.title)
+            write_text(source, text)
+            inputs = _default_inputs(file.with_law(law), direction)
+            write_text(source.parent / "Resources" / "Inputs" / f"{own}.csv", inputs)
+            try:
+                built = build_fmu(
+                    own,
+                    folder,
+                    library=source,
+                    fmi_version=fmi_version,
+                    platforms=platforms,
+                    on_stage=lambda stage, own=own: on_stage(f"{own}: {stage}"),  # type: ignore[misc]
+                )
+            except BuildError as error:
+                raise FmuExportError(own, str(error)) from error
+            paths.append(built.path)
+    return paths
+
+
+def _default_inputs(joystick: JoystickParameters, direction: Direction) -> str:
+    """The inputs of the default experiment as fmu_build reads them: each row holds until the next one.
+
+    Forward: from rest, for 0.2 s the torque that holds the joystick at -10 degrees, then none. Inverse: from
+    position to position at rest, then velocities, then accelerations.
+    """
+    if direction == "forward":
+        torque = float(inverse_torque(joystick, -_PUSH, 0.0, 0.0).T)
+        return f"time,T\n0,0\n0.1,{torque:.3g}\n0.3,0\n"
+    rows = [
+        *((angle, 0, 0) for angle in (-0.3, -0.2, -0.1, 0.0, 0.1, 0.2, 0.3)),
+        *((0.1, velocity, 0) for velocity in (-4, -2, 2, 4)),
+        *((0.1, 0, acceleration) for acceleration in (-100, -50, 50, 100)),
+    ]
+    lines = (f"{0.1 * i:.1f},{theta},{omega},{alpha}" for i, (theta, omega, alpha) in enumerate(rows))
+    return "\n".join(("time,theta,omega,alpha", *lines)) + "\n"
+
+
+def values_json(file: ParameterFile, law: LawName | None = None) -> str:
+    """The parameters by their FMU names as JSON: value, unit, standard uncertainty (or null) and source.
+
+    Raises:
+        SettingsError: the file has no numbers of that law
+    """
+    parameters = {
+        v.name: {
+            "value": v.value,
+            "unit": v.unit,
+            "standard_uncertainty": v.uncertainty,
+            "source": v.source,
+            "from": f"{v.table}: {v.place}",
+        }
+        for v in fmu_values(file, law)
+    }
+    return json_text({"title": file.title, "parameters": parameters})

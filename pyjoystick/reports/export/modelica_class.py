@@ -1,0 +1,101 @@
+"""A joystick as a Modelica class that extends one of the library's with its own values."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from html import escape
+from typing import Final, Literal
+
+from pyjoystick.model import FmuValue, LawName
+from pyjoystick.support import ParameterError, TextTable, version_of
+
+Direction = Literal["forward", "inverse"]
+
+#: The library's class by what goes in and the damping law.
+BASES: Final[Mapping[tuple[Direction, LawName], str]] = {
+    ("forward", "constant"): "Joystick",
+    ("forward", "power-law"): "JoystickPowerLaw",
+    ("inverse", "constant"): "JoystickInverse",
+    ("inverse", "power-law"): "JoystickInversePowerLaw",
+}
+_INPUTS: Final[Mapping[Direction, str]] = {
+    "forward": "torque in, motion out (eq. 1)",
+    "inverse": "motion in, torque out (eq. 13)",
+}
+_NAME: Final = re.compile(r"[A-Z]\w*", re.ASCII)
+
+
+def check_name(name: str) -> str:
+    """Return the name if a Modelica class, an FMU and a C library can all have it; raise `ParameterError`."""
+    if not _NAME.fullmatch(name) or name == "PreloadedSprings":
+        raise ParameterError("name", name, "letters, digits and underscores, a capital letter first")
+    return name
+
+
+def modelica_class(
+    name: str, values: Sequence[FmuValue], *, direction: Direction = "forward", law: LawName, title: str = ""
+) -> str:
+    """Return a Modelica class that is this joystick.
+
+    Every value is written, to the last bit, also those that equal the library's: compilers differ in how they
+    merge modifiers of nested components.
+
+    Args:
+        name: of the class
+        values: all parameters with that damping law
+        direction: from torque to motion, or from motion to torque
+        law: the damping law
+        title: what the joystick is called; may be empty
+
+    Raises:
+        ParameterError: the name cannot be that of a class
+    """
+    check_name(name)
+    description = f"{title or name}: {_INPUTS[direction]}"
+    modifiers = _modifiers({tuple(v.name.split(".")): f"{v.value!r}" for v in values}, "    ")
+    return (
+        f"model {name} {_string(description)}\n"
+        f"  extends PreloadedSprings.Joystick.{BASES[direction, law]}(\n{modifiers});\n"
+        "  annotation (\n"
+        "    experiment(StartTime = 0, StopTime = 1.5, Tolerance = 1e-8, Interval = 1e-3),\n"
+        f"    Documentation(info = {_string(_page(title or name, values))}));\n"
+        f"end {name};\n"
+    )
+
+
+def _modifiers(values: Mapping[tuple[str, ...], str], indent: str) -> str:
+    """Nested modifiers, one value or component a line."""
+    nested: dict[str, dict[tuple[str, ...], str]] = {}
+    lines = []
+    for path, text in values.items():
+        if len(path) == 1:
+            lines.append(f"{indent}{path[0]} = {text}")
+        else:
+            nested.setdefault(path[0], {})[path[1:]] = text
+    for name, inner in nested.items():
+        lines.append(f"{indent}{name}(\n{_modifiers(inner, indent + '  ')})")
+    return ",\n".join(lines)
+
+
+def _page(title: str, values: Sequence[FmuValue]) -> str:
+    """The documentation: every value with its uncertainty and its source."""
+    rows = [
+        [
+            v.name,
+            f"{v.value:.9g}",
+            "" if v.uncertainty is None else f"{v.uncertainty:.2g}",
+            v.unit,
+            v.source,
+        ]
+        for v in values
+    ]
+    header = ("parameter", "value", "standard uncertainty", "unit", "source")
+    table = TextTable(header, rows).html("Parameters", prose=True)
+    made = f"Written by pyjoystick {version_of('pyjoystick')} from a parameter file."
+    return f"<html>\n<p>{escape(title)}. {made}</p>\n{table}\n</html>"
+
+
+def _string(text: str) -> str:
+    """A Modelica string."""
+    return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'

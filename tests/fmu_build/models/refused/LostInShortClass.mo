@@ -1,0 +1,12 @@
+model LostInShortClass "The same in a short class definition, and with attributes of a variable"
+  model Body
+    Real v(start = 1, fixed = true);
+  equation
+    der(v) = 0;
+  end Body;
+  model Train
+    Body body[2](v(each start = 2, each nominal = 5));
+  end Train;
+  model Faster = Train(body(v(each start = 3))); // here
+  Faster train;
+end LostInShortClass;
