@@ -87,19 +87,23 @@ class Fmu:
             inputs: inputs by name, constant or changing in time, see `Inputs`; those not given keep the
                 FMU's own. Where the FMU follows input derivatives the straight pieces are exact, else each
                 communication step holds the value at its beginning.
-            outputs: names of the variables to record; every output where not given
+            outputs: names of the variables to record, of an array element by element (``x[1]``,
+                ``grid[2,3]``); every output where not given, arrays as their elements
             tolerance: of the FMU's integrator
 
         Returns:
             a table indexed by ``time`` (s), one column a variable in the unit of the FMU; at a jump of an
-            input the row is the one after it. `make_table` says where the units are.
+            input the row is the one after it. Whole numbers of any size are exact; text is text. `make_table`
+            says where the units are; ``attrs["left_out"]`` names outputs without such a value (binary data,
+            clocks) where `outputs` is not given.
 
         Raises:
             UnknownParameterError, UnknownInputError, UnknownVariableError: a name is not one of the FMU's
             ParameterError, SeriesError: a value or series is not allowed
             FmuRunError: the FMU refuses its settings or fails during the run; it carries the FMU's messages
         """
-        plan = self.plan(time, parameters=parameters, inputs=inputs, outputs=outputs, tolerance=tolerance)
+        settings = parameters or {}, inputs, outputs, tolerance
+        plan = Plan(self, self._pool, time, (), *settings, texts=True)
         samples = plan.record()
         columns = {
             variable.name: samples[variable.name] != 0
@@ -107,7 +111,10 @@ class Fmu:
             else samples[variable.name]
             for variable in plan.variables
         }
-        return make_table(plan.time, columns, [variable.quantity for variable in plan.variables])
+        table = make_table(plan.time, columns, [variable.quantity for variable in plan.variables])
+        if plan.left_out:
+            table.attrs["left_out"] = list(plan.left_out)
+        return table
 
     def plan(
         self,
@@ -126,7 +133,7 @@ class Fmu:
             varied: names of the parameters and start values that each run gives
             parameters: values that all runs share, as in `run`
             inputs: as in `run`
-            outputs: as in `run`
+            outputs: as in `run`, numbers and Booleans alone; `Plan.left_out` names outputs of other types
             tolerance: as in `run`
 
         Raises:
@@ -150,18 +157,17 @@ class Fmu:
             time: where on the motion from the start values, s; 0 is the start
             parameters: as in `run`; start values choose the point
             inputs: constant inputs by name; those not given keep the FMU's own
-            outputs: as in `run`; the rows of C and D
+            outputs: names of real variables, the rows of C and D; every continuous output where not given
             tolerance: as in `run`
 
         Raises:
             UnknownParameterError, UnknownInputError, UnknownVariableError: a name is not one of the FMU's
             ParameterError: a value is not allowed, or the time is negative
-            UnsupportedFmuError: the FMU provides no directional derivatives
+            UnsupportedFmuError: the FMU provides neither directional nor adjoint derivatives
             FmuRunError: the FMU refuses its settings, fails on the way or has no derivatives there
         """
         instance = self._pool.take()
         try:
-            library = self._pool.library
-            return linearize(library, instance, time, parameters or {}, inputs or {}, outputs, tolerance)
+            return linearize(instance, time, parameters or {}, inputs or {}, outputs, tolerance)
         finally:
             self._pool.give_back(instance)

@@ -11,6 +11,7 @@ import pandas as pd
 from numpy.typing import ArrayLike, NDArray
 
 from pyjoystick.fmu.batch import Batch, BatchResult, OnProgress, number_of_threads
+from pyjoystick.fmu.errors import FmuRunError
 from pyjoystick.fmu.inputs import Inputs, checked_inputs, communication_points, input_series
 from pyjoystick.fmu.library import InstancePool
 from pyjoystick.fmu.preparation import prepare
@@ -18,7 +19,14 @@ from pyjoystick.fmu.reductions import Reduction, checked_reductions, operations_
 from pyjoystick.fmu.runner import Job, Runner
 from pyjoystick.fmu.stepping.engine import Loop, loop
 from pyjoystick.fmu.stepping.program import OK, UNFINISHED, WARNING
-from pyjoystick.fmu.values import Value, Varied, checked_outputs, checked_parameters, checked_varied
+from pyjoystick.fmu.values import (
+    Value,
+    Varied,
+    checked_outputs,
+    checked_parameters,
+    checked_varied,
+    default_outputs,
+)
 from pyjoystick.support import FloatArray, ParameterError, increasing_times, positive
 
 #: A single run comes back to Python about so often (s), so that Ctrl-C is heard.
@@ -36,6 +44,7 @@ class Plan:
         outputs: names of the recorded variables
         variables: the recorded variables as the FMU describes them
         units: their units by name
+        left_out: names of outputs that were not recorded although none were chosen: text and binary data
     """
 
     def __init__(
@@ -48,6 +57,8 @@ class Plan:
         inputs: Inputs | None,
         outputs: Iterable[str] | None,
         tolerance: float,
+        *,
+        texts: bool = False,
     ) -> None:
         description = pool.library.description
         # The FMU closes its pool when it is forgotten.
@@ -57,7 +68,9 @@ class Plan:
         constants = checked_parameters(description, parameters)
         self._varied = Varied(checked_varied(description, varied, parameters))
         table = checked_inputs(description, {} if inputs is None else inputs)
-        self.variables = checked_outputs(description, outputs)
+        self.variables = checked_outputs(description, outputs, texts=texts)
+        left_out = default_outputs(description, texts=texts)[1] if outputs is None else []
+        self.left_out: tuple[str, ...] = tuple(left_out)
         points = communication_points(self.time, table) if description.variable_steps else self.time
         self._preparation = prepare(
             description,
@@ -108,8 +121,19 @@ class Plan:
         return run
 
     def record(self) -> NDArray[np.void]:
-        """One run without varied parameters; the samples as the FMU stores them, one field a variable."""
-        return self._run_once(self._varied.row(()), self._empty(1), load_compiler=False)
+        """One run without varied parameters; the samples as the FMU stores them, one field a variable.
+
+        Raises:
+            FmuRunError: the FMU refuses its settings or fails during the run
+        """
+        preparation = self._preparation
+        try:
+            samples = self._run_once(self._varied.row(()), self._empty(1), load_compiler=False)
+        except FmuRunError:
+            if preparation.texts and preparation.texts.error:
+                raise preparation.texts.error from None
+            raise
+        return preparation.outputs.readable(samples)
 
     def run_batch(
         self,
@@ -180,7 +204,7 @@ class Plan:
         for batch in tuple(self._batches):
             batch.stop()
 
-    def _run_once(self, row: FloatArray, samples: FloatArray, *, load_compiler: bool) -> NDArray[np.void]:
+    def _run_once(self, row: NDArray[Any], samples: FloatArray, *, load_compiler: bool) -> NDArray[np.void]:
         job = Job(
             self._single_loop(load_compiler=load_compiler),
             self._preparation,
@@ -216,7 +240,7 @@ class Plan:
             self._loop = made
         return self._loop
 
-    def _rows(self, numbers: FloatArray) -> NDArray[np.void]:
+    def _rows(self, numbers: NDArray[Any]) -> NDArray[np.void]:
         """The values that vary as the FMU takes them, one row a run."""
         rows: NDArray[np.void] = self._preparation.varied.rows(len(numbers))
         for name, column in zip(self.varied, numbers.T, strict=True):

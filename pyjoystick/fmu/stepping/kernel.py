@@ -209,9 +209,10 @@ def _transfer(program: Program, workspace: Workspace, groups: Sequence[Group], r
 def _access(program: Program, workspace: Workspace, group: Group, row: int) -> int:
     workspace.place[FUNCTION] = group.function
     function, values = program.functions[group.function], row + group.offset
+    count = group.size - group.surplus
     if program.version == 2:
-        return access2(function, workspace.instance, group.references, group.size, values)
-    return access3(function, workspace.instance, group.references, group.size, values, group.size)
+        return access2(function, workspace.instance, group.references, count, values)
+    return access3(function, workspace.instance, group.references, count, values, group.size)
 
 
 def _step(program: Program, workspace: Workspace, point: int) -> int:

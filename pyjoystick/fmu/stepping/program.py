@@ -41,14 +41,15 @@ UNSIGNED, SIGNED, BOOLEAN = range(3)
 
 
 class Group(NamedTuple):
-    """Variables that one call sets or gets: neighbors in a row of values.
+    """Variables that one call sets or gets: their values are neighbors in a row.
 
     Attributes:
         function: place of the setter or getter in `Program.functions`
         references: address of the value references
-        size: number of variables
+        size: number of values
         offset: bytes from the start of the row
         kind: how the values are stored
+        surplus: how many more values than variables there are, because of arrays
     """
 
     function: int
@@ -56,6 +57,7 @@ class Group(NamedTuple):
     size: int
     offset: int
     kind: int
+    surplus: int = 0
 
 
 #: A group in an array that the compiled kernel reads.
@@ -85,7 +87,7 @@ class Program(NamedTuple):
         slopes: address of their derivatives, one row a step
         outputs: what is recorded
         outputs_stride: bytes from sample to sample
-        columns: column of each output in a table of samples, in the order of the groups
+        columns: column of each value in a table of samples, in the order of the groups; -1 for none
     """
 
     version: int

@@ -161,7 +161,7 @@ def _inputs(experiment: Table, constants: Table, fmu: FmuDescription) -> Inputs:
     for name in values:
         if name in table:
             raise SettingsError(constants.path, constants.name, name, None, "is in the input_file too")
-    return table.assign(**{name: float(value) for name, value in values.items()})
+    return table.assign(**values)
 
 
 def _varied(table: Table, fmu: FmuDescription, constants: Mapping[str, Value]) -> dict[str, Variation]:
