@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import weakref
 from collections.abc import Iterable, Mapping
+from functools import partial
 from os import PathLike
 from types import TracebackType
 from typing import Any, Self
@@ -17,9 +18,9 @@ from pyjoystick.fmu.inputs import Inputs
 from pyjoystick.fmu.library import InstancePool
 from pyjoystick.fmu.linearization import Linearization, linearize
 from pyjoystick.fmu.plan import Plan
-from pyjoystick.fmu.values import Value
+from pyjoystick.fmu.values import Value, default_outputs
 from pyjoystick.motion import make_table
-from pyjoystick.support import DEFAULT_TOLERANCE
+from pyjoystick.support import DEFAULT_TOLERANCE, positive
 
 
 class Fmu:
@@ -38,11 +39,13 @@ class Fmu:
         description: the FMU's own description
     """
 
-    def __init__(self, fmu: str | PathLike[str]) -> None:
+    def __init__(self, fmu: str | PathLike[str], *, time_limit: float | None = None) -> None:
         """Open an FMU.
 
         Args:
             fmu: a name such as ``Joystick``, or the path of any .fmu file (see `find_fmu`)
+            time_limit: what a run may take by the clock, s; it is ended between two communication points.
+                None for any time.
 
         Raises:
             FmuNotFoundError: there is no such file
@@ -50,11 +53,13 @@ class Fmu:
             UnsupportedFmuError: it has no Co-Simulation, no binary for this machine, or another FMI version
         """
         self.description: FmuDescription = read_description(find_fmu(fmu))
+        self._time_limit = None if time_limit is None else positive("time_limit", time_limit, "s")
         self._pool = InstancePool(self.description)
+        self._pool.time_limit = self._time_limit
         self._close = weakref.finalize(self, self._pool.close)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Fmu, (self.description.path.absolute(),)
+        return partial(Fmu, time_limit=self._time_limit), (self.description.path.absolute(),)
 
     def __enter__(self) -> Self:
         return self
@@ -100,10 +105,14 @@ class Fmu:
         Raises:
             UnknownParameterError, UnknownInputError, UnknownVariableError: a name is not one of the FMU's
             ParameterError, SeriesError: a value or series is not allowed
+            FmuTimeLimitError: the run takes longer than `time_limit`
             FmuRunError: the FMU refuses its settings or fails during the run; it carries the FMU's messages
         """
-        settings = parameters or {}, inputs, outputs, tolerance
-        plan = Plan(self, self._pool, time, (), *settings, texts=True)
+        left_out: list[str] = []
+        if outputs is None:
+            recorded, left_out = default_outputs(self.description, texts=True)
+            outputs = [variable.name for variable in recorded]
+        plan = self.plan(time, parameters=parameters, inputs=inputs, outputs=outputs, tolerance=tolerance)
         samples = plan.record()
         columns = {
             variable.name: samples[variable.name] != 0
@@ -112,8 +121,8 @@ class Fmu:
             for variable in plan.variables
         }
         table = make_table(plan.time, columns, [variable.quantity for variable in plan.variables])
-        if plan.left_out:
-            table.attrs["left_out"] = list(plan.left_out)
+        if left_out:
+            table.attrs["left_out"] = left_out
         return table
 
     def plan(
@@ -133,7 +142,7 @@ class Fmu:
             varied: names of the parameters and start values that each run gives
             parameters: values that all runs share, as in `run`
             inputs: as in `run`
-            outputs: as in `run`, numbers and Booleans alone; `Plan.left_out` names outputs of other types
+            outputs: as in `run`, but without texts where not given; `Plan.left_out` names those
             tolerance: as in `run`
 
         Raises:

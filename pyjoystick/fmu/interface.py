@@ -224,12 +224,11 @@ class TextGetter:
 
     Attributes:
         address: of the C function
-        error: what went wrong in Python while it was called; the function then returned an error
     """
 
     def __init__(self, interface: CInterface, address: int, form: RowFormat) -> None:
         """Stand for the function at `address` where rows of `form` are got."""
-        self.error: BaseException | None = None
+        self._error: BaseException | None = None
         words: list[Any] = [c_void_p, c_void_p, c_size_t, POINTER(c_void_p)]
         kind = CFUNCTYPE(c_int, *words, *[c_size_t] * (interface.version - 2))
         get = kind(address)
@@ -240,9 +239,15 @@ class TextGetter:
                 for i in range(size[0] if size else count) if status in (program.OK, program.WARNING) else ():
                     values[i] = form.text(string_at(values[i]) if values[i] else b"")
             except BaseException as error:  # out of a callback no exception finds its way
-                self.error = error
+                self._error = error
                 return program.ERROR
             return status
 
         self._function = kind(copied)
         self.address = cast(self._function, c_void_p).value or 0
+
+    def check(self) -> None:
+        """Raise what went wrong in Python while the function was called, which then returned an error."""
+        error, self._error = self._error, None
+        if error is not None:
+            raise error

@@ -2,23 +2,21 @@
 
 from __future__ import annotations
 
-import time as clock
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any, Final
+from typing import Any
 
 import numpy as np
 import pandas as pd
 from numpy.typing import ArrayLike, NDArray
 
 from pyjoystick.fmu.batch import Batch, BatchResult, OnProgress, number_of_threads
-from pyjoystick.fmu.errors import FmuRunError
 from pyjoystick.fmu.inputs import Inputs, checked_inputs, communication_points, input_series
 from pyjoystick.fmu.library import InstancePool
 from pyjoystick.fmu.preparation import prepare
 from pyjoystick.fmu.reductions import Reduction, checked_reductions, operations_of, units_of
 from pyjoystick.fmu.runner import Job, Runner
 from pyjoystick.fmu.stepping.engine import Loop, loop
-from pyjoystick.fmu.stepping.program import OK, UNFINISHED, WARNING
+from pyjoystick.fmu.stepping.program import OK, WARNING
 from pyjoystick.fmu.values import (
     Value,
     Varied,
@@ -28,9 +26,6 @@ from pyjoystick.fmu.values import (
     default_outputs,
 )
 from pyjoystick.support import FloatArray, ParameterError, increasing_times, positive
-
-#: A single run comes back to Python about so often (s), so that Ctrl-C is heard.
-_PATIENCE: Final = 0.1
 
 
 class Plan:
@@ -57,8 +52,6 @@ class Plan:
         inputs: Inputs | None,
         outputs: Iterable[str] | None,
         tolerance: float,
-        *,
-        texts: bool = False,
     ) -> None:
         description = pool.library.description
         # The FMU closes its pool when it is forgotten.
@@ -68,9 +61,9 @@ class Plan:
         constants = checked_parameters(description, parameters)
         self._varied = Varied(checked_varied(description, varied, parameters))
         table = checked_inputs(description, {} if inputs is None else inputs)
-        self.variables = checked_outputs(description, outputs, texts=texts)
-        left_out = default_outputs(description, texts=texts)[1] if outputs is None else []
-        self.left_out: tuple[str, ...] = tuple(left_out)
+        numbers, left_out = default_outputs(description)
+        self.variables = numbers if outputs is None else checked_outputs(description, outputs, texts=True)
+        self.left_out: tuple[str, ...] = tuple(left_out) if outputs is None else ()
         points = communication_points(self.time, table) if description.variable_steps else self.time
         self._preparation = prepare(
             description,
@@ -94,8 +87,7 @@ class Plan:
             "outputs": self.outputs,
             "tolerance": tolerance,
         }
-        self._points_at_once = 1
-        self._batches: list[Batch] = []
+        self._batches: dict[int, NDArray[np.bool_]] = {}
         self._loop: Loop | None = None
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -112,9 +104,11 @@ class Plan:
             integers beyond 2^53 are rounded
 
         Raises:
-            ParameterError: a value is missing, NaN, of the wrong type or out of range
+            ParameterError: a value is missing, NaN, of the wrong type or out of range, or an output is text
+            FmuTimeLimitError: the run takes longer than the FMU's `time_limit`
             FmuRunError: the FMU refuses its settings or fails during the run
         """
+        self._require_numbers()
         samples = self._empty(1)
         self._run_once(self._varied.row(values), samples, load_compiler=True)
         run: FloatArray = samples[0]
@@ -123,17 +117,9 @@ class Plan:
     def record(self) -> NDArray[np.void]:
         """One run without varied parameters; the samples as the FMU stores them, one field a variable.
 
-        Raises:
-            FmuRunError: the FMU refuses its settings or fails during the run
+        Texts are Python's.
         """
-        preparation = self._preparation
-        try:
-            samples = self._run_once(self._varied.row(()), self._empty(1), load_compiler=False)
-        except FmuRunError:
-            if preparation.texts and preparation.texts.error:
-                raise preparation.texts.error from None
-            raise
-        return preparation.outputs.readable(samples)
+        return self._run_once(self._varied.row(()), self._empty(1), load_compiler=False)
 
     def run_batch(
         self,
@@ -159,9 +145,25 @@ class Plan:
 
         Raises:
             ParameterError: a value of the table is not allowed (the message names its row), a setting is not,
-                or the samples do not fit into memory
+                an output is text, or the samples do not fit into memory
             UnknownVariableError: a reduction asks for a variable that is not among `outputs`
         """
+        self._require_numbers()
+        stop = np.zeros(1, np.bool_)
+        self._batches[id(stop)] = stop  # at once: loading the compiler takes a while
+        try:
+            return self._carry_out(table, stop, threads, reductions, on_progress)
+        finally:
+            del self._batches[id(stop)]
+
+    def _carry_out(
+        self,
+        table: pd.DataFrame | ArrayLike,
+        stop: NDArray[np.bool_],
+        threads: int | None,
+        reductions: Sequence[Reduction] | None,
+        on_progress: OnProgress | None,
+    ) -> BatchResult:
         named, numbers = self._varied.table(table)
         runs = len(numbers)
         kept = None if reductions is None else checked_reductions(reductions, self.outputs)
@@ -176,14 +178,11 @@ class Plan:
             self._rows(numbers),
             np.full((runs, len(columns)), np.nan),
             np.zeros(runs, np.bool_),
-            np.zeros(1, np.bool_),
+            stop,
+            self._pool.time_limit,
         )
         batch = Batch(self._pool, job, values)
-        self._batches.append(batch)
-        try:
-            interrupted = batch.carry_out(count, on_progress) if runs else False
-        finally:
-            self._batches.remove(batch)
+        interrupted = batch.carry_out(count, on_progress) if runs else False
         values[~batch.done[: len(values)] | batch.failed[: len(values)]] = np.nan
         reduced = None
         if kept is not None:
@@ -201,8 +200,8 @@ class Plan:
 
     def stop(self) -> None:
         """Have the batches of this plan return soon with what is done; may be called from any thread."""
-        for batch in tuple(self._batches):
-            batch.stop()
+        for stop in tuple(self._batches.values()):
+            stop[0] = True
 
     def _run_once(self, row: NDArray[Any], samples: FloatArray, *, load_compiler: bool) -> NDArray[np.void]:
         job = Job(
@@ -213,18 +212,11 @@ class Plan:
             np.empty((1, 0)),
             np.zeros(1, np.bool_),
             np.zeros(1, np.bool_),
+            self._pool.time_limit,
         )
         runner = Runner(self._pool, job)
         try:
-            limit, status = self._points_at_once, UNFINISHED
-            while status == UNFINISHED:
-                start = clock.perf_counter()
-                status = runner.advance(0, 1, limit, samples)
-                if clock.perf_counter() - start > _PATIENCE:
-                    self._points_at_once = max(1, self._points_at_once // 2)
-                elif status == UNFINISHED:
-                    self._points_at_once *= 2
-                limit += self._points_at_once
+            status = runner.advance(0, 1, samples)
             if status not in (OK, WARNING):
                 raise runner.failure(status)[1]
             return runner.recorded()
@@ -246,6 +238,12 @@ class Plan:
         for name, column in zip(self.varied, numbers.T, strict=True):
             rows[name] = column
         return rows
+
+    def _require_numbers(self) -> None:
+        for variable in self.variables:
+            if variable.type == "String":
+                hint = "Fmu.run records text"
+                raise ParameterError("outputs", variable.name, "a number or Boolean variable", hint)
 
     def _empty(self, runs: int) -> FloatArray:
         shape = (runs, self.time.size, len(self.outputs))

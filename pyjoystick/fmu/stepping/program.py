@@ -22,12 +22,15 @@ ENDED: Final = 101
 EARLY: Final = 102
 #: The stop flag was set.
 STOPPED: Final = 103
-#: The points that were asked for are done, the run is not.
+#: The pause flag was set; the run goes on from there.
 UNFINISHED: Final = 104
+#: The run has taken longer than it may.
+LATE: Final = 105
 
 # Places in an array of integers that the kernel keeps up to date: the run, the communication point that was
-# reached (`BETWEEN_RUNS` where none is under way), the number of samples taken, the function called last.
-RUN, POINT, SAMPLES, FUNCTION = range(4)
+# reached (`BETWEEN_RUNS` where none is under way), the number of samples taken, the function called last; and
+# a flag for others to set, at which the kernel comes back after the step.
+RUN, POINT, SAMPLES, FUNCTION, PAUSE = range(5)
 #: 128 bytes: two threads that write to one cache line in every step would slow each other down.
 PLACE_SIZE: Final = 16
 BETWEEN_RUNS: Final = -1

@@ -87,10 +87,10 @@ def test_what_cannot_be_recorded(echo3: Fmu, name: str, error: type[Exception], 
 
 def test_a_plan_refuses_text_that_is_asked_for(echo3: Fmu) -> None:
     assert echo3.run(TIME, outputs="said")["said"].tolist() == [" 0.0", " 1.0", " 2.0"]
-    with pytest.raises(
-        ParameterError, match=r"outputs = said: must be a number or Boolean .*Fmu\.run records"
-    ):
-        echo3.plan(TIME, outputs=["said"])
+    plan = echo3.plan(TIME, varied="p_Int8", outputs=["said"])
+    for carry_out, values in ((plan.run, [1]), (plan.run_batch, [[1]])):
+        with pytest.raises(ParameterError, match=r"outputs = said: must be a number .*Fmu\.run records text"):
+            carry_out(values)
 
 
 def test_texts_that_no_fmu_can_be_given(echo3: Fmu) -> None:
