@@ -151,6 +151,11 @@ class FmuDescription:
         """Co-Simulation may be given a stop time; OpenModelica up to 1.14 goes there in its first step."""
         return not self.generation_tool.startswith("OpenModelica")
 
+    def find(self, name: str) -> Variable | None:
+        """A variable or an element of an array; None where there is none of that name."""
+        whole = self.variables.get(name) or self.variables.get(name.rpartition("[")[0])
+        return next((one for one in (whole, *whole.elements()) if one.name == name), None) if whole else None
+
     def names(self, causality: str) -> tuple[str, ...]:
         """Names of the variables of one causality, in the order of the file."""
         return tuple(name for name, variable in self.variables.items() if variable.causality == causality)

@@ -201,7 +201,7 @@ def _in_type(variable: Variable, value: float) -> Value:
     number = finite(variable.name, value, variable.unit)
     if variable.type == "Boolean" and number in (0.0, 1.0):
         return bool(number)
-    if variable.type != "Real" and number.is_integer():
+    if variable.type in INTEGERS and number.is_integer():
         return int(number)
     return number
 

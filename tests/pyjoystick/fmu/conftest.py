@@ -10,7 +10,7 @@ import pytest
 
 from pyjoystick.fmu import Fmu
 from pyjoystick.fmu.stepping.engine import PLAIN_LOOP_VARIABLE
-from tests.pyjoystick.fmu import awkward, echo
+from tests.pyjoystick.fmu import awkward
 
 
 @pytest.fixture(scope="session")
@@ -71,18 +71,6 @@ def unpacking_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     folder.mkdir()
     monkeypatch.setattr(tempfile, "tempdir", str(folder))
     return folder
-
-
-@pytest.fixture(scope="session")
-def echo2_path(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The FMU of FMI 2.0 that gives back what it gets."""
-    return echo.build(2, tmp_path_factory.mktemp("echo2"))
-
-
-@pytest.fixture(scope="session")
-def echo3_path(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The same of FMI 3.0, with numbers of every type, texts and arrays."""
-    return echo.build(3, tmp_path_factory.mktemp("echo3"))
 
 
 @pytest.fixture

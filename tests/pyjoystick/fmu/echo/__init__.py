@@ -71,6 +71,7 @@ def _fmi3() -> str:
     </Float64>
     <Float64 name="der(x)" valueReference="302" derivative="301"><Dimension valueReference="1000"/></Float64>
     <Float64 name="y" valueReference="303" causality="output"/>
+    <Float64 name="delay" valueReference="306" causality="parameter" variability="tunable" start="0" min="0"/>
   </ModelVariables>
   <ModelStructure><ContinuousStateDerivative valueReference="302"/></ModelStructure>
 </fmiModelDescription>

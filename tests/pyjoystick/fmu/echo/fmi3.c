@@ -3,11 +3,13 @@
  *
  * The value references of the number k of the types are 10 k + 1 (parameter), + 2 (input), + 3 and + 4 (outputs,
  * the same numbers) and + 5 (an array of parameter, input, parameter). */
+#define _POSIX_C_SOURCE 200809L
 #include "fmi3Functions.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 enum { P = 1, U, P_AGAIN, U_AGAIN, BOTH };
 enum { TEXT = 200, SAID, TEXTS, TEXT_INPUT, TEXT_AGAIN };
@@ -25,7 +27,7 @@ typedef struct {
     fmi3Int64 Int64[2];
     fmi3UInt64 UInt64[2];
     char text[64], input[64], said[4][64];
-    double force, x[2];
+    double force, delay /* ms a step */, x[2];
     int steps;
 } Echo;
 
@@ -76,7 +78,9 @@ fmi3Status fmi3Terminate(fmi3Instance instance)
 fmi3Status fmi3DoStep(fmi3Instance instance, fmi3Float64 time, fmi3Float64 length, fmi3Boolean no_going_back,
                       fmi3Boolean *event, fmi3Boolean *terminate, fmi3Boolean *early, fmi3Float64 *reached)
 {
+    const long nanoseconds = (long)(((Echo *)instance)->delay * 1e6);
     (void)no_going_back;
+    nanosleep(&(struct timespec){nanoseconds / 1000000000L, nanoseconds % 1000000000L}, NULL);
     ((Echo *)instance)->steps += 1;
     *event = *terminate = *early = false;
     *reached = time + length;
@@ -125,9 +129,9 @@ fmi3Status fmi3SetFloat64(fmi3Instance instance, const fmi3ValueReference r[], s
 {
     Echo *it = instance;
     for (size_t i = 0; i < n; ++i) {
-        if (r[i] != FORCE)
+        if (r[i] != FORCE && r[i] != DELAY)
             return fmi3Error;
-        it->force = value[i];
+        *(r[i] == FORCE ? &it->force : &it->delay) = value[i];
     }
     return n == size ? fmi3OK : fmi3Error;
 }
