@@ -108,7 +108,7 @@ class Fmu:
             FmuTimeLimitError: the run takes longer than `time_limit`
             FmuRunError: the FMU refuses its settings or fails during the run; it carries the FMU's messages
         """
-        left_out: list[str] = []
+        left_out: tuple[str, ...] = ()
         if outputs is None:
             recorded, left_out = default_outputs(self.description, texts=True)
             outputs = [variable.name for variable in recorded]
@@ -122,7 +122,7 @@ class Fmu:
         }
         table = make_table(plan.time, columns, [variable.quantity for variable in plan.variables])
         if left_out:
-            table.attrs["left_out"] = left_out
+            table.attrs["left_out"] = list(left_out)
         return table
 
     def plan(

@@ -61,9 +61,11 @@ class Plan:
         constants = checked_parameters(description, parameters)
         self._varied = Varied(checked_varied(description, varied, parameters))
         table = checked_inputs(description, {} if inputs is None else inputs)
-        numbers, left_out = default_outputs(description)
-        self.variables = numbers if outputs is None else checked_outputs(description, outputs, texts=True)
-        self.left_out: tuple[str, ...] = tuple(left_out) if outputs is None else ()
+        self.left_out: tuple[str, ...] = ()
+        if outputs is None:
+            self.variables, self.left_out = default_outputs(description)
+        else:
+            self.variables = checked_outputs(description, outputs, texts=True)
         points = communication_points(self.time, table) if description.variable_steps else self.time
         self._preparation = prepare(
             description,

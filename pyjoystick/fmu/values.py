@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import sys
 from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from numbers import Integral, Real
 from typing import Any, Final
@@ -159,7 +160,9 @@ def _as_written(bound: float | None) -> str:
     return "" if bound is None else str(bound) if isinstance(bound, int) else f"{bound:g}"
 
 
-def default_outputs(description: FmuDescription, *, texts: bool = False) -> tuple[list[Variable], list[str]]:
+def default_outputs(
+    description: FmuDescription, *, texts: bool = False
+) -> tuple[list[Variable], tuple[str, ...]]:
     """The outputs that can be recorded, arrays as their elements, and the names of the others.
 
     Args:
@@ -169,7 +172,7 @@ def default_outputs(description: FmuDescription, *, texts: bool = False) -> tupl
     outputs = [description.variables[name] for name in description.names("output")]
     can_be = [one.type not in _NOT_RUN and (texts or one.type != "String") for one in outputs]
     recorded = [part for one, can in zip(outputs, can_be, strict=True) if can for part in one.elements()]
-    return recorded, [one.name for one, can in zip(outputs, can_be, strict=True) if not can]
+    return recorded, tuple(one.name for one, can in zip(outputs, can_be, strict=True) if not can)
 
 
 def checked_outputs(
@@ -195,11 +198,11 @@ def checked_outputs(
 
 def _parts(description: FmuDescription, name: str, *, texts: bool) -> dict[str, Variable]:
     """The variable of this name or, where it is an element of an array, all elements."""
-    known = {name: one for name, one in description.variables.items() if one.causality != "independent"}
-    whole = known.get(name) or known.get(name.rpartition("[")[0])
+    variables = description.variables
+    whole = variables.get(name) or variables.get(name.rpartition("[")[0])
     parts = {part.name: part for part in whole.elements()} if whole else {}
-    if whole is None or name not in (whole.name, *parts):
-        raise UnknownVariableError(name, known)
+    if whole is None or whole.causality == "independent" or name not in (whole.name, *parts):
+        raise UnknownVariableError(name, [*(n for n, v in variables.items() if v.causality != "independent")])
     if whole.type in _NOT_RUN:
         require_scalar(replace(whole, is_array=False))
     if name not in parts:
@@ -288,21 +291,17 @@ class Varied:
         raise ParameterError(f"{variable.name}{place}", number, allowed, hint)
 
     def _numbers(self, values: pd.DataFrame | ArrayLike) -> NDArray[Any]:
-        try:
-            if self._type is object:
-                numbers = values if isinstance(values, pd.DataFrame) else np.asarray(values, dtype=object)
-                return _python_numbers(numbers)
-            return np.ascontiguousarray(values, dtype=np.float64)
-        except (TypeError, ValueError):
-            raise ParameterError("values", f"a {type(values).__name__}", "made of numbers in rows") from None
+        numbers: NDArray[Any] | None = None
+        with suppress(TypeError, ValueError):
+            given = values.to_numpy(self._type) if isinstance(values, pd.DataFrame) else values
+            numbers = np.ascontiguousarray(given, dtype=self._type)
+        if numbers is None or (self._type is object and not all(map(_is_real, numbers.flat))):
+            raise ParameterError("values", f"a {type(values).__name__}", "made of numbers in rows")
+        return numbers
 
 
-def _python_numbers(values: pd.DataFrame | NDArray[Any]) -> NDArray[Any]:
-    """Every number as it was given, the rows of a table side by side; raises TypeError for anything else."""
-    numbers = values.to_numpy(dtype=object) if isinstance(values, pd.DataFrame) else values
-    if not all(isinstance(number, Real | np.bool_) for number in numbers.flat):
-        raise TypeError
-    return numbers
+def _is_real(value: object) -> bool:
+    return isinstance(value, Real | np.bool_)
 
 
 def _is_rounded(numbers: NDArray[Any]) -> NDArray[np.bool_]:
