@@ -5,10 +5,9 @@ The loop looks at a flag after each communication step, which costs less than a 
 
 from __future__ import annotations
 
+import os
 import threading
 import time as clock
-from collections.abc import Iterator
-from contextlib import contextmanager
 from typing import Final
 
 import numpy as np
@@ -25,23 +24,21 @@ class Pulse:
 
     def __init__(self) -> None:
         self._places: dict[int, NDArray[np.intp]] = {}
-        self._thread = threading.Thread()
+        self._process = 0
         self._wanted = threading.Event()
 
-    @contextmanager
-    def on(self, place: NDArray[np.intp]) -> Iterator[None]:
-        """Set the flag in a workspace's place at each beat."""
+    def add(self, place: NDArray[np.intp]) -> None:
+        """Set the flag in a workspace's place at each beat from now on."""
         self._places[id(place)] = place
-        if not self._thread.is_alive():
-            self._wanted = threading.Event()
-            self._thread = threading.Thread(target=self._beat, args=(self._wanted,), daemon=True)
-            self._thread.start()
+        if self._process != os.getpid():
+            self._process, self._wanted = os.getpid(), threading.Event()
+            threading.Thread(target=self._beat, args=(self._wanted,), daemon=True).start()
         if not self._wanted.is_set():
             self._wanted.set()
-        try:
-            yield
-        finally:
-            del self._places[id(place)]
+
+    def remove(self, place: NDArray[np.intp]) -> None:
+        """Leave it alone again."""
+        del self._places[id(place)]
 
     def _beat(self, wanted: threading.Event) -> None:
         while True:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import threading
 import time as clock
-from contextlib import nullcontext
 from dataclasses import dataclass
 from typing import Final
 
@@ -108,16 +107,21 @@ class Runner:
         job, instance = self._job, self._instance
         is_new, instance.is_new = instance.is_new, False
         rows = self._rows_address, first, last
+        place = self._workspace.place
         # Ctrl-C is heard in the main thread alone.
-        is_heard = threading.current_thread() is threading.main_thread()
-        with PULSE.on(instance.log.place) if is_heard or job.time_limit is not None else nullcontext():
+        is_watched = job.time_limit is not None or threading.current_thread() is threading.main_thread()
+        if is_watched:
+            PULSE.add(place)
+        try:
             status = job.loop(self._workspace, is_new, *rows, values, job.cells, job.done, job.stop)
+        finally:
+            if is_watched:
+                PULSE.remove(place)
         if instance.log.interrupted:
             instance.log.interrupted = False
             raise KeyboardInterrupt
         if job.preparation.texts is not None:
             job.preparation.texts.check()
-        place = self._workspace.place
         if status in _GOOD or place[FUNCTION] != RESET:
             return status
         # What was there before the run stands in its way: nothing that the run itself is to be blamed for.
@@ -133,10 +137,8 @@ class Runner:
         if status == ENDED:
             reason = "the FMU ended the run"
         elif status == LATE:
-            kind, reason = (
-                FmuTimeLimitError,
-                f"the run took longer than the limit of {self._job.time_limit:g} s",
-            )
+            kind = FmuTimeLimitError
+            reason = f"the run took longer than the limit of {self._job.time_limit:g} s"
         elif status == EARLY:
             reason = f"{function} came back before the end of the step"
         else:
