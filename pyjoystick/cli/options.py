@@ -48,6 +48,8 @@ def parse_assignments(texts: Sequence[str] | None, option: str) -> dict[str, flo
         name, sign, value = (part.strip() for part in text.partition("="))
         try:
             number = float(value)
+            if math.isfinite(number) and abs(number) >= 2.0**53 and value.lstrip("+-").isdecimal():
+                number = int(value)  # beyond 2^53 the float may be another
         except ValueError:
             sign = ""
             number = math.nan

@@ -11,6 +11,7 @@ from .errors import (
     FmuFileError as FmuFileError,
     FmuNotFoundError as FmuNotFoundError,
     FmuRunError as FmuRunError,
+    FmuTimeLimitError as FmuTimeLimitError,
     UnsupportedFmuError as UnsupportedFmuError,
 )
 from .files import MODELS as MODELS, build_folder as build_folder, find_fmu as find_fmu

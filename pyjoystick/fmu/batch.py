@@ -180,10 +180,9 @@ class Batch:
             return first, self._next
 
     def _run_piece(self, runner: Runner, first: int, last: int, values: FloatArray) -> None:
-        limit = len(self._job.preparation.program.times)
         while first < last:
             try:
-                status = runner.advance(first, last, limit, values)
+                status = runner.advance(first, last, values)
             except FmuFileError:
                 with self._lock:
                     first += int(np.argmin(self.done[first:last]))

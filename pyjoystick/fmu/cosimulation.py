@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import weakref
 from collections.abc import Iterable, Mapping
+from functools import partial
 from os import PathLike
 from types import TracebackType
 from typing import Any, Self
@@ -17,9 +18,9 @@ from pyjoystick.fmu.inputs import Inputs
 from pyjoystick.fmu.library import InstancePool
 from pyjoystick.fmu.linearization import Linearization, linearize
 from pyjoystick.fmu.plan import Plan
-from pyjoystick.fmu.values import Value
+from pyjoystick.fmu.values import Value, default_outputs
 from pyjoystick.motion import make_table
-from pyjoystick.support import DEFAULT_TOLERANCE
+from pyjoystick.support import DEFAULT_TOLERANCE, positive
 
 
 class Fmu:
@@ -38,11 +39,13 @@ class Fmu:
         description: the FMU's own description
     """
 
-    def __init__(self, fmu: str | PathLike[str]) -> None:
+    def __init__(self, fmu: str | PathLike[str], *, time_limit: float | None = None) -> None:
         """Open an FMU.
 
         Args:
             fmu: a name such as ``Joystick``, or the path of any .fmu file (see `find_fmu`)
+            time_limit: what a run may take by the clock, s; it is ended between two communication points.
+                None for any time.
 
         Raises:
             FmuNotFoundError: there is no such file
@@ -50,11 +53,13 @@ class Fmu:
             UnsupportedFmuError: it has no Co-Simulation, no binary for this machine, or another FMI version
         """
         self.description: FmuDescription = read_description(find_fmu(fmu))
+        self._time_limit = None if time_limit is None else positive("time_limit", time_limit, "s")
         self._pool = InstancePool(self.description)
+        self._pool.time_limit = self._time_limit
         self._close = weakref.finalize(self, self._pool.close)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Fmu, (self.description.path.absolute(),)
+        return partial(Fmu, time_limit=self._time_limit), (self.description.path.absolute(),)
 
     def __enter__(self) -> Self:
         return self
@@ -87,18 +92,26 @@ class Fmu:
             inputs: inputs by name, constant or changing in time, see `Inputs`; those not given keep the
                 FMU's own. Where the FMU follows input derivatives the straight pieces are exact, else each
                 communication step holds the value at its beginning.
-            outputs: names of the variables to record; every output where not given
+            outputs: names of the variables to record, of an array element by element (``x[1]``,
+                ``grid[2,3]``); every output where not given, arrays as their elements
             tolerance: of the FMU's integrator
 
         Returns:
             a table indexed by ``time`` (s), one column a variable in the unit of the FMU; at a jump of an
-            input the row is the one after it. `make_table` says where the units are.
+            input the row is the one after it. Whole numbers of any size are exact; text is text. `make_table`
+            says where the units are; ``attrs["left_out"]`` names outputs without such a value (binary data,
+            clocks) where `outputs` is not given.
 
         Raises:
             UnknownParameterError, UnknownInputError, UnknownVariableError: a name is not one of the FMU's
             ParameterError, SeriesError: a value or series is not allowed
+            FmuTimeLimitError: the run takes longer than `time_limit`
             FmuRunError: the FMU refuses its settings or fails during the run; it carries the FMU's messages
         """
+        left_out: tuple[str, ...] = ()
+        if outputs is None:
+            recorded, left_out = default_outputs(self.description, texts=True)
+            outputs = [variable.name for variable in recorded]
         plan = self.plan(time, parameters=parameters, inputs=inputs, outputs=outputs, tolerance=tolerance)
         samples = plan.record()
         columns = {
@@ -107,7 +120,10 @@ class Fmu:
             else samples[variable.name]
             for variable in plan.variables
         }
-        return make_table(plan.time, columns, [variable.quantity for variable in plan.variables])
+        table = make_table(plan.time, columns, [variable.quantity for variable in plan.variables])
+        if left_out:
+            table.attrs["left_out"] = list(left_out)
+        return table
 
     def plan(
         self,
@@ -126,7 +142,7 @@ class Fmu:
             varied: names of the parameters and start values that each run gives
             parameters: values that all runs share, as in `run`
             inputs: as in `run`
-            outputs: as in `run`
+            outputs: as in `run`, but without texts where not given; `Plan.left_out` names those
             tolerance: as in `run`
 
         Raises:
@@ -150,18 +166,17 @@ class Fmu:
             time: where on the motion from the start values, s; 0 is the start
             parameters: as in `run`; start values choose the point
             inputs: constant inputs by name; those not given keep the FMU's own
-            outputs: as in `run`; the rows of C and D
+            outputs: names of real variables, the rows of C and D; every continuous output where not given
             tolerance: as in `run`
 
         Raises:
             UnknownParameterError, UnknownInputError, UnknownVariableError: a name is not one of the FMU's
             ParameterError: a value is not allowed, or the time is negative
-            UnsupportedFmuError: the FMU provides no directional derivatives
+            UnsupportedFmuError: the FMU provides neither directional nor adjoint derivatives
             FmuRunError: the FMU refuses its settings, fails on the way or has no derivatives there
         """
         instance = self._pool.take()
         try:
-            library = self._pool.library
-            return linearize(library, instance, time, parameters or {}, inputs or {}, outputs, tolerance)
+            return linearize(instance, time, parameters or {}, inputs or {}, outputs, tolerance)
         finally:
             self._pool.give_back(instance)

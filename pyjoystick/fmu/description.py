@@ -5,12 +5,13 @@ from __future__ import annotations
 import re
 import zipfile
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Final, Literal
 from xml.etree import ElementTree
 
+import numpy as np
 from fmpy import read_model_description
 
 from pyjoystick.fmu.errors import FmuFileError, UnsupportedFmuError
@@ -26,8 +27,9 @@ Interface = Literal["CoSimulation", "ModelExchange"]
 class Variable:
     """A variable of an FMU; absent attributes are None or an empty string.
 
-    `start` is as written in the file; `minimum`, `maximum` and `nominal` are in `unit`; `initial` is
-    ``exact``, ``approx`` or ``calculated``.
+    `start` is as written in the file; `minimum`, `maximum` and `nominal` are in `unit`, large whole numbers
+    exact; `initial` is ``exact``, ``approx`` or ``calculated``. `shape` is that of an array (FMI 3), of an
+    element too; `element` is the element's number, from 0. `is_fmi3` says how wide an enumeration is.
     """
 
     name: str
@@ -44,13 +46,35 @@ class Variable:
     maximum: float | None
     is_array: bool = False
     nominal: float = 1.0
+    shape: tuple[int, ...] = ()
+    element: int | None = None
+    is_fmi3: bool = False
 
     @property
     def settable_at_start(self) -> bool:
         """A parameter, or a variable whose start value may be chosen (inputs have their own way in)."""
-        if self.causality in ("input", "independent") or self.variability == "constant":
+        if (
+            self.causality in ("input", "independent", "structuralParameter")
+            or self.variability == "constant"
+        ):
             return False
         return self.initial in ("exact", "approx")
+
+    def elements(self) -> tuple[Variable, ...]:
+        """Those of an array, ``x[1,1]``, ``x[1,2]`` and so on, the last index first; else the variable."""
+        if not self.is_array:
+            return (self,)
+        return tuple(
+            replace(
+                self, name=f"{self.name}[{','.join(str(i + 1) for i in place)}]", is_array=False, element=k
+            )
+            for k, place in enumerate(np.ndindex(self.shape))
+        )
+
+    @property
+    def whole(self) -> str:
+        """Name of the array that the variable is an element of, else its own."""
+        return self.name if self.element is None else self.name.rpartition("[")[0]
 
     @property
     def must_be_positive(self) -> bool:
@@ -93,6 +117,7 @@ class FmuDescription:
         variable_steps: Co-Simulation takes communication steps of different lengths
         saves_states: Co-Simulation can save its state and restore it
         one_instance: Co-Simulation can be instantiated only once in a process
+        directional_derivatives, adjoint_derivatives: Co-Simulation provides them
         log_categories: names of the FMU's log categories
     """
 
@@ -112,6 +137,8 @@ class FmuDescription:
     variable_steps: bool
     saves_states: bool
     one_instance: bool = False
+    directional_derivatives: bool = False
+    adjoint_derivatives: bool = False
     log_categories: tuple[str, ...] = ()
 
     @property
@@ -123,6 +150,11 @@ class FmuDescription:
     def takes_stop_time(self) -> bool:
         """Co-Simulation may be given a stop time; OpenModelica up to 1.14 goes there in its first step."""
         return not self.generation_tool.startswith("OpenModelica")
+
+    def find(self, name: str) -> Variable | None:
+        """A variable or an element of an array; None where there is none of that name."""
+        whole = self.variables.get(name) or self.variables.get(name.rpartition("[")[0])
+        return next((one for one in (whole, *whole.elements()) if one.name == name), None) if whole else None
 
     def names(self, causality: str) -> tuple[str, ...]:
         """Names of the variables of one causality, in the order of the file."""
@@ -149,8 +181,8 @@ def read_description(path: Path) -> FmuDescription:
     if "modelDescription.xml" not in files:
         raise FmuFileError(path, "not an FMU: there is no modelDescription.xml in it")
     try:
-        _require_known_version(path)
-        return _description(path, files, read_model_description(str(path), validate=False))
+        root = _require_known_version(path)
+        return _description(path, files, read_model_description(str(path), validate=False), root)
     except FmuFileError:
         raise
     except Exception as error:  # FMPy raises whatever its parser stumbles over
@@ -158,18 +190,21 @@ def read_description(path: Path) -> FmuDescription:
         raise FmuFileError(path, reason) from error
 
 
-def _require_known_version(path: Path) -> None:
-    """Raise `UnsupportedFmuError` for versions of FMI whose descriptions are written otherwise."""
+def _require_known_version(path: Path) -> ElementTree.Element:
+    """The XML before the variables; raises `UnsupportedFmuError` for FMI versions with other descriptions."""
     with zipfile.ZipFile(path) as archive, archive.open("modelDescription.xml") as file:
-        _, root = next(iter(ElementTree.iterparse(file, events=("start",))))
+        events = ElementTree.iterparse(file, events=("start",))
+        root: ElementTree.Element = next(iter(events))[1]
+        next((element for _, element in events if element.tag == "ModelVariables"), None)
     version = root.get("fmiVersion")
     if version is None:
         raise FmuFileError(path, f"its modelDescription.xml names no FMI version in its element {root.tag}")
     if not re.fullmatch(r"2\.0|3\..*", version):
         raise UnsupportedFmuError(path, f"is an FMU of FMI {version}; FMI 2.0 and 3.0 are supported")
+    return root
 
 
-def _description(path: Path, files: list[str], model: Any) -> FmuDescription:
+def _description(path: Path, files: list[str], model: Any, root: ElementTree.Element) -> FmuDescription:
     interfaces = {
         name: str(interface.modelIdentifier)
         for name, interface in (("CoSimulation", model.coSimulation), ("ModelExchange", model.modelExchange))
@@ -177,6 +212,7 @@ def _description(path: Path, files: list[str], model: Any) -> FmuDescription:
     }
     units = {unit.name: unit for unit in model.unitDefinitions or ()}
     experiment = model.defaultExperiment
+    is_fmi3 = not model.fmiVersion.startswith("2.")
     return FmuDescription(
         path=path,
         model_name=model.modelName or "",
@@ -192,7 +228,7 @@ def _description(path: Path, files: list[str], model: Any) -> FmuDescription:
             if file.startswith("binaries/") and not file.endswith("/")
         ),
         has_sources=any(file.startswith("sources/") and file.endswith(".c") for file in files),
-        variables=MappingProxyType({v.name: _variable(v, units) for v in model.modelVariables}),
+        variables=MappingProxyType({v.name: _variable(v, units, is_fmi3) for v in model.modelVariables}),
         experiment=DefaultExperiment(
             *(
                 _number(getattr(experiment, field, None))
@@ -204,11 +240,21 @@ def _description(path: Path, files: list[str], model: Any) -> FmuDescription:
         # FMPy has the name of FMI 2 for both versions.
         saves_states=bool(getattr(model.coSimulation, "canGetAndSetFMUstate", False)),
         one_instance=bool(getattr(model.coSimulation, "canBeInstantiatedOnlyOncePerProcess", False)),
+        # FMPy has the names of FMI 2 alone.
+        directional_derivatives=_provides(root, "providesDirectionalDerivative"),
+        adjoint_derivatives=_provides(root, "providesAdjointDerivative"),
         log_categories=tuple(category.name for category in model.logCategories or ()),
     )
 
 
-def _variable(variable: Any, units: Mapping[str, Any]) -> Variable:
+def _provides(root: ElementTree.Element, capability: str) -> bool:
+    """Whether Co-Simulation declares a capability; its name ends in s in FMI 3."""
+    element = root.find("CoSimulation")
+    names = (capability, f"{capability}s")
+    return element is not None and any(element.get(name) in ("true", "1") for name in names)
+
+
+def _variable(variable: Any, units: Mapping[str, Any], is_fmi3: bool) -> Variable:
     """Attributes that a variable leaves out are those of its declared type."""
 
     def attribute(name: str) -> Any:
@@ -227,10 +273,12 @@ def _variable(variable: Any, units: Mapping[str, Any]) -> Variable:
         unit=unit,
         display_unit=_display_unit(units.get(unit), attribute("displayUnit")),
         start=variable.start,
-        minimum=_number(attribute("min")),
-        maximum=_number(attribute("max")),
+        minimum=_bound(attribute("min")),
+        maximum=_bound(attribute("max")),
         is_array=bool(variable.dimensions),
         nominal=abs(_number(attribute("nominal")) or 1.0),
+        shape=tuple(variable.shape or ()),
+        is_fmi3=is_fmi3,
     )
 
 
@@ -239,6 +287,16 @@ def _display_unit(unit: Any, name: str | None) -> DisplayUnit | None:
         if candidate.name == name:
             return DisplayUnit(str(name), float(candidate.factor), float(candidate.offset))
     return None
+
+
+def _bound(text: object) -> float | None:
+    """As `_number`, a whole number beyond the digits of a float exactly."""
+    number = _number(text)
+    return int(str(text)) if number is not None and abs(number) >= 2.0**53 and _is_whole(text) else number
+
+
+def _is_whole(text: object) -> bool:
+    return re.fullmatch(r"\s*[-+]?\d+\s*", str(text)) is not None
 
 
 def _number(text: object) -> float | None:

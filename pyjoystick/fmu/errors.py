@@ -57,3 +57,7 @@ class FmuRunError(SimulationError):
     def __str__(self) -> str:
         said = "; ".join(message.rstrip(".") for message in self.messages)
         return f"{self.path.name} at t = {self.time:.9g} s: {said or 'no message'} ({self.reason})"
+
+
+class FmuTimeLimitError(FmuRunError):
+    """A run took longer than it may, and was ended."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -25,12 +26,12 @@ class InputSeries:
 
     Attributes:
         variable: the input
-        values: its value at t[k] and just after, shape (n,)
+        values: its value at t[k] and just after, shape (n,), whole numbers and texts as they were given
         slopes: its derivative from t[k] to t[k+1], shape (n - 1,)
     """
 
     variable: Variable
-    values: FloatArray
+    values: NDArray[Any]
     slopes: FloatArray
 
 
@@ -85,14 +86,15 @@ def input_series(description: FmuDescription, table: pd.DataFrame, points: Float
     series = []
     for name in table:
         variable = description.variables[str(name)]
-        samples = table[name].to_numpy(dtype=np.float64)
+        after: NDArray[Any]
         if variable.type in REALS and variable.variability == "continuous":
+            samples = table[name].to_numpy(dtype=np.float64)
             after = _limit(time, samples, points, np.searchsorted(time, points, side="right"))
             before = _limit(time, samples, points, np.searchsorted(time, points, side="left"))
             slopes = (before[1:] - after[:-1]) / np.diff(points)
         else:
             last = np.searchsorted(time, points, side="right") - 1
-            after, slopes = samples[np.maximum(last, 0)], np.zeros(len(points) - 1)
+            after, slopes = table[name].to_numpy()[np.maximum(last, 0)], np.zeros(len(points) - 1)
         series.append(InputSeries(variable, after, slopes))
     return series
 

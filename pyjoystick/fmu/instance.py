@@ -19,7 +19,7 @@ from pyjoystick.fmu.errors import FmuRunError
 from pyjoystick.fmu.interface import c_interface
 from pyjoystick.fmu.log import FmuLog
 from pyjoystick.fmu.stepping.program import BETWEEN_RUNS, FATAL, FLAGS_SIZE, POINT, Workspace
-from pyjoystick.fmu.values import INTEGERS, Value
+from pyjoystick.fmu.values import INTEGERS, Value, whole_number_for
 
 
 @dataclass(slots=True)
@@ -80,12 +80,20 @@ class Instance:
         self.fmi.exitInitializationMode()
 
     def set(self, variables: Sequence[Variable], values: Sequence[Value]) -> None:
-        """Give variables their values, those of one type in one call."""
+        """Give variables their values, those of one type in one call.
+
+        Raises:
+            ParameterError: a float stands for no whole number of the variable's type, or for several
+        """
         for name, places in self._by_type(variables).items():
-            given = [
-                int(values[i]) if variables[i].type in (*INTEGERS, "Boolean") else values[i] for i in places
-            ]
+            given = [self._given(variables[i], values[i]) for i in places]
             getattr(self.fmi, f"set{name}")([variables[i].value_reference for i in places], given)
+
+    @staticmethod
+    def _given(variable: Variable, value: Value) -> Value:
+        if variable.type in INTEGERS:
+            return whole_number_for(variable, float(value) if isinstance(value, str) else value)
+        return int(value) if variable.type == "Boolean" else value
 
     def get(self, variables: Sequence[Variable]) -> list[float]:
         """Values of numbers and Booleans."""

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
-from ctypes import c_char_p, c_void_p, cast
+from ctypes import CFUNCTYPE, POINTER, c_char_p, c_int, c_size_t, c_void_p, cast, string_at
 from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Any, Final
@@ -136,12 +137,12 @@ def c_interface(fmi_version: str) -> CInterface:
 
 
 class RowFormat:
-    """How the values of some variables lie in a row, those of one type side by side.
+    """How the values of some variables lie in a row, those of one type side by side, arrays whole.
 
     Attributes:
         dtype: of a row, a structure with the names of the variables in the order given
         groups: what the kernel needs for setting or getting a row
-        columns: place of each variable among those given, in the order of the groups
+        columns: place of each value among the variables given, in the order of the groups; -1 for none
     """
 
     def __init__(self, interface: CInterface, verb: str, variables: Sequence[Variable]) -> None:
@@ -161,14 +162,25 @@ class RowFormat:
         offsets, size = [0] * len(variables), 0
         for members in by_type.values():
             stored = interface.types[variables[members[0]].type]
-            references = np.array([variables[i].value_reference for i in members], dtype=np.uint32)
-            self._references.append(references)  # the group has but their address
-            function = interface.place(verb, stored)
-            self.groups.append(Group(function, references.ctypes.data, len(members), size, stored.kind))
-            self.columns += members
+            references: list[int] = []
+            begins: dict[int, int] = {}  # of arrays, by value reference
+            count = 0
             for i in members:
-                offsets[i] = size
-                size += stored.dtype.itemsize
+                one = variables[i]
+                if one.element is None or one.value_reference not in begins:
+                    references.append(one.value_reference)
+                    begins[one.value_reference] = count
+                    count += 1 if one.element is None else math.prod(one.shape)
+                    self.columns += [-1] * (count - begins[one.value_reference])
+                place = begins[one.value_reference] + (one.element or 0)
+                offsets[i] = size + place * stored.dtype.itemsize
+                self.columns[place - count] = i
+            self._references.append(np.array(references, dtype=np.uint32))  # the group has but their address
+            address = self._references[-1].ctypes.data
+            function = interface.place(verb, stored)
+            surplus = count - len(references)
+            self.groups.append(Group(function, address, count, size, stored.kind, surplus))
+            size += count * stored.dtype.itemsize
             size += -size % _ALIGNMENT
         stored_types = [interface.types[variable.type] for variable in variables]
         self.dtype = np.dtype(
@@ -179,13 +191,63 @@ class RowFormat:
                 "itemsize": max(size, _ALIGNMENT),
             }
         )
-        self._texts: list[c_char_p] = []
+        self._is_text = [stored.kind == program.TEXT for stored in stored_types]
+        self._texts: dict[bytes, c_char_p] = {}
 
     def rows(self, count: int) -> NDArray[Any]:
         """That many rows of zeros, to be filled by name."""
         return np.zeros(count, self.dtype)
 
-    def text(self, value: str) -> int:
+    def text(self, value: bytes) -> int:
         """Address of a text, which stays where it is as long as this object."""
-        self._texts.append(c_char_p(value.encode()))
-        return cast(self._texts[-1], c_void_p).value or 0
+        return cast(self._texts.setdefault(value, c_char_p(value)), c_void_p).value or 0
+
+    def readable(self, rows: NDArray[np.void]) -> NDArray[np.void]:
+        """Rows with texts in place of their addresses."""
+        if not any(self._is_text):
+            return rows
+        names = self.dtype.names or ()
+        kinds = [object if text else self.dtype[i] for i, text in enumerate(self._is_text)]
+        readable = np.empty(len(rows), np.dtype(list(zip(names, kinds, strict=True))))
+        for name, is_text in zip(names, self._is_text, strict=True):
+            column = rows[name]
+            readable[name] = [_decoded(address) for address in column.tolist()] if is_text else column
+        return readable
+
+
+def _decoded(address: int) -> str:
+    return string_at(address).decode("utf-8", errors="replace")
+
+
+class TextGetter:
+    """The getter of texts of an FMU, but with copies: its own last until it is called again.
+
+    Attributes:
+        address: of the C function
+    """
+
+    def __init__(self, interface: CInterface, address: int, form: RowFormat) -> None:
+        """Stand for the function at `address` where rows of `form` are got."""
+        self._error: BaseException | None = None
+        words: list[Any] = [c_void_p, c_void_p, c_size_t, POINTER(c_void_p)]
+        kind = CFUNCTYPE(c_int, *words, *[c_size_t] * (interface.version - 2))
+        get = kind(address)
+
+        def copied(instance: int, references: int, count: int, values: Any, *size: int) -> int:
+            try:
+                status: int = get(instance, references, count, values, *size)
+                for i in range(size[0] if size else count) if status in (program.OK, program.WARNING) else ():
+                    values[i] = form.text(string_at(values[i]) if values[i] else b"")
+            except BaseException as error:  # out of a callback no exception finds its way
+                self._error = error
+                return program.ERROR
+            return status
+
+        self._function = kind(copied)
+        self.address = cast(self._function, c_void_p).value or 0
+
+    def check(self) -> None:
+        """Raise what went wrong in Python while the function was called, which then returned an error."""
+        error, self._error = self._error, None
+        if error is not None:
+            raise error

@@ -147,6 +147,9 @@ class InstancePool:
         library: unpacked and loaded
     """
 
+    #: What a run may take (s).
+    time_limit: float | None = None
+
     def __init__(self, description: FmuDescription) -> None:
         """Load the FMU and make the first instance, which shows that it can be run.
 

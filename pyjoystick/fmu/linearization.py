@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+import math
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -10,13 +11,12 @@ import fmpy
 import numpy as np
 import pandas as pd
 
-from pyjoystick.fmu.description import FmuDescription
+from pyjoystick.fmu.description import FmuDescription, Variable
 from pyjoystick.fmu.errors import UnsupportedFmuError
 from pyjoystick.fmu.inputs import checked_inputs
 from pyjoystick.fmu.instance import Instance
-from pyjoystick.fmu.library import FmuLibrary
 from pyjoystick.fmu.values import REALS, Value, checked_outputs, checked_parameters
-from pyjoystick.support import FloatArray, not_negative, positive
+from pyjoystick.support import FloatArray, ParameterError, not_negative, positive
 
 
 @dataclass(frozen=True)
@@ -57,7 +57,6 @@ class Linearization:
 
 
 def linearize(
-    library: FmuLibrary,
     instance: Instance,
     time: float,
     parameters: Mapping[str, Value],
@@ -66,25 +65,25 @@ def linearize(
     tolerance: float,
 ) -> Linearization:
     """What `Fmu.linearize` gives, on an instance that is the caller's alone."""
-    description = library.description
+    description = instance.description
     instant = not_negative("time", time, "s")
-    model = fmpy.read_model_description(str(library.folder), validate=False)
-    _require_derivatives(description, model)
+    if not (description.directional_derivatives or description.adjoint_derivatives):
+        raise UnsupportedFmuError(description.path, "provides neither directional nor adjoint derivatives")
     constants = checked_parameters(description, parameters)
     table = checked_inputs(description, inputs)
-    given = {str(name): float(table[name].iloc[0]) for name in table}
-    recorded = [variable for variable in checked_outputs(description, outputs) if variable.type in REALS]
-    rates = [unknown.variable for unknown in model.derivatives]
-    states = [description.variables[rate.derivative.name] for rate in rates]
-    drives = [v for v in description.variables.values() if v.causality == "input" and v.type in REALS]
+    given = {str(name): table[name].iloc[0] for name in table}
+    recorded = _outputs(description, outputs)
+    rates, states = _rates_and_states(description)
+    driven = [
+        one for one in description.variables.values() if one.causality == "input" and _is_continuous(one)
+    ]
+    drives = [part for one in driven for part in one.elements()]
     with instance.reporting(0.0):
         instance.initialize(0.0, positive("tolerance", tolerance), {**constants, **given})
         if instant > 0.0:
             instance.step(0.0, instant)
-        unknowns = [rate.valueReference for rate in rates] + [v.value_reference for v in recorded]
-        knowns = [v.value_reference for v in (*states, *drives)]
-        jacobian = _jacobian(instance.fmi, unknowns, knowns)
-        values = instance.get([*states, *drives, *recorded])
+        jacobian = _jacobian(instance.fmi, description, [*rates, *recorded], [*states, *drives])
+        values = [_value(instance, variable) for variable in (*states, *drives, *recorded)]
     x, u, y = ([variable.name for variable in variables] for variables in (states, drives, recorded))
     n = len(x)
     # An output that is a state is there once.
@@ -99,13 +98,87 @@ def linearize(
     )
 
 
-def _require_derivatives(description: FmuDescription, model: Any) -> None:
-    interface = model.coSimulation
-    names = ("providesDirectionalDerivative", "providesDirectionalDerivatives")
-    if not any(getattr(interface, name, False) for name in names):
-        raise UnsupportedFmuError(description.path, "provides no directional derivatives")
+def _is_continuous(variable: Variable) -> bool:
+    return variable.type in REALS and variable.variability == "continuous"
 
 
-def _jacobian(fmi: Any, unknowns: Sequence[int], knowns: Sequence[int]) -> FloatArray:
-    columns = [fmi.getDirectionalDerivative(unknowns, [known], [1.0]) for known in knowns]
-    return np.array(columns, dtype=float).reshape(len(knowns), len(unknowns)).T
+def _outputs(description: FmuDescription, names: Iterable[str] | None) -> list[Variable]:
+    """The outputs to differentiate; those that were not chosen are left out where they have no derivative."""
+    outputs = checked_outputs(description, names)
+    for one in outputs if names is not None else ():
+        if one.type not in REALS:
+            raise ParameterError("outputs", one.name, "a real variable", f"it is of type {one.type}")
+    return [one for one in outputs if names is not None or _is_continuous(one)]
+
+
+def _rates_and_states(description: FmuDescription) -> tuple[list[Variable], list[Variable]]:
+    """The derivatives of the states and the states, element by element."""
+    model = fmpy.read_model_description(str(description.path), validate=False)
+    rates: list[Variable] = []
+    states: list[Variable] = []
+    for unknown in model.derivatives:
+        state = unknown.variable.derivative
+        if state is None:
+            reason = f"{unknown.variable.name} is declared a derivative of a state, but not of which"
+            raise UnsupportedFmuError(description.path, reason)
+        rates += description.variables[unknown.variable.name].elements()
+        states += description.variables[state.name].elements()
+    return rates, states
+
+
+def _value(instance: Instance, variable: Variable) -> float:
+    if variable.element is None:
+        return instance.get([variable])[0]
+    get = getattr(instance.fmi, f"get{variable.type}")
+    return float(get([variable.value_reference], math.prod(variable.shape))[variable.element])
+
+
+def _jacobian(
+    fmi: Any, description: FmuDescription, unknowns: Sequence[Variable], knowns: Sequence[Variable]
+) -> FloatArray:
+    """The derivatives of the unknowns by the knowns, shape (unknowns, knowns).
+
+    What is both, such as an output that is a state, is not asked for: its derivatives are 1 and 0 by
+    definition, and many FMUs answer 0 alone.
+    """
+    places = [_place(one) for one in unknowns]
+    columns = {_place(one): j for j, one in enumerate(knowns)}
+    asked = [one for one in unknowns if _place(one) not in columns]
+    found = np.zeros((len(unknowns), len(knowns)))
+    for i, place in enumerate(places):
+        if place in columns:
+            found[i, columns[place]] = 1.0
+    if not asked or not knowns:
+        return found
+    rows = [i for i, place in enumerate(places) if place not in columns]
+    if description.directional_derivatives:
+        found[rows] = _derivatives(fmi.getDirectionalDerivative, asked, knowns, along_knowns=True).T
+    else:
+        found[rows] = _derivatives(fmi.getAdjointDerivative, asked, knowns, along_knowns=False)
+    return found
+
+
+def _place(variable: Variable) -> tuple[int, int]:
+    return variable.value_reference, variable.element or 0
+
+
+def _derivatives(
+    get: Callable[..., list[float]],
+    unknowns: Sequence[Variable],
+    knowns: Sequence[Variable],
+    *,
+    along_knowns: bool,
+) -> FloatArray:
+    """A row for each known with all unknowns or, from adjoint derivatives, the other way round."""
+    seeded, answered = (knowns, unknowns) if along_knowns else (unknowns, knowns)
+    # Arrays are named once, and answered whole.
+    sizes = {one.value_reference: math.prod(one.shape) for one in answered}
+    begins = dict(zip(sizes, np.cumsum([0, *sizes.values()]).tolist(), strict=False))
+    total, rows = sum(sizes.values()), []
+    for one in seeded:
+        seed = [0.0] * math.prod(one.shape)
+        seed[one.element or 0] = 1.0
+        asked = (list(sizes), [one.value_reference]) if along_knowns else ([one.value_reference], list(sizes))
+        answer = get(*asked, seed, *([total] if total > len(sizes) or not along_knowns else []))
+        rows.append([answer[begins[other.value_reference] + (other.element or 0)] for other in answered])
+    return np.array(rows, dtype=np.float64)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from contextlib import ExitStack
 from os import PathLike
-from typing import Any, Final
+from typing import Any
 
 import fmpy
 import numpy as np
@@ -18,12 +18,11 @@ from pyjoystick.fmu.errors import FmuRunError
 from pyjoystick.fmu.files import find_fmu
 from pyjoystick.fmu.inputs import Inputs, checked_inputs
 from pyjoystick.fmu.instance import Instance
+from pyjoystick.fmu.interface import c_interface
 from pyjoystick.fmu.library import FmuLibrary
 from pyjoystick.fmu.values import INTEGERS, Value, checked_outputs, checked_parameters
 from pyjoystick.motion import make_table
 from pyjoystick.support import ParameterError, SimulationError, increasing_times, positive
-
-_TYPES: Final = {"Boolean": np.bool_} | dict.fromkeys(INTEGERS, np.int64)
 
 
 def run_model_exchange(
@@ -88,11 +87,11 @@ def run_model_exchange(
             relative_tolerance=positive("tolerance", tolerance),
             start_values=dict(values),
             input=signals,
-            output=[variable.name for variable in recorded],
+            output=list(dict.fromkeys(variable.whole for variable in recorded)),
         )
     if len(rows) != len(instants):
         raise SimulationError(float(rows["time"][-1]), "the model ended the run")
-    columns = {variable.name: rows[variable.name] for variable in recorded}
+    columns = {variable.name: _column(rows, variable) for variable in recorded}
     return make_table(instants, columns, [variable.quantity for variable in recorded])
 
 
@@ -113,10 +112,33 @@ def _simulate(instance: Instance, folder: str, **settings: Any) -> Any:
         raise SimulationError(reached[0], f"CVode: {str(error).rpartition('.c: ')[2]}") from error
 
 
+def _column(rows: Any, variable: Variable) -> NDArray[Any]:
+    found = rows[variable.whole]
+    column: NDArray[Any] = (
+        found if variable.element is None else found.reshape(len(rows), -1)[:, variable.element]
+    )
+    return column
+
+
 def input_signals(description: FmuDescription, table: pd.DataFrame) -> NDArray[Any]:
-    """All inputs over the time as FMPy takes them; those that the table lacks keep their start values."""
+    """All inputs over the time as FMPy takes them; those that the table lacks keep their start values.
+
+    Raises:
+        ParameterError: an input of the table is text
+    """
+    stored = c_interface(description.fmi_version).types
     variables = [description.variables[name] for name in description.names("input")]
-    types = [("time", np.float64), *((one.name, _TYPES.get(one.type, np.float64)) for one in variables)]
+    for one in variables:
+        if one.type == "String" and one.name in table:
+            raise ParameterError(one.name, "text", "left out: Model Exchange is given no texts")
+    variables = [one for one in variables if one.type in stored and one.type != "String" and not one.is_array]
+    types = [
+        ("time", np.dtype(np.float64)),
+        *(
+            (one.name, np.dtype(np.bool_) if one.type == "Boolean" else stored[one.type].dtype)
+            for one in variables
+        ),
+    ]
     signals = np.empty(len(table), dtype=types)
     signals["time"] = table.index
     for one in variables:
@@ -126,7 +148,9 @@ def input_signals(description: FmuDescription, table: pd.DataFrame) -> NDArray[A
 
 def _start(variable: Variable) -> float | bool:
     text = variable.start or "0"
-    return text in ("true", "1") if variable.type == "Boolean" else float(text)
+    if variable.type == "Boolean":
+        return text in ("true", "1")
+    return int(text) if variable.type in INTEGERS else float(text)
 
 
 def apply_inputs_with_time(fmi: Any, model_description: Any, signals: NDArray[Any]) -> None:

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import time as clock
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any, Final
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -17,12 +16,16 @@ from pyjoystick.fmu.preparation import prepare
 from pyjoystick.fmu.reductions import Reduction, checked_reductions, operations_of, units_of
 from pyjoystick.fmu.runner import Job, Runner
 from pyjoystick.fmu.stepping.engine import Loop, loop
-from pyjoystick.fmu.stepping.program import OK, UNFINISHED, WARNING
-from pyjoystick.fmu.values import Value, Varied, checked_outputs, checked_parameters, checked_varied
+from pyjoystick.fmu.stepping.program import OK, WARNING
+from pyjoystick.fmu.values import (
+    Value,
+    Varied,
+    checked_outputs,
+    checked_parameters,
+    checked_varied,
+    default_outputs,
+)
 from pyjoystick.support import FloatArray, ParameterError, increasing_times, positive
-
-#: A single run comes back to Python about so often (s), so that Ctrl-C is heard.
-_PATIENCE: Final = 0.1
 
 
 class Plan:
@@ -36,6 +39,7 @@ class Plan:
         outputs: names of the recorded variables
         variables: the recorded variables as the FMU describes them
         units: their units by name
+        left_out: names of outputs that were not recorded although none were chosen: text and binary data
     """
 
     def __init__(
@@ -57,7 +61,11 @@ class Plan:
         constants = checked_parameters(description, parameters)
         self._varied = Varied(checked_varied(description, varied, parameters))
         table = checked_inputs(description, {} if inputs is None else inputs)
-        self.variables = checked_outputs(description, outputs)
+        self.left_out: tuple[str, ...] = ()
+        if outputs is None:
+            self.variables, self.left_out = default_outputs(description)
+        else:
+            self.variables = checked_outputs(description, outputs, texts=True)
         points = communication_points(self.time, table) if description.variable_steps else self.time
         self._preparation = prepare(
             description,
@@ -81,8 +89,7 @@ class Plan:
             "outputs": self.outputs,
             "tolerance": tolerance,
         }
-        self._points_at_once = 1
-        self._batches: list[Batch] = []
+        self._batches: dict[int, NDArray[np.bool_]] = {}
         self._loop: Loop | None = None
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -99,16 +106,21 @@ class Plan:
             integers beyond 2^53 are rounded
 
         Raises:
-            ParameterError: a value is missing, NaN, of the wrong type or out of range
+            ParameterError: a value is missing, NaN, of the wrong type or out of range, or an output is text
+            FmuTimeLimitError: the run takes longer than the FMU's `time_limit`
             FmuRunError: the FMU refuses its settings or fails during the run
         """
+        self._require_numbers()
         samples = self._empty(1)
         self._run_once(self._varied.row(values), samples, load_compiler=True)
         run: FloatArray = samples[0]
         return run
 
     def record(self) -> NDArray[np.void]:
-        """One run without varied parameters; the samples as the FMU stores them, one field a variable."""
+        """One run without varied parameters; the samples as the FMU stores them, one field a variable.
+
+        Texts are Python's.
+        """
         return self._run_once(self._varied.row(()), self._empty(1), load_compiler=False)
 
     def run_batch(
@@ -135,9 +147,25 @@ class Plan:
 
         Raises:
             ParameterError: a value of the table is not allowed (the message names its row), a setting is not,
-                or the samples do not fit into memory
+                an output is text, or the samples do not fit into memory
             UnknownVariableError: a reduction asks for a variable that is not among `outputs`
         """
+        self._require_numbers()
+        stop = np.zeros(1, np.bool_)
+        self._batches[id(stop)] = stop  # at once: loading the compiler takes a while
+        try:
+            return self._carry_out(table, stop, threads, reductions, on_progress)
+        finally:
+            del self._batches[id(stop)]
+
+    def _carry_out(
+        self,
+        table: pd.DataFrame | ArrayLike,
+        stop: NDArray[np.bool_],
+        threads: int | None,
+        reductions: Sequence[Reduction] | None,
+        on_progress: OnProgress | None,
+    ) -> BatchResult:
         named, numbers = self._varied.table(table)
         runs = len(numbers)
         kept = None if reductions is None else checked_reductions(reductions, self.outputs)
@@ -152,14 +180,11 @@ class Plan:
             self._rows(numbers),
             np.full((runs, len(columns)), np.nan),
             np.zeros(runs, np.bool_),
-            np.zeros(1, np.bool_),
+            stop,
+            self._pool.time_limit,
         )
         batch = Batch(self._pool, job, values)
-        self._batches.append(batch)
-        try:
-            interrupted = batch.carry_out(count, on_progress) if runs else False
-        finally:
-            self._batches.remove(batch)
+        interrupted = batch.carry_out(count, on_progress) if runs else False
         values[~batch.done[: len(values)] | batch.failed[: len(values)]] = np.nan
         reduced = None
         if kept is not None:
@@ -177,10 +202,10 @@ class Plan:
 
     def stop(self) -> None:
         """Have the batches of this plan return soon with what is done; may be called from any thread."""
-        for batch in tuple(self._batches):
-            batch.stop()
+        for stop in tuple(self._batches.values()):
+            stop[0] = True
 
-    def _run_once(self, row: FloatArray, samples: FloatArray, *, load_compiler: bool) -> NDArray[np.void]:
+    def _run_once(self, row: NDArray[Any], samples: FloatArray, *, load_compiler: bool) -> NDArray[np.void]:
         job = Job(
             self._single_loop(load_compiler=load_compiler),
             self._preparation,
@@ -189,18 +214,11 @@ class Plan:
             np.empty((1, 0)),
             np.zeros(1, np.bool_),
             np.zeros(1, np.bool_),
+            self._pool.time_limit,
         )
         runner = Runner(self._pool, job)
         try:
-            limit, status = self._points_at_once, UNFINISHED
-            while status == UNFINISHED:
-                start = clock.perf_counter()
-                status = runner.advance(0, 1, limit, samples)
-                if clock.perf_counter() - start > _PATIENCE:
-                    self._points_at_once = max(1, self._points_at_once // 2)
-                elif status == UNFINISHED:
-                    self._points_at_once *= 2
-                limit += self._points_at_once
+            status = runner.advance(0, 1, samples)
             if status not in (OK, WARNING):
                 raise runner.failure(status)[1]
             return runner.recorded()
@@ -216,12 +234,18 @@ class Plan:
             self._loop = made
         return self._loop
 
-    def _rows(self, numbers: FloatArray) -> NDArray[np.void]:
+    def _rows(self, numbers: NDArray[Any]) -> NDArray[np.void]:
         """The values that vary as the FMU takes them, one row a run."""
         rows: NDArray[np.void] = self._preparation.varied.rows(len(numbers))
         for name, column in zip(self.varied, numbers.T, strict=True):
             rows[name] = column
         return rows
+
+    def _require_numbers(self) -> None:
+        for variable in self.variables:
+            if variable.type == "String":
+                hint = "Fmu.run records text"
+                raise ParameterError("outputs", variable.name, "a number or Boolean variable", hint)
 
     def _empty(self, runs: int) -> FloatArray:
         shape = (runs, self.time.size, len(self.outputs))

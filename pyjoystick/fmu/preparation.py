@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from pyjoystick.fmu.description import FmuDescription, Variable
 from pyjoystick.fmu.inputs import InputSeries
-from pyjoystick.fmu.interface import CInterface, RowFormat, c_interface
+from pyjoystick.fmu.interface import CInterface, RowFormat, TextGetter, c_interface
 from pyjoystick.fmu.stepping.program import Group, Program
 from pyjoystick.fmu.values import Value
 from pyjoystick.support import FloatArray
@@ -26,6 +26,7 @@ class Preparation:
         interface: the functions that it calls
         varied: rows of the values that vary
         outputs: rows of what is recorded
+        texts: the getter of texts, where some are recorded
         memory: what the addresses in the program point to
     """
 
@@ -33,6 +34,7 @@ class Preparation:
     interface: CInterface
     varied: RowFormat
     outputs: RowFormat
+    texts: TextGetter | None
     memory: tuple[object, ...]
 
 
@@ -64,20 +66,28 @@ def prepare(
     constants = RowFormat(interface, "Set", [description.variables[name] for name in parameters])
     constants_row = constants.rows(1)
     for name, value in parameters.items():
-        constants_row[name] = constants.text(value) if isinstance(value, str) else value
+        constants_row[name] = constants.text(value.encode()) if isinstance(value, str) else value
     varied_format = RowFormat(interface, "Set", varied)
     input_format = RowFormat(interface, "Set", [one.variable for one in inputs])
     input_rows = input_format.rows(len(points))
     for one in inputs:
-        input_rows[one.variable.name] = one.values
+        is_text = one.variable.type == "String"
+        values = [input_format.text(text.encode()) for text in one.values] if is_text else one.values
+        input_rows[one.variable.name] = values
     output_format = RowFormat(interface, "Get", outputs)
+    functions = interface.addresses(fmi)
+    texts = None
+    if any(one.type == "String" for one in outputs):
+        place = interface.place("Get", interface.types["String"])
+        texts = TextGetter(interface, functions[place], output_format)
+        functions[place] = texts.address
     moving = [one for one in inputs if description.interpolates_inputs and np.any(one.slopes)]
     moving_references = np.array([one.variable.value_reference for one in moving], dtype=np.uint32)
     moving_orders = np.ones(len(moving), dtype=np.int32)
     slopes = np.array([one.slopes for one in moving], dtype=np.float64).T.copy()
     program = Program(
         version=interface.version,
-        functions=interface.addresses(fmi),
+        functions=functions,
         times=points.tolist(),
         recorded=is_recorded.tolist(),
         tolerance=tolerance,
@@ -99,7 +109,7 @@ def prepare(
         columns=output_format.columns,
     )
     memory = (constants, constants_row, input_format, input_rows, moving_references, moving_orders, slopes)
-    return Preparation(program, interface, varied_format, output_format, memory)
+    return Preparation(program, interface, varied_format, output_format, texts, memory)
 
 
 def _changed(

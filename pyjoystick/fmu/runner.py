@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import threading
+import time as clock
 from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pyjoystick.fmu.errors import FmuRunError
+from pyjoystick.fmu.errors import FmuRunError, FmuTimeLimitError
 from pyjoystick.fmu.library import InstancePool
 from pyjoystick.fmu.preparation import Preparation
+from pyjoystick.fmu.pulse import PULSE
 from pyjoystick.fmu.stepping.engine import Loop
 from pyjoystick.fmu.stepping.program import (
     BETWEEN_RUNS,
@@ -18,6 +21,7 @@ from pyjoystick.fmu.stepping.program import (
     ENDED,
     FATAL,
     FUNCTION,
+    LATE,
     OK,
     POINT,
     RESET,
@@ -44,6 +48,7 @@ class Job:
         cells: results of reductions, shape (runs, cells)
         done: runs that came to their end, shape (runs,)
         stop: to be set by whoever wants the work to end, shape (1,)
+        time_limit: what a run may take (s)
     """
 
     loop: Loop
@@ -53,6 +58,7 @@ class Job:
     cells: FloatArray
     done: NDArray[np.bool_]
     stop: NDArray[np.bool_]
+    time_limit: float | None = None
 
 
 class Runner:
@@ -72,55 +78,74 @@ class Runner:
             self._instance.log.place[POINT] = BETWEEN_RUNS
             self._give_back()
 
-    def advance(self, first: int, last: int, limit: int, values: FloatArray) -> int:
-        """Carry out the runs `first` to `last` - 1, as far as `limit`, see `stepping.kernel.run_many`.
+    def advance(self, first: int, last: int, values: FloatArray) -> int:
+        """Carry out the runs `first` to `last` - 1, see `stepping.kernel.run_many`.
 
         Returns:
-            OK, UNFINISHED, STOPPED, or a status that calls for `failure`
+            OK, STOPPED, or a status that calls for `failure`
 
         Raises:
             FmuFileError: another instance is needed, and the FMU refuses it
+            KeyboardInterrupt: Ctrl-C, within a moment
         """
+        limit = self._job.time_limit
+        run, since = first, clock.monotonic()
+        while True:
+            status = self._go_on(run, last, values)
+            if status != UNFINISHED:
+                return status
+            before, run = run, int(self._workspace.place[RUN])
+            if run != before:
+                since = clock.monotonic()
+            elif limit is not None and clock.monotonic() - since > limit:
+                return LATE
+
+    def _go_on(self, first: int, last: int, values: FloatArray) -> int:
+        """Begin, or go on where the loop has paused."""
         if not self._has_instance:
             self._take()
         job, instance = self._job, self._instance
         is_new, instance.is_new = instance.is_new, False
-        status = job.loop(
-            self._workspace,
-            is_new,
-            self._rows_address,
-            first,
-            last,
-            limit,
-            values,
-            job.cells,
-            job.done,
-            job.stop,
-        )
+        rows = self._rows_address, first, last
+        place = self._workspace.place
+        # Ctrl-C is heard in the main thread alone.
+        is_watched = job.time_limit is not None or threading.current_thread() is threading.main_thread()
+        if is_watched:
+            PULSE.add(place)
+        try:
+            status = job.loop(self._workspace, is_new, *rows, values, job.cells, job.done, job.stop)
+        finally:
+            if is_watched:
+                PULSE.remove(place)
         if instance.log.interrupted:
             instance.log.interrupted = False
             raise KeyboardInterrupt
-        place = self._workspace.place
+        if job.preparation.texts is not None:
+            job.preparation.texts.check()
         if status in _GOOD or place[FUNCTION] != RESET:
             return status
         # What was there before the run stands in its way: nothing that the run itself is to be blamed for.
         run = int(place[RUN])
         self._abandon(is_lost=status == FATAL)
-        return self.advance(run, last, limit, values)
+        return self._go_on(run, last, values)
 
     def failure(self, status: int) -> tuple[int, FmuRunError]:
         """The run that failed with this status, and why; the runner is then ready for the next one."""
         instance, place, preparation = self._instance, self._workspace.place, self._job.preparation
         function = preparation.interface.functions[place[FUNCTION]]
+        kind = FmuRunError
         if status == ENDED:
             reason = "the FMU ended the run"
+        elif status == LATE:
+            kind = FmuTimeLimitError
+            reason = f"the run took longer than the limit of {self._job.time_limit:g} s"
         elif status == EARLY:
             reason = f"{function} came back before the end of the step"
         else:
             label = _LABELS[status] if 0 <= status < len(_LABELS) else "not a status"
             reason = f"{function} failed with status {status} ({label})"
         reached = preparation.program.times[place[POINT]]
-        error = FmuRunError(reached, reason, instance.description.path, tuple(instance.log.messages()))
+        error = kind(reached, reason, instance.description.path, tuple(instance.log.messages()))
         run = int(place[RUN])
         place[POINT] = BETWEEN_RUNS
         instance.log.clear()
@@ -129,9 +154,12 @@ class Runner:
         return run, error
 
     def recorded(self) -> NDArray[np.void]:
-        """The samples of the last run as the FMU gave them, one field a variable, shape (samples,)."""
+        """The samples of the last run as the FMU gave them, one field a variable, shape (samples,).
+
+        Texts are Python's.
+        """
         raw: NDArray[np.void] = self._workspace.raw.view(self._job.preparation.outputs.dtype)
-        return raw.copy()
+        return self._job.preparation.outputs.readable(raw.copy())
 
     def _take(self) -> None:
         self._instance = self._pool.take()

@@ -5,15 +5,17 @@ from __future__ import annotations
 import math
 import sys
 from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import replace
 from numbers import Integral, Real
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 import pandas as pd
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from pyjoystick.fmu.description import FmuDescription, Variable
-from pyjoystick.support import FloatArray, ParameterError, UnknownParameterError, UnknownVariableError
+from pyjoystick.support import ParameterError, UnknownParameterError, UnknownVariableError
 
 #: What a variable of an FMU may be set to.
 Value = float | bool | str
@@ -26,8 +28,9 @@ INTEGERS: Final = (
     "Enumeration",
     *(f"{sign}Int{bits}" for bits in (8, 16, 32, 64) for sign in ("", "U")),
 )
-_STORED: Final = {"Integer": "int32", "Enumeration": "int32"}
 _NOT_RUN: Final = ("Binary", "Clock")
+#: Up to here a float has every whole number.
+_EXACT: Final = 2**53
 
 
 def checked_parameters(description: FmuDescription, parameters: Mapping[str, Value]) -> dict[str, Value]:
@@ -89,18 +92,28 @@ def checked_value(variable: Variable, value: object) -> Value:
             return bool(value)
         raise ParameterError(variable.name, value, "True or False")
     if variable.type == "String":
-        if isinstance(value, str):
+        if isinstance(value, str) and "\0" not in value:
             return value
-        raise ParameterError(variable.name, value, "text")
+        raise ParameterError(variable.name, repr(value), "text without null characters")
     kind = Integral if variable.type in INTEGERS else Real
     if isinstance(value, bool | np.bool_) or not isinstance(value, kind) or not math.isfinite(value):
         raise ParameterError(variable.name, value, allowed_values(variable))
     number = int(value) if isinstance(value, Integral) else float(value)
     low, high = limits(variable)
     if not low <= number <= high:
-        hint = f"its type is {variable.type}" if variable.type in INTEGERS else ""
+        hint = f"its type is {variable.type}" if variable.type in (*INTEGERS, "Float32") else ""
         raise ParameterError(variable.name, value, allowed_values(variable), hint)
     return number if variable.type in INTEGERS else float(number)
+
+
+def whole_number_for(variable: Variable, value: float) -> int:
+    """A signal as the whole number that it stands for; raises ParameterError unless that is certain."""
+    stored = np.iinfo(_stored(variable))
+    is_exact = isinstance(value, Integral | np.bool_) or (abs(value) <= _EXACT and value == math.floor(value))
+    if not is_exact or not stored.min <= value <= stored.max:
+        hint = f"its type is {variable.type}; a float is exact up to 2^53"
+        raise ParameterError(variable.name, value, allowed_values(variable), hint)
+    return int(value)
 
 
 def limits(variable: Variable) -> tuple[float, float]:
@@ -110,12 +123,21 @@ def limits(variable: Variable) -> tuple[float, float]:
     low: float = -sys.float_info.max
     high: float = sys.float_info.max
     if variable.type in INTEGERS:
-        stored = np.iinfo(_STORED.get(variable.type, variable.type.lower()))
+        stored = np.iinfo(_stored(variable))
         low, high = int(stored.min), int(stored.max)
+    elif variable.type == "Float32":
+        low, high = float(np.finfo(np.float32).min), float(np.finfo(np.float32).max)
     return (
         low if variable.minimum is None else max(low, variable.minimum),
         high if variable.maximum is None else min(high, variable.maximum),
     )
+
+
+def _stored(variable: Variable) -> str:
+    """Name of the type in which NumPy has the variable's whole numbers."""
+    if variable.type in ("Integer", "Enumeration"):
+        return "int64" if variable.is_fmi3 else "int32"
+    return variable.type.lower()
 
 
 def allowed_values(variable: Variable) -> str:
@@ -124,33 +146,72 @@ def allowed_values(variable: Variable) -> str:
     unit = f" {variable.unit}" if variable.unit else ""
     if variable.must_be_positive and variable.maximum is None:
         return f"{number} above 0{unit} (at least {variable.minimum:g})"
-    if variable.minimum is not None and variable.maximum is not None:
-        return f"{number} from {variable.minimum:g} to {variable.maximum:g}{unit}"
-    if variable.minimum is not None:
-        return f"{number}, {variable.minimum:g}{unit} or more"
-    if variable.maximum is not None:
-        return f"{number}, {variable.maximum:g}{unit} or less"
+    low, high = (_as_written(bound) for bound in (variable.minimum, variable.maximum))
+    if low and high:
+        return f"{number} from {low} to {high}{unit}"
+    if low:
+        return f"{number}, {low}{unit} or more"
+    if high:
+        return f"{number}, {high}{unit} or less"
     return f"{number} in{unit}" if unit else number
 
 
-def checked_outputs(description: FmuDescription, outputs: Iterable[str] | None) -> list[Variable]:
-    """The variables to record, each once; None means every output of the FMU.
+def _as_written(bound: float | None) -> str:
+    return "" if bound is None else str(bound) if isinstance(bound, int) else f"{bound:g}"
+
+
+def default_outputs(
+    description: FmuDescription, *, texts: bool = False
+) -> tuple[list[Variable], tuple[str, ...]]:
+    """The outputs that can be recorded, arrays as their elements, and the names of the others.
+
+    Args:
+        description: the FMU
+        texts: text can be recorded
+    """
+    outputs = [description.variables[name] for name in description.names("output")]
+    can_be = [one.type not in _NOT_RUN and (texts or one.type != "String") for one in outputs]
+    recorded = [part for one, can in zip(outputs, can_be, strict=True) if can for part in one.elements()]
+    return recorded, tuple(one.name for one, can in zip(outputs, can_be, strict=True) if not can)
+
+
+def checked_outputs(
+    description: FmuDescription, outputs: Iterable[str] | None, *, texts: bool = False
+) -> list[Variable]:
+    """The variables to record, each once; None means every output that can be, see `default_outputs`.
+
+    An array is given element by element: ``x[1]``, ``grid[2,3]``.
 
     Raises:
         UnknownVariableError: the FMU has no variable of that name
-        ParameterError: the variable is text
+        ParameterError: the variable is a whole array, of a type that has no values, or text
     """
     if outputs is None:
-        outputs = description.names("output")
+        return default_outputs(description, texts=texts)[0]
     names = tuple(dict.fromkeys((outputs,) if isinstance(outputs, str) else outputs))
-    known = [name for name, variable in description.variables.items() if variable.causality != "independent"]
+    parts: dict[str, Variable] = {}
     for name in names:
-        if name not in known:
-            raise UnknownVariableError(name, known)
-        if description.variables[name].type == "String":
-            raise ParameterError("outputs", name, "a number or Boolean variable")
-        require_scalar(description.variables[name])
-    return [description.variables[name] for name in names]
+        if name not in parts:
+            parts |= _parts(description, name, texts=texts)
+    return [parts[name] for name in names]
+
+
+def _parts(description: FmuDescription, name: str, *, texts: bool) -> dict[str, Variable]:
+    """The variable of this name or, where it is an element of an array, all elements."""
+    variables = description.variables
+    whole = variables.get(name) or variables.get(name.rpartition("[")[0])
+    parts = {part.name: part for part in whole.elements()} if whole else {}
+    if whole is None or whole.causality == "independent" or name not in (whole.name, *parts):
+        raise UnknownVariableError(name, [*(n for n, v in variables.items() if v.causality != "independent")])
+    if whole.type in _NOT_RUN:
+        require_scalar(replace(whole, is_array=False))
+    if name not in parts:
+        some = ", ".join([*list(parts)[:3], *["..."] * (len(parts) > 3)])
+        raise ParameterError(name, "an array", f"recorded by its elements: {some or 'it has none'}")
+    if whole.type == "String" and not texts:
+        hint = "Fmu.run records text; plans, sweeps and Model Exchange do not"
+        raise ParameterError("outputs", name, "a number or Boolean variable", hint)
+    return parts
 
 
 class Varied:
@@ -164,13 +225,16 @@ class Varied:
     def __init__(self, variables: Sequence[Variable]) -> None:
         self.variables = tuple(variables)
         self.names = tuple(variable.name for variable in variables)
-        ranges = np.array([limits(variable) for variable in variables], dtype=np.float64).reshape(-1, 2)
+        # Where a float does not have every value, Python's own numbers do.
+        is_wide = any(one.type in INTEGERS and _stored(one) in ("int64", "uint64") for one in variables)
+        self._type: Any = object if is_wide else np.float64
+        ranges = np.array([limits(variable) for variable in variables], dtype=self._type).reshape(-1, 2)
         self._low, self._high = ranges.T
         self._whole = np.array([one.type in (*INTEGERS, "Boolean") for one in variables], dtype=np.bool_)
 
-    def row(self, values: ArrayLike) -> FloatArray:
+    def row(self, values: ArrayLike) -> NDArray[Any]:
         """The values of one run, shape (1, variables); raises ParameterError as `table`."""
-        row = _numbers(values)
+        row = self._numbers(values)
         if row.shape != self._low.shape:
             wanted = f"of shape {self._low.shape}, for {', '.join(self.names) or 'no varied parameters'}"
             raise ParameterError("values", f"an array of shape {row.shape}", wanted)
@@ -180,15 +244,18 @@ class Varied:
             self._refuse(row, sound, "")
         return row
 
-    def table(self, table: pd.DataFrame | ArrayLike) -> tuple[pd.DataFrame, FloatArray]:
+    def table(self, table: pd.DataFrame | ArrayLike) -> tuple[pd.DataFrame, NDArray[Any]]:
         """The values of many runs, with names and as numbers, shape (runs, variables).
 
+        The numbers are floats, or Python's where a variable is a whole number of 64 bits.
+
         Raises:
-            ParameterError: the table has other columns, or a value is NaN, out of range, or no whole number
-                or no 0 or 1 where it must be; the field is then ``name[row]``
+            ParameterError: the table has other columns, or a value is NaN, out of range, no whole number or
+                no 0 or 1 where it must be, or a float that may stand for several whole numbers; the field is
+                then ``name[row]``
         """
         named = self._named(table)
-        numbers = _numbers(named)
+        numbers = self._numbers(named)
         sound = self._sound(numbers)
         if not sound.all():
             self._refuse(numbers, sound, f"[{named.index[np.nonzero(~sound)[0][0]]}]")
@@ -196,31 +263,48 @@ class Varied:
 
     def _named(self, table: pd.DataFrame | ArrayLike) -> pd.DataFrame:
         if not isinstance(table, pd.DataFrame):
-            numbers = _numbers(table)
+            numbers = self._numbers(table)
             if numbers.ndim != 2 or numbers.shape[1] != len(self.names):
                 wanted = f"of shape (runs, {len(self.names)}), for {', '.join(self.names)}"
                 raise ParameterError("table", f"an array of shape {numbers.shape}", wanted)
-            return pd.DataFrame(numbers, columns=list(self.names))
+            return pd.DataFrame(numbers, columns=list(self.names)).infer_objects()
         if sorted(map(str, table.columns)) != sorted(self.names):
             has = ", ".join(map(str, table.columns)) or "none"
             raise ParameterError("table", f"the columns {has}", f"the varied: {', '.join(self.names)}")
         return table[list(self.names)]
 
-    def _sound(self, numbers: FloatArray) -> np.typing.NDArray[np.bool_]:
-        sound: np.typing.NDArray[np.bool_] = (numbers >= self._low) & (numbers <= self._high)
+    def _sound(self, numbers: NDArray[Any]) -> NDArray[np.bool_]:
+        with np.errstate(invalid="ignore"):
+            sound: NDArray[np.bool_] = (numbers >= self._low) & (numbers <= self._high)
         if self._whole.any():
-            sound &= ~self._whole | (numbers == np.floor(numbers))
+            sound &= ~self._whole | (numbers == np.floor(numbers, where=sound, out=numbers.copy()))
+        if self._type is object:
+            sound &= ~self._whole | ~_is_rounded(numbers)
         return sound
 
-    def _refuse(self, numbers: FloatArray, sound: np.typing.NDArray[np.bool_], place: str) -> None:
+    def _refuse(self, numbers: NDArray[Any], sound: NDArray[np.bool_], place: str) -> None:
         row, column = (int(places[0]) for places in np.nonzero(~sound))
-        variable = self.variables[column]
+        variable, number = self.variables[column], numbers[row, column]
         allowed = "0 or 1" if variable.type == "Boolean" else allowed_values(variable)
-        raise ParameterError(f"{variable.name}{place}", numbers[row, column], allowed)
+        is_inside = variable.type in INTEGERS and self._low[column] <= number <= self._high[column]
+        hint = "a float is exact up to 2^53; give an integer" if is_inside and number % 1 == 0 else ""
+        raise ParameterError(f"{variable.name}{place}", number, allowed, hint)
+
+    def _numbers(self, values: pd.DataFrame | ArrayLike) -> NDArray[Any]:
+        numbers: NDArray[Any] | None = None
+        with suppress(TypeError, ValueError):
+            given = values.to_numpy(self._type) if isinstance(values, pd.DataFrame) else values
+            numbers = np.ascontiguousarray(given, dtype=self._type)
+        if numbers is None or (self._type is object and not all(map(_is_real, numbers.flat))):
+            raise ParameterError("values", f"a {type(values).__name__}", "made of numbers in rows")
+        return numbers
 
 
-def _numbers(values: pd.DataFrame | ArrayLike) -> FloatArray:
-    try:
-        return np.ascontiguousarray(values, dtype=np.float64)
-    except (TypeError, ValueError):
-        raise ParameterError("values", f"a {type(values).__name__}", "made of numbers in rows") from None
+def _is_real(value: object) -> bool:
+    return isinstance(value, Real | np.bool_)
+
+
+def _is_rounded(numbers: NDArray[Any]) -> NDArray[np.bool_]:
+    """True for floats so large that not every whole number is one."""
+    rounded = [not isinstance(one, Integral | np.bool_) and not abs(one) <= _EXACT for one in numbers.flat]
+    return np.array(rounded, dtype=np.bool_).reshape(numbers.shape)

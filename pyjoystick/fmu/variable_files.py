@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from decimal import Decimal
 from os import PathLike
 from pathlib import Path
 from typing import Any, Final
@@ -86,8 +87,11 @@ def _values(file: TableFile, match: Match, variable: Variable) -> NDArray[Any]:
         if all(cell in _TRUTH for cell in cells):
             return np.array([_TRUTH[cell] for cell in cells])
     numbers = file.finite_numbers(match.heading, match.column.advice)
-    if variable.type in INTEGERS and bool((numbers == np.round(numbers)).all()):
-        return numbers.astype(np.int64)
+    if variable.type in INTEGERS:
+        # As written: beyond 2^53 the floats are others.
+        written = [Decimal(cell) for cell in file.texts(match.heading)]
+        if all(one == one.to_integral_value() for one in written):
+            return pd.Series([int(one) for one in written]).to_numpy()
     display = variable.display_unit
     if display is None or match.unit == variable.unit:
         return numbers

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import pandas as pd
+from numpy.typing import NDArray
+from pandas.api.types import is_integer_dtype, is_numeric_dtype
 
 from pyjoystick.motion.tables import unit_of
 from pyjoystick.support import ParameterError, SeriesError, UnknownVariableError, positive
@@ -43,7 +46,7 @@ class Difference:
 def compare(
     table: pd.DataFrame, against: pd.DataFrame, *, limits: Mapping[str, float] | None = None
 ) -> list[Difference]:
-    """The largest difference of every variable that both tables have, in the order of the first.
+    """The largest difference of every variable that both tables have as numbers, in the order of the first.
 
     Args:
         table: a run, indexed by time (s)
@@ -56,7 +59,9 @@ def compare(
         ParameterError: a limit is not above zero, the units of a variable differ, or no variable is shared
     """
     limits = dict(limits or {})
-    shared = [str(name) for name in table.columns if name in against.columns]
+    shared = [
+        str(name) for name in table.columns if name in against.columns and is_numeric_dtype(table[name])
+    ]
     for name, limit in limits.items():
         if name not in shared:
             raise UnknownVariableError(name, shared)
@@ -94,13 +99,17 @@ def difference_table(differences: Sequence[Difference]) -> pd.DataFrame:
     )
 
 
+def _exact(column: pd.Series[Any]) -> NDArray[Any]:
+    """The numbers as floats; whole ones as Python's own, of which floats do not have all."""
+    return column.to_numpy(dtype=object if is_integer_dtype(column.dtype) else np.float64)
+
+
 def _difference(table: pd.DataFrame, against: pd.DataFrame, name: str, limit: float | None) -> Difference:
     unit, other_unit = unit_of(table, name), unit_of(against, name)
     if unit and other_unit and unit != other_unit:
         raise ParameterError(f"unit of {name}", unit, other_unit)
-    values = table[name].to_numpy(dtype=np.float64)
-    expected = against[name].to_numpy(dtype=np.float64)
-    distance = np.abs(values - expected)
+    values, expected = _exact(table[name]), _exact(against[name])
+    distance = np.abs(values - expected).astype(np.float64)
     place = int(np.argmax(distance))  # the first NaN where there is one
     largest = float(distance[place])
     magnitude = float(np.max(np.abs(expected)))

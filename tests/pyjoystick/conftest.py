@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.pyjoystick.fmu import echo
 from tests.shared_fmus import SharedFmus
 
 
@@ -22,3 +23,15 @@ def pair(shared_fmus: SharedFmus) -> Path:
     names = ("First", "Second", "Stops", "Closed")
     (folder,) = {shared_fmus.fmu(f"Pair.{name}", library).parent for name in names}
     return folder
+
+
+@pytest.fixture(scope="session")
+def echo2_path(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The FMU of FMI 2.0 that gives back what it gets."""
+    return echo.build(2, tmp_path_factory.mktemp("echo2"))
+
+
+@pytest.fixture(scope="session")
+def echo3_path(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The same of FMI 3.0, with numbers of every type, texts and arrays."""
+    return echo.build(3, tmp_path_factory.mktemp("echo3"))

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from pyjoystick.fmu.stepping.program import BOOLEAN, FLOAT32, FLOAT64, SIGNED, Group
+from pyjoystick.fmu.stepping.program import BOOLEAN, FLOAT32, FLOAT64, SIGNED, TEXT, Group
 from pyjoystick.support import FloatArray
 
 _TWO_TO_32 = np.int64(2**32)
@@ -20,7 +20,7 @@ def decode(
     stride: int,
     samples: FloatArray,
 ) -> None:
-    """Fill `samples`, shape (samples, variables), from rows of `stride` bytes."""
+    """Fill `samples`, shape (samples, variables), from rows of `stride` bytes; texts are left out."""
     doubles, floats = raw.view(np.float64), raw.view(np.float32)
     done = 0
     for i in range(len(outputs)):
@@ -28,6 +28,8 @@ def decode(
         for j in range(outputs[i].size):
             place = outputs[i].offset + j * size
             column = columns[done + j]
+            if column < 0 or kind == TEXT:
+                continue
             for row in range(len(samples)):
                 if kind == FLOAT64:
                     samples[row, column] = doubles[place // 8]

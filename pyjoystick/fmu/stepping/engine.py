@@ -73,5 +73,5 @@ def _compiled_for(shared: tuple[object, ...]) -> Callable[..., int]:
             octets, flags = np.zeros(8, np.uint8), np.zeros(1, np.bool_)
             workspace = Workspace(0, np.zeros(PLACE_SIZE, np.intp), octets, 0, octets, 0)
             tables = (np.zeros((1, 1, 1)), np.zeros((1, 1)), flags, flags)
-            _compiled = compiled((*shared, workspace, True, 0, 0, 0, 0, *tables))
+            _compiled = compiled((*shared, workspace, True, 0, 0, 0, *tables))
         return _compiled

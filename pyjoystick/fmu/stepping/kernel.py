@@ -31,6 +31,7 @@ from pyjoystick.fmu.stepping.program import (
     EXIT,
     FUNCTION,
     OK,
+    PAUSE,
     POINT,
     RESET,
     RUN,
@@ -59,7 +60,6 @@ def run_many(
     parameters: int,
     first: int,
     last: int,
-    limit: int,
     values: FloatArray,
     cells: FloatArray,
     done: NDArray[np.bool_],
@@ -76,7 +76,6 @@ def run_many(
         parameters: address of the row of parameters of run 0
         first: the first run
         last: the run after the last
-        limit: communication point at which to come back for the time being
         values: samples, shape (runs, samples, variables); (1, samples, variables) where only their
             reductions are wanted
         cells: results of the operations, shape (runs, cells)
@@ -94,7 +93,7 @@ def run_many(
             status = _start(program, workspace, is_new, parameters + run * program.varied_stride)
             is_new = False
         if not _is_bad(status):
-            status = _advance(program, workspace, limit, stop)
+            status = _advance(program, workspace, stop)
         if _is_bad(status):
             return status
         samples = values[run if len(values) > 1 else 0]
@@ -156,8 +155,8 @@ def _begin(program: Program, workspace: Workspace, function: int) -> int:
     )
 
 
-def _advance(program: Program, workspace: Workspace, limit: int, stop: NDArray[np.bool_]) -> int:
-    """From the communication point in the workspace's place to the end, or to `limit`."""
+def _advance(program: Program, workspace: Workspace, stop: NDArray[np.bool_]) -> int:
+    """From the communication point in the workspace's place to the end, a stop or a pause."""
     place = workspace.place
     point = place[POINT]
     end = len(program.times) - 1
@@ -181,7 +180,8 @@ def _advance(program: Program, workspace: Workspace, limit: int, stop: NDArray[n
         place[POINT] = point
         if stop[0]:
             return STOPPED
-        if point == limit:
+        if place[PAUSE]:
+            place[PAUSE] = 0
             return UNFINISHED
     place[FUNCTION] = TERMINATE
     return change_mode(program.functions[TERMINATE], workspace.instance)
@@ -209,9 +209,10 @@ def _transfer(program: Program, workspace: Workspace, groups: Sequence[Group], r
 def _access(program: Program, workspace: Workspace, group: Group, row: int) -> int:
     workspace.place[FUNCTION] = group.function
     function, values = program.functions[group.function], row + group.offset
+    count = group.size - group.surplus
     if program.version == 2:
-        return access2(function, workspace.instance, group.references, group.size, values)
-    return access3(function, workspace.instance, group.references, group.size, values, group.size)
+        return access2(function, workspace.instance, group.references, count, values)
+    return access3(function, workspace.instance, group.references, count, values, group.size)
 
 
 def _step(program: Program, workspace: Workspace, point: int) -> int:

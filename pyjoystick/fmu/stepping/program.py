@@ -22,12 +22,15 @@ ENDED: Final = 101
 EARLY: Final = 102
 #: The stop flag was set.
 STOPPED: Final = 103
-#: The points that were asked for are done, the run is not.
+#: The pause flag was set; the run goes on from there.
 UNFINISHED: Final = 104
+#: The run has taken longer than it may.
+LATE: Final = 105
 
 # Places in an array of integers that the kernel keeps up to date: the run, the communication point that was
-# reached (`BETWEEN_RUNS` where none is under way), the number of samples taken, the function called last.
-RUN, POINT, SAMPLES, FUNCTION = range(4)
+# reached (`BETWEEN_RUNS` where none is under way), the number of samples taken, the function called last; and
+# a flag for others to set, at which the kernel comes back after the step.
+RUN, POINT, SAMPLES, FUNCTION, PAUSE = range(5)
 #: 128 bytes: two threads that write to one cache line in every step would slow each other down.
 PLACE_SIZE: Final = 16
 BETWEEN_RUNS: Final = -1
@@ -41,14 +44,15 @@ UNSIGNED, SIGNED, BOOLEAN = range(3)
 
 
 class Group(NamedTuple):
-    """Variables that one call sets or gets: neighbors in a row of values.
+    """Variables that one call sets or gets: their values are neighbors in a row.
 
     Attributes:
         function: place of the setter or getter in `Program.functions`
         references: address of the value references
-        size: number of variables
+        size: number of values
         offset: bytes from the start of the row
         kind: how the values are stored
+        surplus: how many more values than variables there are, because of arrays
     """
 
     function: int
@@ -56,6 +60,7 @@ class Group(NamedTuple):
     size: int
     offset: int
     kind: int
+    surplus: int = 0
 
 
 #: A group in an array that the compiled kernel reads.
@@ -85,7 +90,7 @@ class Program(NamedTuple):
         slopes: address of their derivatives, one row a step
         outputs: what is recorded
         outputs_stride: bytes from sample to sample
-        columns: column of each output in a table of samples, in the order of the groups
+        columns: column of each value in a table of samples, in the order of the groups; -1 for none
     """
 
     version: int

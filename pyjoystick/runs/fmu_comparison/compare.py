@@ -10,7 +10,7 @@ from typing import Final
 import numpy as np
 import pandas as pd
 
-from pyjoystick.fmu import FmuDescription, Interface, find_fmu, read_description
+from pyjoystick.fmu import FmuDescription, Interface, Variable, find_fmu, read_description
 from pyjoystick.motion import Difference, compare
 from pyjoystick.runs.fmu_comparison.declarations import Declarations, compare_declarations
 from pyjoystick.runs.fmu_comparison.experiments import (
@@ -154,7 +154,13 @@ def _variables(
     a: FmuDescription, b: FmuDescription, declarations: Declarations, names: Iterable[str] | None
 ) -> tuple[str, ...]:
     """The names of what is compared; both FMUs have them."""
-    shared = tuple(name for name in declarations.shared if _is_number(a, name) and _is_number(b, name))
+    pairs = [(a.variables[name], b.variables[name]) for name in declarations.shared]
+    shared = {
+        part.name: (part, second)
+        for first, second in pairs
+        if _is_number(first) and _is_number(second) and first.shape == second.shape
+        for part in first.elements()
+    }
     if names is not None:
         wanted = tuple(dict.fromkeys(names))
         for name in wanted:
@@ -164,20 +170,17 @@ def _variables(
     for causality in ("output", "local"):
         found = tuple(
             name
-            for name in shared
-            if a.variables[name].causality == b.variables[name].causality == causality
-            and a.variables[name].variability not in ("constant", "fixed", "tunable")
+            for name, (first, second) in shared.items()
+            if first.causality == second.causality == causality
+            and first.variability not in ("constant", "fixed", "tunable")
         )
         if found:
             return found
     raise ParameterError("variables", "none that both FMUs have", "at least one in common")
 
 
-def _is_number(fmu: FmuDescription, name: str) -> bool:
-    variable = fmu.variables[name]
-    if variable.is_array or variable.type in ("String", "Binary", "Clock"):
-        return False
-    return variable.causality != "independent"
+def _is_number(variable: Variable) -> bool:
+    return variable.type not in ("String", "Binary", "Clock") and variable.causality != "independent"
 
 
 def _compare_run(

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from pyjoystick.fmu import FmuDescription, Variable
+from pyjoystick.fmu import INTEGERS, FmuDescription, Variable
 
 # Tools write decimal fractions with 15 to 17 digits.
 _SAME_NUMBER = 1e-12
@@ -103,6 +103,8 @@ def _same(first: str, second: str, kind: str) -> bool:
         true = ("true", "1")
         return bool(first) and bool(second) and (first in true) == (second in true)
     try:
+        if kind in INTEGERS:
+            return int(first) == int(second)
         return math.isclose(float(first), float(second), rel_tol=_SAME_NUMBER)
     except ValueError:
         return False

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from numbers import Integral
 from pathlib import Path
 from typing import Final
 
@@ -12,6 +13,7 @@ import numpy as np
 import pandas as pd
 
 from pyjoystick.fmu import (
+    INTEGERS,
     DefaultExperiment,
     Fmu,
     FmuDescription,
@@ -194,10 +196,12 @@ def _typed(fmu: FmuDescription, settings: Mapping[str, float]) -> dict[str, Valu
 
 
 def _in_type(variable: Variable, value: float) -> Value:
+    if variable.type in INTEGERS and isinstance(value, Integral):
+        return int(value)
     number = finite(variable.name, value, variable.unit)
     if variable.type == "Boolean" and number in (0.0, 1.0):
         return bool(number)
-    if variable.type != "Real" and number.is_integer():
+    if variable.type in INTEGERS and number.is_integer():
         return int(number)
     return number
 

@@ -65,6 +65,6 @@ def relative_limits(
         largest = [
             float(np.nanmax(np.abs(table[name].to_numpy(dtype=np.float64)), initial=0.0)) for table in tables
         ]
-        nominal = [fmu.variables[name].nominal for fmu in fmus if name in fmu.variables]
+        nominal = [one.nominal for one in (fmu.find(name) for fmu in fmus) if one is not None]
         limits[name] = part * max(*largest, *(_SMALLEST_PART * value for value in nominal))
     return limits

@@ -108,4 +108,6 @@ def _converted(column: pd.Series[str]) -> pd.Series[Any]:
         return column
     if column.isin(["True", "False"]).all():
         return column == "True"
+    if column.str.fullmatch(r"-?\d+").all():
+        return pd.Series([int(cell) for cell in column], column.index)
     return column.map(lambda cell: float(cell) if cell else np.nan)

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import Final
 
 from pyjoystick import fmu
-from pyjoystick.fmu import FmuDescription, Peaks, Reduction, checked_outputs
+from pyjoystick.fmu import FmuDescription, Peaks, Reduction, Variable, checked_outputs
 from pyjoystick.runs.fmu_settings import difference_of
 from pyjoystick.support import Table
 
@@ -48,7 +48,7 @@ def variables_of(results: Sequence[Reduction]) -> list[str]:
 def units_of(results: Sequence[Reduction], description: FmuDescription) -> dict[str, str]:
     """The unit of every column; empty for a pure number."""
     return {
-        column: "s" if column.endswith("_time") else description.variables[one.variable].unit
+        column: "s" if column.endswith("_time") else _described(one.variable, description).unit
         for one in results
         for column in one.columns
     }
@@ -73,4 +73,9 @@ def _variable(table: Table, key: str, description: FmuDescription) -> str:
 
 def _limit(table: Table, key: str, description: FmuDescription, variable: str) -> float:
     with table.at(key):
-        return difference_of(description.variables[variable], table.value(key))
+        return difference_of(_described(variable, description), table.value(key))
+
+
+def _described(name: str, description: FmuDescription) -> Variable:
+    """A variable, which may be an element of an array."""
+    return checked_outputs(description, [name])[0]

@@ -15,7 +15,6 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from pyjoystick.fmu import Fmu
 from pyjoystick.runs.errors import ChangedSweepError, SweepFileError
 from pyjoystick.runs.sweeps.chunks import Chunks
 from pyjoystick.runs.sweeps.files import check_target, read_sweep, write_sweep
@@ -187,8 +186,8 @@ def run_locally(
     least = threads or os.cpu_count() or 1
     chunks = Chunks(pending, seconds=_CHUNK, slots=1, least=least)
     done = 0
-    with Fmu(sweep.settings.fmu.path) as fmu:
-        task = sweep.task
+    task = sweep.task
+    with task.open(sweep.settings.fmu.path) as fmu:
         plan = task.plan(fmu)
 
         def show(finished: int, _: int) -> None:

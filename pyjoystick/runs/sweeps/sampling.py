@@ -83,7 +83,7 @@ def design(varied: Mapping[str, Variation], sampling: Sampling) -> pd.DataFrame:
     if sampling.method == "grid":
         levels = [one.values for one in varied.values() if isinstance(one, Levels)]
         columns = {
-            name: np.array(column)
+            name: pd.Series(column).to_numpy()
             for name, column in zip(varied, zip(*itertools.product(*levels), strict=True), strict=True)
         }
     else:
@@ -101,7 +101,7 @@ def digest(table: pd.DataFrame) -> str:
     for name in table:
         column = np.ascontiguousarray(table[name].to_numpy())
         total.update(f"{name}:{column.dtype.str}:{column.size};".encode())
-        total.update(column.tobytes())
+        total.update(repr(column.tolist()).encode() if column.dtype == object else column.tobytes())
     return total.hexdigest()
 
 

@@ -34,6 +34,7 @@ from pyjoystick.support import (
     SettingsError,
     Table,
     UnknownInputError,
+    positive,
     read_toml,
 )
 
@@ -51,6 +52,7 @@ class Settings:
         fmu: the FMU; ``fmu.path`` is its file
         time: samples of a run (s), shape (n,), which the reductions are taken over
         tolerance: what the FMU's integrator is asked to keep
+        time_limit: what a run may take by the clock (s), see `Fmu`; None where the file gives none
         parameters: those that are the same in every run, in the FMU's units
         inputs: the same in every run
         varied: how the other parameters vary
@@ -64,6 +66,7 @@ class Settings:
     fmu: FmuDescription
     time: FloatArray
     tolerance: float
+    time_limit: float | None
     parameters: Mapping[str, Value]
     inputs: Inputs
     varied: Mapping[str, Variation]
@@ -96,6 +99,7 @@ def read_settings(path: str | PathLike[str], find: Callable[[str], Path] = find_
         fmu=fmu,
         time=_time(experiment, fmu),
         tolerance=_tolerance(experiment, fmu),
+        time_limit=_time_limit(experiment),
         parameters={name: value for name, value in joystick.items() if name not in varied} | parameters,
         inputs=_inputs(experiment, root.table("inputs"), fmu),
         varied=varied,
@@ -125,6 +129,13 @@ def _tolerance(experiment: Table, fmu: FmuDescription) -> float:
     if not low <= tolerance <= high:
         raise experiment.error("tolerance", f"must be a number from {low:g} to {high:g}")
     return tolerance
+
+
+def _time_limit(experiment: Table) -> float | None:
+    if "time_limit" not in experiment:
+        return None
+    with experiment.at("time_limit"):
+        return positive("time_limit", experiment.value("time_limit"), "s")
 
 
 def _parameters(table: Table, fmu: FmuDescription) -> dict[str, Value]:
@@ -161,7 +172,7 @@ def _inputs(experiment: Table, constants: Table, fmu: FmuDescription) -> Inputs:
     for name in values:
         if name in table:
             raise SettingsError(constants.path, constants.name, name, None, "is in the input_file too")
-    return table.assign(**{name: float(value) for name, value in values.items()})
+    return table.assign(**values)
 
 
 def _varied(table: Table, fmu: FmuDescription, constants: Mapping[str, Value]) -> dict[str, Variation]:

@@ -44,7 +44,7 @@ class Part:
 
 @dataclass(frozen=True, slots=True)
 class Task:
-    """What all runs of a sweep share; see `Fmu.plan`."""
+    """What all runs of a sweep share; see `Fmu.plan` and, for the time limit of a run (s), `Fmu`."""
 
     time: FloatArray
     varied: tuple[str, ...]
@@ -53,6 +53,11 @@ class Task:
     outputs: Sequence[str]
     tolerance: float
     results: tuple[Reduction, ...]
+    time_limit: float | None = None
+
+    def open(self, path: Path) -> Fmu:
+        """Open the FMU of the sweep."""
+        return Fmu(path) if self.time_limit is None else Fmu(path, time_limit=self.time_limit)
 
     def plan(self, fmu: Fmu) -> Plan:
         """The prepared run on an open FMU, which must be that of the sweep."""
@@ -94,6 +99,7 @@ class Sweep:
             outputs=variables_of(one.results),
             tolerance=one.tolerance,
             results=one.results,
+            time_limit=one.time_limit,
         )
 
     @cached_property

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
+import pandas as pd
 from numpy.typing import NDArray
 from scipy import special
 
@@ -34,7 +35,8 @@ class Levels:
     def quantile(self, probability: FloatArray) -> NDArray[Any]:
         """The value at each probability in [0, 1), in the order of the levels."""
         index = np.minimum((probability * len(self.values)).astype(np.intp), len(self.values) - 1)
-        return np.array(self.values)[index]
+        # Unlike NumPy, pandas leaves large whole numbers whole.
+        return pd.Series(self.values).to_numpy()[index]
 
 
 @dataclass(frozen=True, slots=True)

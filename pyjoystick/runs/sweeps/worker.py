@@ -69,7 +69,7 @@ class FmuPlugin(WorkerPlugin):
         """The plan that all threads share; the FMU is opened by the first of them."""
         with self._lock:
             if self._plan is None:
-                self._fmu = Fmu(self._path)
+                self._fmu = self._task.open(self._path)
                 self._plan = self._task.plan(self._fmu)
             return self._plan
 

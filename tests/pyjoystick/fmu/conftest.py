@@ -71,3 +71,15 @@ def unpacking_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     folder.mkdir()
     monkeypatch.setattr(tempfile, "tempdir", str(folder))
     return folder
+
+
+@pytest.fixture
+def echo2(echo2_path: Path) -> Iterator[Fmu]:
+    with Fmu(echo2_path) as fmu:
+        yield fmu
+
+
+@pytest.fixture
+def echo3(echo3_path: Path) -> Iterator[Fmu]:
+    with Fmu(echo3_path) as fmu:
+        yield fmu

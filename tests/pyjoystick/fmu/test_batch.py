@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import math
+import os
+import pickle
 import threading
 import time as clock
 import tracemalloc
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +16,16 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pyjoystick.fmu import Extremes, Final, Fmu, FmuFileError, Loss, Peaks
+from pyjoystick.fmu import (
+    Extremes,
+    Final,
+    Fmu,
+    FmuFileError,
+    FmuTimeLimitError,
+    Loss,
+    Peaks,
+    plan as plan_module,
+)
 from pyjoystick.support import ParameterError, UnknownVariableError
 from tests.pyjoystick.fmu import awkward
 from tests.pyjoystick.fmu.awkward import Trouble
@@ -194,10 +207,22 @@ def test_another_thread_may_stop_a_batch(awkward_fmu: Fmu, loop: str) -> None:
     plan = awkward_fmu.plan(
         np.linspace(0.0, 1.0, 6), varied=("gain", "delay"), inputs={"u": 1.0}, outputs="y"
     )
-    timer = threading.Timer(0.5, plan.stop)
-    timer.start()
-    batch = plan.run_batch([(2.0, 5.0)] * 1000, threads=2, reductions=[Final("y")])
-    timer.join()
+    is_under_way = threading.Event()
+
+    def stop() -> None:
+        is_under_way.wait()
+        plan.stop()
+
+    thread = threading.Thread(target=stop)
+    thread.start()
+
+    def tell(done: int, _: int) -> None:
+        if done:
+            is_under_way.set()
+
+    table = [(2.0, 5.0)] * 1000
+    batch = plan.run_batch(table, threads=2, reductions=[Final("y")], on_progress=tell)
+    thread.join()
     assert batch.interrupted
     assert batch.reduced is not None
     done = batch.done
@@ -206,6 +231,89 @@ def test_another_thread_may_stop_a_batch(awkward_fmu: Fmu, loop: str) -> None:
     np.testing.assert_allclose(batch.reduced["y.final"][done], 2.0, rtol=1e-14)
     assert batch.reduced["y.final"][~done].isna().all()
     assert not plan.run_batch([(2.0, 0.0)] * 10).interrupted
+
+
+def test_a_batch_may_be_stopped_before_it_begins(
+    awkward_fmu: Fmu, loop: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """While the compiler is loaded, which takes seconds."""
+    plan = awkward_fmu.plan([0.0, 0.1], varied="gain", outputs="y")
+    real = plan_module.loop
+
+    def slow(*arguments: Any, **settings: Any) -> Any:
+        plan.stop()
+        return real(*arguments, **settings)
+
+    monkeypatch.setattr(plan_module, "loop", slow)
+    batch = plan.run_batch([[1.0]] * 1000)
+    assert batch.interrupted
+    assert not batch.done.any()
+    monkeypatch.undo()
+    assert plan.run_batch([[1.0]] * 10).done.all()
+
+
+def test_a_run_that_takes_too_long_is_a_row(awkward_path: Path, loop: str) -> None:
+    """Between two communication points; the others are as without a limit, whatever the threads."""
+    table = [(1.0, 0.0), (2.0, 0.0), (1.0, 50.0), (3.0, 0.0), (1.0, 50.0), (4.0, 2.0)] * 2
+    late = [delay > 10.0 for _, delay in table]
+    with Fmu(awkward_path, time_limit=0.4) as fmu:
+        plan = fmu.plan(TIME, varied=("gain", "delay"), inputs={"u": 1.0}, outputs="y")
+        for threads in (1, 3):
+            begin = clock.perf_counter()
+            batch = plan.run_batch(table, threads=threads)
+            # A late run would take 3 s.
+            assert clock.perf_counter() - begin < 6.0
+            assert batch.failed.tolist() == late
+            assert batch.done.all()
+            assert not batch.interrupted
+            assert batch.values is not None
+            for (gain, _), is_late, values, message in zip(
+                table, late, batch.values[..., 0], batch.messages, strict=True
+            ):
+                if is_late:
+                    assert np.isnan(values).all()
+                    assert message.endswith("(the run took longer than the limit of 0.4 s)")
+                else:
+                    np.testing.assert_allclose(values, gain * TIME, rtol=1e-14)
+
+
+def test_a_single_run_that_takes_too_long(awkward_path: Path, loop: str) -> None:
+    """Also one that is far slower than those of the same plan before it, and in any thread."""
+    with Fmu(awkward_path, time_limit=0.3) as fmu:
+        plan = fmu.plan(TIME, varied="delay", outputs="y")
+        sound = plan.run([0.0])
+        with ThreadPoolExecutor(1) as other:
+            for submit in (plan.run, lambda values: other.submit(plan.run, values).result()):
+                begin = clock.perf_counter()
+                with pytest.raises(FmuTimeLimitError, match=r"longer than the limit of 0\.3 s") as raised:
+                    submit([50.0])
+                assert clock.perf_counter() - begin < 2.0
+                assert 0.0 < raised.value.time < TIME[-1]
+                np.testing.assert_array_equal(plan.run([0.0]), sound)
+        with pytest.raises(FmuTimeLimitError):
+            fmu.run(TIME, parameters={"delay": 50.0})
+        again = pickle.loads(pickle.dumps(fmu))
+        with again, pytest.raises(FmuTimeLimitError):
+            again.run(TIME, parameters={"delay": 50.0})
+    for limit in (0.0, -1.0, math.inf, "1"):
+        with pytest.raises(ParameterError, match="time_limit = "):
+            Fmu(awkward_path, time_limit=limit)  # type: ignore[arg-type]
+
+
+@pytest.mark.filterwarnings("ignore:.*fork:DeprecationWarning")
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="the system has no fork")
+def test_a_forked_process_keeps_to_the_limit(awkward_path: Path) -> None:
+    with Fmu(awkward_path, time_limit=0.3) as fmu:
+        fmu.run(TIME, parameters={"delay": 2.0})
+        child = os.fork()
+        if not child:
+            try:
+                fmu.run(TIME, parameters={"delay": 50.0})
+            except FmuTimeLimitError:
+                os._exit(7)
+            finally:
+                os._exit(1)
+        assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 7
 
 
 def test_a_step_that_never_ends_does_not_hold_the_batch(awkward_fmu: Fmu, loop: str) -> None:

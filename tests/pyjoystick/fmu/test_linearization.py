@@ -10,10 +10,11 @@ import pandas as pd
 import pytest
 from scipy.linalg import expm
 
-from pyjoystick.fmu import Fmu
+from pyjoystick.fmu import Fmu, Linearization, UnsupportedFmuError
 from pyjoystick.model import NOMINAL
 from pyjoystick.support import ParameterError, UnknownInputError
 from tests.joystick_fmu.analytic import jacobian
+from tests.pyjoystick.fmu.doctored import doctored
 
 OUTPUTS = ("alpha", "M_s", "E")
 
@@ -87,3 +88,61 @@ def test_what_is_refused(joystick: Fmu) -> None:
         joystick.linearize(-0.1)
     with pytest.raises(UnknownInputError, match="torque"):
         joystick.linearize(inputs={"torque": 1.0})
+
+
+def test_both_versions_give_the_same(joystick: Fmu, joystick_fmus3: Path) -> None:
+    settings = {"parameters": {"theta_start": 0.2, "omega_start": -1.5}, "inputs": {"T": 0.4}}
+    with Fmu(joystick_fmus3 / "Joystick.fmu") as third:
+        assert third.description.directional_derivatives
+        assert third.description.adjoint_derivatives
+        for time in (0.0, 0.05):
+            found, expected = (fmu.linearize(time, outputs=OUTPUTS, **settings) for fmu in (third, joystick))
+            for name in ("A", "B", "C", "D"):
+                pd.testing.assert_frame_equal(getattr(found, name), getattr(expected, name), check_exact=True)
+
+
+@pytest.mark.parametrize("kind", ["Directional", "Adjoint"])
+def test_a_foreign_fmu_with_arrays(echo3_path: Path, tmp_path: Path, kind: str) -> None:
+    """It answers 0 for an output that is a state."""
+
+    def declared(text: str) -> str:
+        return text.replace("providesDirectionalDerivatives", f"provides{kind}Derivatives")
+
+    with Fmu(doctored(echo3_path, tmp_path / "echo.fmu", description=declared)) as fmu:
+        found = fmu.linearize(0.1, inputs={"force": 2.0})
+        _check_the_oscillator(found, ["x[1]", "x[2]"], ["x[1]", "x[2]", "y"])
+        assert found.point.to_dict() == {"x[1]": 0.0, "x[2]": 0.0, "force": 2.0, "y": 2.0}
+        chosen = fmu.linearize(outputs=["y", "x[2]"])
+        _check_the_oscillator(chosen, ["x[1]", "x[2]"], ["y", "x[2]"])
+        with pytest.raises(ParameterError, match="outputs = p_again_Int8: must be a real variable"):
+            fmu.linearize(outputs=["p_again_Int8"])
+
+
+def test_outputs_that_are_states_or_inputs(echo2: Fmu) -> None:
+    _check_the_oscillator(echo2.linearize(0.1), ["x", "v"], ["x", "v", "y", "force_again"])
+
+
+def _check_the_oscillator(found: Linearization, states: list[str], outputs: list[str]) -> None:
+    """X'' = -4 x - 0.5 x' + 3 force; y = 2 x' + force."""
+    slopes = {
+        states[0]: [1.0, 0.0, 0.0],
+        states[1]: [0.0, 1.0, 0.0],
+        "y": [0.0, 2.0, 1.0],
+        "force_again": [0, 0, 1],
+    }
+    assert list(found.A.index) == list(found.A.columns) == list(found.C.columns) == states
+    assert found.A.to_numpy().tolist() == [[0.0, 1.0], [-4.0, -0.5]]
+    assert found.B["force"].tolist() == [0.0, 3.0]
+    assert list(found.C.index) == list(found.D.index) == outputs
+    assert np.column_stack([found.C, found.D]).tolist() == [slopes[name] for name in outputs]
+
+
+def test_an_fmu_without_derivatives(echo2_path: Path, tmp_path: Path) -> None:
+    def silent(text: str) -> str:
+        return text.replace('providesDirectionalDerivative="true"', "")
+
+    with (
+        Fmu(doctored(echo2_path, tmp_path / "echo.fmu", description=silent)) as fmu,
+        pytest.raises(UnsupportedFmuError, match="provides neither directional nor adjoint derivatives"),
+    ):
+        fmu.linearize()

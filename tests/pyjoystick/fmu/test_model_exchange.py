@@ -9,7 +9,15 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pyjoystick.fmu import Fmu, FmuRunError, UnsupportedFmuError, run_model_exchange
+from pyjoystick.fmu import (
+    Fmu,
+    FmuRunError,
+    UnsupportedFmuError,
+    checked_inputs,
+    read_description,
+    run_model_exchange,
+)
+from pyjoystick.fmu.model_exchange import input_signals
 from pyjoystick.model import NOMINAL, simulate
 from pyjoystick.support import ParameterError, SimulationError, UnknownInputError
 from tests.pyjoystick.fmu.doctored import doctored
@@ -97,3 +105,16 @@ def test_inputs_that_are_refused(mixed_path: Path) -> None:
         run_model_exchange(mixed_path, TIME, inputs={"v": 1.0})
     with pytest.raises(ParameterError, match="u = nan"):
         run_model_exchange(mixed_path, TIME, inputs={"u": math.nan})
+
+
+def test_signals_have_every_digit(echo3_path: Path) -> None:
+    """Of inputs that the table gives, and of those that keep their start values; texts have no way in."""
+    description = read_description(echo3_path)
+    table = checked_inputs(description, {"u_UInt64": 2**64 - 1, "u_Int64": -(2**53) - 1, "u_Float32": 0.5})
+    signals = input_signals(description, table)
+    assert signals["u_UInt64"].tolist() == [2**64 - 1]
+    assert signals["u_Int64"].tolist() == [-(2**53) - 1]
+    assert (signals["u_Int8"].dtype, signals["u_Int8"].tolist()) == (np.int8, [0])
+    assert "text_input" not in (signals.dtype.names or ())
+    with pytest.raises(ParameterError, match="text_input = text: must be left out"):
+        input_signals(description, checked_inputs(description, {"text_input": "a"}))
