@@ -22,7 +22,7 @@ from pyjoystick.laboratory.measurements.chain import Motion
 from pyjoystick.laboratory.measurements.low_pass import LowPass
 from pyjoystick.laboratory.measurements.sample_files import PIECE, SampleFile, open_samples
 from pyjoystick.laboratory.measurements.saturation import SaturationWatch
-from pyjoystick.motion import GRAVITY, UNITS, Column, RecordError, rows_in_words
+from pyjoystick.motion import GRAVITY, UNITS, Column, RecordError, require_sampling, rows_in_words
 from pyjoystick.support import FloatArray, positive
 
 _COLUMN: Final = Column("acceleration", {**UNITS["acceleration"], **UNITS["voltage"]})
@@ -136,6 +136,10 @@ def _even_rate(source: str, time: FloatArray, rows: NDArray[np.int64]) -> float:
     if len(time) < 3:
         raise RecordError(source, f"has {len(time)} samples in the window", "give a longer record")
     steps = np.diff(time)
+    for i in np.flatnonzero(steps <= 0.0)[:1]:
+        reason = "the time does not increase from the sample before"
+        raise RecordError(source, reason, "export the samples in order", column="time", rows=[rows[i + 1]])
+    require_sampling(source, time, rows)
     usual = float(np.median(steps))
     uneven = np.flatnonzero(np.abs(steps / usual - 1.0) > _UNEVEN)
     if uneven.size:

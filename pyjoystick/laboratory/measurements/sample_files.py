@@ -10,7 +10,17 @@ from typing import Final
 import numpy as np
 import pandas as pd
 
-from pyjoystick.motion import TIME, Column, Heading, Match, RecordError, TableHead, no_number, read_table_head
+from pyjoystick.motion import (
+    LARGEST,
+    TIME,
+    Column,
+    Heading,
+    Match,
+    RecordError,
+    TableHead,
+    no_number,
+    read_table_head,
+)
 from pyjoystick.support import FloatArray
 
 #: Samples in a piece.
@@ -203,11 +213,11 @@ def _npy_pieces(file: SampleFile, size: int) -> Iterator[Piece]:
 
 
 def _require_finite(file: SampleFile, piece: Piece) -> None:
-    bad = np.flatnonzero(~np.isfinite(piece.values) | ~np.isfinite(piece.time))
+    bad = np.flatnonzero(~(np.abs(piece.values) <= LARGEST) | ~(np.abs(piece.time) <= LARGEST))
     if bad.size:
         raise RecordError(
             str(file.path),
-            "samples without a finite number",
+            f"samples without a finite number below {LARGEST:g}",
             "an empty line or a lost sample? An accelerometer's series has no gaps: cut the file there",
             column=file.column,
             rows=(piece.first + bad).tolist(),

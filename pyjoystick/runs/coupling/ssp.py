@@ -16,9 +16,12 @@ from pyjoystick.fmu import INTEGERS, REALS, FmuDescription, Value, Variable, fin
 from pyjoystick.runs.coupling.system import Component, Connection, CoupledSystem
 from pyjoystick.runs.errors import CouplingError
 from pyjoystick.support import (
+    ARCHIVE_ERRORS,
     DEFAULT_OUTPUT_INTERVAL,
     DEFAULT_TOLERANCE,
     InputFileError,
+    archive_problem,
+    positive,
     replacing,
     version_of,
 )
@@ -38,6 +41,8 @@ _LISTS: Final = ("ssd:Connectors", "ssd:Elements", "ssd:Connections", "ssd:Units
 
 #: One name for the values of all components: ecos applies the sets of one name, which it is given.
 _PARAMETERS: Final = "parameters"
+#: What an archive may unpack to (bytes).
+_LARGEST: Final = 1_000_000_000
 _STRUCTURE: Final = "SystemStructure.ssd"
 #: The least date that a ZIP archive can hold: equal systems give equal bytes.
 _NO_DATE: Final = (1980, 1, 1, 0, 0, 0)
@@ -90,15 +95,18 @@ def read_ssp(path: str | PathLike[str], folder: str | PathLike[str]) -> CoupledS
     path, folder = Path(path), Path(folder)
     try:
         with zipfile.ZipFile(path) as archive:
+            if (size := sum(entry.file_size for entry in archive.infolist())) > _LARGEST:
+                allowed = f"at most {_LARGEST / 1e9:.3g} GB are unpacked"
+                raise InputFileError(path, f"declares {size / 1e9:.3g} GB; {allowed}")
             system = system_of(path, ElementTree.fromstring(archive.read(_STRUCTURE)), folder)
             for component in system.components:
                 archive.extract(Path(component.fmu).relative_to(folder).as_posix(), folder)
     except KeyError as error:
         raise InputFileError(path, f"not a whole SSP archive: {error.args[0]}") from error
-    except (zipfile.BadZipFile, OSError) as error:
-        raise InputFileError(path, f"not an SSP archive: {error}") from error
-    except ElementTree.ParseError as error:
+    except (ElementTree.ParseError, LookupError) as error:  # LookupError: an unknown encoding
         raise InputFileError(path, f"{_STRUCTURE} cannot be read: {error}") from error
+    except ARCHIVE_ERRORS as error:
+        raise InputFileError(path, f"not an SSP archive: {archive_problem(error)}") from error
     return system
 
 
@@ -244,8 +252,17 @@ def system_of(path: Path, root: Element, folder: Path) -> CoupledSystem:
             _component(path, element, folder) for element in ([] if elements is None else elements)
         ),
         connections=tuple(_connections(path, top)),
-        stop_time=float(experiment.get("stopTime", "1.0")) if experiment is not None else 1.0,
+        stop_time=_stop_time(path, experiment),
     )
+
+
+def _stop_time(path: Path, experiment: Element | None) -> float:
+    text = "1.0" if experiment is None else experiment.get("stopTime", "1.0")
+    try:
+        return positive("stopTime", float(text), "s")
+    except ValueError as error:
+        allowed = "must be a finite number above 0 s"
+        raise InputFileError(path, f"DefaultExperiment: stopTime = {text!r}: {allowed}") from error
 
 
 def _component(path: Path, element: Element, folder: Path) -> Component:

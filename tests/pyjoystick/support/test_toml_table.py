@@ -92,3 +92,10 @@ def test_wrong_types(root: Table) -> None:
     with pytest.raises(SettingsError, match="must be a list"):
         root.words("number")
     assert not root.flag("absent")
+
+
+def test_brackets_without_end_are_no_internal_error(tmp_path: Path) -> None:
+    path = tmp_path / "deep.toml"
+    path.write_text("a = " + "[" * 100_000)
+    with pytest.raises(SettingsError, match="is not TOML: "):
+        read_toml(path)

@@ -23,7 +23,7 @@ from pyjoystick.runs import (
     write_ssp,
 )
 from pyjoystick.runs.coupling.ssp import SspVersion, structure_xml
-from pyjoystick.support import InputFileError, OutputFileError
+from pyjoystick.support import InputFileError, OutputFileError, ParameterError
 from tests.pyjoystick.runs.coupling.conftest import Ecos
 
 pytestmark = pytest.mark.usefixtures("fmus_by_name")
@@ -206,6 +206,17 @@ def test_a_file_that_is_no_archive(tmp_path: Path) -> None:
         ('value="0.012"', 'value="heavy"', "parameter 'J': a value of Real 'heavy' is not supported"),
         ("ssv:Real", "ssv:Binary", "a value of Binary is not supported"),
         ("ssd:System>", "ssd:Nothing>", "cannot be read"),
+        (
+            'stopTime="1.2"',
+            'stopTime="soon"',
+            r"DefaultExperiment: stopTime = 'soon': must be a finite number above",
+        ),
+        (
+            'stopTime="1.2"',
+            'stopTime="-1"',
+            r"DefaultExperiment: stopTime = '-1': must be a finite number above",
+        ),
+        ("encoding='UTF-8'", "encoding='none'", "cannot be read: unknown encoding"),
     ],
 )
 def test_what_is_not_understood_is_named(
@@ -221,6 +232,19 @@ def test_what_is_not_understood_is_named(
             target.writestr(name, content)
     with pytest.raises(InputFileError, match=message):
         read_ssp(changed, tmp_path / "unpacked")
+
+
+def test_a_bomb_is_refused_before_it_is_unpacked(archive: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("pyjoystick.runs.coupling.ssp._LARGEST", 100_000)
+    with pytest.raises(InputFileError, match=r"declares \S+ GB; at most 0\.0001 GB are unpacked"):
+        read_ssp(archive, archive.parent / "unpacked")
+
+
+def test_a_run_without_end_is_refused() -> None:
+    with pytest.raises(
+        ParameterError, match=r"step = 0\.001: must be 1e\+301 s or more for a run of 1e\+308 s"
+    ):
+        run_coupled(operator_and_joystick(), step=1e-3, duration=1e308)
 
 
 def test_nothing_is_left_where_it_cannot_be_written(tmp_path: Path) -> None:
