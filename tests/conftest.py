@@ -19,7 +19,7 @@ ROOT = Path(__file__).parents[1]
 #: What ``--quick`` leaves out, besides tests that build FMUs of their own: those that compile, build the site
 #: or start other programs, and those that take more than some seconds for other reasons.
 SLOW = (
-    *("benchmarks", "docs", "fmu_build", "joystick_fmu", "modelica", "other_tools", "scenarios"),
+    *("benchmarks", "docs", "fmu_build", "fuzz", "joystick_fmu", "modelica", "other_tools", "scenarios"),
     *("test_your_joystick.py", "pyjoystick/reports", "pyjoystick/fmu/test_interruption.py"),
     *("pyjoystick/runs/sweeps/test_cluster.py", "pyjoystick/runs/sweeps/test_interruption.py"),
     *("pyjoystick/cli", "pyjoystick/runs/coupling", "pyjoystick/runs/fmu_comparison"),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
+from tokenize import TokenError
 from typing import Final
 
 import numpy as np
@@ -206,7 +207,7 @@ def _npy_pieces(file: SampleFile, size: int) -> Iterator[Piece]:
     except OSError as error:
         reason = f"cannot be read: {error.strerror or error}"
         raise RecordError(source, reason, "check the path and its permissions") from error
-    except ValueError as error:
+    except (ValueError, SyntaxError, TokenError, TypeError, KeyError) as error:  # of NumPy, about the head
         if isinstance(error, RecordError):
             raise
         raise RecordError(source, f"is not a .npy file: {error}", "save it by numpy.save") from error

@@ -8,10 +8,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pyjoystick.laboratory import Markers, read_accelerometer, read_load_curve, read_markers
+from pyjoystick.laboratory import Markers, fit_load_curve, read_accelerometer, read_load_curve, read_markers
 from pyjoystick.laboratory.measurements.resampling import resample
+from pyjoystick.model import FORWARD_TABLE
 from pyjoystick.motion import RecordError, read_record
 from pyjoystick.support import SeriesError
+from tests.pyjoystick.laboratory.load_curve.machine import cycle
 from tests.pyjoystick.laboratory.measurements.c3d_writer import write_c3d
 from tests.pyjoystick.laboratory.measurements.made import NAMES, nexus_text, plain_text, swing, write
 
@@ -96,3 +98,26 @@ def test_an_accelerometer_whose_time_stands_still(tmp_path: Path) -> None:
     rows = "".join(f"{min(i, 20) / 1e3},{i % 7}\n" for i in range(60))
     with pytest.raises(RecordError, match="row 23: the time does not increase"):
         read_accelerometer(write(tmp_path / "a.csv", f"time (s),acceleration (m/s2)\n{rows}"))
+
+
+def test_samples_that_do_not_determine_the_segments(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    travel, force = cycle(FORWARD_TABLE, 6)
+    rows = "".join(f"{1e3 * x:.6g},{f:.6g}\n" for x, f in zip(travel[::8], force[::8], strict=True))
+    curve = read_load_curve(write(tmp_path / "curve.csv", f"travel (mm),force (N)\n{rows}"))
+
+    def singular(matrix: object) -> None:
+        raise np.linalg.LinAlgError("Singular matrix")
+
+    monkeypatch.setattr("numpy.linalg.inv", singular)
+    with pytest.raises(RecordError, match=r"curve\.csv: does not determine 4 segments; try another number"):
+        fit_load_curve(curve)
+
+
+@pytest.mark.parametrize("head", [b"{'descr': '<f8', 'shape': (60,), ", b"{'descr': '<q9'", b"1" * 40])
+def test_the_damaged_head_of_an_npy_file(head: bytes, tmp_path: Path) -> None:
+    path = tmp_path / "a.npy"
+    np.save(path, np.arange(60.0) % 7.0)
+    content = path.read_bytes()
+    path.write_bytes(content[:10] + head.ljust(118)[:118] + content[128:])
+    with pytest.raises(RecordError, match=r"a\.npy: is not a \.npy file: "):
+        read_accelerometer(path, rate=600.0, unit="m/s2")

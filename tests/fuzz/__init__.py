@@ -1,0 +1,1 @@
+"""Fuzzing: random FMI calls in C, and damaged files for every reader."""
