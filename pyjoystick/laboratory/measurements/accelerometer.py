@@ -28,6 +28,8 @@ from pyjoystick.support import FloatArray, positive
 _COLUMN: Final = Column("acceleration", {**UNITS["acceleration"], **UNITS["voltage"]})
 #: Sampling is uneven where a step in time differs by more than this from the usual one.
 _UNEVEN: Final = 0.02
+#: An angle that changes by less than this (rad) only does so by rounding.
+_STILL: Final = 1e-9
 #: Clocks are compared over this much to either side (s), in these steps.
 LARGEST_LAG: Final = 0.1
 _LAG_STEP: Final = 5e-4
@@ -219,7 +221,7 @@ def angular_acceleration(
 
     Raises:
         ParameterError: the distance is not above zero
-        RecordError: there are no samples at rest, or too few where the angle is known
+        RecordError: there are no samples at rest, or too few where the angle is known, or it never changes
     """
     length = positive("distance", distance, "m")
     sign = -1.0 if backward else 1.0
@@ -236,6 +238,9 @@ def angular_acceleration(
     if np.count_nonzero(known) < 3:
         raise RecordError(record.source, "has too few samples where the angle is known", "check both clocks")
     time, alpha = motion.time[known], motion.alpha[known]
+    if np.ptp(motion.theta[known]) < _STILL:
+        reason = "cannot be compared with an angle that never changes"
+        raise RecordError(record.source, reason, "give the record of the same motion")
     level = gravity * np.sin(motion.theta[known])
     raw = np.interp(time, record.time, smooth) / length
     filtered = np.full(len(motion.time), np.nan)

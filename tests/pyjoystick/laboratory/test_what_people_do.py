@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from pyjoystick.cli import main
 from pyjoystick.laboratory import Markers, fit_load_curve, read_accelerometer, read_load_curve, read_markers
 from pyjoystick.laboratory.measurements.resampling import resample
 from pyjoystick.model import FORWARD_TABLE
@@ -121,3 +122,16 @@ def test_the_damaged_head_of_an_npy_file(head: bytes, tmp_path: Path) -> None:
     path.write_bytes(content[:10] + head.ljust(118)[:118] + content[128:])
     with pytest.raises(RecordError, match=r"a\.npy: is not a \.npy file: "):
         read_accelerometer(path, rate=600.0, unit="m/s2")
+
+
+@pytest.mark.parametrize("angle", [0.0, 5.0])
+def test_an_accelerometer_beside_an_angle_that_never_changes(
+    angle: float, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    rows = "".join(f"{t:.9g},{angle}\n" for t in TIME)
+    write(Path("angle.csv"), f"time (s),theta (deg)\n{rows}")
+    np.save("a.npy", np.arange(1800.0) % 7.0)
+    options = ("--angle", "angle.csv", "--distance", "0.25", "--samples-per-second", "600", "--unit", "m/s2")
+    assert main(["import", "accelerometer", "a.npy", *options]) == 1
+    assert "a.npy: cannot be compared with an angle that never changes" in capsys.readouterr().err
