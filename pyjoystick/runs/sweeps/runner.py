@@ -160,7 +160,7 @@ def _finished(sweep: Sweep, parts: Parts) -> pd.DataFrame | None:
 def _require_whole(sweep: Sweep, path: Path, table: pd.DataFrame) -> None:
     """Raise SweepFileError where the rows of a file are not those that its settings make."""
     columns = [*sweep.design, *sweep.columns, "failed", "message"]
-    kinds = {name: "b" if name == "failed" else "fi" for name in columns if name != "message"}
+    kinds = dict.fromkeys(sweep.columns, "fiub") | {"failed": "b"}
     if (
         list(table) != columns
         or not table.index.equals(sweep.design.index)
