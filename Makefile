@@ -6,7 +6,7 @@
 #             platform (PLATFORMS=all: Linux, Windows and macOS; PLATFORMS="x86_64-linux x86_64-windows": those);
 #             FMI=3: of FMI 3.0, in build/fmi3/; FMI="2 3": both
 # make ssp    operator and joystick as one system: build/joystick.ssp
-# make fuzz  random FMI calls for SECONDS=60, with the corpora of build/fuzz/; needs clang with libFuzzer
+# make fuzz  random FMI calls (with clang) and damaged files, SECONDS=60 in all; corpora in build/fuzz/
 # make lint   ruff, mypy, the C compilers with every warning an error, the Modelica checks
 # make bench  speed as ratios within one run
 # make figure  the figure of the README and the drawings of the documentation
@@ -55,7 +55,7 @@ test: build/fmi2/.built $(if $(filter rumoca,$(COMPILER)),build/fmi3/.built)
 test-quick: $(READY)
 	$(BIN)/python -m pytest --quick --numprocesses auto
 
-fuzz: $(READY)
+fuzz: fmu
 	$(BIN)/python -m tests.fuzz --seconds $(SECONDS)
 
 fmu: $(FMI:%=build/fmi%/.built)

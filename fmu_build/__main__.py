@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 import time
 from collections.abc import Iterable
 from pathlib import Path
@@ -160,4 +161,6 @@ app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_mar
 app.command(epilog=_EXAMPLE)(main)
 
 if __name__ == "__main__":
+    # As Ctrl-C, also where that is ignored: temporary folders are deleted, started tools are ended.
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
     app(prog_name="python -m fmu_build")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import signal
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -18,7 +19,7 @@ ROOT = Path(__file__).parents[1]
 #: What ``--quick`` leaves out, besides tests that build FMUs of their own: those that compile, build the site
 #: or start other programs, and those that take more than some seconds for other reasons.
 SLOW = (
-    *("benchmarks", "docs", "fmu_build", "joystick_fmu", "modelica", "other_tools", "scenarios"),
+    *("benchmarks", "docs", "fmu_build", "fuzz", "joystick_fmu", "modelica", "other_tools", "scenarios"),
     *("test_your_joystick.py", "pyjoystick/reports", "pyjoystick/fmu/test_interruption.py"),
     *("pyjoystick/runs/sweeps/test_cluster.py", "pyjoystick/runs/sweeps/test_interruption.py"),
     *("pyjoystick/cli", "pyjoystick/runs/coupling", "pyjoystick/runs/fmu_comparison"),
@@ -29,6 +30,15 @@ SLOW = (
 )
 #: Quick all the same.
 QUICK = ("fmu_build/modelica_source", "fmu_build/runtime/test_layers.py")
+
+
+def pytest_configure() -> None:
+    """Where Ctrl-C is ignored, as after ``nohup``, the processes that tests start hear it all the same.
+
+    They would inherit that it is ignored, but not that something else is done with it.
+    """
+    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+        signal.signal(signal.SIGINT, lambda *_: None)
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

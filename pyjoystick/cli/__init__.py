@@ -153,3 +153,4 @@ def _options(
     debug: Annotated[bool, typer.Option("--debug", help="Show a traceback when an error occurs.")] = False,
 ) -> None:
     _state.debug = debug
+    support.remove_abandoned()

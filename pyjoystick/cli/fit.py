@@ -69,8 +69,8 @@ def run(
 ) -> None:
     """Fit parameters to measured motion and report how certain they are.
 
-    The exit code is 3 if the result failed a check; the reasons are printed. It is 130 after Ctrl-C; what was
-    found by then is printed and written.
+    The exit code is 3 if the result failed a check; the reasons are printed. It is 130 after Ctrl-C, 143
+    after SIGTERM; what was found by then is printed and written.
     """
     if settings_file is not None and damping is not None:
         raise typer.BadParameter("give --settings or --damping: the settings name the FMU")

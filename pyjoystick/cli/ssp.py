@@ -15,7 +15,7 @@ EXAMPLES = """
 Examples:
 
     pyjoystick ssp joystick.ssp
-    pyjoystick ssp joystick.ssp --ssp-version 1.0
+    pyjoystick ssp joystick.ssp --ssp-version 2.0
 """
 
 
@@ -33,7 +33,7 @@ def run(
     ],
     version: Annotated[
         Version, typer.Option("--ssp-version", help="Version of the SSP standard.")
-    ] = Version.V2,
+    ] = Version.V1,
 ) -> None:
     """Write operator and joystick, coupled FMU to FMU, as an SSP archive that other tools can run."""
     write(file, lambda path: runs.write_ssp(runs.operator_and_joystick(), path, version=version.value))

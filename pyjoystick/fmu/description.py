@@ -16,9 +16,12 @@ from fmpy import read_model_description
 
 from pyjoystick.fmu.errors import FmuFileError, UnsupportedFmuError
 from pyjoystick.motion import DisplayUnit, Quantity
+from pyjoystick.support import ARCHIVE_ERRORS, archive_problem
 
 #: What a minimum means that is no larger; Modelica.Constants.small is 1e-60.
 _SMALL: Final = 1e-50
+#: Value references are unsigned numbers of 32 bits in both versions of FMI.
+_LARGEST_REFERENCE: Final = 0xFFFF_FFFF
 
 Interface = Literal["CoSimulation", "ModelExchange"]
 
@@ -175,9 +178,8 @@ def read_description(path: Path) -> FmuDescription:
     try:
         with zipfile.ZipFile(path) as archive:
             files = archive.namelist()
-    except (zipfile.BadZipFile, OSError) as error:
-        reason = "not a ZIP archive" if isinstance(error, zipfile.BadZipFile) else error.strerror
-        raise FmuFileError(path, f"not an FMU: {reason}") from error
+    except ARCHIVE_ERRORS as error:
+        raise FmuFileError(path, f"not an FMU: {archive_problem(error)}") from error
     if "modelDescription.xml" not in files:
         raise FmuFileError(path, "not an FMU: there is no modelDescription.xml in it")
     try:
@@ -205,6 +207,11 @@ def _require_known_version(path: Path) -> ElementTree.Element:
 
 
 def _description(path: Path, files: list[str], model: Any, root: ElementTree.Element) -> FmuDescription:
+    for variable in model.modelVariables:
+        if not 0 <= variable.valueReference <= _LARGEST_REFERENCE:
+            allowed = f"must be a whole number from 0 to {_LARGEST_REFERENCE}"
+            given = f"valueReference = {variable.valueReference}"
+            raise FmuFileError(path, f"variable {variable.name!r}: {given}: {allowed}")
     interfaces = {
         name: str(interface.modelIdentifier)
         for name, interface in (("CoSimulation", model.coSimulation), ("ModelExchange", model.modelExchange))

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import copy
 import os
-import tempfile
 import threading
-import zipfile
 from contextlib import ExitStack, suppress
 from pathlib import Path
 from typing import Any, Final
@@ -19,7 +17,7 @@ from pyjoystick.fmu.description import FmuDescription, Interface
 from pyjoystick.fmu.errors import FmuFileError, UnsupportedFmuError
 from pyjoystick.fmu.instance import Instance
 from pyjoystick.fmu.log import FmuLog
-from pyjoystick.support import PyJoystickError
+from pyjoystick.support import ARCHIVE_ERRORS, PyJoystickError, archive_problem, temporary_folder
 
 #: FMPy's classes by interface and first digit of the version of FMI: what can be run.
 _CLASSES: Final[dict[tuple[Interface, str], Any]] = {
@@ -64,7 +62,7 @@ class FmuLibrary:
         require_runnable(description, interface)
         self.description = description
         with ExitStack() as stack:
-            self.folder = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="pyjoystick-")))
+            self.folder = stack.enter_context(temporary_folder())
             _unpack(description, self.folder)
             self.fmi: Any = _load(description, interface, self.folder)
             stack.callback(self.fmi.freeLibrary)
@@ -117,8 +115,8 @@ def _unpack(description: FmuDescription, folder: Path) -> None:
     wanted = (f"binaries/{_platform(description)}/", "resources/", "modelDescription.xml")
     try:
         fmpy.extract(str(description.path), str(folder), include=lambda name: name.startswith(wanted))
-    except (zipfile.BadZipFile, OSError, EOFError, ValueError) as error:
-        raise FmuFileError(description.path, f"cannot be unpacked: {error}") from error
+    except ARCHIVE_ERRORS as error:
+        raise FmuFileError(description.path, f"cannot be unpacked: {archive_problem(error)}") from error
     (folder / "resources").mkdir(exist_ok=True)
 
 

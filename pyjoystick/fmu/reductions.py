@@ -12,6 +12,9 @@ from dataclasses import dataclass
 from pyjoystick.fmu.stepping.reducing import EXTREMES, FINAL, LOSS, PEAKS, Operation
 from pyjoystick.support import ParameterError, UnknownVariableError, not_negative, whole_number
 
+#: More peaks than this are taken for a mistake.
+_MOST_PEAKS = 10_000
+
 
 @dataclass(frozen=True, slots=True)
 class Final:
@@ -45,7 +48,7 @@ class Peaks:
 
     Attributes:
         variable: the series
-        count: number of peaks to keep, 1 or more
+        count: number of peaks to keep, from 1 to 10,000
         derivative: the variable that is its derivative with respect to time (``omega`` for ``theta``), which
             must be recorded as well; where not given, peaks are found from the samples alone
         minimum_height: peaks with a smaller absolute value are left out
@@ -60,6 +63,8 @@ class Peaks:
 
     def __post_init__(self) -> None:
         whole_number("count", self.count, 1)
+        if self.count > _MOST_PEAKS:
+            raise ParameterError("count", self.count, f"{_MOST_PEAKS} at most")
         not_negative("minimum_height", self.minimum_height)
         not_negative("minimum_prominence", self.minimum_prominence)
 

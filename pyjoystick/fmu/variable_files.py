@@ -19,6 +19,8 @@ from pyjoystick.motion import TIME, Column, Match, RecordError, TableFile, read_
 from pyjoystick.support import UnknownInputError
 
 _TIME: Final = replace(TIME, default_unit="s")
+#: Closer instants (s) are no two ends of a line: its slope would overflow.
+_CLOSEST: Final = 1e-12
 _TRUTH: Final = {"true": True, "false": False}
 
 
@@ -28,7 +30,8 @@ def read_inputs(path: str | PathLike[str], fmu: FmuDescription) -> pd.DataFrame:
     The first column is the time, in s where its heading has no unit; the others are as in `read_variables`.
 
     Raises:
-        RecordError: the file is not a table, a unit is unknown, or a cell is not a finite number
+        RecordError: the file is not a table, a unit is unknown, a cell is not a finite number, or two
+            different times are less than 1e-12 s apart
         UnknownInputError: a column has not the name of an input
     """
     file = read_table_file(Path(path))
@@ -41,7 +44,16 @@ def read_inputs(path: str | PathLike[str], fmu: FmuDescription) -> pd.DataFrame:
             raise UnknownInputError(name, known)
     columns = [_column(fmu.variables[name]) for name in texts]
     found = file.head.match([_TIME, *columns], headings={"time": first.text} | texts)
-    return _table(file, found, fmu)
+    table = _table(file, found, fmu)
+    steps = np.diff(table.index)
+    close = np.flatnonzero((steps > 0.0) & (steps < _CLOSEST))
+    if close.size:
+        reason, advice = (
+            f"two times are less than {_CLOSEST:g} s apart",
+            "write a jump as two rows of one time",
+        )
+        raise RecordError(str(path), reason, advice, column=first.text, rows=file.rows[close + 1])
+    return table
 
 
 def read_variables(path: str | PathLike[str], fmu: FmuDescription, names: Sequence[str]) -> pd.DataFrame:

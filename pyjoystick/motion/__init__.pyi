@@ -10,7 +10,11 @@ from .record_peaks import MeasuredPeaks as MeasuredPeaks, measured_peaks as meas
 from .records.errors import RecordError as RecordError, rows_in_words as rows_in_words
 from .records.free_oscillation import Side as Side, check_free_oscillation as check_free_oscillation
 from .records.reading import read_record as read_record, read_repeats as read_repeats
-from .records.record import MISSING_ADVICE as MISSING_ADVICE, Record as Record
+from .records.record import (
+    MISSING_ADVICE as MISSING_ADVICE,
+    Record as Record,
+    require_sampling as require_sampling,
+)
 from .records.swings import find_swings as find_swings
 from .release_peaks import (
     DISPLACEMENT_PEAKS as DISPLACEMENT_PEAKS,
@@ -25,6 +29,7 @@ from .release_peaks import (
 from .report import Case as Case, free_oscillation_report as free_oscillation_report, peak_table as peak_table
 from .table_files import (
     DELIMITERS as DELIMITERS,
+    LARGEST as LARGEST,
     TIME as TIME,
     Column as Column,
     Heading as Heading,

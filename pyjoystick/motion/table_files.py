@@ -24,6 +24,8 @@ from pyjoystick.support import FloatArray
 
 _COMMENT: Final = "#"
 DELIMITERS: Final = ",;\t"
+#: Numbers beyond this are no measurement; their powers would overflow.
+LARGEST: Final = 1e60
 _EMPTY: Final = ("", "nan", "na", "n/a", "null", "none", "-")
 _HEADING: Final = re.compile(r"(?P<name>.*?)\s*[(\[](?P<unit>[^()\[\]]*)[)\]]\s*")
 
@@ -241,12 +243,13 @@ class TableFile:
             RecordError: a cell is empty, not a number or not finite
         """
         numbers = self.numbers(heading)
-        bad = np.flatnonzero(~np.isfinite(numbers))
+        bad = np.flatnonzero(~(np.abs(numbers) <= LARGEST))
         if bad.size:
+            is_number = bool(np.isfinite(numbers[bad[0]]))
             raise RecordError(
                 str(self.head.path),
-                "samples without a finite number",
-                advice,
+                f"a number beyond {LARGEST:g}" if is_number else "samples without a finite number",
+                "correct it" if is_number else advice,
                 column=heading.text,
                 rows=self.rows[bad].tolist(),
                 value=self.texts(heading)[bad[0]] or "nothing",

@@ -1,3 +1,4 @@
+from .archives import ARCHIVE_ERRORS as ARCHIVE_ERRORS, archive_problem as archive_problem
 from .checks import (
     DEFAULT_DURATION as DEFAULT_DURATION,
     DEFAULT_OUTPUT_INTERVAL as DEFAULT_OUTPUT_INTERVAL,
@@ -59,5 +60,6 @@ from .plots import (
     save_figure as save_figure,
     save_results as save_results,
 )
+from .temporary_folders import remove_abandoned as remove_abandoned, temporary_folder as temporary_folder
 from .text_table import TextTable as TextTable
 from .toml_table import Table as Table, read_toml as read_toml

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from contextlib import suppress
 from numbers import Integral, Real
 from typing import Final
 
@@ -26,9 +27,13 @@ DEFAULT_OUTPUT_INTERVAL: Final = 1e-3
 
 def finite(field: str, value: object, unit: str = "", allowed: str = "a finite number") -> float:
     """`value` as a float; text, complex numbers, NaN and infinities are rejected."""
-    if isinstance(value, bool) or not isinstance(value, Real) or not math.isfinite(value):
+    number = math.nan
+    if isinstance(value, Real) and not isinstance(value, bool):
+        with suppress(OverflowError):  # a whole number of more than 308 digits
+            number = float(value)
+    if not math.isfinite(number):
         raise ParameterError(field, value, f"{allowed} ({unit})" if unit else allowed)
-    return float(value)
+    return number
 
 
 def positive(field: str, value: object, unit: str = "") -> float:

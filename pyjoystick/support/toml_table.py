@@ -192,5 +192,5 @@ def read_toml(path: Path) -> Table:
         raise InputFileError(path, "is not text in UTF-8") from error
     try:
         return Table(path, "", tomllib.loads(text))
-    except tomllib.TOMLDecodeError as error:
+    except (ValueError, RecursionError) as error:  # of tomllib, and of numbers with thousands of digits
         raise SettingsError(path, "", "", None, f"is not TOML: {error}") from error

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import os
+import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -198,3 +201,23 @@ def test_failures_of_the_real_command(tmp_path: Path, arguments: tuple[str, ...]
     assert done.stderr.count("error:") == 1
     assert "Traceback" not in done.stderr
     assert [path.name for path in tmp_path.iterdir()] == ["M.mo"]
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no such signal")
+def test_sigterm_leaves_no_temporary_folder(tmp_path: Path) -> None:
+    place = tmp_path / "temporary"
+    place.mkdir()
+    command = [sys.executable, "-m", "fmu_build", _JOYSTICK, "-o", str(tmp_path / "fmus")]
+    environment = os.environ | {"TMPDIR": str(place)}
+    with subprocess.Popen(command, env=environment, stderr=subprocess.PIPE, text=True) as process:
+        try:
+            while not list(place.glob("fmu_build-*")):
+                assert process.poll() is None
+                time.sleep(0.02)
+            process.send_signal(signal.SIGTERM)
+            _, said = process.communicate(timeout=120.0)
+        finally:
+            process.kill()
+    assert process.returncode == 130, said
+    assert list(place.glob("fmu_build-*")) == []
+    assert "Traceback" not in said

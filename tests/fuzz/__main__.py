@@ -1,4 +1,4 @@
-"""``make fuzz SECONDS=60``: fuzz for so long, and print what was run and what was found."""
+"""``make fuzz SECONDS=60``: half of the time random FMI calls, half of it damaged files for every reader."""
 
 from __future__ import annotations
 
@@ -9,6 +9,9 @@ import sys
 from pathlib import Path
 
 from tests.fuzz import fmi_calls
+from tests.fuzz.outcome import Outcome
+from tests.fuzz.readers import campaign
+from tests.fuzz.readers.trial import trial
 
 
 def main() -> int:
@@ -19,20 +22,35 @@ def main() -> int:
         "--seed", type=int, default=random.randrange(2**31), help="default: another each time"
     )
     parser.add_argument("--folder", type=Path, default=Path("build/fuzz"), help="for programs and corpora")
+    parser.add_argument("--only", choices=("calls", "readers"), help="one of the two, for all of the time")
+    parser.add_argument("--case", type=int, help="repeat this one damaged file alone")
     settings = parser.parse_args()
-    print(f"seed {settings.seed}")
-    try:
-        outcomes = fmi_calls.fuzz_all(
-            settings.folder.absolute(), settings.seconds, settings.seed, os.cpu_count() or 1
-        )
-    except fmi_calls.NoFuzzerError as error:
-        print(f"FMI calls: skipped, {error}")
-        return 0
+    folder = settings.folder.absolute()
+    if settings.case is not None:
+        campaign.fuzz_all(folder, 0.0, 0, 1)
+        fault = trial(settings.case, folder / "readers", folder / "faults")
+        print(fault or "no fault")
+        return int(fault is not None)
+    print(f"seed {settings.seed}", flush=True)
+    seconds = settings.seconds if settings.only else settings.seconds / 2.0
+    processes = os.cpu_count() or 1
+    outcomes: list[Outcome] = []
+    if settings.only != "readers":
+        try:
+            outcomes += fmi_calls.fuzz_all(folder, seconds, settings.seed, processes)
+        except fmi_calls.NoFuzzerError as error:
+            print(f"random FMI calls: skipped, {error}", flush=True)
+    if settings.only != "calls":
+        outcomes += campaign.fuzz_all(folder, seconds, settings.seed, processes)
+    return _told(outcomes)
+
+
+def _told(outcomes: list[Outcome]) -> int:
     for outcome in outcomes:
         print(
             f"{outcome.target:16} {outcome.executions:10,} inputs  {'FAULT' if outcome.fault else 'no fault'}"
         )
-    print(f"{'FMI calls':16} {sum(outcome.executions for outcome in outcomes):10,} inputs")
+    print(f"{'all':16} {sum(outcome.executions for outcome in outcomes):10,} inputs")
     for outcome in outcomes:
         if outcome.fault:
             print(f"\n{outcome.target}:\n{outcome.fault}", file=sys.stderr)

@@ -10,13 +10,13 @@ import re
 import shutil
 import subprocess
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
 from importlib import resources
 from pathlib import Path
 
 from fmu_build.packaging.sources import FMI_HEADERS, include_arguments, runtime_files
 from fmu_build.support.request import FmiVersion
 from tests.fmu_build.runtime.library import MODELS, TOKEN
+from tests.fuzz.outcome import Outcome
 
 HERE = Path(__file__).parent
 ALLOCATIONS = MODELS.parent / "allocations.c"
@@ -36,21 +36,6 @@ _EXECUTIONS = re.compile(r"stat::number_of_executed_units:\s+(\d+)")
 
 class NoFuzzerError(Exception):
     """This machine has no compiler with libFuzzer."""
-
-
-@dataclass(frozen=True)
-class Outcome:
-    """What one target did.
-
-    Attributes:
-        target: its name
-        executions: how many inputs it ran
-        fault: what it printed at a fault, empty if there was none
-    """
-
-    target: str
-    executions: int
-    fault: str
 
 
 def compiler() -> str:

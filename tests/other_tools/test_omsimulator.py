@@ -23,7 +23,7 @@ def test_free_oscillation(joystick_fmus: Path, tmp_path: Path) -> None:
     if program is None:
         pytest.skip("OMSimulator was not found on the path")
     joystick = Component("joystick", joystick_fmus / "Joystick.fmu", {"theta_start": RELEASE})
-    write_ssp(CoupledSystem("released", (joystick,), (), 1.5), tmp_path / "released.ssp", version="1.0")
+    write_ssp(CoupledSystem("released", (joystick,), (), 1.5), tmp_path / "released.ssp")
     command = [program, "--stopTime=1.5", "--resultFile=result.csv", "--tempDir=unpacked", "released.ssp"]
     subprocess.run(command, cwd=tmp_path, check=True, capture_output=True, text=True)
     table = pd.read_csv(tmp_path / "result.csv").drop_duplicates("time")

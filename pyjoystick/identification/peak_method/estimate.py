@@ -69,9 +69,12 @@ def velocity_points(
         as `displacement_points`, with ``peak`` in rad/s and ``time`` from where the clock starts
 
     Raises:
+        DampingEstimateError: there is no velocity peak
         ParameterError: the inertia is not above zero
     """
     table = peaks.velocity.iloc[:count]
+    if table.empty:
+        raise DampingEstimateError(f"{peaks.name}: no peak of the velocity stands out of the noise")
     time, value = table["time"].to_numpy(), table["value"].to_numpy()
     start = peaks.release_time if clock == "release" else float(time[0])
     points = _points(peaks.name, time[1:] - start, value[1:], abs(float(value[0])), inertia)

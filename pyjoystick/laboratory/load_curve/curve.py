@@ -92,8 +92,9 @@ class LoadCurve:
         series = {"travel": travel, "force": force}
         for name, values in series.items():
             extreme = float(values[np.argmax(np.abs(values))]) if len(values) else 0.0
-            if extreme == 0.0:
-                raise RecordError(source, "is zero throughout", "was the right column chosen?", column=name)
+            if extreme == 0.0 or np.ptp(values) == 0.0:
+                reason = "never changes" if extreme else "is zero throughout"
+                raise RecordError(source, reason, "was the right column chosen?", column=name)
             if extreme < 0.0:
                 series[name] = -values
                 notes.append(

@@ -10,6 +10,7 @@ in the plane scaled by the noise of both axes.
 from __future__ import annotations
 
 import math
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Final
 
@@ -156,6 +157,10 @@ def fit_load_curve(
     freedom = len(distances) - len(natural) + (curve.unloading is None)
     misfit = float(np.sqrt(np.sum(distances**2) / freedom))
     covariance = _covariance(model, natural) * max(misfit, 1.0) ** 2
+    if not (np.diag(covariance) >= 0.0).all():
+        raise RecordError(
+            curve.source, f"does not determine {segments} segments", "try another number of segments"
+        )
     x, k, friction, zero = model.parted(natural)
     table = SegmentTable(tuple(np.maximum(x, 0.0)), tuple(k))
     require_samples_before_contact(curve, table)
@@ -252,7 +257,10 @@ def _points(branch: Branch) -> FloatArray:
 
 
 def _covariance(model: _Model, natural: FloatArray) -> FloatArray:
-    """Of the natural parameters for distances of unit variance; nothing for friction that is not fitted."""
+    """Of the natural parameters for distances of unit variance; nothing for friction that is not fitted.
+
+    NaN, or variances below zero, where the distances do not determine them.
+    """
     fitted = np.ones(len(natural), dtype=bool)
     fitted[-2] = len(model.points) > 1
     slopes = []
@@ -266,5 +274,7 @@ def _covariance(model: _Model, natural: FloatArray) -> FloatArray:
     norms = np.linalg.norm(jacobian, axis=0)
     norms[norms == 0.0] = np.nan
     scaled = jacobian / norms
-    covariance[np.ix_(fitted, fitted)] = np.linalg.inv(scaled.T @ scaled) / np.outer(norms, norms)
-    return covariance
+    with suppress(np.linalg.LinAlgError):
+        covariance[np.ix_(fitted, fitted)] = np.linalg.inv(scaled.T @ scaled) / np.outer(norms, norms)
+        return covariance
+    return np.full_like(covariance, np.nan)

@@ -22,12 +22,14 @@ from pyjoystick.laboratory.measurements.chain import Motion
 from pyjoystick.laboratory.measurements.low_pass import LowPass
 from pyjoystick.laboratory.measurements.sample_files import PIECE, SampleFile, open_samples
 from pyjoystick.laboratory.measurements.saturation import SaturationWatch
-from pyjoystick.motion import GRAVITY, UNITS, Column, RecordError, rows_in_words
+from pyjoystick.motion import GRAVITY, UNITS, Column, RecordError, require_sampling, rows_in_words
 from pyjoystick.support import FloatArray, positive
 
 _COLUMN: Final = Column("acceleration", {**UNITS["acceleration"], **UNITS["voltage"]})
 #: Sampling is uneven where a step in time differs by more than this from the usual one.
 _UNEVEN: Final = 0.02
+#: An angle that changes by less than this (rad) only does so by rounding.
+_STILL: Final = 1e-9
 #: Clocks are compared over this much to either side (s), in these steps.
 LARGEST_LAG: Final = 0.1
 _LAG_STEP: Final = 5e-4
@@ -136,6 +138,10 @@ def _even_rate(source: str, time: FloatArray, rows: NDArray[np.int64]) -> float:
     if len(time) < 3:
         raise RecordError(source, f"has {len(time)} samples in the window", "give a longer record")
     steps = np.diff(time)
+    for i in np.flatnonzero(steps <= 0.0)[:1]:
+        reason = "the time does not increase from the sample before"
+        raise RecordError(source, reason, "export the samples in order", column="time", rows=[rows[i + 1]])
+    require_sampling(source, time, rows)
     usual = float(np.median(steps))
     uneven = np.flatnonzero(np.abs(steps / usual - 1.0) > _UNEVEN)
     if uneven.size:
@@ -215,7 +221,7 @@ def angular_acceleration(
 
     Raises:
         ParameterError: the distance is not above zero
-        RecordError: there are no samples at rest, or too few where the angle is known
+        RecordError: there are no samples at rest, or too few where the angle is known, or it never changes
     """
     length = positive("distance", distance, "m")
     sign = -1.0 if backward else 1.0
@@ -232,6 +238,9 @@ def angular_acceleration(
     if np.count_nonzero(known) < 3:
         raise RecordError(record.source, "has too few samples where the angle is known", "check both clocks")
     time, alpha = motion.time[known], motion.alpha[known]
+    if np.ptp(motion.theta[known]) < _STILL:
+        reason = "cannot be compared with an angle that never changes"
+        raise RecordError(record.source, reason, "give the record of the same motion")
     level = gravity * np.sin(motion.theta[known])
     raw = np.interp(time, record.time, smooth) / length
     filtered = np.full(len(motion.time), np.nan)

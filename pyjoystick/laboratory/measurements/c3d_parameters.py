@@ -54,10 +54,12 @@ class NumberFormat:
 
     def reals(self, data: bytes) -> FloatArray:
         """Reals of 32 bits. F_floating has its two words exchanged and is a quarter of IEEE's value."""
-        if self.processor == _DEC:
-            words = np.frombuffer(data, dtype="<u2").reshape(-1, 2)[:, ::-1]
-            return np.ascontiguousarray(words).view("<f4").ravel().astype(np.float64) / 4.0
-        return np.frombuffer(data, dtype=">f4" if self.processor == _MIPS else "<f4").astype(np.float64)
+        with np.errstate(invalid="ignore"):  # a NaN that signals
+            if self.processor == _DEC:
+                words = np.frombuffer(data, dtype="<u2").reshape(-1, 2)[:, ::-1]
+                return np.ascontiguousarray(words).view("<f4").ravel().astype(np.float64) / 4.0
+            order = ">f4" if self.processor == _MIPS else "<f4"
+            return np.frombuffer(data, dtype=order).astype(np.float64)
 
 
 @dataclass(frozen=True, slots=True)

@@ -66,7 +66,7 @@ def read_marker_csv(path: Path, *, unit: str | None = None) -> Markers:
         for k, axis in enumerate(_AXES):
             factor = length_factor(str(path), axes[axis].unit or unit or "", axes[axis].text)
             positions[:, i, k] = file.numbers(axes[axis]) * factor
-    positions[~np.isfinite(positions).all(axis=2)] = np.nan
+    positions[np.isnan(positions).any(axis=2)] = np.nan
     return Markers(str(path), tuple(headings), time, positions, rows=file.rows)
 
 

@@ -10,11 +10,13 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from pyjoystick.motion import UNITS, RecordError, plain_unit
+from pyjoystick.motion import UNITS, RecordError, plain_unit, require_sampling
 from pyjoystick.support import FloatArray
 
 #: An angle over time needs this many frames.
 _FEWEST_FRAMES: Final = 3
+#: No camera sees farther (m).
+_FARTHEST: Final = 1000.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -30,7 +32,8 @@ class Markers:
         rows: row of each frame, shape (n,): line numbers of a text file, frame numbers of a C3D file
 
     Raises:
-        RecordError: fewer than three frames, the time does not increase, or two markers have one name
+        RecordError: fewer than three frames, the time does not increase or is likely in another unit, two
+            markers have one name, or a coordinate is infinite or beyond a kilometer
     """
 
     source: str
@@ -59,6 +62,18 @@ class Markers:
                 rows=rows[backward],
                 value=f"{self.time[backward[0]]:.9g} s",
             )
+        require_sampling(self.source, self.time, rows)
+        for name, places in zip(self.names, np.moveaxis(self.positions, 1, 0), strict=True):
+            far = np.flatnonzero((np.abs(places) > _FARTHEST).any(axis=1))
+            if far.size:
+                raise RecordError(
+                    self.source,
+                    f"is not within {_FARTHEST:g} m",
+                    "leave the coordinates of a marker that was not seen empty, or correct the unit",
+                    column=name,
+                    rows=rows[far],
+                    value=f"{np.abs(places[far[0]]).max():g} m",
+                )
 
     @property
     def rate(self) -> float:

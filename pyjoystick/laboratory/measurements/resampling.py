@@ -15,6 +15,8 @@ from pyjoystick.support import FloatArray, SeriesError, not_negative, positive
 GAP: Final = 1.5
 #: A stretch of fewer samples gets no spline.
 FEWEST: Final = 4
+#: So many even instants are hours: a time is wrong, or its unit.
+_MOST: Final = 10_000_000
 #: Instants this much of an interval beyond the last sample still count as its own.
 _ROUNDING: Final = 1e-9
 
@@ -55,7 +57,7 @@ def resample(time: FloatArray, values: FloatArray, rate: float, *, longest_gap: 
 
     Raises:
         ParameterError: the rate or the gap is outside its range
-        SeriesError: no stretch has the samples for a spline
+        SeriesError: no stretch has the samples for a spline, or there would be more than ten million instants
     """
     # SciPy takes a while to load, and the settings of a chain alone do without it.
     from scipy.interpolate import CubicSpline
@@ -66,6 +68,9 @@ def resample(time: FloatArray, values: FloatArray, rate: float, *, longest_gap: 
     found = time[known]
     if len(found) < FEWEST:
         raise SeriesError("values", f"has {len(found)} samples, at least {FEWEST} are needed")
+    if (found[-1] - found[0]) / interval > _MOST:
+        span = f"from {found[0]:g} to {found[-1]:g} s"
+        raise SeriesError("time", f"goes {span}, which are more than {_MOST} samples at {rate:g} Hz")
     usual = float(np.median(np.diff(time)))
     steps = np.diff(found)
     # The limit is met by steps that are equal to it but for the rounding of the times.

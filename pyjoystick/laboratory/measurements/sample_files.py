@@ -5,12 +5,23 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
+from tokenize import TokenError
 from typing import Final
 
 import numpy as np
 import pandas as pd
 
-from pyjoystick.motion import TIME, Column, Heading, Match, RecordError, TableHead, no_number, read_table_head
+from pyjoystick.motion import (
+    LARGEST,
+    TIME,
+    Column,
+    Heading,
+    Match,
+    RecordError,
+    TableHead,
+    no_number,
+    read_table_head,
+)
 from pyjoystick.support import FloatArray
 
 #: Samples in a piece.
@@ -196,18 +207,18 @@ def _npy_pieces(file: SampleFile, size: int) -> Iterator[Piece]:
     except OSError as error:
         reason = f"cannot be read: {error.strerror or error}"
         raise RecordError(source, reason, "check the path and its permissions") from error
-    except ValueError as error:
+    except (ValueError, SyntaxError, TokenError, TypeError, KeyError) as error:  # of NumPy, about the head
         if isinstance(error, RecordError):
             raise
         raise RecordError(source, f"is not a .npy file: {error}", "save it by numpy.save") from error
 
 
 def _require_finite(file: SampleFile, piece: Piece) -> None:
-    bad = np.flatnonzero(~np.isfinite(piece.values) | ~np.isfinite(piece.time))
+    bad = np.flatnonzero(~(np.abs(piece.values) <= LARGEST) | ~(np.abs(piece.time) <= LARGEST))
     if bad.size:
         raise RecordError(
             str(file.path),
-            "samples without a finite number",
+            f"samples without a finite number below {LARGEST:g}",
             "an empty line or a lost sample? An accelerometer's series has no gaps: cut the file there",
             column=file.column,
             rows=(piece.first + bad).tolist(),

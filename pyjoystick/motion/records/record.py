@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -15,11 +16,29 @@ from pyjoystick.support import FloatArray
 
 #: A record needs this many samples.
 FEWEST_SAMPLES = 3
+#: Time between two samples (s): a joystick swings a few times a second, and no instrument is faster.
+_INTERVALS: Final = (1e-7, 1.0)
 #: What to do about samples without a number.
 MISSING_ADVICE: Final = (
     "a lost marker? Leave these rows out; what is missing then counts as a gap, which is allowed where "
     "no peak can hide in it"
 )
+
+
+def require_sampling(source: str, time: FloatArray, rows: Sequence[int] | NDArray[np.int64]) -> None:
+    """Raise RecordError where increasing instants (s), shape (n,), n > 1, are likely in another unit."""
+    shortest, longest = _INTERVALS
+    interval = float(np.median(np.diff(time)))
+    if not shortest <= interval <= longest:
+        raise RecordError(
+            source,
+            "the usual time between two samples is not one of a measured motion",
+            f"it must be from {shortest:g} s to {longest:g} s: are these ms or us under the name of s? The "
+            "heading says the unit, as in 'time (ms)'",
+            column="time",
+            rows=rows[:2],
+            value=f"{interval:.6g} s",
+        )
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -65,6 +84,7 @@ class Record:
                 self._require_samples(name, series)
                 object.__setattr__(self, name, series)
         self._require_increasing_time()
+        require_sampling(self.source, self.time, self.rows)
         self._require_angles()
 
     def __len__(self) -> int:

@@ -84,9 +84,10 @@ def communication_points(step: float, end: float) -> list[float]:
     Raises:
         ParameterError: there would be more than ten million
     """
-    count = math.ceil(end / step * (1.0 - 1e-12))
+    count = end / step * (1.0 - 1e-12)
     if count > _MOST_STEPS:
         raise ParameterError("step", step, f"{end / _MOST_STEPS:g} s or more for a run of {end:g} s")
+    count = math.ceil(count)
     return [i * step for i in range(count)] + [end]
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import zipfile
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from os import PathLike
 from pathlib import Path, PurePosixPath
 from typing import Final, Literal
@@ -15,31 +15,46 @@ from fmpy import read_model_description
 from pyjoystick.fmu import INTEGERS, REALS, FmuDescription, Value, Variable, find_fmu
 from pyjoystick.runs.coupling.system import Component, Connection, CoupledSystem
 from pyjoystick.runs.errors import CouplingError
-from pyjoystick.support import InputFileError, replacing, version_of
+from pyjoystick.support import (
+    ARCHIVE_ERRORS,
+    DEFAULT_OUTPUT_INTERVAL,
+    DEFAULT_TOLERANCE,
+    InputFileError,
+    archive_problem,
+    positive,
+    replacing,
+    version_of,
+)
 
 SspVersion = Literal["1.0", "2.0"]
-#: The namespaces of both versions of the standard.
+#: The namespaces of both versions of the standard, and OMSimulator's; tools look for these very prefixes.
 _NAMESPACES: Final = {
     "ssc": "http://ssp-standard.org/SSP1/SystemStructureCommon",
     "ssd": "http://ssp-standard.org/SSP1/SystemStructureDescription",
     "ssv": "http://ssp-standard.org/SSP1/SystemStructureParameterValues",
+    "oms": "https://raw.githubusercontent.com/OpenModelica/OMSimulator/master/schema/oms.xsd",
 }
 _FMU_TYPE: Final = "application/x-fmu-sharedlibrary"
 _BASE_UNITS: Final = ("kg", "m", "s", "A", "K", "mol", "cd", "rad", "factor", "offset")
+#: What the schema allows only with something in it.
+_LISTS: Final = ("ssd:Connectors", "ssd:Elements", "ssd:Connections", "ssd:Units")
 
-
+#: One name for the values of all components: ecos applies the sets of one name, which it is given.
+_PARAMETERS: Final = "parameters"
+#: What an archive may unpack to (bytes).
+_LARGEST: Final = 1_000_000_000
 _STRUCTURE: Final = "SystemStructure.ssd"
 #: The least date that a ZIP archive can hold: equal systems give equal bytes.
 _NO_DATE: Final = (1980, 1, 1, 0, 0, 0)
 
 
-def write_ssp(system: CoupledSystem, path: str | PathLike[str], *, version: SspVersion = "2.0") -> None:
+def write_ssp(system: CoupledSystem, path: str | PathLike[str], *, version: SspVersion = "1.0") -> None:
     """Write a system with its FMUs into one SSP archive, whole or not at all.
 
     Args:
         system: what to write
         path: the .ssp file
-        version: of the SSP standard; tools that know 1.0 only refuse the other by its number
+        version: of the SSP standard; FMPy 0.3 and ecos 0.7 open 1.0 only
 
     Raises:
         CouplingError, FmuNotFoundError, FmuFileError, ParameterError, UnknownParameterError: as
@@ -80,15 +95,18 @@ def read_ssp(path: str | PathLike[str], folder: str | PathLike[str]) -> CoupledS
     path, folder = Path(path), Path(folder)
     try:
         with zipfile.ZipFile(path) as archive:
+            if (size := sum(entry.file_size for entry in archive.infolist())) > _LARGEST:
+                allowed = f"at most {_LARGEST / 1e9:.3g} GB are unpacked"
+                raise InputFileError(path, f"declares {size / 1e9:.3g} GB; {allowed}")
             system = system_of(path, ElementTree.fromstring(archive.read(_STRUCTURE)), folder)
             for component in system.components:
                 archive.extract(Path(component.fmu).relative_to(folder).as_posix(), folder)
     except KeyError as error:
         raise InputFileError(path, f"not a whole SSP archive: {error.args[0]}") from error
-    except (zipfile.BadZipFile, OSError) as error:
-        raise InputFileError(path, f"not an SSP archive: {error}") from error
-    except ElementTree.ParseError as error:
+    except (ElementTree.ParseError, LookupError) as error:  # LookupError: an unknown encoding
         raise InputFileError(path, f"{_STRUCTURE} cannot be read: {error}") from error
+    except ARCHIVE_ERRORS as error:
+        raise InputFileError(path, f"not an SSP archive: {archive_problem(error)}") from error
     return system
 
 
@@ -105,8 +123,9 @@ def structure_xml(system: CoupledSystem, version: SspVersion) -> bytes:
     )
     top = SubElement(root, _tag("ssd:System"), name=system.name, description=system.description)
     elements = SubElement(top, _tag("ssd:Elements"))
+    fed = {connection.target for connection in system.connections}
     for component in system.components:
-        _add_component(elements, component, described[component.name], version)
+        _add_component(elements, component, described[component.name], version, fed)
     connections = SubElement(top, _tag("ssd:Connections"))
     for connection in system.connections:
         (start, output), (end, target) = (
@@ -120,16 +139,43 @@ def structure_xml(system: CoupledSystem, version: SspVersion) -> bytes:
             endElement=end,
             endConnector=target,
         )
+    _add_omsimulator(top)
     _add_units(root, described.values())
     SubElement(root, _tag("ssd:DefaultExperiment"), startTime="0.0", stopTime=repr(float(system.stop_time)))
+    lists = [_tag(name) for name in _LISTS]
+    for parent in list(root.iter()):
+        for empty in [child for child in parent if child.tag in lists and not len(child)]:
+            parent.remove(empty)
     ElementTree.indent(root)
     content: bytes = ElementTree.tostring(root, encoding="UTF-8", xml_declaration=True)
     return content + b"\n"
 
 
+def _add_omsimulator(top: Element) -> None:
+    """Without this annotation OMSimulator takes the system for none that it can run."""
+    annotations = SubElement(top, _tag("ssd:Annotations"))
+    annotation = SubElement(annotations, _tag("ssc:Annotation"), type="org.openmodelica")
+    information = SubElement(
+        SubElement(annotation, _tag("oms:Annotations")), _tag("oms:SimulationInformation")
+    )
+    SubElement(
+        information,
+        _tag("oms:FixedStepMaster"),
+        description="oms-ma",
+        stepSize=str(DEFAULT_OUTPUT_INTERVAL),
+        absoluteTolerance=str(DEFAULT_TOLERANCE),
+        relativeTolerance=str(DEFAULT_TOLERANCE),
+    )
+
+
 def _add_component(
-    elements: Element, component: Component, description: FmuDescription, version: SspVersion
+    elements: Element,
+    component: Component,
+    description: FmuDescription,
+    version: SspVersion,
+    fed: Collection[str],
 ) -> None:
+    """An FMU with connectors for its outputs and the inputs that are `fed`; FMPy cannot open any others."""
     element = SubElement(
         elements,
         _tag("ssd:Component"),
@@ -143,12 +189,16 @@ def _add_component(
     for kind in ("input", "output"):
         for name in description.names(kind):
             variable = description.variables[name]
+            if variable.is_array or variable.type == "Clock":
+                continue  # SSP has no connectors for them
+            if kind == "input" and f"{component.name}.{name}" not in fed:
+                continue
             connector = SubElement(connectors, _tag("ssd:Connector"), name=name, kind=kind)
             _add_type(connector, "ssc", variable)
     if component.parameters:
         bindings = SubElement(element, _tag("ssd:ParameterBindings"))
         values = SubElement(SubElement(bindings, _tag("ssd:ParameterBinding")), _tag("ssd:ParameterValues"))
-        parameters = SubElement(values, _tag("ssv:ParameterSet"), version=version, name=component.name)
+        parameters = SubElement(values, _tag("ssv:ParameterSet"), version=version, name=_PARAMETERS)
         parameters = SubElement(parameters, _tag("ssv:Parameters"))
         for name, value in component.parameters.items():
             parameter = SubElement(parameters, _tag("ssv:Parameter"), name=name)
@@ -202,8 +252,17 @@ def system_of(path: Path, root: Element, folder: Path) -> CoupledSystem:
             _component(path, element, folder) for element in ([] if elements is None else elements)
         ),
         connections=tuple(_connections(path, top)),
-        stop_time=float(experiment.get("stopTime", "1.0")) if experiment is not None else 1.0,
+        stop_time=_stop_time(path, experiment),
     )
+
+
+def _stop_time(path: Path, experiment: Element | None) -> float:
+    text = "1.0" if experiment is None else experiment.get("stopTime", "1.0")
+    try:
+        return positive("stopTime", float(text), "s")
+    except ValueError as error:
+        allowed = "must be a finite number above 0 s"
+        raise InputFileError(path, f"DefaultExperiment: stopTime = {text!r}: {allowed}") from error
 
 
 def _component(path: Path, element: Element, folder: Path) -> Component:

@@ -72,9 +72,9 @@ def read_sweep(path: str | PathLike[str]) -> pd.DataFrame:
         table = _read_parquet(path) if _is_parquet(path) else _read_csv(path)
     except FileNotFoundError as error:
         raise SweepFileError(path, "the file does not exist") from error
-    except (OSError, ValueError, KeyError) as error:
+    except Exception as error:  # pandas and pyarrow raise whatever they stumble over
         raise SweepFileError(path, f"is not a result of a sweep: {error}") from error
-    if ATTRIBUTE not in table.attrs:
+    if not isinstance(table.attrs.get(ATTRIBUTE), dict):
         raise SweepFileError(path, "is not a result of a sweep: it has no settings")
     return table
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import shutil
-import zipfile
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
@@ -77,8 +76,10 @@ class Parts:
             return
         try:
             kept = json.loads(file.read_text(encoding="utf-8"))
-        except (OSError, ValueError) as error:
+        except (OSError, ValueError, RecursionError) as error:
             raise SweepFileError(file, f"cannot be read: {error}") from error
+        if not isinstance(kept, dict):
+            raise SweepFileError(file, "does not say whose runs these are")
         require_same(self.target, kept, identity)
 
     def save(self, part: Part) -> None:
@@ -98,7 +99,7 @@ class Parts:
         values = np.full((runs, columns), np.nan)
         failed = np.zeros(runs, dtype=np.bool_)
         messages = [""] * runs
-        for part in self._load():
+        for part in self._load(runs, columns):
             done[part.runs] = True
             values[part.runs] = part.values
             failed[part.runs] = part.failed
@@ -106,18 +107,34 @@ class Parts:
                 messages[run] = message
         return Part(np.arange(runs), values, failed, messages), done
 
-    def _load(self) -> Iterator[Part]:
-        """Every part, with the messages of its failed runs alone."""
+    def _load(self, runs: int, columns: int) -> Iterator[Part]:
+        """Every part, with the messages of its failed runs alone; what is no such part is deleted."""
         for file in sorted(self.folder.glob(_PARTS)):
             try:
                 with file.open("rb") as stream, np.load(stream) as kept:
-                    yield Part(kept["runs"], kept["values"], kept["failed"], kept["said"].tolist())
-            except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile):
+                    part = Part(kept["runs"], kept["values"], kept["failed"], kept["said"].tolist())
+                    _require_part(part, runs, columns)
+            except Exception:  # NumPy raises whatever it stumbles over
                 file.unlink(missing_ok=True)
+            else:
+                yield part
 
     def remove(self) -> None:
         """Forget what is kept."""
         shutil.rmtree(self.folder, ignore_errors=True)
+
+
+def _require_part(part: Part, runs: int, columns: int) -> None:
+    """Raise ValueError where arrays are not those of some of so many runs with so many results."""
+    count = len(part.runs)
+    sound = (
+        [one.dtype.kind for one in (part.runs, part.values, part.failed)] == ["i", "f", "b"]
+        and (part.runs.shape, part.values.shape, part.failed.shape) == ((count,), (count, columns), (count,))
+        and bool(((part.runs >= 0) & (part.runs < runs)).all())
+        and len(part.messages) == np.count_nonzero(part.failed)
+    )
+    if not sound:
+        raise ValueError("no part of this sweep")
 
 
 def require_same(target: Path, kept: Mapping[str, Any], identity: Mapping[str, Any]) -> None:

@@ -61,7 +61,8 @@ def _result(table: Table, description: FmuDescription) -> Reduction:
         return _KINDS[kind](variable)
     derivative = _variable(table, "derivative", description) if "derivative" in table else None
     limits = {key: _limit(table, key, description, variable) for key in _LIMITS if key in table}
-    return Peaks(variable, table.integer("count", 1, _DEFAULT_PEAKS), derivative, **limits)
+    with table.at():
+        return Peaks(variable, table.integer("count", 1, _DEFAULT_PEAKS), derivative, **limits)
 
 
 def _variable(table: Table, key: str, description: FmuDescription) -> str:

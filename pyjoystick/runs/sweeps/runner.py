@@ -148,11 +148,27 @@ def _finished(sweep: Sweep, parts: Parts) -> pd.DataFrame | None:
     table = read_sweep(parts.target)
     try:
         require_same(parts.target, table.attrs["sweep"], sweep.identity)
+        _require_whole(sweep, parts.target, table)
     except ChangedSweepError:
         if parts.begun:
             return None
         raise
     return table
+
+
+def _require_whole(sweep: Sweep, path: Path, table: pd.DataFrame) -> None:
+    """Raise SweepFileError where the rows of a file are not those that its settings make."""
+    columns = [*sweep.design, *sweep.columns, "failed", "message"]
+    kinds = dict.fromkeys(sweep.columns, "fiub") | {"failed": "b"}
+    if (
+        list(table) != columns
+        or not table.index.equals(sweep.design.index)
+        or any(table[name].dtype.kind not in kind for name, kind in kinds.items())
+        or np.isinf(table[list(sweep.columns)].to_numpy(dtype=np.float64)).any()
+        or not table[list(sweep.design)].eq(sweep.design).all(axis=None)
+    ):
+        reason = "its rows are not those of its settings: was the file changed? --overwrite makes it anew"
+        raise SweepFileError(path, reason)
 
 
 def _outcome(path: Path, table: pd.DataFrame, found: int) -> Outcome:

@@ -13,15 +13,13 @@ import numpy as np
 import pandas as pd
 from scipy.stats import qmc
 
-from pyjoystick.runs.sweeps.variations import Levels, Variation
+from pyjoystick.runs.sweeps.variations import MOST_RUNS, Levels, Variation
 from pyjoystick.support import FloatArray, ParameterError
 
 Method = Literal["grid", "random", "latin-hypercube", "sobol", "saltelli"]
 METHODS: Final = get_args(Method)
 #: Methods whose `count` must be a power of two, which the balance of Sobol sequences needs.
 POWERS_OF_TWO: Final = ("sobol", "saltelli")
-#: More runs than this are taken for a mistake.
-MOST_RUNS: Final = 10_000_000
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,6 +16,8 @@ from pyjoystick.runs.fmu_settings import difference_of, number_of, value_of
 from pyjoystick.support import FloatArray, ParameterError, Table
 
 _DISTRIBUTIONS: Final = ("uniform", "loguniform", "normal", "lognormal")
+#: More runs, and more levels of one parameter, are taken for a mistake.
+MOST_RUNS: Final = 10_000_000
 _FORMS: Final = "values = [...], or from, to and count, or distribution = ..."
 
 #: The open interval of probabilities that every quantile is finite on.
@@ -147,6 +149,8 @@ def _values(table: Table, variable: Variable) -> Levels:
 def _range(table: Table, variable: Variable) -> Levels:
     first, last = _number(table, "from", variable), _number(table, "to", variable)
     count = table.integer("count", 2)
+    if count > MOST_RUNS:
+        raise table.error("count", f"must be {MOST_RUNS} at most")
     spacing = table.choice("spacing", ("linear", "log"), "linear")
     if first == last:
         raise table.error("to", "must differ from `from`")

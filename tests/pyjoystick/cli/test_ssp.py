@@ -12,9 +12,14 @@ from pyjoystick.runs import operator_and_joystick, read_ssp
 from tests.pyjoystick.cli.conftest import Command
 
 
-@pytest.mark.parametrize("version", ["1.0", "2.0"])
-def test_the_archive_has_the_system(version: str, command: Command, tmp_path: Path) -> None:
-    outcome = command("ssp", "joystick.ssp", "--ssp-version", version)
+@pytest.mark.parametrize(
+    ("options", "version"),
+    [((), "1.0"), (("--ssp-version", "1.0"), "1.0"), (("--ssp-version", "2.0"), "2.0")],
+)
+def test_the_archive_has_the_system(
+    options: tuple[str, ...], version: str, command: Command, tmp_path: Path
+) -> None:
+    outcome = command("ssp", "joystick.ssp", *options)
     assert (outcome.code, outcome.out, outcome.err) == (0, "", "wrote joystick.ssp\n")
     path = tmp_path / "joystick.ssp"
     assert read_ssp(path, tmp_path).connections == operator_and_joystick().connections

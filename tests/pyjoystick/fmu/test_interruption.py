@@ -107,16 +107,29 @@ class Interrupted:
 
     def close(self) -> tuple[int, str]:
         """End the process; its return code and what it said of errors."""
-        _, errors = self._process.communicate(timeout=60.0)
+        try:
+            _, errors = self._process.communicate(timeout=60.0)
+        finally:
+            self.kill()
         return self._process.returncode, errors
+
+    def kill(self) -> None:
+        """End the process, whatever it is at."""
+        self._process.kill()
+        self._process.wait()
 
 
 @pytest.fixture(scope="module", params=["compiled", "plain"])
 def interrupted(request: pytest.FixtureRequest, awkward_path: Path) -> Iterator[Interrupted]:
     """With the one loop and the other."""
     process = Interrupted(awkward_path, request.param)
-    yield process
-    assert process.close() == (0, ""), "with steps that never end under way it comes to its end all the same"
+    try:
+        yield process
+        assert process.close() == (0, ""), (
+            "with steps under way that never end it comes to its end all the same"
+        )
+    finally:
+        process.kill()
 
 
 @pytest.mark.parametrize("in_a_thread", [False, True], ids=["main thread", "another thread"])

@@ -92,3 +92,18 @@ def test_wrong_types(root: Table) -> None:
     with pytest.raises(SettingsError, match="must be a list"):
         root.words("number")
     assert not root.flag("absent")
+
+
+@pytest.mark.parametrize("text", ["[" * 100_000, "9" * 10_000])
+def test_what_is_beyond_measure_is_no_internal_error(text: str, tmp_path: Path) -> None:
+    path = tmp_path / "deep.toml"
+    path.write_text(f"a = {text}")
+    with pytest.raises(SettingsError, match="is not TOML: "):
+        read_toml(path)
+
+
+def test_a_number_of_too_many_digits_is_refused_at_its_place(tmp_path: Path) -> None:
+    path = tmp_path / "large.toml"
+    path.write_text("a = 1" + "0" * 400)
+    with pytest.raises(SettingsError, match=r"a = 10+: must be a finite number"):
+        read_toml(path).number("a")

@@ -109,3 +109,9 @@ def test_too_little_is_refused() -> None:
     few = dataclasses.replace(release, displacement=peak_table([2.1, 2.2], [0.2, -0.1]))
     with pytest.raises(DampingEstimateError, match="positive peaks: 1 points"):
         estimate_damping([few], J)
+
+
+def test_a_release_without_peaks_of_the_velocity_is_told() -> None:
+    quiet = dataclasses.replace(linear_release(J, C, 30.0, name="quiet"), velocity=peak_table([], []))
+    with pytest.raises(DampingEstimateError, match="quiet: no peak of the velocity stands out of the noise"):
+        estimate_damping([quiet], J)

@@ -27,11 +27,12 @@ def monolithic(joystick_fmus: Path) -> Callable[..., pd.Series]:
     return angle
 
 
+Ecos = Callable[[Path, float, int, str], list[float]]
 _ECOS = """
 from ecospy import EcosLib, EcosSimulation
 EcosLib.set_log_level("warn")
 with EcosSimulation(ssp_path=path, step_size=step) as simulation:
-    simulation.init()
+    simulation.init(parameter_set="parameters")
     values = [simulation.get_real(variable)]
     for _ in range(count):
         simulation.step()
@@ -41,7 +42,7 @@ print(json.dumps(values))
 
 
 @pytest.fixture(scope="session")
-def ecos() -> Callable[..., list[float]]:
+def ecos() -> Ecos:
     """Runs an SSP archive in ecos: path, step (s), number of steps, variable -> its values."""
     require("ecospy")
 

@@ -1,7 +1,7 @@
 from __future__ import annotations
 
+import re
 import zipfile
-from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from xml.etree import ElementTree
@@ -10,10 +10,21 @@ import numpy as np
 import pandas as pd
 import pytest
 from fmpy.ssp.simulation import simulate_ssp
-from fmpy.ssp.ssd import read_ssd
+from fmpy.ssp.ssd import read_ssd, validate_tree
+from lxml import etree
 
-from pyjoystick.runs import Component, CouplingError, operator_and_joystick, read_ssp, run_coupled, write_ssp
-from pyjoystick.support import InputFileError, OutputFileError
+from pyjoystick.runs import (
+    Component,
+    CoupledSystem,
+    CouplingError,
+    operator_and_joystick,
+    read_ssp,
+    run_coupled,
+    write_ssp,
+)
+from pyjoystick.runs.coupling.ssp import SspVersion, structure_xml
+from pyjoystick.support import InputFileError, OutputFileError, ParameterError
+from tests.pyjoystick.runs.coupling.conftest import Ecos
 
 pytestmark = pytest.mark.usefixtures("fmus_by_name")
 
@@ -58,7 +69,7 @@ def test_version_and_units(archive: Path) -> None:
             "resources/Joystick.fmu",
             "resources/Operator.fmu",
         ]
-    assert root.get("version") == "2.0"
+    assert root.get("version") == "1.0"
     common = "{http://ssp-standard.org/SSP1/SystemStructureCommon}"
     units = {unit.get("name"): unit.find(f"{common}BaseUnit") for unit in root.iter(f"{common}Unit")}
     assert units["N.m"] is not None
@@ -72,7 +83,7 @@ def test_fmus_of_fmi_3_in_an_archive(joystick_fmus3: Path, tmp_path: Path) -> No
     components = tuple(replace(one, fmu=joystick_fmus3 / f"{one.fmu}.fmu") for one in system.components)
     new = replace(system, components=components)
     path = tmp_path / "joystick.ssp"
-    write_ssp(new, path, version="1.0")
+    write_ssp(new, path)
     assert read_ssd(str(path), validate=True).version == "1.0"
     found = read_ssp(path, tmp_path / "unpacked")
     runs = [run_coupled(one, step=STEP) for one in (system, new, found)]
@@ -90,9 +101,9 @@ def test_two_fmus_of_one_file_name_are_refused(joystick_fmus3: Path, tmp_path: P
 
 
 def test_fmpy_finds_the_structure_valid_and_gets_the_same_motion(tmp_path: Path) -> None:
-    """FMPy's schema and loop know SSP 1.0; its loop copies outputs once, after each step."""
+    """FMPy's loop copies outputs once, after each step."""
     path = tmp_path / "joystick.ssp"
-    write_ssp(operator_and_joystick(), path, version="1.0")
+    write_ssp(operator_and_joystick(), path)
     assert read_ssd(str(path), validate=True).version == "1.0"
     rows = simulate_ssp(str(path), stop_time=1.2 - STEP / 2, step_size=STEP)
     run = run_coupled(operator_and_joystick(), step=STEP, scheme="delay", outputs=["joystick.theta"])
@@ -100,12 +111,69 @@ def test_fmpy_finds_the_structure_valid_and_gets_the_same_motion(tmp_path: Path)
 
 
 @pytest.mark.parametrize("step", [1e-3, 5e-3])
-def test_ecos_gets_the_same_motion(step: float, tmp_path: Path, ecos: Callable[..., list[float]]) -> None:
+def test_ecos_gets_the_same_motion(step: float, tmp_path: Path, ecos: Ecos) -> None:
     path = tmp_path / "joystick.ssp"
-    write_ssp(operator_and_joystick(), path, version="1.0")
-    run = run_coupled(operator_and_joystick(), step=step, scheme="delay", outputs=["joystick.theta"])
+    system = operator_and_joystick(**PARAMETERS)
+    write_ssp(system, path)
+    run = run_coupled(system, step=step, scheme="delay", outputs=["joystick.theta"])
     theta = ecos(path, step, len(run) - 1, "joystick::theta")
     np.testing.assert_allclose(theta, run["joystick.theta"], rtol=0, atol=1e-12)
+
+
+@pytest.fixture
+def released(tmp_path: Path, joystick_fmus: Path) -> Path:
+    """One component, and nothing to connect it to."""
+    joystick = Component("joystick", joystick_fmus / "Joystick.fmu", {"theta_start": 0.3})
+    write_ssp(CoupledSystem("released", (joystick,), (), 0.1), tmp_path / "released.ssp")
+    return tmp_path / "released.ssp"
+
+
+def test_a_system_without_connections_runs_in_every_master(released: Path, ecos: Ecos) -> None:
+    """FMPy is handed the values of the archive, which it leaves aside."""
+    top = read_ssd(str(released), validate=True).system
+    ((values,),) = [binding.parameterValues for binding in top.elements[0].parameterBindings]
+    for parameter in values.parameters:
+        parameter.name = f"joystick.{parameter.name}"
+    system = read_ssp(released, released.parent / "unpacked")
+    run = run_coupled(system, step=STEP, outputs=["joystick.theta"])["joystick.theta"]
+    assert run.iloc[-1] < run.iloc[0] == 0.3
+    rows = simulate_ssp(str(released), stop_time=0.1 - STEP / 2, step_size=STEP, parameter_set=values)
+    np.testing.assert_allclose(rows["joystick.theta"], run.iloc[1:], rtol=0, atol=1e-12)
+    theta = ecos(released, STEP, len(run) - 1, "joystick::theta")
+    np.testing.assert_allclose(theta, run, rtol=0, atol=1e-12)
+
+
+@pytest.mark.parametrize("components", [0, 1])
+@pytest.mark.parametrize("version", ["1.0", "2.0"])
+def test_the_schema_holds_whatever_a_system_lacks(version: SspVersion, components: int, empty: Path) -> None:
+    """FMPy's schema is that of 1.0, from which 2.0 differs here by its number alone."""
+    system = CoupledSystem("poor", (Component("one", empty),) * components, (), 1.0)
+    root = etree.fromstring(structure_xml(system, version))
+    assert root.get("version") == version
+    root.set("version", "1.0")
+    validate_tree(root, "SystemStructureDescription.xsd")
+
+
+@pytest.fixture
+def empty(tmp_path: Path) -> Path:
+    """An FMU without inputs, outputs and units."""
+    description = """<fmiModelDescription fmiVersion="2.0" modelName="Empty" guid="{0}">
+      <CoSimulation modelIdentifier="Empty"/><ModelVariables/><ModelStructure/></fmiModelDescription>"""
+    with zipfile.ZipFile(tmp_path / "Empty.fmu", "w") as file:
+        file.writestr("modelDescription.xml", description)
+    return tmp_path / "Empty.fmu"
+
+
+def test_omsimulator_is_told_how_to_run_the_system(archive: Path) -> None:
+    """It compares names with these prefixes, and aborts where it does not find the master."""
+    with zipfile.ZipFile(archive) as file:
+        text = file.read("SystemStructure.ssd").decode()
+    expected = (
+        r'<ssd:Annotations>\s*<ssc:Annotation type="org\.openmodelica">\s*<oms:Annotations>'
+        r"\s*<oms:SimulationInformation>"
+        r'\s*<oms:FixedStepMaster description="oms-ma" stepSize="0\.001" absoluteTolerance="1e-08"'
+    )
+    assert re.search(expected, text)
 
 
 def test_a_file_that_is_no_archive(tmp_path: Path) -> None:
@@ -138,6 +206,17 @@ def test_a_file_that_is_no_archive(tmp_path: Path) -> None:
         ('value="0.012"', 'value="heavy"', "parameter 'J': a value of Real 'heavy' is not supported"),
         ("ssv:Real", "ssv:Binary", "a value of Binary is not supported"),
         ("ssd:System>", "ssd:Nothing>", "cannot be read"),
+        (
+            'stopTime="1.2"',
+            'stopTime="soon"',
+            r"DefaultExperiment: stopTime = 'soon': must be a finite number above",
+        ),
+        (
+            'stopTime="1.2"',
+            'stopTime="-1"',
+            r"DefaultExperiment: stopTime = '-1': must be a finite number above",
+        ),
+        ("encoding='UTF-8'", "encoding='none'", "cannot be read: unknown encoding"),
     ],
 )
 def test_what_is_not_understood_is_named(
@@ -153,6 +232,19 @@ def test_what_is_not_understood_is_named(
             target.writestr(name, content)
     with pytest.raises(InputFileError, match=message):
         read_ssp(changed, tmp_path / "unpacked")
+
+
+def test_a_bomb_is_refused_before_it_is_unpacked(archive: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("pyjoystick.runs.coupling.ssp._LARGEST", 100_000)
+    with pytest.raises(InputFileError, match=r"declares \S+ GB; at most 0\.0001 GB are unpacked"):
+        read_ssp(archive, archive.parent / "unpacked")
+
+
+def test_a_run_without_end_is_refused() -> None:
+    with pytest.raises(
+        ParameterError, match=r"step = 0\.001: must be 1e\+301 s or more for a run of 1e\+308 s"
+    ):
+        run_coupled(operator_and_joystick(), step=1e-3, duration=1e308)
 
 
 def test_nothing_is_left_where_it_cannot_be_written(tmp_path: Path) -> None:

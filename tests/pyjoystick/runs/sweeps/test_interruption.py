@@ -1,4 +1,4 @@
-"""Processes that are stopped in mid-sweep: by Ctrl-C and by a kill that leaves no time for anything."""
+"""Processes stopped in mid-sweep: by Ctrl-C, by SIGTERM, by a kill that leaves no time for anything."""
 
 from __future__ import annotations
 
@@ -32,12 +32,19 @@ def _wait_for_parts(process: subprocess.Popen[str], target: Path, count: int) ->
         time.sleep(0.01)
 
 
-@pytest.mark.parametrize("stop", [signal.SIGINT, signal.SIGKILL])
+@pytest.mark.parametrize("stop", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
 def test_a_stopped_sweep_goes_on_from_there(
-    written: Write, tmp_path: Path, stop: signal.Signals, long_table: pd.DataFrame
+    written: Write,
+    tmp_path: Path,
+    stop: signal.Signals,
+    long_table: pd.DataFrame,
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     settings = written(LONG)
     target = tmp_path / "a.parquet"
+    place = tmp_path / "temporary"
+    place.mkdir()
+    monkeypatch.setenv("TMPDIR", str(place))
     process = _started(settings, target)
     try:
         _wait_for_parts(process, target, 3)
@@ -45,12 +52,16 @@ def test_a_stopped_sweep_goes_on_from_there(
         out, err = process.communicate(timeout=_PATIENCE)
     finally:
         process.kill()
-    if stop == signal.SIGINT:
-        assert process.returncode == 130
+    if stop != signal.SIGKILL:
+        assert process.returncode == 128 + stop
+        assert list(place.iterdir()) == []
         assert "of 4096 runs of Joystick.fmu done" in out
         assert "the same command continues from here" in err
     else:
         assert process.returncode == -signal.SIGKILL
+        assert len(list(place.iterdir())) == 1
+        subprocess.run([sys.executable, "-m", "pyjoystick", "info", settings.parent / "no.fmu"], check=False)
+        assert list(place.iterdir()) == [], "the next command deletes what was left"
     assert not target.exists()
     outcome = run_sweep(Sweep(read_settings(settings)), target)
     assert 0 < outcome.found < 4096

@@ -117,7 +117,23 @@ def test_types_other_than_real(written: Write, mixed_path: Path) -> None:
         ('"grid"', '"random"', "[sampling] count: is missing"),
         ('"grid"', '"random"\ncount = 0', "[sampling] count = 0: must be a whole number, 1 or more"),
         ('"grid"', '"random"\ncount = true', "[sampling] count = true: must be a whole number, 1 or more"),
+        (
+            '"grid"',
+            '"random"\ncount = 1e12',
+            "[sampling] count = 1000000000000.0: must be a whole number, 1 or more",
+        ),
         ('"grid"', '"sobol"\ncount = 12', "[sampling] count = 12: must be a power of two"),
+        (
+            '"grid"',
+            '"random"\ncount = 1000000000000',
+            "[sampling] = 1000000000000: must be 10000000 at most",
+        ),
+        (
+            "count = 4",
+            "count = 1000000000000",
+            "[vary.theta_start] count = 1000000000000: must be 10000000 at",
+        ),
+        ("count = 2", "count = 1000000000000", "[results 1] count = 1000000000000: must be 10000 at most"),
         ("damping.C", "damping.D", "did you mean damping.C?"),
         ("theta_start", "omega", "[vary.omega]: is not a parameter or start value that can be varied"),
         (

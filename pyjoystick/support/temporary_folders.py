@@ -1,0 +1,81 @@
+"""Temporary folders that do not stay for good where the process that made them is killed.
+
+The process of a folder ``pyjoystick-HOST-...`` holds a lock in it, which the operating system releases when
+that process ends, however it ends. A folder whose lock is free can go: neither a process number that another
+process has since, nor a clock, misleads.
+"""
+
+from __future__ import annotations
+
+import os
+import platform
+import re
+import shutil
+import stat
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from functools import cache
+from pathlib import Path
+from typing import Final
+
+_LOCK: Final = ".lock"
+
+
+@contextmanager
+def temporary_folder() -> Iterator[Path]:
+    """A new folder among the temporary files, deleted on leaving.
+
+    The first one of a process also deletes those that killed processes of this user left on this machine.
+    """
+    from filelock import FileLock
+
+    remove_abandoned()
+    folder = Path(tempfile.mkdtemp(prefix=_prefix()))
+    lock, owner = FileLock(folder / _LOCK), os.getpid()
+    lock.acquire()
+    try:
+        yield folder
+    finally:
+        if os.getpid() == owner:  # else in a forked process: the folder is its parent's
+            lock.release()
+            shutil.rmtree(folder, ignore_errors=True)
+
+
+@cache
+def remove_abandoned() -> None:
+    """Delete the folders whose processes have ended, once a process.
+
+    Those of other users stay, of other machines that share the place, and those without a lock.
+    """
+    base = tempfile.gettempdir()
+    with suppress(OSError), os.scandir(base) as entries:
+        found = [Path(entry.path) for entry in entries if entry.name.startswith(_prefix())]
+        for folder in filter(_is_own, found):
+            _remove_if_abandoned(folder)
+
+
+def _is_own(folder: Path) -> bool:
+    """A folder of this user, and no link to one."""
+    with suppress(OSError):
+        status = folder.lstat()
+        return stat.S_ISDIR(status.st_mode) and status.st_uid == getattr(os, "getuid", int)()
+    return False
+
+
+def _remove_if_abandoned(folder: Path) -> None:
+    from filelock import FileLock, Timeout
+
+    # A folder that is being made has no lock yet.
+    with suppress(OSError, Timeout):
+        if (folder / _LOCK).exists():
+            with FileLock(folder / _LOCK, timeout=0):
+                shutil.rmtree(folder, ignore_errors=True)
+            if os.name == "nt":  # where no open file can be deleted, so that this spares a lock that is held
+                shutil.rmtree(folder)
+
+
+@cache
+def _prefix() -> str:
+    """What the names of this machine's folders begin with."""
+    return f"pyjoystick-{re.sub('[^A-Za-z0-9]', '_', platform.node())}-"

@@ -1,0 +1,85 @@
+"""Many trials, shared among processes of their own: one that ends its process is a fault like any other."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import Final
+
+from tests.fuzz.outcome import Outcome
+from tests.fuzz.readers import corpus
+
+FMUS: Final = corpus.ROOT / "build" / "fmi2"
+#: Carries out cases until the time is up, and says before each its number, after it what was wrong.
+_WORKER: Final = """
+import json, resource, sys, time
+from dataclasses import asdict
+from pathlib import Path
+from tests.fuzz.readers.trial import trial
+first, step, end, corpus, keep = json.loads(sys.argv[1])
+resource.setrlimit(resource.RLIMIT_AS, (1 << 33, 1 << 33))
+case = first
+while time.time() < end:
+    print(json.dumps([case, None]), flush=True)
+    fault = trial(case, Path(corpus), Path(keep))
+    if fault is not None:
+        print(json.dumps([case, asdict(fault)]), flush=True)
+    case += step
+"""
+
+
+def fuzz_all(folder: Path, seconds: float, seed: int, processes: int) -> list[Outcome]:
+    """Try for so long, on so many processes.
+
+    Args:
+        folder: for the corpus, which is made anew, and the files of trials with a fault
+        seconds: how long
+        seed: the number of the first case
+        processes: how many at a time
+    """
+    files = folder / "readers"
+    if not (files / "complete").exists():
+        corpus.make(files, FMUS)
+        (files / "complete").touch()
+    end = time.time() + seconds
+
+    def work(number: int) -> tuple[int, list[str]]:
+        count, faults, first = 0, [], seed + number
+        while time.time() < end:
+            settings = json.dumps([first, processes, end, str(files), str(folder / "faults")])
+            for line in _lines([sys.executable, "-c", _WORKER, settings]):
+                if isinstance(line, str):
+                    faults.append(f"case {first} ended its process: {line}")
+                    break
+                case, fault = line
+                if fault is None:
+                    first, count = case, count + 1
+                else:
+                    faults.append("case {case}: {subject}, {file} damaged\n{what}".format_map(fault))
+            first += processes
+        return count, faults
+
+    with ThreadPoolExecutor(processes) as pool:
+        found = list(pool.map(work, range(processes)))
+    faults = [fault for _, some in found for fault in some]
+    return [Outcome("readers of files", sum(count for count, _ in found), "\n\n".join(faults))]
+
+
+def _lines(command: list[str]) -> Iterator[list[object] | str]:
+    """What a worker says; last how it ended, if it was ended."""
+    with subprocess.Popen(
+        command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=corpus.ROOT
+    ) as worker:
+        assert worker.stdout is not None
+        assert worker.stderr is not None
+        try:
+            yield from map(json.loads, worker.stdout)
+            if worker.wait():
+                yield f"exit code {worker.returncode}\n{worker.stderr.read()[-2000:]}"
+        finally:
+            worker.kill()

@@ -1,0 +1,137 @@
+"""Valid files of every kind, as the synthetic laboratory and the project itself write them."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import runpy
+import shutil
+from pathlib import Path
+from typing import Final
+
+import numpy as np
+
+from pyjoystick.cli import main
+from pyjoystick.runs import Sweep, operator_and_joystick, read_settings, run_sweep, write_ssp
+from pyjoystick.runs.sweeps.parts import Parts
+from pyjoystick.runs.sweeps.runner import run_locally
+
+ROOT: Final = Path(__file__).parents[3]
+_MARKERS: Final = ("--top", "TOP", "--base", "BASE1", "BASE2", "--radius", "0.266")
+_FIT: Final = """[fmu]
+path = "Joystick.fmu"
+parameters = "joystick.toml"
+
+[free]
+"damping.C" = { start = 0.045, lower = 0.0, upper = 1.0 }
+theta_start = { per_record = true }
+release_time = { per_record = true }
+"""
+_SWEEP: Final = """[fmu]
+path = "Joystick.fmu"
+
+[experiment]
+duration = 0.2
+output_interval = 0.001
+
+[parameters]
+J = 0.012
+
+[sampling]
+method = "saltelli"
+count = 4
+seed = 7
+
+[vary."damping.C"]
+distribution = "uniform"
+low = 0.03
+high = 0.06
+
+[vary.theta_start]
+distribution = "normal"
+mean = "-20deg"
+deviation = "1deg"
+
+[[results]]
+kind = "peaks"
+variable = "theta"
+derivative = "omega"
+count = 2
+
+[[results]]
+kind = "extremes"
+variable = "omega"
+"""
+
+
+def make(folder: Path, fmus: Path) -> None:
+    """Write the files.
+
+    Args:
+        folder: for the files; it is made
+        fmus: with the FMUs of the project
+    """
+    laboratory = runpy.run_path(str(ROOT / "scenarios" / "data" / "make_synthetic_laboratory.py"))
+    with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
+        laboratory["main"](folder)
+        with contextlib.chdir(folder):
+            _files(fmus)
+
+
+def _files(fmus: Path) -> None:
+    for name in ("Joystick", "Operator"):
+        shutil.copy(fmus / f"{name}.fmu", ".")
+    _thin(Path("synthetic_forward.csv"), 8)
+    _thin(Path("synthetic_acceleration_1.csv"), 3)
+    for arguments in (
+        ("parameters", "--output", "joystick.toml"),
+        (
+            "import",
+            "markers",
+            "synthetic_trial_1.c3d",
+            *_MARKERS,
+            "-o",
+            "trial_1.csv",
+            "--motion",
+            "motion.csv",
+        ),
+        ("import", "markers", "synthetic_trial_2.c3d", *_MARKERS, "-o", "trial_2.csv"),
+    ):
+        assert main(arguments) == 0, arguments
+    np.save("acceleration.npy", np.loadtxt("synthetic_acceleration_1.csv", delimiter=",", skiprows=2)[:, 1])
+    Path("fit.toml").write_text(_FIT, encoding="utf-8")
+    Path("sweep.toml").write_text(_SWEEP, encoding="utf-8")
+    Path("inputs.csv").write_text("time (s),T (N.m)\n0,0\n0.1,0.5\n0.2,0.1\n", encoding="utf-8")
+    _plain_markers(Path("plain.csv"))
+    system = operator_and_joystick(joystick={"J": 0.012})
+    write_ssp(system, "joystick.ssp")
+    sweep = Sweep(read_settings(Path("sweep.toml")))
+    for suffix in (".csv", ".parquet"):
+        run_sweep(sweep, Path(f"done{suffix}"))
+    _half_done(Path("half.csv"), sweep)
+
+
+def _thin(path: Path, every: int) -> None:
+    """Leave every so many rows of a table, so that a case takes little time."""
+    head, rows = (lines := path.read_text(encoding="utf-8").splitlines(keepends=True))[:2], lines[2:]
+    path.write_text("".join(head + rows[::every]), encoding="utf-8")
+
+
+def _plain_markers(path: Path) -> None:
+    """Markers as a table."""
+    heading = ",".join(
+        ["time (s)", *(f"{name} {axis} (mm)" for name in ("TOP", "BASE1", "BASE2") for axis in "xyz")]
+    )
+    lines = [heading]
+    for line in Path("synthetic_trial_3.csv").read_text(encoding="utf-8").splitlines()[5:]:
+        frame, _, *cells = line.split(",")
+        lines.append(",".join([f"{int(frame) / 60.0:.6f}", *cells]))
+    path.write_text("\n".join([*lines, ""]), encoding="utf-8")
+
+
+def _half_done(target: Path, sweep: Sweep) -> None:
+    """A sweep that was interrupted: its folder of parts."""
+    parts = Parts(target)
+    with parts.opened(sweep.identity):
+        parts.save(next(run_locally(sweep, np.arange(5), 1, lambda _: None)))
+        parts.save(next(run_locally(sweep, np.arange(8, 11), 1, lambda _: None)))

@@ -1,0 +1,42 @@
+"""A fixed number of trials; ``make fuzz`` does more of them, others each time."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.fuzz.readers import corpus, trial as trials
+from tests.fuzz.readers.subjects import Subject
+from tests.fuzz.readers.trial import trial
+
+pytestmark = pytest.mark.xdist_group("fuzz-readers")
+COUNT = 60
+
+
+@pytest.fixture(scope="module")
+def files(joystick_fmus: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("corpus")
+    corpus.make(folder, joystick_fmus)
+    return folder
+
+
+def test_damaged_files_are_read_or_refused(files: Path) -> None:
+    faults = [fault for case in range(COUNT) if (fault := trial(case, files)) is not None]
+    assert faults == []
+
+
+def test_a_trial_sees_what_is_wrong(files: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def fails() -> None:
+        raise KeyError("what no reader may raise")
+
+    def hangs() -> None:
+        while True:
+            pass
+
+    monkeypatch.setattr(trials, "PATIENCE", 0.2)
+    for drive, said in ((fails, "KeyError"), (hangs, "did not end within 0.2 s")):
+        monkeypatch.setattr(trials, "SUBJECTS", (Subject("drive", "trial_1.csv", (), drive),))
+        fault = trial(1, files)
+        assert fault is not None
+        assert said in fault.what

@@ -1,0 +1,131 @@
+"""One trial: a file is damaged, something reads it, and what comes of it is judged."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import resource
+import shutil
+import signal
+import tempfile
+import traceback
+import warnings
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from random import Random
+from typing import Final
+
+from pyjoystick.support import PyJoystickError
+from tests.fuzz.readers.damage import damaged
+from tests.fuzz.readers.subjects import SUBJECTS, CommandError, Subject
+
+#: More time of the processor than any of them takes with a file that is whole (s).
+PATIENCE: Final = 20.0
+#: So much longer may it take by the clock, on a machine with much else to do.
+_CROWD: Final = 10.0
+#: What a trial may need more than all before it (bytes).
+MEMORY: Final = 1 << 29
+
+
+class HangError(BaseException):
+    """Nothing came of a trial in time; no ``except Exception`` keeps it."""
+
+
+@dataclass(frozen=True)
+class Fault:
+    """A trial that ended as none may.
+
+    Attributes:
+        case: its number
+        subject: what was done
+        file: what was damaged
+        what: how it ended
+    """
+
+    case: int
+    subject: str
+    file: str
+    what: str
+
+
+def trial(case: int, corpus: Path, keep: Path | None = None) -> Fault | None:
+    """Carry out the trial of this number.
+
+    Args:
+        case: its number; the same gives the same damage
+        corpus: see `corpus.make`
+        keep: receives the files of a trial with a fault
+    """
+    random = Random(case)
+    subject = random.choice(SUBJECTS)
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as name:
+        folder = Path(name)
+        file = _copied(subject, corpus, folder, random)
+        content = damaged(file.read_bytes(), file.name, random)
+        file.write_bytes(content)
+        before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+        what = _judged(subject, folder)
+        grown = (resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before) * 1024
+        if what is None and grown > MEMORY:
+            what = f"needed {grown / 1e9:.1f} GB"
+        if what is None:
+            return None
+        if keep is not None:
+            shutil.rmtree(keep / str(case), ignore_errors=True)
+            (keep / str(case)).mkdir(parents=True)
+            (keep / str(case) / file.name).write_bytes(content)
+        return Fault(case, subject.name, file.relative_to(folder).as_posix(), what)
+
+
+def _copied(subject: Subject, corpus: Path, folder: Path, random: Random) -> Path:
+    """Copy what a subject needs; returns the file that is to be damaged."""
+    chosen = random.choice(sorted(corpus.glob(subject.damaged)))
+    for one in {*subject.others, chosen.relative_to(corpus).parts[0]}:
+        if (corpus / one).is_dir():
+            shutil.copytree(corpus / one, folder / one)
+        else:
+            shutil.copy(corpus / one, folder / one)
+    return folder / chosen.relative_to(corpus)
+
+
+def _judged(subject: Subject, folder: Path) -> str | None:
+    """How it ended, if it may not."""
+    said = io.StringIO()
+    try:
+        with contextlib.chdir(folder), _limited(), warnings.catch_warnings():
+            warnings.simplefilter("error")
+            with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(said):
+                subject.drive()
+    except PyJoystickError as error:
+        said.write(str(error))
+    except HangError as hang:
+        return f"did not end within {PATIENCE:g} s\n" + "".join(traceback.format_exception(hang)[-6:])
+    except (CommandError, Exception) as error:
+        return "".join(traceback.format_exception(error)[-4:])
+    text = said.getvalue()
+    if "internal error" in text or "Traceback" in text or "Warning" in text:
+        return text
+    return None
+
+
+@contextlib.contextmanager
+def _limited() -> Iterator[None]:
+    def stop(*_: object) -> None:
+        raise HangError
+
+    limits = {
+        (signal.SIGPROF, signal.ITIMER_PROF): PATIENCE,
+        (signal.SIGALRM, signal.ITIMER_REAL): PATIENCE * _CROWD,
+    }
+    before = {}
+    for (number, timer), seconds in limits.items():
+        before[number] = signal.signal(number, stop)
+        # Again and again, where something keeps it the first time.
+        signal.setitimer(timer, seconds, 1.0)
+    try:
+        yield
+    finally:
+        for number, timer in limits:
+            signal.setitimer(timer, 0.0)
+            signal.signal(number, before[number])
