@@ -8,9 +8,12 @@ from .description import (
     read_description as read_description,
 )
 from .errors import (
+    FmuCrashError as FmuCrashError,
+    FmuEndedError as FmuEndedError,
     FmuFileError as FmuFileError,
     FmuNotFoundError as FmuNotFoundError,
     FmuRunError as FmuRunError,
+    FmuTimeLimitError as FmuTimeLimitError,
     UnsupportedFmuError as UnsupportedFmuError,
 )
 from .files import MODELS as MODELS, build_folder as build_folder, find_fmu as find_fmu

@@ -4,22 +4,26 @@ from __future__ import annotations
 
 import weakref
 from collections.abc import Iterable, Mapping
+from functools import partial
 from os import PathLike
 from types import TracebackType
 from typing import Any, Self
 
+import numpy as np
 import pandas as pd
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from pyjoystick.fmu.description import FmuDescription, read_description
+from pyjoystick.fmu.errors import FmuEndedError
 from pyjoystick.fmu.files import find_fmu
 from pyjoystick.fmu.inputs import Inputs
 from pyjoystick.fmu.library import InstancePool
 from pyjoystick.fmu.linearization import Linearization, linearize
+from pyjoystick.fmu.own_process.pool import TIME_LIMIT, ProcessPool
 from pyjoystick.fmu.plan import Plan
 from pyjoystick.fmu.values import Value
 from pyjoystick.motion import make_table
-from pyjoystick.support import DEFAULT_TOLERANCE
+from pyjoystick.support import DEFAULT_TOLERANCE, FloatArray, positive
 
 
 class Fmu:
@@ -38,23 +42,41 @@ class Fmu:
         description: the FMU's own description
     """
 
-    def __init__(self, fmu: str | PathLike[str]) -> None:
+    def __init__(
+        self,
+        fmu: str | PathLike[str],
+        *,
+        own_process: bool | None = None,
+        time_limit: float | None = TIME_LIMIT,
+    ) -> None:
         """Open an FMU.
 
         Args:
             fmu: a name such as ``Joystick``, or the path of any .fmu file (see `find_fmu`)
+            own_process: run the FMU in a process of its own (one a thread of a batch), where it can neither
+                crash, end nor hang the caller, nor mix its output with the caller's. Where not given, FMUs
+                that this project made (their ``generationTool`` says so) run in the caller's process and all
+                others in their own.
+            time_limit: what a run in a process of its own may take, s; None for any time
 
         Raises:
             FmuNotFoundError: there is no such file
-            FmuFileError: it is no FMU, or a broken one
+            FmuFileError: it is no FMU, or a broken one, or it crashes when it is loaded
             UnsupportedFmuError: it has no Co-Simulation, no binary for this machine, or another FMI version
         """
         self.description: FmuDescription = read_description(find_fmu(fmu))
-        self._pool = InstancePool(self.description)
+        self._choice: dict[str, Any] = {"own_process": own_process, "time_limit": time_limit}
+        if time_limit is not None:
+            positive("time_limit", time_limit, "s")
+        self._pool: InstancePool | ProcessPool
+        if not self.description.is_ours if own_process is None else own_process:
+            self._pool = ProcessPool(self.description, time_limit)
+        else:
+            self._pool = InstancePool(self.description)
         self._close = weakref.finalize(self, self._pool.close)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Fmu, (self.description.path.absolute(),)
+        return partial(Fmu, **self._choice), (self.description.path.absolute(),)
 
     def __enter__(self) -> Self:
         return self
@@ -97,17 +119,16 @@ class Fmu:
         Raises:
             UnknownParameterError, UnknownInputError, UnknownVariableError: a name is not one of the FMU's
             ParameterError, SeriesError: a value or series is not allowed
+            FmuEndedError: the FMU ended the simulation by itself; its `samples` is the table up to there
+            FmuCrashError, FmuTimeLimitError: its process ended, or was ended
             FmuRunError: the FMU refuses its settings or fails during the run; it carries the FMU's messages
         """
         plan = self.plan(time, parameters=parameters, inputs=inputs, outputs=outputs, tolerance=tolerance)
-        samples = plan.record()
-        columns = {
-            variable.name: samples[variable.name] != 0
-            if variable.type == "Boolean"
-            else samples[variable.name]
-            for variable in plan.variables
-        }
-        return make_table(plan.time, columns, [variable.quantity for variable in plan.variables])
+        try:
+            return _table(plan, plan.time, plan.record())
+        except FmuEndedError as error:
+            error.samples = _table(plan, error.samples.instants, error.samples.raw)
+            raise
 
     def plan(
         self,
@@ -159,9 +180,17 @@ class Fmu:
             UnsupportedFmuError: the FMU provides no directional derivatives
             FmuRunError: the FMU refuses its settings, fails on the way or has no derivatives there
         """
-        instance = self._pool.take()
-        try:
-            library = self._pool.library
-            return linearize(library, instance, time, parameters or {}, inputs or {}, outputs, tolerance)
-        finally:
-            self._pool.give_back(instance)
+        arguments = time, parameters or {}, inputs or {}, outputs, tolerance
+        if isinstance(self._pool, ProcessPool):
+            found: Linearization = self._pool.linearize(*arguments)
+            return found
+        with self._pool.lent() as instance:
+            return linearize(self._pool.library, instance, *arguments)
+
+
+def _table(plan: Plan, time: FloatArray, samples: NDArray[np.void]) -> pd.DataFrame:
+    columns = {
+        variable.name: samples[variable.name] != 0 if variable.type == "Boolean" else samples[variable.name]
+        for variable in plan.variables
+    }
+    return make_table(time, columns, [variable.quantity for variable in plan.variables])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copyreg
 import re
 import zipfile
 from collections.abc import Mapping
@@ -20,6 +21,14 @@ from pyjoystick.motion import DisplayUnit, Quantity
 _SMALL: Final = 1e-50
 
 Interface = Literal["CoSimulation", "ModelExchange"]
+
+
+def _read_only(table: dict[str, Any]) -> MappingProxyType[str, Any]:
+    return MappingProxyType(table)
+
+
+# A description goes to other processes, read-only tables and all.
+copyreg.pickle(MappingProxyType, lambda table: (_read_only, (dict(table),)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,6 +132,11 @@ class FmuDescription:
     def takes_stop_time(self) -> bool:
         """Co-Simulation may be given a stop time; OpenModelica up to 1.14 goes there in its first step."""
         return not self.generation_tool.startswith("OpenModelica")
+
+    @property
+    def is_ours(self) -> bool:
+        """This project made the FMU, as it says; its instances reset, and it runs in the caller's process."""
+        return self.generation_tool.split(" ")[0] == "pyjoystick"
 
     def names(self, causality: str) -> tuple[str, ...]:
         """Names of the variables of one causality, in the order of the file."""

@@ -2,25 +2,33 @@
 
 from __future__ import annotations
 
+import itertools
 import time as clock
 from collections.abc import Iterable, Mapping, Sequence
+from functools import partial
 from typing import Any, Final
 
 import numpy as np
 import pandas as pd
 from numpy.typing import ArrayLike, NDArray
 
-from pyjoystick.fmu.batch import Batch, BatchResult, OnProgress, number_of_threads
+from pyjoystick.fmu.batch import Batch, BatchResult, NewRunner, OnProgress, number_of_threads
+from pyjoystick.fmu.errors import FmuEndedError
 from pyjoystick.fmu.inputs import Inputs, checked_inputs, communication_points, input_series
 from pyjoystick.fmu.library import InstancePool
+from pyjoystick.fmu.own_process.pool import ProcessPool
+from pyjoystick.fmu.own_process.runner import Outcome, RemoteRunner, Work
 from pyjoystick.fmu.preparation import prepare
 from pyjoystick.fmu.reductions import Reduction, checked_reductions, operations_of, units_of
 from pyjoystick.fmu.runner import Job, Runner
 from pyjoystick.fmu.stepping.engine import Loop, loop
-from pyjoystick.fmu.stepping.program import OK, UNFINISHED, WARNING
+from pyjoystick.fmu.stepping.program import FATAL, OK, UNFINISHED, WARNING
+from pyjoystick.fmu.stepping.reducing import Operation
 from pyjoystick.fmu.values import Value, Varied, checked_outputs, checked_parameters, checked_varied
 from pyjoystick.support import FloatArray, ParameterError, increasing_times, positive
 
+#: Tell the plans apart that a process is sent.
+_keys = itertools.count()
 #: A single run comes back to Python about so often (s), so that Ctrl-C is heard.
 _PATIENCE: Final = 0.1
 
@@ -41,7 +49,7 @@ class Plan:
     def __init__(
         self,
         fmu: Any,
-        pool: InstancePool,
+        pool: InstancePool | ProcessPool,
         time: ArrayLike,
         varied: Iterable[str],
         parameters: Mapping[str, Value],
@@ -49,7 +57,7 @@ class Plan:
         outputs: Iterable[str] | None,
         tolerance: float,
     ) -> None:
-        description = pool.library.description
+        description = pool.description
         # The FMU closes its pool when it is forgotten.
         self._fmu = fmu
         self._pool = pool
@@ -61,7 +69,7 @@ class Plan:
         points = communication_points(self.time, table) if description.variable_steps else self.time
         self._preparation = prepare(
             description,
-            pool.library.fmi,
+            pool.library.fmi if isinstance(pool, InstancePool) else None,
             points,
             np.isin(points, self.time),
             positive("tolerance", tolerance),
@@ -81,6 +89,7 @@ class Plan:
             "outputs": self.outputs,
             "tolerance": tolerance,
         }
+        self._key = next(_keys)
         self._points_at_once = 1
         self._batches: list[Batch] = []
         self._loop: Loop | None = None
@@ -100,10 +109,15 @@ class Plan:
 
         Raises:
             ParameterError: a value is missing, NaN, of the wrong type or out of range
+            FmuEndedError: the FMU ended the simulation by itself; its `samples` has those up to there
             FmuRunError: the FMU refuses its settings or fails during the run
         """
         samples = self._empty(1)
-        self._run_once(self._varied.row(values), samples, load_compiler=True)
+        try:
+            self._run_once(self._varied.row(values), samples, load_compiler=True)
+        except FmuEndedError as error:
+            error.samples = error.samples.numbers
+            raise
         run: FloatArray = samples[0]
         return run
 
@@ -142,25 +156,18 @@ class Plan:
         runs = len(numbers)
         kept = None if reductions is None else checked_reductions(reductions, self.outputs)
         columns = [] if kept is None else [column for reduction in kept for column in reduction.columns]
-        count = number_of_threads(threads, runs, one_instance=self._pool.library.description.one_instance)
+        count = number_of_threads(threads, runs, one_instance=self._pool.has_one)
         values = self._empty(runs if kept is None else 0)
         operations = operations_of(kept or (), self.outputs)
-        job = Job(
-            loop(self._preparation.program, operations, self.time, load_compiler=True),
-            self._preparation,
-            self.time.size,
-            self._rows(numbers),
-            np.full((runs, len(columns)), np.nan),
-            np.zeros(runs, np.bool_),
-            np.zeros(1, np.bool_),
-        )
-        batch = Batch(self._pool, job, values)
+        job = self._job(self._rows(numbers), len(columns))
+        new_runner = self._new_runner(job, operations, load_compiler=True)
+        batch = Batch(new_runner, job, values)
         self._batches.append(batch)
         try:
             interrupted = batch.carry_out(count, on_progress) if runs else False
         finally:
             self._batches.remove(batch)
-        values[~batch.done[: len(values)] | batch.failed[: len(values)]] = np.nan
+        values[~batch.done[: len(values)]] = np.nan
         reduced = None
         if kept is not None:
             reduced = pd.DataFrame(job.cells, index=named.index, columns=columns)
@@ -180,17 +187,32 @@ class Plan:
         for batch in tuple(self._batches):
             batch.stop()
 
+    def carry_out(
+        self, rows: NDArray[np.void], cells: int, *, operations: Sequence[Operation], load_compiler: bool
+    ) -> Outcome:
+        """Runs up to the first that fails, for a process that has been sent the rows of a plan there.
+
+        Args:
+            rows: the values that vary, one row a run
+            cells: number of results of the operations
+            operations: what to keep of each run; where there is none, its samples
+            load_compiler: as of `stepping.engine.loop`
+        """
+        job = self._job(rows, cells)
+        values = self._empty(1 if operations else len(rows))
+        runner = self._new_runner(job, operations, load_compiler=load_compiler)()
+        try:
+            status = runner.advance(0, len(rows), len(self._preparation.program.times), values)
+            failure = None if status in (OK, WARNING) else runner.failure(status)
+            raw = runner.recorded() if len(rows) == 1 and failure is None else None
+        finally:
+            runner.close()
+        kept = None if operations else values
+        return Outcome(kept, job.cells, job.done, raw, failure, is_fatal=status == FATAL)
+
     def _run_once(self, row: FloatArray, samples: FloatArray, *, load_compiler: bool) -> NDArray[np.void]:
-        job = Job(
-            self._single_loop(load_compiler=load_compiler),
-            self._preparation,
-            self.time.size,
-            self._rows(row),
-            np.empty((1, 0)),
-            np.zeros(1, np.bool_),
-            np.zeros(1, np.bool_),
-        )
-        runner = Runner(self._pool, job)
+        job = self._job(self._rows(row), 0)
+        runner = self._new_runner(job, (), load_compiler=load_compiler)()
         try:
             limit, status = self._points_at_once, UNFINISHED
             while status == UNFINISHED:
@@ -207,14 +229,26 @@ class Plan:
         finally:
             runner.close()
 
-    def _single_loop(self, *, load_compiler: bool) -> Loop:
-        """The loop without reductions, kept from the first run on that loads the compiler."""
-        if self._loop is None:
-            made = loop(self._preparation.program, (), self.time, load_compiler=load_compiler)
-            if not load_compiler:
-                return made
+    def _job(self, rows: NDArray[np.void], cells: int) -> Job:
+        runs = len(rows)
+        done, stop = np.zeros(runs, np.bool_), np.zeros(1, np.bool_)
+        return Job(self._preparation, self.time, rows, np.full((runs, cells), np.nan), done, stop)
+
+    def _new_runner(self, job: Job, operations: Sequence[Operation], *, load_compiler: bool) -> NewRunner:
+        """What makes the runners of a job: in this process, or in processes of their own."""
+        if isinstance(self._pool, ProcessPool):
+            work = Work(self._key, self._settings, operations, load_compiler)
+            return partial(RemoteRunner, self._pool, job, work)
+        return partial(Runner, self._pool, job, self.loop_of(operations, load_compiler=load_compiler))
+
+    def loop_of(self, operations: Sequence[Operation], *, load_compiler: bool) -> Loop:
+        """The loop; the one without reductions is kept from the first run on that loads the compiler."""
+        if self._loop is not None and not operations:
+            return self._loop
+        made = loop(self._preparation.program, operations, self.time, load_compiler=load_compiler)
+        if load_compiler and not operations:
             self._loop = made
-        return self._loop
+        return made
 
     def _rows(self, numbers: FloatArray) -> NDArray[np.void]:
         """The values that vary as the FMU takes them, one row a run."""

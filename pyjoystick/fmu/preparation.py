@@ -51,7 +51,7 @@ def prepare(
 
     Args:
         description: the FMU
-        fmi: its library as FMPy has loaded it
+        fmi: its library as FMPy has loaded it; None where another process has done so
         points: communication points (s), shape (n,)
         is_recorded: whether a sample is taken there, shape (n,)
         tolerance: what the FMU's integrator is asked to keep
@@ -77,7 +77,7 @@ def prepare(
     slopes = np.array([one.slopes for one in moving], dtype=np.float64).T.copy()
     program = Program(
         version=interface.version,
-        functions=interface.addresses(fmi),
+        functions=interface.addresses(fmi) if fmi is not None else [],
         times=points.tolist(),
         recorded=is_recorded.tolist(),
         tolerance=tolerance,

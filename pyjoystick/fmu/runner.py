@@ -8,20 +8,26 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from pyjoystick.fmu.errors import FmuRunError
+from pyjoystick.fmu.errors import THE_END, FmuEndedError, FmuRunError
 from pyjoystick.fmu.library import InstancePool
 from pyjoystick.fmu.preparation import Preparation
+from pyjoystick.fmu.stepping.decoding import decode
 from pyjoystick.fmu.stepping.engine import Loop
+from pyjoystick.fmu.stepping.kernel import transfer
 from pyjoystick.fmu.stepping.program import (
     BETWEEN_RUNS,
+    DISCARD,
     EARLY,
     ENDED,
     FATAL,
     FUNCTION,
     OK,
     POINT,
+    REACHED,
     RESET,
     RUN,
+    SAMPLES,
+    STEP,
     STOPPED,
     UNFINISHED,
     WARNING,
@@ -33,22 +39,35 @@ _GOOD: Final = (OK, WARNING, UNFINISHED, STOPPED)
 
 
 @dataclass(frozen=True, slots=True)
+class Samples:
+    """What there is of a run that the FMU ended.
+
+    Attributes:
+        instants: s, shape (n,); the last may lie between two communication points
+        numbers: shape (n, variables)
+        raw: as the FMU gave them, one field a variable, shape (n,)
+    """
+
+    instants: FloatArray
+    numbers: FloatArray
+    raw: NDArray[np.void]
+
+
+@dataclass(frozen=True, slots=True)
 class Job:
     """What runners work on.
 
     Attributes:
-        loop: from `stepping.engine`
         preparation: what the runs share
-        samples: number of samples of a run
+        instants: of the samples (s), shape (samples,)
         rows: the values that vary, one row a run
         cells: results of reductions, shape (runs, cells)
         done: runs that came to their end, shape (runs,)
         stop: to be set by whoever wants the work to end, shape (1,)
     """
 
-    loop: Loop
     preparation: Preparation
-    samples: int
+    instants: FloatArray
     rows: NDArray[np.void]
     cells: FloatArray
     done: NDArray[np.bool_]
@@ -58,10 +77,17 @@ class Job:
 class Runner:
     """Carries out runs of a job on an instance of its own, which it replaces where it breaks."""
 
-    def __init__(self, pool: InstancePool, job: Job) -> None:
-        """Take an instance; raises as `InstancePool.take`."""
+    def __init__(self, pool: InstancePool, job: Job, loop: Loop) -> None:
+        """Take an instance; raises as `InstancePool.take`.
+
+        Args:
+            pool: instances of the FMU
+            job: the runs
+            loop: from `stepping.engine`
+        """
         self._pool = pool
         self._job = job
+        self._loop = loop
         self._rows_address = job.rows.ctypes.data
         self._has_instance = False
         self._take()
@@ -69,7 +95,6 @@ class Runner:
     def close(self) -> None:
         """Give the instance back."""
         if self._has_instance:
-            self._instance.log.place[POINT] = BETWEEN_RUNS
             self._give_back()
 
     def advance(self, first: int, last: int, limit: int, values: FloatArray) -> int:
@@ -81,11 +106,23 @@ class Runner:
         Raises:
             FmuFileError: another instance is needed, and the FMU refuses it
         """
+        if self._pool.resets:
+            return self._advance(first, last, limit, values)
+        status = OK
+        for run in range(first, last):
+            status = self._advance(run, run + 1, limit, values)
+            if status not in (OK, WARNING):
+                break
+            self._give_back()  # the next run has an instance of its own
+        return status
+
+    def _advance(self, first: int, last: int, limit: int, values: FloatArray) -> int:
+        """`advance` on one instance."""
         if not self._has_instance:
-            self._take()
+            self._take(first)
         job, instance = self._job, self._instance
         is_new, instance.is_new = instance.is_new, False
-        status = job.loop(
+        status = self._loop(
             self._workspace,
             is_new,
             self._rows_address,
@@ -106,39 +143,62 @@ class Runner:
         # What was there before the run stands in its way: nothing that the run itself is to be blamed for.
         run = int(place[RUN])
         self._abandon(is_lost=status == FATAL)
-        return self.advance(run, last, limit, values)
+        return self._advance(run, last, limit, values)
 
     def failure(self, status: int) -> tuple[int, FmuRunError]:
         """The run that failed with this status, and why; the runner is then ready for the next one."""
         instance, place, preparation = self._instance, self._workspace.place, self._job.preparation
-        function = preparation.interface.functions[place[FUNCTION]]
-        if status == ENDED:
-            reason = "the FMU ended the run"
+        run, path, messages = int(place[RUN]), instance.description.path, tuple(instance.log.messages())
+        reached, function = (
+            preparation.program.times[place[POINT]],
+            preparation.interface.functions[place[FUNCTION]],
+        )
+        ended = self._end_of_run(status, reached)
+        if ended is not None:
+            error: FmuRunError = FmuEndedError(ended, THE_END, path, messages, self._samples_until(ended))
         elif status == EARLY:
-            reason = f"{function} came back before the end of the step"
+            error = FmuRunError(reached, f"{function} came back before the end of the step", path, messages)
         else:
             label = _LABELS[status] if 0 <= status < len(_LABELS) else "not a status"
             reason = f"{function} failed with status {status} ({label})"
-        reached = preparation.program.times[place[POINT]]
-        error = FmuRunError(reached, reason, instance.description.path, tuple(instance.log.messages()))
-        run = int(place[RUN])
-        place[POINT] = BETWEEN_RUNS
+            error = FmuRunError(reached, reason, path, messages)
         instance.log.clear()
-        if status == FATAL:
-            self._abandon(is_lost=True)
+        self._abandon(is_lost=status == FATAL)
         return run, error
+
+    def _end_of_run(self, status: int, begin: float) -> float | None:
+        """When the FMU ended the run in the step from `begin` (s); None where it did not."""
+        if status == ENDED:
+            reached = float(self._workspace.flags.view(np.float64)[REACHED // 8])
+            return max(begin, reached)
+        is_discarded = status == DISCARD and self._workspace.place[FUNCTION] == STEP
+        return self._instance.end_of_run(begin) if is_discarded else None
+
+    def _samples_until(self, end: float) -> Samples:
+        """What was recorded, and one more sample at the end where none was taken there."""
+        program, place = self._job.preparation.program, self._workspace.place
+        instants = np.array(program.times)[np.array(program.recorded)][: place[SAMPLES]].tolist()
+        if not instants or instants[-1] < end:
+            row = self._workspace.raw_address + len(instants) * program.outputs_stride
+            if transfer(program, self._workspace, program.outputs, row) in (OK, WARNING):
+                instants.append(end)
+        numbers = np.empty((len(instants), len(program.columns)))
+        decode(program.outputs, program.columns, self._workspace.raw, program.outputs_stride, numbers)
+        return Samples(np.array(instants), numbers, self.recorded()[: len(instants)])
 
     def recorded(self) -> NDArray[np.void]:
         """The samples of the last run as the FMU gave them, one field a variable, shape (samples,)."""
         raw: NDArray[np.void] = self._workspace.raw.view(self._job.preparation.outputs.dtype)
         return raw.copy()
 
-    def _take(self) -> None:
+    def _take(self, run: int = 0) -> None:
+        if self._pool.place is not None:
+            self._pool.place[RUN] = run  # whose fault it is if the FMU cannot even be instantiated
         self._instance = self._pool.take()
         self._has_instance = True
         self._instance.log.attach()
         self._instance.log.clear()
-        size = self._job.samples * self._job.preparation.program.outputs_stride
+        size = self._job.instants.size * self._job.preparation.program.outputs_stride
         self._workspace = self._instance.workspace(size)
 
     def _abandon(self, *, is_lost: bool) -> None:
@@ -146,5 +206,6 @@ class Runner:
         self._give_back()
 
     def _give_back(self) -> None:
+        self._workspace.place[POINT] = BETWEEN_RUNS
         self._has_instance = False
         self._pool.give_back(self._instance)

@@ -77,10 +77,11 @@ def test_threads_and_order_change_nothing(joystick: Fmu, loop: str) -> None:
 
 def test_failures_of_every_kind_are_rows(awkward_fmu: Fmu, loop: str) -> None:
     """The library aborts at a call to an instance that has failed fatally."""
-    troubles = [trouble for trouble in Trouble if trouble != Trouble.FOREVER] * 12
+    troubles = [trouble for trouble in Trouble if trouble not in awkward.ROUGH] * 12
     plan = awkward_fmu.plan(TIME, varied=("trouble", "when", "gain"), inputs={"u": 1.0}, outputs="y")
     table = [(trouble, 0.0951, gain) for gain, trouble in enumerate(troubles)]
-    fails = {Trouble.ERROR, Trouble.DISCARD, Trouble.FATAL, Trouble.NO_STATUS, Trouble.REFUSED_START}
+    fails = {Trouble.ERROR, Trouble.DISCARD, Trouble.FATAL, Trouble.NO_STATUS}
+    fails |= {Trouble.REFUSED_START, Trouble.ENDS}
     for threads in (1, 2, 3):
         batch = plan.run_batch(table, threads=threads)
         assert batch.values is not None
@@ -88,6 +89,11 @@ def test_failures_of_every_kind_are_rows(awkward_fmu: Fmu, loop: str) -> None:
         for gain, trouble in enumerate(troubles):
             if trouble == Trouble.REFUSED_START:
                 assert "at t = 0 s: 100 % refused" in batch.messages[gain]
+            elif trouble == Trouble.ENDS:
+                end = "awkward.fmu: the FMU ended the simulation at t = 0.1025 s"
+                assert batch.messages[gain].startswith(end)
+                np.testing.assert_allclose(batch.values[gain, :21, 0], gain * TIME[:21], rtol=1e-14)
+                assert np.isnan(batch.values[gain, 21:]).all()
             elif trouble in fails:
                 assert batch.messages[gain].startswith("awkward.fmu at t = 0.1 s: trouble at 0.1 (fmi2DoStep")
             else:
@@ -142,7 +148,7 @@ def test_runs_without_an_instance_fail_with_the_reason(
 ) -> None:
     """After a fatal failure the old instance may not be freed, and this FMU refuses a second one."""
     path = awkward.build(2, tmp_path / "lonely.fmu", awkward_library, guid="only-one")
-    with Fmu(path) as fmu:
+    with Fmu(path, own_process=False) as fmu:
         plan = fmu.plan(TIME, varied="trouble", outputs="y")
         batch = plan.run_batch([[0], [0], [Trouble.FATAL], [0], [0]], threads=2)
         with pytest.raises(FmuFileError, match="cannot be instantiated: a second instance"):
@@ -155,11 +161,13 @@ def test_runs_without_an_instance_fail_with_the_reason(
 
 def test_instances_are_kept_for_the_next_batch(joystick: Fmu) -> None:
     plan = joystick.plan(TIME, varied=VARIED, outputs=OUTPUTS)
-    plan.run_batch(joysticks(40), threads=3)
+    table = joysticks(40)
+    table = table[table[CLEARANCE] > 0.0]  # an instance whose run has failed is not kept
+    plan.run_batch(table, threads=3)
     kept = {id(instance) for instance in joystick._pool._idle}
     assert len(kept) == 3
-    plan.run_batch(joysticks(40), threads=3)
-    plan.run_batch(joysticks(40), threads=2)
+    plan.run_batch(table, threads=3)
+    plan.run_batch(table, threads=2)
     assert {id(instance) for instance in joystick._pool._idle} == kept
 
 
@@ -186,7 +194,7 @@ def test_an_exception_in_the_progress_stops_the_batch(awkward_fmu: Fmu, loop: st
 
     with pytest.raises(ZeroDivisionError):
         plan.run_batch([[20.0]] * 1000, threads=2, on_progress=refuse)
-    assert len(awkward_fmu._pool._idle) == 2
+    assert not awkward_fmu._pool._taken
     assert not plan._batches
 
 
