@@ -17,9 +17,8 @@ from pyjoystick.fmu.description import FmuDescription, read_description
 from pyjoystick.fmu.errors import FmuEndedError
 from pyjoystick.fmu.files import find_fmu
 from pyjoystick.fmu.inputs import Inputs
-from pyjoystick.fmu.library import InstancePool
 from pyjoystick.fmu.linearization import Linearization, linearize
-from pyjoystick.fmu.own_process.pool import TIME_LIMIT, ProcessPool
+from pyjoystick.fmu.own_process.pool import TIME_LIMIT, ProcessPool, new_pool
 from pyjoystick.fmu.plan import Plan
 from pyjoystick.fmu.values import Value
 from pyjoystick.motion import make_table
@@ -68,11 +67,7 @@ class Fmu:
         self._choice: dict[str, Any] = {"own_process": own_process, "time_limit": time_limit}
         if time_limit is not None:
             positive("time_limit", time_limit, "s")
-        self._pool: InstancePool | ProcessPool
-        if not self.description.is_ours if own_process is None else own_process:
-            self._pool = ProcessPool(self.description, time_limit)
-        else:
-            self._pool = InstancePool(self.description)
+        self._pool = new_pool(self.description, own_process, time_limit)
         self._close = weakref.finalize(self, self._pool.close)
 
     def __reduce__(self) -> tuple[Any, ...]:

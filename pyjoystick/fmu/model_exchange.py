@@ -19,7 +19,7 @@ from pyjoystick.fmu.files import find_fmu
 from pyjoystick.fmu.inputs import Inputs, checked_inputs
 from pyjoystick.fmu.instance import Instance
 from pyjoystick.fmu.library import FmuLibrary
-from pyjoystick.fmu.own_process.pool import TIME_LIMIT, run_apart
+from pyjoystick.fmu.own_process.pool import TIME_LIMIT, is_apart, run_apart
 from pyjoystick.fmu.values import INTEGERS, Value, checked_outputs, checked_parameters
 from pyjoystick.motion import make_table
 from pyjoystick.support import ParameterError, SimulationError, increasing_times, positive
@@ -70,7 +70,7 @@ def run_model_exchange(
     values = checked_parameters(description, parameters or {})
     table = checked_inputs(description, {} if inputs is None else inputs)
     recorded = checked_outputs(description, outputs)
-    if not description.is_ours if own_process is None else own_process:
+    if is_apart(description, own_process):
         given = {"time": instants, "parameters": parameters, "inputs": inputs, "tolerance": tolerance}
         names = [variable.name for variable in recorded]
         found: pd.DataFrame = run_apart(description, time_limit, given | {"outputs": names})

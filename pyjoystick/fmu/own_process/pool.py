@@ -10,7 +10,7 @@ from typing import Any, Final
 
 from pyjoystick.fmu.description import FmuDescription
 from pyjoystick.fmu.errors import FmuCrashError, FmuFileError, FmuRunError, FmuTimeLimitError
-from pyjoystick.fmu.library import require_runnable, unpacked
+from pyjoystick.fmu.library import InstancePool, require_runnable, unpacked
 from pyjoystick.fmu.own_process.process import OwnProcess, ProcessEndedError
 from pyjoystick.fmu.pool import Pool
 
@@ -75,6 +75,20 @@ class ProcessPool(Pool[OwnProcess]):
 
     def _put_away(self) -> None:
         self._stack.close()
+
+
+def new_pool(
+    description: FmuDescription, own_process: bool | None, time_limit: float | None
+) -> InstancePool | ProcessPool:
+    """What runs the FMU; the arguments are those of `Fmu`."""
+    if is_apart(description, own_process):
+        return ProcessPool(description, time_limit)
+    return InstancePool(description)
+
+
+def is_apart(description: FmuDescription, own_process: bool | None) -> bool:
+    """Whether an FMU runs in a process of its own; `own_process` is that of `Fmu`."""
+    return not description.is_ours if own_process is None else own_process
 
 
 def run_apart(description: FmuDescription, time_limit: float | None, settings: dict[str, Any]) -> Any:

@@ -11,8 +11,9 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pyjoystick.fmu import Final, Fmu, FmuLibrary, FmuRunError, read_description
+from pyjoystick.fmu import Final, Fmu, FmuRunError, read_description
 from pyjoystick.fmu.instance import Instance
+from pyjoystick.fmu.library import FmuLibrary
 from pyjoystick.support import ParameterError
 from tests.pyjoystick.fmu.awkward import ROUGH, Trouble
 

@@ -23,12 +23,15 @@ from pyjoystick.fmu import (
     FmuFileError,
     FmuRunError,
     FmuTimeLimitError,
+    read_description,
     run_model_exchange,
+    stepped,
 )
 from pyjoystick.fmu.own_process.pool import ProcessPool
 from pyjoystick.support import ParameterError, PyJoystickError
 from tests.pyjoystick.fmu import awkward
 from tests.pyjoystick.fmu.awkward import Trouble
+from tests.pyjoystick.fmu.doctored import doctored
 
 TIME = [0.0, 0.1, 0.2, 0.3]
 #: How a run of each ends that ends badly.
@@ -255,3 +258,34 @@ def test_model_exchange_too(mixed_path: Path) -> None:
     pd.testing.assert_frame_equal(apart, here, check_exact=True)
     with pytest.raises(FmuTimeLimitError, match=r"longer than the time limit of 0\.01 s"):
         run_model_exchange(mixed_path, [0.0, 1.0], own_process=True, time_limit=0.01)
+
+
+def test_stepped_from_outside_it_is_the_same(joystick_path: Path, tmp_path: Path) -> None:
+    """With saved states, whoever is said to have made it."""
+    other = doctored(
+        joystick_path, tmp_path / "other.fmu", description=lambda text: text.replace("pyjoystick", "other")
+    )
+    found = []
+    for path in (joystick_path, other):
+        description = read_description(path)
+        theta, torque = (description.variables[name] for name in ("theta", "T"))
+        with stepped(description) as one, one.reporting(0.0):
+            one.initialize(0.0, 1e-8, {"theta_start": 0.1})
+            state = one.save()
+            one.set([torque], [0.2])
+            one.set_input_derivatives([torque], [0.1])
+            one.step(0.0, 0.1)
+            found.append(one.get([theta]))
+            one.restore(state)
+            found.append(one.get([theta]))
+            one.forget(state)
+    assert found[:2] == found[2:]
+
+
+def test_stepped_from_outside_it_may_crash(awkward_path: Path) -> None:
+    with stepped(read_description(awkward_path)) as one:
+        one.initialize(0.0, 1e-8, {"trouble": int(Trouble.ABORTS), "when": 0.1})
+        one.step(0.0, 0.1)
+        with pytest.raises(FmuCrashError, match=r"t = 0.1 s: .*SIGABRT"), one.reporting(0.1):
+            one.step(0.1, 0.1)
+        one.forget(0)
