@@ -10,11 +10,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Final, Literal
-from xml.etree import ElementTree
+from xml.parsers import expat
 
 from fmpy import read_model_description
 
 from pyjoystick.fmu.errors import FmuFileError, UnsupportedFmuError
+from pyjoystick.fmu.limits import MOST_VARIABLES, require_at_most, require_modest
 from pyjoystick.motion import DisplayUnit, Quantity
 
 #: What a minimum means that is no larger; Modelica.Constants.small is 1e-60.
@@ -151,19 +152,21 @@ def read_description(path: Path) -> FmuDescription:
     """Read the description without loading the FMU's binary; FMI 2.0 and 3.0 are supported.
 
     Raises:
-        FmuFileError: the file is not a ZIP archive, or its modelDescription.xml is missing or unreadable
+        FmuFileError: the file is not a ZIP archive, its modelDescription.xml is missing or unreadable, or it
+            is larger than `limits` allows
         UnsupportedFmuError: the FMU is of another FMI version
     """
     try:
         with zipfile.ZipFile(path) as archive:
             files = archive.namelist()
+            require_modest(path, archive)
     except (zipfile.BadZipFile, OSError) as error:
         reason = "not a ZIP archive" if isinstance(error, zipfile.BadZipFile) else error.strerror
         raise FmuFileError(path, f"not an FMU: {reason}") from error
     if "modelDescription.xml" not in files:
         raise FmuFileError(path, "not an FMU: there is no modelDescription.xml in it")
     try:
-        _require_known_version(path)
+        _require_known(path)
         return _description(path, files, read_model_description(str(path), validate=False))
     except FmuFileError:
         raise
@@ -172,15 +175,34 @@ def read_description(path: Path) -> FmuDescription:
         raise FmuFileError(path, reason) from error
 
 
-def _require_known_version(path: Path) -> None:
-    """Raise `UnsupportedFmuError` for versions of FMI whose descriptions are written otherwise."""
+def _require_known(path: Path) -> None:
+    """Raise FmuFileError unless FMPy can read the description: a known version, and not too many variables.
+
+    FMPy reads the description as a whole, for minutes where it is huge.
+    """
+    version, variables = None, 0
+
+    def start(name: str, attributes: dict[str, str]) -> None:
+        nonlocal version, variables
+        if version is None:
+            version = _known_version(path, name, attributes)
+        if "valueReference" in attributes and "name" in attributes:
+            variables += 1
+            require_at_most(path, "declares {} variables or more", variables, MOST_VARIABLES)
+
+    parser = expat.ParserCreate()
+    parser.StartElementHandler = start
     with zipfile.ZipFile(path) as archive, archive.open("modelDescription.xml") as file:
-        _, root = next(iter(ElementTree.iterparse(file, events=("start",))))
-    version = root.get("fmiVersion")
+        parser.ParseFile(file)
+
+
+def _known_version(path: Path, root: str, attributes: Mapping[str, str]) -> str:
+    version = attributes.get("fmiVersion")
     if version is None:
-        raise FmuFileError(path, f"its modelDescription.xml names no FMI version in its element {root.tag}")
+        raise FmuFileError(path, f"its modelDescription.xml names no FMI version in its element {root}")
     if not re.fullmatch(r"2\.0|3\..*", version):
         raise UnsupportedFmuError(path, f"is an FMU of FMI {version}; FMI 2.0 and 3.0 are supported")
+    return version
 
 
 def _description(path: Path, files: list[str], model: Any) -> FmuDescription:
