@@ -8,6 +8,7 @@ import pickle
 import signal
 import subprocess
 import sys
+import tempfile
 import threading
 import time as clock
 from collections.abc import Callable
@@ -126,6 +127,7 @@ class OwnProcess:
             self.is_alive = False
             self._kill()
             self._process.wait()
+            self._place = self._place.copy()  # the file is to be deleted
             pipes = self._process.stdout, self._process.stderr
             for pipe, reader in zip(pipes, self._readers, strict=True):
                 reader.join(_GRACE)
@@ -201,14 +203,7 @@ class OwnProcess:
 
 def _place_file(folder: Path) -> Path:
     """A new file with room for the place of a run."""
-    place = np.zeros(PLACE_SIZE, np.intp)
-    place[POINT] = BETWEEN_RUNS
-    for number in range(sys.maxsize):
-        file = folder / f"place-{number}"
-        try:
-            with file.open("xb") as stream:
-                stream.write(place.tobytes())
-        except FileExistsError:
-            continue
-        return file
-    raise AssertionError
+    handle, name = tempfile.mkstemp(prefix="place-", dir=folder)
+    with os.fdopen(handle, "wb") as file:
+        file.write(np.zeros(PLACE_SIZE, np.intp).tobytes())
+    return Path(name)
