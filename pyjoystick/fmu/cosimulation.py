@@ -18,11 +18,11 @@ from pyjoystick.fmu.errors import FmuEndedError
 from pyjoystick.fmu.files import find_fmu
 from pyjoystick.fmu.inputs import Inputs
 from pyjoystick.fmu.linearization import Linearization, linearize
-from pyjoystick.fmu.own_process.pool import TIME_LIMIT, ProcessPool, new_pool
+from pyjoystick.fmu.own_process.pool import ProcessPool, new_pool
 from pyjoystick.fmu.plan import Plan
 from pyjoystick.fmu.values import Value
 from pyjoystick.motion import make_table
-from pyjoystick.support import DEFAULT_TOLERANCE, FloatArray, positive
+from pyjoystick.support import DEFAULT_TOLERANCE, FloatArray
 
 
 class Fmu:
@@ -46,7 +46,7 @@ class Fmu:
         fmu: str | PathLike[str],
         *,
         own_process: bool | None = None,
-        time_limit: float | None = TIME_LIMIT,
+        time_limit: float | None = None,
     ) -> None:
         """Open an FMU.
 
@@ -56,7 +56,8 @@ class Fmu:
                 crash, end nor hang the caller, nor mix its output with the caller's. Where not given, FMUs
                 that this project made (their ``generationTool`` says so) run in the caller's process and all
                 others in their own.
-            time_limit: what a run in a process of its own may take, s; None for any time
+            time_limit: what a run in a process of its own may take by the clock, s; 300 s where not given,
+                ``math.inf`` for any time
 
         Raises:
             FmuNotFoundError: there is no such file
@@ -65,8 +66,6 @@ class Fmu:
         """
         self.description: FmuDescription = read_description(find_fmu(fmu))
         self._choice: dict[str, Any] = {"own_process": own_process, "time_limit": time_limit}
-        if time_limit is not None:
-            positive("time_limit", time_limit, "s")
         self._pool = new_pool(self.description, own_process, time_limit)
         self._close = weakref.finalize(self, self._pool.close)
 

@@ -85,4 +85,4 @@ class FmuCrashError(FmuRunError):
 
 
 class FmuTimeLimitError(FmuRunError):
-    """A run took longer than it may, and was ended with the FMU's process."""
+    """A run took longer than it may, and was ended."""

@@ -19,7 +19,7 @@ from pyjoystick.fmu.files import find_fmu
 from pyjoystick.fmu.inputs import Inputs, checked_inputs
 from pyjoystick.fmu.instance import Instance
 from pyjoystick.fmu.library import FmuLibrary
-from pyjoystick.fmu.own_process.pool import TIME_LIMIT, is_apart, run_apart
+from pyjoystick.fmu.own_process.pool import is_apart, run_apart
 from pyjoystick.fmu.values import INTEGERS, Value, checked_outputs, checked_parameters
 from pyjoystick.motion import make_table
 from pyjoystick.support import ParameterError, SimulationError, increasing_times, positive
@@ -36,7 +36,7 @@ def run_model_exchange(
     outputs: Iterable[str] | None = None,
     tolerance: float = 1e-10,
     own_process: bool | None = None,
-    time_limit: float | None = TIME_LIMIT,
+    time_limit: float | None = None,
 ) -> pd.DataFrame:
     """Run an FMU through Model Exchange and FMPy's CVode (SUNDIALS).
 

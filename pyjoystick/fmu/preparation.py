@@ -77,7 +77,7 @@ def prepare(
     slopes = np.array([one.slopes for one in moving], dtype=np.float64).T.copy()
     program = Program(
         version=interface.version,
-        functions=interface.addresses(fmi) if fmi is not None else [],
+        functions=interface.addresses(fmi) if fmi is not None else [0] * len(interface.functions),
         times=points.tolist(),
         recorded=is_recorded.tolist(),
         tolerance=tolerance,

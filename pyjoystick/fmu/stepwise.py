@@ -10,7 +10,7 @@ from typing import Any
 from pyjoystick.fmu.description import FmuDescription
 from pyjoystick.fmu.instance import Instance
 from pyjoystick.fmu.library import InstancePool
-from pyjoystick.fmu.own_process.pool import TIME_LIMIT, ProcessPool, new_pool, run_error
+from pyjoystick.fmu.own_process.pool import ProcessPool, new_pool, run_error
 from pyjoystick.fmu.own_process.process import OwnProcess, ProcessEndedError
 
 
@@ -21,7 +21,7 @@ def stepped(description: FmuDescription) -> Iterator[Instance | RemoteInstance]:
     Raises:
         UnsupportedFmuError, FmuFileError: as in `Fmu`
     """
-    pool = new_pool(description, None, TIME_LIMIT)
+    pool = new_pool(description, None, None)
     try:
         if isinstance(pool, InstancePool):
             with pool.lent() as instance:

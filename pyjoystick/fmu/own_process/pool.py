@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import tempfile
 from contextlib import ExitStack
@@ -13,6 +14,7 @@ from pyjoystick.fmu.errors import FmuCrashError, FmuFileError, FmuRunError, FmuT
 from pyjoystick.fmu.library import InstancePool, require_runnable, unpacked
 from pyjoystick.fmu.own_process.process import OwnProcess, ProcessEndedError
 from pyjoystick.fmu.pool import Pool
+from pyjoystick.support import positive
 
 #: What a run may take in a process of its own unless the caller says otherwise (s).
 TIME_LIMIT: Final = 300.0
@@ -35,7 +37,7 @@ class ProcessPool(Pool[OwnProcess]):
             FmuFileError: it is broken, refuses to be instantiated, or crashes at once
         """
         require_runnable(description, "CoSimulation")
-        self.time_limit = time_limit
+        self.time_limit = checked_limit(time_limit)
         self._stack = ExitStack()
         self._folder = self._stack.enter_context(unpacked(description))
         super().__init__(description)
@@ -56,7 +58,7 @@ class ProcessPool(Pool[OwnProcess]):
 
     def _make(self) -> OwnProcess:
         process = OwnProcess(self._folder)
-        limit = None if self.time_limit is None else max(_LOADING, self.time_limit)
+        limit = max(_LOADING, self.time_limit)
         try:
             process.ask("open", self.description, self._folder, time_limit=limit)
         except ProcessEndedError as error:
@@ -77,6 +79,13 @@ class ProcessPool(Pool[OwnProcess]):
         self._stack.close()
 
 
+def checked_limit(time_limit: float | None) -> float:
+    """What a run may take (s); raises ParameterError."""
+    if time_limit is None:
+        return TIME_LIMIT
+    return time_limit if time_limit == math.inf else positive("time_limit", time_limit, "s")
+
+
 def new_pool(
     description: FmuDescription, own_process: bool | None, time_limit: float | None
 ) -> InstancePool | ProcessPool:
@@ -94,11 +103,12 @@ def is_apart(description: FmuDescription, own_process: bool | None) -> bool:
 def run_apart(description: FmuDescription, time_limit: float | None, settings: dict[str, Any]) -> Any:
     """`model_exchange.run_model_exchange` in a process of its own, with these settings."""
     require_runnable(description, "ModelExchange")
+    limit = checked_limit(time_limit)
     with tempfile.TemporaryDirectory(prefix="pyjoystick-") as folder:
         process = OwnProcess(Path(folder))
         try:
             process.ask("wait")  # until it has started, which is not the FMU's affair
-            return process.ask("model_exchange", description.path, settings, time_limit=time_limit)
+            return process.ask("model_exchange", description.path, settings, time_limit=limit)
         except ProcessEndedError as ended:
             raise run_error(ended, float(settings["time"][0]), description.path) from None
         finally:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import mmap
 import os
 import pickle
@@ -93,7 +94,7 @@ class OwnProcess:
         self,
         name: str,
         *arguments: Any,
-        time_limit: float | None = None,
+        time_limit: float = math.inf,
         is_stopped: Callable[[], bool] = lambda: False,
     ) -> Any:
         """Have it carry out a method of `service.Service`.
@@ -112,7 +113,7 @@ class OwnProcess:
         self._place[RUN], self._place[POINT] = 0, BETWEEN_RUNS
         try:
             self._send((name, arguments))
-            answer = self._wait(np.inf if time_limit is None else time_limit, is_stopped)
+            answer = self._wait(time_limit, is_stopped)
         except BaseException:
             self.close()
             raise
