@@ -176,6 +176,26 @@ def test_a_batch_survives_everything(foreign: Fmu) -> None:
         assert bool(message) == (trouble in fails)
 
 
+def test_an_interrupted_batch_returns_what_is_done(awkward_path: Path) -> None:
+    """One of the runs never ends."""
+
+    def interrupt(done: int, runs: int) -> None:
+        if done >= runs - 5:
+            raise KeyboardInterrupt
+
+    table = [(Trouble.NONE, 1.0)] * 40
+    table[7] = Trouble.FOREVER, 1.0
+    with Fmu(awkward_path, time_limit=20.0) as fmu:
+        plan = fmu.plan(TIME, varied=("trouble", "gain"), inputs={"u": 1.0}, outputs="y")
+        batch = plan.run_batch(table, threads=2, on_progress=interrupt)
+        assert batch.interrupted
+        assert not batch.done[7]
+        assert not batch.failed.any()
+        assert batch.values is not None
+        np.testing.assert_array_equal(np.isnan(batch.values).all(axis=(1, 2)), ~batch.done)
+        assert run(fmu, Trouble.NONE) == pytest.approx(TIME)
+
+
 def test_an_fmu_for_one_instance_a_process_has_one_each_time(awkward_library: Path, tmp_path: Path) -> None:
     attributes = 'canBeInstantiatedOnlyOncePerProcess="true"'
     path = awkward.build(2, tmp_path / "once.fmu", awkward_library, attributes=attributes)
