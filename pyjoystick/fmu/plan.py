@@ -17,7 +17,7 @@ from pyjoystick.fmu.errors import FmuEndedError
 from pyjoystick.fmu.inputs import Inputs, checked_inputs, communication_points, input_series
 from pyjoystick.fmu.library import InstancePool
 from pyjoystick.fmu.own_process.pool import ProcessPool
-from pyjoystick.fmu.own_process.runner import Outcome, RemoteRunner, Work
+from pyjoystick.fmu.own_process.runner import Outcome, RemoteRunner
 from pyjoystick.fmu.preparation import prepare
 from pyjoystick.fmu.reductions import Reduction, checked_reductions, operations_of, units_of
 from pyjoystick.fmu.runner import Job, Runner
@@ -237,8 +237,8 @@ class Plan:
     def _new_runner(self, job: Job, operations: Sequence[Operation], *, load_compiler: bool) -> NewRunner:
         """What makes the runners of a job: in this process, or in processes of their own."""
         if isinstance(self._pool, ProcessPool):
-            work = Work(self._key, self._settings, operations, load_compiler)
-            return partial(RemoteRunner, self._pool, job, work)
+            settings = {"operations": operations, "load_compiler": load_compiler}
+            return partial(RemoteRunner, self._pool, job, self._key, self._settings, settings)
         return partial(Runner, self._pool, job, self.loop_of(operations, load_compiler=load_compiler))
 
     def loop_of(self, operations: Sequence[Operation], *, load_compiler: bool) -> Loop:

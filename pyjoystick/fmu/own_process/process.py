@@ -36,7 +36,7 @@ _CHILD: Final = "pyjoystick.fmu.own_process.child"
 
 
 class ProcessEndedError(PyJoystickError):
-    """The process crashed, or was ended because of its time limit; the message says which.
+    """The process crashed or has been ended; the message says why.
 
     Attributes:
         run: which of the runs that were asked for was under way
@@ -47,10 +47,6 @@ class ProcessEndedError(PyJoystickError):
     def __init__(self, reason: str, place: NDArray[np.intp], *, is_late: bool) -> None:
         super().__init__(reason)
         self.run, self.point, self.is_late = int(place[RUN]), int(place[POINT]), is_late
-
-
-class StoppedError(PyJoystickError):
-    """The caller wanted an answer no more, and the process has been ended."""
 
 
 class OwnProcess:
@@ -71,10 +67,11 @@ class OwnProcess:
         self.plan: object = None
         self.runs = 0
         self.is_alive = True
-        place_file = _place_file(folder)
-        with place_file.open("r+b") as file:
+        handle, place_file = tempfile.mkstemp(prefix="place-", dir=folder)
+        with os.fdopen(handle, "r+b") as file:
+            file.truncate(PLACE_SIZE * np.dtype(np.intp).itemsize)
             self._place = np.frombuffer(mmap.mmap(file.fileno(), 0), np.intp, PLACE_SIZE)
-        code = _CODE.format(path=sys.path, module=_CHILD, place=str(place_file))
+        code = _CODE.format(path=sys.path, module=_CHILD, place=place_file)
         self._process = subprocess.Popen(
             [sys.executable, "-c", code],
             stdin=subprocess.PIPE,
@@ -106,8 +103,7 @@ class OwnProcess:
             is_stopped: asked now and then whether the answer is still wanted
 
         Raises:
-            ProcessEndedError: it crashed or took too long
-            StoppedError: the answer is not wanted any more
+            ProcessEndedError: it crashed, took too long, or was ended because the answer is not wanted
             Exception: whatever the method raises
         """
         self._place[RUN], self._place[POINT] = 0, BETWEEN_RUNS
@@ -167,7 +163,7 @@ class OwnProcess:
                 if is_stopped():
                     asked = asked or now
                     if now - asked > _GRACE:
-                        raise StoppedError from None
+                        raise ProcessEndedError("it was stopped", self._place, is_late=False) from None
                 continue
             if answer is None:
                 raise ProcessEndedError(self._why_it_ended(), self._place, is_late=False)
@@ -200,11 +196,3 @@ class OwnProcess:
         assert self._process.stderr is not None
         while octets := os.read(self._process.stderr.fileno(), 65536):
             self._printed = (self._printed + octets)[-_KEPT:]
-
-
-def _place_file(folder: Path) -> Path:
-    """A new file with room for the place of a run."""
-    handle, name = tempfile.mkstemp(prefix="place-", dir=folder)
-    with os.fdopen(handle, "wb") as file:
-        file.write(np.zeros(PLACE_SIZE, np.intp).tobytes())
-    return Path(name)

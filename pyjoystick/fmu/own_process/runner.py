@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time as clock
-from collections.abc import Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Final
 
@@ -12,33 +12,15 @@ from numpy.typing import NDArray
 
 from pyjoystick.fmu.errors import FmuRunError
 from pyjoystick.fmu.own_process.pool import ProcessPool, run_error
-from pyjoystick.fmu.own_process.process import OwnProcess, ProcessEndedError, StoppedError
+from pyjoystick.fmu.own_process.process import OwnProcess, ProcessEndedError
 from pyjoystick.fmu.runner import Job
 from pyjoystick.fmu.stepping.program import ERROR, OK, STOPPED
-from pyjoystick.fmu.stepping.reducing import Operation
 from pyjoystick.support import FloatArray
 
 #: Runs are sent in groups that take about so long (s): what is done of a group is lost where one crashes.
 _GROUP_TIME: Final = 0.1
 #: So many runs go without the compiler, for a process that does not survive them has loaded it in vain.
 _PLAIN_RUNS: Final = 4
-
-
-@dataclass(frozen=True, slots=True)
-class Work:
-    """What a process is to do beside the rows of a job.
-
-    Attributes:
-        key: tells plans apart
-        settings: of the plan
-        operations: what to keep of each run; where there is none, its samples
-        load_compiler: as of `stepping.engine.loop`
-    """
-
-    key: int
-    settings: dict[str, Any]
-    operations: Sequence[Operation]
-    load_compiler: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,11 +47,23 @@ class Outcome:
 class RemoteRunner:
     """As `pyjoystick.fmu.runner.Runner`, in a process that is replaced where it ends."""
 
-    def __init__(self, pool: ProcessPool, job: Job, work: Work) -> None:
-        """Take no process yet: where several are to be started, they start at the same time."""
+    def __init__(
+        self, pool: ProcessPool, job: Job, key: int, plan: Mapping[str, Any], settings: Mapping[str, Any]
+    ) -> None:
+        """Take no process yet: where several are to be started, they start at the same time.
+
+        Args:
+            pool: processes that have the FMU
+            job: the runs
+            key: tells plans apart
+            plan: settings of the plan
+            settings: of `Plan.carry_out`
+        """
         self._pool = pool
         self._job = job
-        self._work = work
+        self._key = key
+        self._plan = plan
+        self._settings = settings
         self._process: OwnProcess | None = None
         self._group = 1
         self._raw: NDArray[np.void] | None = None
@@ -96,9 +90,9 @@ class RemoteRunner:
             begin = clock.perf_counter()
             try:
                 outcome = self._ask(first, end)
-            except StoppedError:
-                return STOPPED
             except ProcessEndedError as ended:
+                if self._job.stop[0]:
+                    return STOPPED
                 # The runs of the group before it were done, but are lost: they are done again, up to it.
                 self._failed = first + ended.run, self._error(ended)
                 last = first + ended.run
@@ -130,18 +124,16 @@ class RemoteRunner:
     def _ask(self, first: int, end: int) -> Outcome:
         if self._process is None:
             self._process = self._pool.take()
-        process, work = self._process, self._work
-        load_compiler = work.load_compiler and process.runs >= _PLAIN_RUNS
-        plan = work.key, load_compiler
-        if process.plan != plan:
-            process.ask("plan", work.settings, load_compiler)
-            process.plan = plan
-        settings = {"operations": work.operations, "load_compiler": load_compiler}
+        process = self._process
+        load_compiler = self._settings["load_compiler"] and process.runs >= _PLAIN_RUNS
+        if process.plan != (self._key, load_compiler):
+            process.ask("plan", self._plan, load_compiler)
+            process.plan = self._key, load_compiler
         outcome: Outcome = process.ask(
             "carry_out",
             self._job.rows[first:end],
             self._job.cells.shape[1],
-            settings,
+            {**self._settings, "load_compiler": load_compiler},
             time_limit=self._pool.time_limit,
             is_stopped=lambda: bool(self._job.stop[0]),
         )
