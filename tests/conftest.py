@@ -21,6 +21,7 @@ ROOT = Path(__file__).parents[1]
 SLOW = (
     *("benchmarks", "docs", "fmu_build", "fuzz", "joystick_fmu", "modelica", "other_tools", "scenarios"),
     *("test_your_joystick.py", "pyjoystick/reports", "pyjoystick/fmu/test_interruption.py"),
+    "pyjoystick/fmu/test_own_process.py",
     *("pyjoystick/runs/sweeps/test_cluster.py", "pyjoystick/runs/sweeps/test_interruption.py"),
     *("pyjoystick/cli", "pyjoystick/runs/coupling", "pyjoystick/runs/fmu_comparison"),
     *("pyjoystick/identification/fitting", "pyjoystick/fmu/stepping", "pyjoystick/fmu/test_batch.py"),

@@ -61,6 +61,7 @@ def _print_facts(console: Console, description: fmu.FmuDescription) -> None:
         "FMI": f"{description.fmi_version}, {' and '.join(description.interfaces) or 'no known interface'}",
         "platforms": ", ".join(description.platforms) or "no binary",
         "sources": "included" if description.has_sources else "not included",
+        "runs": _way_to_run(description),
         "made by": " ".join(filter(None, (description.generation_tool, description.generation_date))),
         "GUID": description.guid,
         "experiment": _experiment(description.experiment),
@@ -70,6 +71,14 @@ def _print_facts(console: Console, description: fmu.FmuDescription) -> None:
         if fact:
             table.add_row(f"[dim]{name}[/dim]", escape(fact))
     console.print(table)
+
+
+def _way_to_run(description: fmu.FmuDescription) -> str:
+    if description.is_ours:
+        return "in this process; an instance is reset between runs"
+    if description.one_instance:
+        return "each in a new process of its own, as the FMU takes one instance a process"
+    return "in a process of its own, as another tool made it; each on a new instance"
 
 
 def _experiment(experiment: fmu.DefaultExperiment) -> str:

@@ -8,6 +8,8 @@ from .description import (
     read_description as read_description,
 )
 from .errors import (
+    FmuCrashError as FmuCrashError,
+    FmuEndedError as FmuEndedError,
     FmuFileError as FmuFileError,
     FmuNotFoundError as FmuNotFoundError,
     FmuRunError as FmuRunError,
@@ -16,7 +18,6 @@ from .errors import (
 )
 from .files import MODELS as MODELS, build_folder as build_folder, find_fmu as find_fmu
 from .inputs import Inputs as Inputs, checked_inputs as checked_inputs
-from .library import FmuLibrary as FmuLibrary
 from .linearization import Linearization as Linearization
 from .model_exchange import run_model_exchange as run_model_exchange
 from .plan import Plan as Plan
@@ -27,6 +28,7 @@ from .reductions import (
     Peaks as Peaks,
     Reduction as Reduction,
 )
+from .stepwise import stepped as stepped
 from .values import (
     INTEGERS as INTEGERS,
     REALS as REALS,

@@ -13,14 +13,17 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from pyjoystick.fmu.errors import FmuFileError
-from pyjoystick.fmu.library import InstancePool
-from pyjoystick.fmu.runner import Job, Runner
+from pyjoystick.fmu.errors import FmuEndedError, FmuFileError
+from pyjoystick.fmu.own_process.runner import RemoteRunner
+from pyjoystick.fmu.runner import Job, Runner, Samples
 from pyjoystick.fmu.stepping.program import OK, STOPPED
 from pyjoystick.support import FloatArray, PyJoystickError, whole_number
 
 #: Called in the calling thread with the number of runs that are done and the number of all runs.
 OnProgress = Callable[[int, int], None]
+
+AnyRunner = Runner | RemoteRunner
+NewRunner = Callable[[], AnyRunner]
 
 _LARGEST_PIECE: Final = 64
 #: Time between two looks at how far the threads are (s).
@@ -35,8 +38,8 @@ class BatchResult:
 
     Attributes:
         parameters: what was varied, one column per name; its index is that of the given table
-        values: samples, shape (runs, samples, variables), NaN in runs that failed or were not done; None
-            where the runs were reduced
+        values: samples, shape (runs, samples, variables), NaN in runs that failed or were not done, and from
+            the end on in runs that the FMU ended by itself; None where the runs were reduced
         reduced: what the reductions kept, one column each, indexed as `parameters`, NaN as in `values`; its
             ``attrs["units"]`` has the unit of each column. None where there are no reductions.
         messages: empty for a successful run, else why and when it failed, with the FMU's messages
@@ -71,16 +74,16 @@ class Batch:
         done: shape (runs,), set by the loop while it works
     """
 
-    def __init__(self, pool: InstancePool, job: Job, values: FloatArray) -> None:
+    def __init__(self, new_runner: NewRunner, job: Job, values: FloatArray) -> None:
         """Prepare the batch.
 
         Args:
-            pool: instances of the FMU
+            new_runner: makes what carries out runs of the job, one for each thread
             job: the runs
             values: samples of all runs, shape (runs, samples, variables); of shape (0, samples, variables)
                 where each thread is to have room for one run only
         """
-        self._pool = pool
+        self._new_runner = new_runner
         self._job = job
         self._values = values
         runs = len(job.rows)
@@ -124,11 +127,11 @@ class Batch:
             self._fail_what_is_left()
         return is_stopped
 
-    def _runners(self, threads: int) -> list[Runner]:
-        runners = [Runner(self._pool, self._job)]
+    def _runners(self, threads: int) -> list[AnyRunner]:
+        runners = [self._new_runner()]
         while len(runners) < threads:
             try:
-                runners.append(Runner(self._pool, self._job))
+                runners.append(self._new_runner())
             except PyJoystickError:
                 break  # an FMU that cannot be instantiated more often runs on fewer threads
         return runners
@@ -148,7 +151,7 @@ class Batch:
         with suppress(KeyboardInterrupt):
             self._finished.wait(_GRACE)
 
-    def _work(self, runner: Runner) -> None:
+    def _work(self, runner: AnyRunner) -> None:
         try:
             values = self._values if len(self._values) else np.empty((1, *self._values.shape[1:]))
             while (piece := self._piece()) is not None:
@@ -179,7 +182,7 @@ class Batch:
             self._next += min(_LARGEST_PIECE, max(1, left // (4 * self._threads)))
             return first, self._next
 
-    def _run_piece(self, runner: Runner, first: int, last: int, values: FloatArray) -> None:
+    def _run_piece(self, runner: AnyRunner, first: int, last: int, values: FloatArray) -> None:
         while first < last:
             try:
                 status = runner.advance(first, last, values)
@@ -191,10 +194,16 @@ class Batch:
             if status in (OK, STOPPED) or self._job.stop[0]:
                 return
             run, error = runner.failure(status)
-            self._mark_failed(run, str(error))
+            self._mark_failed(run, str(error), error.samples if isinstance(error, FmuEndedError) else None)
             first = run + 1
 
-    def _mark_failed(self, run: int, message: str) -> None:
+    def _mark_failed(self, run: int, message: str, samples: Samples | None = None) -> None:
+        if len(self._values):
+            self._values[run] = np.nan
+        if len(self._values) and samples is not None:
+            # A sample between two points of the table has no row there.
+            kept = np.isin(samples.instants, self._job.instants)
+            self._values[run, : np.count_nonzero(kept)] = samples.numbers[kept]
         self.messages[run] = message
         self.failed[run] = self.done[run] = True
 

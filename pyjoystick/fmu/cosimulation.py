@@ -9,18 +9,20 @@ from os import PathLike
 from types import TracebackType
 from typing import Any, Self
 
+import numpy as np
 import pandas as pd
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from pyjoystick.fmu.description import FmuDescription, read_description
+from pyjoystick.fmu.errors import FmuEndedError
 from pyjoystick.fmu.files import find_fmu
 from pyjoystick.fmu.inputs import Inputs
-from pyjoystick.fmu.library import InstancePool
 from pyjoystick.fmu.linearization import Linearization, linearize
+from pyjoystick.fmu.own_process.pool import ProcessPool, new_pool
 from pyjoystick.fmu.plan import Plan
 from pyjoystick.fmu.values import Value, default_outputs
 from pyjoystick.motion import make_table
-from pyjoystick.support import DEFAULT_TOLERANCE, positive
+from pyjoystick.support import DEFAULT_TOLERANCE, FloatArray
 
 
 class Fmu:
@@ -39,27 +41,37 @@ class Fmu:
         description: the FMU's own description
     """
 
-    def __init__(self, fmu: str | PathLike[str], *, time_limit: float | None = None) -> None:
+    def __init__(
+        self,
+        fmu: str | PathLike[str],
+        *,
+        own_process: bool | None = None,
+        time_limit: float | None = None,
+    ) -> None:
         """Open an FMU.
 
         Args:
             fmu: a name such as ``Joystick``, or the path of any .fmu file (see `find_fmu`)
-            time_limit: what a run may take by the clock, s; it is ended between two communication points.
-                None for any time.
+            own_process: run the FMU in a process of its own (one a thread of a batch), where it can neither
+                crash, end nor hang the caller, nor mix its output with the caller's. Where not given, FMUs
+                that this project made (their ``generationTool`` says so) run in the caller's process and all
+                others in their own.
+            time_limit: what a run may take by the clock, s, or ``math.inf``. Where not given: any time in the
+                caller's process, where a run is ended between two communication points; 300 s in a process
+                of its own, which is ended.
 
         Raises:
             FmuNotFoundError: there is no such file
-            FmuFileError: it is no FMU, or a broken one
+            FmuFileError: it is no FMU, or a broken one, or it crashes when it is loaded
             UnsupportedFmuError: it has no Co-Simulation, no binary for this machine, or another FMI version
         """
         self.description: FmuDescription = read_description(find_fmu(fmu))
-        self._time_limit = None if time_limit is None else positive("time_limit", time_limit, "s")
-        self._pool = InstancePool(self.description)
-        self._pool.time_limit = self._time_limit
+        self._choice: dict[str, Any] = {"own_process": own_process, "time_limit": time_limit}
+        self._pool = new_pool(self.description, own_process, time_limit)
         self._close = weakref.finalize(self, self._pool.close)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return partial(Fmu, time_limit=self._time_limit), (self.description.path.absolute(),)
+        return partial(Fmu, **self._choice), (self.description.path.absolute(),)
 
     def __enter__(self) -> Self:
         return self
@@ -105,7 +117,9 @@ class Fmu:
         Raises:
             UnknownParameterError, UnknownInputError, UnknownVariableError: a name is not one of the FMU's
             ParameterError, SeriesError: a value or series is not allowed
+            FmuEndedError: the FMU ended the simulation by itself; its `samples` is the table up to there
             FmuTimeLimitError: the run takes longer than `time_limit`
+            FmuCrashError: the FMU's process ended
             FmuRunError: the FMU refuses its settings or fails during the run; it carries the FMU's messages
         """
         left_out: tuple[str, ...] = ()
@@ -113,14 +127,11 @@ class Fmu:
             recorded, left_out = default_outputs(self.description, texts=True)
             outputs = [variable.name for variable in recorded]
         plan = self.plan(time, parameters=parameters, inputs=inputs, outputs=outputs, tolerance=tolerance)
-        samples = plan.record()
-        columns = {
-            variable.name: samples[variable.name] != 0
-            if variable.type == "Boolean"
-            else samples[variable.name]
-            for variable in plan.variables
-        }
-        table = make_table(plan.time, columns, [variable.quantity for variable in plan.variables])
+        try:
+            table = _table(plan, plan.time, plan.record())
+        except FmuEndedError as error:
+            error.samples = _table(plan, error.samples.instants, error.samples.raw)
+            raise
         if left_out:
             table.attrs["left_out"] = list(left_out)
         return table
@@ -175,8 +186,17 @@ class Fmu:
             UnsupportedFmuError: the FMU provides neither directional nor adjoint derivatives
             FmuRunError: the FMU refuses its settings, fails on the way or has no derivatives there
         """
-        instance = self._pool.take()
-        try:
-            return linearize(instance, time, parameters or {}, inputs or {}, outputs, tolerance)
-        finally:
-            self._pool.give_back(instance)
+        arguments = time, parameters or {}, inputs or {}, outputs, tolerance
+        if isinstance(self._pool, ProcessPool):
+            found: Linearization = self._pool.linearize(*arguments)
+            return found
+        with self._pool.lent() as instance:
+            return linearize(instance, *arguments)
+
+
+def _table(plan: Plan, time: FloatArray, samples: NDArray[np.void]) -> pd.DataFrame:
+    columns = {
+        variable.name: samples[variable.name] != 0 if variable.type == "Boolean" else samples[variable.name]
+        for variable in plan.variables
+    }
+    return make_table(time, columns, [variable.quantity for variable in plan.variables])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copyreg
 import re
 import zipfile
 from collections.abc import Mapping
@@ -9,14 +10,15 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Final, Literal
-from xml.etree import ElementTree
+from xml.parsers import expat
 
 import numpy as np
 from fmpy import read_model_description
 
 from pyjoystick.fmu.errors import FmuFileError, UnsupportedFmuError
+from pyjoystick.fmu.limits import MOST_VARIABLES, require_at_most, require_modest
 from pyjoystick.motion import DisplayUnit, Quantity
-from pyjoystick.support import ARCHIVE_ERRORS, archive_problem
+from pyjoystick.support import ARCHIVE_ERRORS, PyJoystickError, archive_problem
 
 #: What a minimum means that is no larger; Modelica.Constants.small is 1e-60.
 _SMALL: Final = 1e-50
@@ -24,6 +26,14 @@ _SMALL: Final = 1e-50
 _LARGEST_REFERENCE: Final = 0xFFFF_FFFF
 
 Interface = Literal["CoSimulation", "ModelExchange"]
+
+
+def _read_only(table: dict[str, Any]) -> MappingProxyType[str, Any]:
+    return MappingProxyType(table)
+
+
+# A description goes to other processes, read-only tables and all.
+copyreg.pickle(MappingProxyType, lambda table: (_read_only, (dict(table),)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,6 +169,11 @@ class FmuDescription:
         whole = self.variables.get(name) or self.variables.get(name.rpartition("[")[0])
         return next((one for one in (whole, *whole.elements()) if one.name == name), None) if whole else None
 
+    @property
+    def is_ours(self) -> bool:
+        """This project made the FMU, as it says; its instances reset, and it runs in the caller's process."""
+        return self.generation_tool.split(" ")[0] == "pyjoystick"
+
     def names(self, causality: str) -> tuple[str, ...]:
         """Names of the variables of one causality, in the order of the file."""
         return tuple(name for name, variable in self.variables.items() if variable.causality == causality)
@@ -172,19 +187,23 @@ def read_description(path: Path) -> FmuDescription:
     """Read the description without loading the FMU's binary; FMI 2.0 and 3.0 are supported.
 
     Raises:
-        FmuFileError: the file is not a ZIP archive, or its modelDescription.xml is missing or unreadable
+        FmuFileError: the file is not a ZIP archive, its modelDescription.xml is missing or unreadable, or it
+            is larger than `limits` allows
         UnsupportedFmuError: the FMU is of another FMI version
     """
     try:
         with zipfile.ZipFile(path) as archive:
             files = archive.namelist()
+            require_modest(path, archive)
+    except PyJoystickError:
+        raise
     except ARCHIVE_ERRORS as error:
         raise FmuFileError(path, f"not an FMU: {archive_problem(error)}") from error
     if "modelDescription.xml" not in files:
         raise FmuFileError(path, "not an FMU: there is no modelDescription.xml in it")
     try:
-        root = _require_known_version(path)
-        return _description(path, files, read_model_description(str(path), validate=False), root)
+        declared = _co_simulation(path)
+        return _description(path, files, read_model_description(str(path), validate=False), declared)
     except FmuFileError:
         raise
     except Exception as error:  # FMPy raises whatever its parser stumbles over
@@ -192,21 +211,41 @@ def read_description(path: Path) -> FmuDescription:
         raise FmuFileError(path, reason) from error
 
 
-def _require_known_version(path: Path) -> ElementTree.Element:
-    """The XML before the variables; raises `UnsupportedFmuError` for FMI versions with other descriptions."""
+def _co_simulation(path: Path) -> Mapping[str, str]:
+    """The attributes of the element CoSimulation, empty where there is none.
+
+    FMPy reads the description as a whole, for minutes where it is huge. So this looks at it first, and raises
+    FmuFileError unless FMPy can read it: a known version of FMI, and not too many variables.
+    """
+    is_known, variables, found = False, 0, {}
+
+    def start(name: str, attributes: dict[str, str]) -> None:
+        nonlocal is_known, variables, found
+        if not is_known:
+            _require_known_version(path, name, attributes)
+            is_known = True
+        if name == "CoSimulation":
+            found = attributes
+        if "valueReference" in attributes and "name" in attributes:
+            variables += 1
+            require_at_most(path, "declares {} variables or more", variables, MOST_VARIABLES)
+
+    parser = expat.ParserCreate()
+    parser.StartElementHandler = start
     with zipfile.ZipFile(path) as archive, archive.open("modelDescription.xml") as file:
-        events = ElementTree.iterparse(file, events=("start",))
-        root: ElementTree.Element = next(iter(events))[1]
-        next((element for _, element in events if element.tag == "ModelVariables"), None)
-    version = root.get("fmiVersion")
+        parser.ParseFile(file)
+    return found
+
+
+def _require_known_version(path: Path, root: str, attributes: Mapping[str, str]) -> None:
+    version = attributes.get("fmiVersion")
     if version is None:
-        raise FmuFileError(path, f"its modelDescription.xml names no FMI version in its element {root.tag}")
+        raise FmuFileError(path, f"its modelDescription.xml names no FMI version in its element {root}")
     if not re.fullmatch(r"2\.0|3\..*", version):
         raise UnsupportedFmuError(path, f"is an FMU of FMI {version}; FMI 2.0 and 3.0 are supported")
-    return root
 
 
-def _description(path: Path, files: list[str], model: Any, root: ElementTree.Element) -> FmuDescription:
+def _description(path: Path, files: list[str], model: Any, declared: Mapping[str, str]) -> FmuDescription:
     for variable in model.modelVariables:
         if not 0 <= variable.valueReference <= _LARGEST_REFERENCE:
             allowed = f"must be a whole number from 0 to {_LARGEST_REFERENCE}"
@@ -248,17 +287,15 @@ def _description(path: Path, files: list[str], model: Any, root: ElementTree.Ele
         saves_states=bool(getattr(model.coSimulation, "canGetAndSetFMUstate", False)),
         one_instance=bool(getattr(model.coSimulation, "canBeInstantiatedOnlyOncePerProcess", False)),
         # FMPy has the names of FMI 2 alone.
-        directional_derivatives=_provides(root, "providesDirectionalDerivative"),
-        adjoint_derivatives=_provides(root, "providesAdjointDerivative"),
+        directional_derivatives=_provides(declared, "providesDirectionalDerivative"),
+        adjoint_derivatives=_provides(declared, "providesAdjointDerivative"),
         log_categories=tuple(category.name for category in model.logCategories or ()),
     )
 
 
-def _provides(root: ElementTree.Element, capability: str) -> bool:
+def _provides(declared: Mapping[str, str], capability: str) -> bool:
     """Whether Co-Simulation declares a capability; its name ends in s in FMI 3."""
-    element = root.find("CoSimulation")
-    names = (capability, f"{capability}s")
-    return element is not None and any(element.get(name) in ("true", "1") for name in names)
+    return any(declared.get(name) in ("true", "1") for name in (capability, f"{capability}s"))
 
 
 def _variable(variable: Any, units: Mapping[str, Any], is_fmi3: bool) -> Variable:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any, Final
 
 from pyjoystick.support import PyJoystickError, SimulationError
 
@@ -57,6 +58,30 @@ class FmuRunError(SimulationError):
     def __str__(self) -> str:
         said = "; ".join(message.rstrip(".") for message in self.messages)
         return f"{self.path.name} at t = {self.time:.9g} s: {said or 'no message'} ({self.reason})"
+
+
+#: The reason of an `FmuEndedError`.
+THE_END: Final = "the FMU ended the simulation"
+
+
+@dataclass(eq=False)
+class FmuEndedError(FmuRunError):
+    """The FMU ended the simulation by itself, before the end that was asked for.
+
+    Attributes:
+        time: when it did so (s)
+        samples: what was recorded up to there, in the form that the run would have returned
+    """
+
+    samples: Any = field(default=None, repr=False)
+
+    def __str__(self) -> str:
+        said = "; ".join(message.rstrip(".") for message in self.messages)
+        return f"{self.path.name}: {self.reason} at t = {self.time:.9g} s{f': {said}' if said else ''}"
+
+
+class FmuCrashError(FmuRunError):
+    """The process of the FMU ended in a run; the reason has its signal or exit code, and what it printed."""
 
 
 class FmuTimeLimitError(FmuRunError):

@@ -7,18 +7,20 @@ from start to end: linearizing at a point, or steps that a master repeats. Runs 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
+from ctypes import c_void_p
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 from fmpy.fmi1 import FMICallException
+from fmpy.fmi2 import fmi2LastSuccessfulTime, fmi2Terminated
 
 from pyjoystick.fmu.description import FmuDescription, Variable
-from pyjoystick.fmu.errors import FmuRunError
+from pyjoystick.fmu.errors import THE_END, FmuEndedError, FmuRunError
 from pyjoystick.fmu.interface import c_interface
 from pyjoystick.fmu.log import FmuLog
-from pyjoystick.fmu.stepping.program import BETWEEN_RUNS, FATAL, FLAGS_SIZE, POINT, Workspace
+from pyjoystick.fmu.stepping.program import BETWEEN_RUNS, DISCARD, FATAL, FLAGS_SIZE, POINT, Workspace
 from pyjoystick.fmu.values import INTEGERS, Value, whole_number_for
 
 
@@ -31,7 +33,7 @@ class Instance:
         fmi: FMPy's object, one method an FMI function
         log: messages of the instance
         is_new: no run has started yet
-        is_broken: it cannot run again
+        is_broken: a run failed or ended before its time, and another one needs another instance
         is_lost: it must not even be freed; the standard forbids every call after a fatal error
     """
 
@@ -61,10 +63,29 @@ class Instance:
         try:
             yield
         except FMICallException as error:
-            self.is_lost = self.is_lost or error.status == FATAL
-            reason = str(error).rstrip(".")
+            self.is_broken, self.is_lost = True, self.is_lost or error.status == FATAL
             path, messages = self.description.path, tuple(self.log.messages())
-            raise FmuRunError(time, reason, path, messages) from error
+            ended = self.end_of_run(time) if error.status == DISCARD else None
+            if ended is not None:
+                raise FmuEndedError(ended, THE_END, path, messages) from error
+            raise FmuRunError(time, str(error).rstrip("."), path, messages) from error
+        except FmuRunError:
+            self.is_broken = True
+            raise
+
+    def end_of_run(self, time: float) -> float | None:
+        """When the FMU (FMI 2) ended the run (s), asked after it discarded a step; None where it did not.
+
+        Args:
+            time: where the step began (s), for an FMU that does not tell
+        """
+        with suppress(FMICallException, AttributeError, KeyError):
+            if not self._is_fmi2 or not self.fmi.getBooleanStatus(fmi2Terminated):
+                return None
+            with suppress(FMICallException):
+                return max(time, float(self.fmi.getRealStatus(fmi2LastSuccessfulTime)))
+            return time
+        return None
 
     def initialize(self, time: float, tolerance: float, values: Mapping[str, Value]) -> None:
         """Go from any state to the first communication point, at `time` (s), with these values by name."""
@@ -114,16 +135,30 @@ class Instance:
         """From the communication point `time` (s) to the next, `length` (s) later.
 
         Raises:
-            FmuRunError: the FMU ended the run, or came back early
+            FmuEndedError: the FMU ended the run
+            FmuRunError: it came back early
         """
         flags = self.fmi.doStep(time, length)
         if flags is None:  # FMI 2
             return
-        _, has_ended, is_early, _ = flags
-        if has_ended or is_early:
-            early = "fmi3DoStep came back before the end of the step"
-            reason = "the FMU ended the run" if has_ended else early
-            raise FmuRunError(time, reason, self.description.path, tuple(self.log.messages()))
+        _, has_ended, is_early, reached = flags
+        path, messages = self.description.path, tuple(self.log.messages())
+        if has_ended:
+            raise FmuEndedError(reached, THE_END, path, messages)
+        if is_early:
+            raise FmuRunError(time, "fmi3DoStep came back before the end of the step", path, messages)
+
+    def save(self) -> int:
+        """Address of a copy of its state, for `restore`; to be given to `forget`."""
+        return int(self.fmi.getFMUState().value)
+
+    def restore(self, state: int) -> None:
+        """Be again as when `save` was called."""
+        self.fmi.setFMUState(c_void_p(state))
+
+    def forget(self, state: int) -> None:
+        """Free what `save` made."""
+        self.fmi.freeFMUState(c_void_p(state))
 
     @property
     def _is_fmi2(self) -> bool:

@@ -5,19 +5,23 @@ from __future__ import annotations
 import copy
 import os
 import threading
-from contextlib import ExitStack, suppress
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 from typing import Any, Final
 
 import fmpy
+import numpy as np
 from fmpy.fmi2 import FMU2Model, FMU2Slave
 from fmpy.fmi3 import FMU3Model, FMU3Slave
+from numpy.typing import NDArray
 
 from pyjoystick.fmu.description import FmuDescription, Interface
 from pyjoystick.fmu.errors import FmuFileError, UnsupportedFmuError
 from pyjoystick.fmu.instance import Instance
 from pyjoystick.fmu.log import FmuLog
-from pyjoystick.support import ARCHIVE_ERRORS, PyJoystickError, archive_problem, temporary_folder
+from pyjoystick.fmu.pool import Pool
+from pyjoystick.support import ARCHIVE_ERRORS, archive_problem, temporary_folder
 
 #: FMPy's classes by interface and first digit of the version of FMI: what can be run.
 _CLASSES: Final[dict[tuple[Interface, str], Any]] = {
@@ -36,11 +40,16 @@ def require_runnable(description: FmuDescription, interface: Interface) -> None:
         raise UnsupportedFmuError(path, f"has no {interface} interface (it has {has})")
     if (interface, version[0]) not in _CLASSES:
         raise UnsupportedFmuError(path, f"is an FMU of FMI {version}, whose {interface} cannot be run here")
-    platform = _platform(description)
-    library = f"{platform}/{description.interfaces[interface]}{fmpy.sharedLibraryExtension}"
-    if library not in description.binaries:
+    platform, identifier = _platform(description), description.interfaces[interface]
+    wanted = f"{identifier}{fmpy.sharedLibraryExtension}"
+    found = [file.partition("/")[2] for file in description.binaries if file.startswith(f"{platform}/")]
+    if not found:
         has = ", ".join(description.platforms) or "none"
         raise UnsupportedFmuError(path, f"has no binary for {platform} (it has {has})")
+    if wanted not in found:
+        reason = f"its modelIdentifier {identifier!r} asks for {wanted} in binaries/{platform}"
+        reason += f", which has only {', '.join(found)}"
+        raise FmuFileError(path, reason)
 
 
 class FmuLibrary:
@@ -52,8 +61,13 @@ class FmuLibrary:
         fmi: FMPy's object, which itself is never instantiated
     """
 
-    def __init__(self, description: FmuDescription, interface: Interface) -> None:
-        """Unpack the FMU into a temporary folder and load it.
+    def __init__(self, description: FmuDescription, interface: Interface, folder: Path | None = None) -> None:
+        """Unpack the FMU and load it.
+
+        Args:
+            description: the FMU
+            interface: which of its interfaces
+            folder: where it is unpacked already; a temporary folder where not given
 
         Raises:
             UnsupportedFmuError: as `require_runnable`
@@ -62,20 +76,22 @@ class FmuLibrary:
         require_runnable(description, interface)
         self.description = description
         with ExitStack() as stack:
-            self.folder = stack.enter_context(temporary_folder())
-            _unpack(description, self.folder)
+            self.folder = stack.enter_context(unpacked(description)) if folder is None else folder
             self.fmi: Any = _load(description, interface, self.folder)
             stack.callback(self.fmi.freeLibrary)
             self._stack = stack.pop_all()
 
-    def instantiate(self) -> Instance:
+    def instantiate(self, place: NDArray[np.intp] | None = None) -> Instance:
         """A new instance; free it before `close`.
+
+        Args:
+            place: where it is, as of `FmuLog`
 
         Raises:
             FmuFileError: the FMU refuses
         """
         fmi = copy.copy(self.fmi)
-        log = FmuLog()
+        log = FmuLog(place)
         try:
             if self.description.fmi_version.startswith("2"):
                 fmi.instantiate(callbacks=log.callbacks, loggingOn=False)
@@ -111,13 +127,17 @@ def _platform(description: FmuDescription) -> str:
     return name
 
 
-def _unpack(description: FmuDescription, folder: Path) -> None:
+@contextmanager
+def unpacked(description: FmuDescription) -> Iterator[Path]:
+    """A temporary folder with what this machine needs of the FMU; raises FmuFileError where it is damaged."""
     wanted = (f"binaries/{_platform(description)}/", "resources/", "modelDescription.xml")
-    try:
-        fmpy.extract(str(description.path), str(folder), include=lambda name: name.startswith(wanted))
-    except ARCHIVE_ERRORS as error:
-        raise FmuFileError(description.path, f"cannot be unpacked: {archive_problem(error)}") from error
-    (folder / "resources").mkdir(exist_ok=True)
+    with temporary_folder() as folder:
+        try:
+            fmpy.extract(str(description.path), str(folder), include=lambda name: name.startswith(wanted))
+        except ARCHIVE_ERRORS as error:
+            raise FmuFileError(description.path, f"cannot be unpacked: {archive_problem(error)}") from error
+        (folder / "resources").mkdir(exist_ok=True)
+        yield folder
 
 
 def _load(description: FmuDescription, interface: Interface, folder: Path) -> Any:
@@ -138,76 +158,52 @@ def _load(description: FmuDescription, interface: Interface, folder: Path) -> An
             os.chdir(before)
 
 
-class InstancePool:
-    """Instances of an FMU, and its library.
+class InstancePool(Pool[Instance]):
+    """Instances of an FMU in this process, and its library.
 
     Attributes:
         library: unpacked and loaded
+        resets: an instance serves many runs, with a reset in between; else each run has a new one
     """
 
-    #: What a run may take (s).
-    time_limit: float | None = None
-
-    def __init__(self, description: FmuDescription) -> None:
+    def __init__(
+        self,
+        description: FmuDescription,
+        folder: Path | None = None,
+        place: NDArray[np.intp] | None = None,
+        time_limit: float | None = None,
+    ) -> None:
         """Load the FMU and make the first instance, which shows that it can be run.
+
+        Args:
+            description: the FMU
+            folder: as of `FmuLibrary`
+            place: where its instances say where they are, see `FmuLog`; each has its own where not given
+            time_limit: what a run may take (s); None for any time
 
         Raises:
             UnsupportedFmuError, FmuFileError: as `FmuLibrary`, or the FMU refuses to be instantiated
         """
-        self.library = FmuLibrary(description, "CoSimulation")
-        self._process = os.getpid()
-        self._state = threading.Condition()
-        self._taken = 0
-        self._closed = False
-        try:
-            self._idle = [self.library.instantiate()]
-        except BaseException:
-            self.library.close()
-            raise
+        self.library = FmuLibrary(description, "CoSimulation", folder)
+        self.resets = description.is_ours
+        self.has_one = description.one_instance
+        self.place = place
+        self.time_limit = time_limit
+        # FMUs may be made for one thread that makes and frees their instances.
+        self._lock = threading.Lock()
+        super().__init__(description)
 
-    def take(self) -> Instance:
-        """An instance for the caller alone, until it is given back.
+    def _make(self) -> Instance:
+        with self._lock:
+            return self.library.instantiate(self.place)
 
-        An FMU that can be instantiated only once is waited for.
+    def is_reusable(self, one: Instance) -> bool:
+        """As of `Pool`."""
+        return not one.is_broken and (self.resets or one.is_new)
 
-        Raises:
-            PyJoystickError: the pool has been closed
-            FmuFileError: the FMU refuses another instance
-        """
-        description = self.library.description
-        with self._state:
-            while description.one_instance and self._taken and not self._closed:
-                self._state.wait()
-            if self._closed:
-                raise PyJoystickError(f"{description.path} has been closed")
-            instance = self._idle.pop() if self._idle else self.library.instantiate()
-            self._taken += 1
-        return instance
+    def _free(self, one: Instance) -> None:
+        with self._lock:
+            one.free()
 
-    def give_back(self, instance: Instance) -> None:
-        """Keep an instance for the next one who asks; free it where it is broken or the pool is closed."""
-        with self._state:
-            self._taken -= 1
-            if self._closed or instance.is_broken:
-                instance.free()
-            else:
-                self._idle.append(instance)
-            self._unload_if_unused()
-            self._state.notify()
-
-    def close(self) -> None:
-        """Free the instances and unload the FMU as soon as all that are taken are back; twice is no harm."""
-        if os.getpid() != self._process:
-            return  # in a forked process: what was unpacked is the parent's
-        with self._state:
-            if self._closed:
-                return
-            self._closed = True
-            while self._idle:
-                self._idle.pop().free()
-            self._unload_if_unused()
-            self._state.notify_all()
-
-    def _unload_if_unused(self) -> None:
-        if self._closed and not self._taken:
-            self.library.close()
+    def _put_away(self) -> None:
+        self.library.close()

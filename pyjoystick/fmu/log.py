@@ -43,8 +43,8 @@ class FmuLog:
         interrupted: Ctrl-C fell into the receiving of a message, out of which no exception finds its way
     """
 
-    def __init__(self) -> None:
-        self.place: NDArray[np.intp] = np.zeros(PLACE_SIZE, np.intp)
+    def __init__(self, place: NDArray[np.intp] | None = None) -> None:
+        self.place: NDArray[np.intp] = np.zeros(PLACE_SIZE, np.intp) if place is None else place
         self.interrupted = False
         self._messages: deque[tuple[int, str]] = deque(maxlen=_KEPT)
         self._environment = next(_environments)

@@ -14,12 +14,13 @@ from fmpy.simulation import Input
 from numpy.typing import ArrayLike, NDArray
 
 from pyjoystick.fmu.description import FmuDescription, Variable, read_description
-from pyjoystick.fmu.errors import FmuRunError
+from pyjoystick.fmu.errors import THE_END, FmuEndedError, FmuRunError
 from pyjoystick.fmu.files import find_fmu
 from pyjoystick.fmu.inputs import Inputs, checked_inputs
 from pyjoystick.fmu.instance import Instance
 from pyjoystick.fmu.interface import c_interface
 from pyjoystick.fmu.library import FmuLibrary
+from pyjoystick.fmu.own_process.pool import is_apart, run_apart
 from pyjoystick.fmu.values import INTEGERS, Value, checked_outputs, checked_parameters
 from pyjoystick.motion import make_table
 from pyjoystick.support import ParameterError, SimulationError, increasing_times, positive
@@ -33,6 +34,8 @@ def run_model_exchange(
     inputs: Inputs | None = None,
     outputs: Iterable[str] | None = None,
     tolerance: float = 1e-10,
+    own_process: bool | None = None,
+    time_limit: float | None = None,
 ) -> pd.DataFrame:
     """Run an FMU through Model Exchange and FMPy's CVode (SUNDIALS).
 
@@ -43,6 +46,8 @@ def run_model_exchange(
         inputs: as in `Fmu.run`; they are followed exactly
         outputs: as in `Fmu.run`
         tolerance: relative tolerance of CVode
+        own_process: as in `Fmu`
+        time_limit: as in `Fmu`
 
     Returns:
         a table as that of `Fmu.run`
@@ -51,8 +56,9 @@ def run_model_exchange(
         ParameterError: the time is not equally spaced, or as in `Fmu.run`
         UnknownNameError, SeriesError: as in `Fmu.run`
         FmuNotFoundError, FmuFileError, UnsupportedFmuError: as in `Fmu`
+        FmuEndedError, FmuCrashError, FmuTimeLimitError: as in `Fmu.run`
         FmuRunError: the FMU refuses its settings or fails
-        SimulationError: the model ended the run by itself, or CVode failed
+        SimulationError: CVode failed
     """
     instants = increasing_times(time)
     interval = float(instants[-1] - instants[0]) / (len(instants) - 1)
@@ -63,6 +69,11 @@ def run_model_exchange(
     values = checked_parameters(description, parameters or {})
     table = checked_inputs(description, {} if inputs is None else inputs)
     recorded = checked_outputs(description, outputs)
+    if is_apart(description, own_process):
+        given = {"time": instants, "parameters": parameters, "inputs": inputs, "tolerance": tolerance}
+        names = [variable.name for variable in recorded]
+        found: pd.DataFrame = run_apart(description, time_limit, given | {"outputs": names})
+        return found
     with ExitStack() as stack:
         library = FmuLibrary(description, "ModelExchange")
         stack.callback(library.close)
@@ -89,10 +100,12 @@ def run_model_exchange(
             input=signals,
             output=list(dict.fromkeys(variable.whole for variable in recorded)),
         )
-    if len(rows) != len(instants):
-        raise SimulationError(float(rows["time"][-1]), "the model ended the run")
     columns = {variable.name: _column(rows, variable) for variable in recorded}
-    return make_table(instants, columns, [variable.quantity for variable in recorded])
+    quantities = [variable.quantity for variable in recorded]
+    if len(rows) != len(instants):
+        end, samples = float(rows["time"][-1]), make_table(rows["time"], columns, quantities)
+        raise FmuEndedError(end, THE_END, description.path, (), samples)
+    return make_table(instants, columns, quantities)
 
 
 def _simulate(instance: Instance, folder: str, **settings: Any) -> Any:

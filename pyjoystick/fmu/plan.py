@@ -2,21 +2,27 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterable, Mapping, Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
 import pandas as pd
 from numpy.typing import ArrayLike, NDArray
 
-from pyjoystick.fmu.batch import Batch, BatchResult, OnProgress, number_of_threads
+from pyjoystick.fmu.batch import Batch, BatchResult, NewRunner, OnProgress, number_of_threads
+from pyjoystick.fmu.errors import FmuEndedError
 from pyjoystick.fmu.inputs import Inputs, checked_inputs, communication_points, input_series
 from pyjoystick.fmu.library import InstancePool
+from pyjoystick.fmu.own_process.pool import ProcessPool
+from pyjoystick.fmu.own_process.runner import Outcome, RemoteRunner
 from pyjoystick.fmu.preparation import prepare
 from pyjoystick.fmu.reductions import Reduction, checked_reductions, operations_of, units_of
 from pyjoystick.fmu.runner import Job, Runner
 from pyjoystick.fmu.stepping.engine import Loop, loop
-from pyjoystick.fmu.stepping.program import OK, WARNING
+from pyjoystick.fmu.stepping.program import FATAL, OK, WARNING
+from pyjoystick.fmu.stepping.reducing import Operation
 from pyjoystick.fmu.values import (
     Value,
     Varied,
@@ -26,6 +32,9 @@ from pyjoystick.fmu.values import (
     default_outputs,
 )
 from pyjoystick.support import FloatArray, ParameterError, increasing_times, positive
+
+#: Tell the plans apart that a process is sent.
+_keys = itertools.count()
 
 
 class Plan:
@@ -45,7 +54,7 @@ class Plan:
     def __init__(
         self,
         fmu: Any,
-        pool: InstancePool,
+        pool: InstancePool | ProcessPool,
         time: ArrayLike,
         varied: Iterable[str],
         parameters: Mapping[str, Value],
@@ -53,7 +62,7 @@ class Plan:
         outputs: Iterable[str] | None,
         tolerance: float,
     ) -> None:
-        description = pool.library.description
+        description = pool.description
         # The FMU closes its pool when it is forgotten.
         self._fmu = fmu
         self._pool = pool
@@ -69,7 +78,7 @@ class Plan:
         points = communication_points(self.time, table) if description.variable_steps else self.time
         self._preparation = prepare(
             description,
-            pool.library.fmi,
+            pool.library.fmi if isinstance(pool, InstancePool) else None,
             points,
             np.isin(points, self.time),
             positive("tolerance", tolerance),
@@ -89,6 +98,7 @@ class Plan:
             "outputs": self.outputs,
             "tolerance": tolerance,
         }
+        self._key = next(_keys)
         self._batches: dict[int, NDArray[np.bool_]] = {}
         self._loop: Loop | None = None
 
@@ -108,11 +118,16 @@ class Plan:
         Raises:
             ParameterError: a value is missing, NaN, of the wrong type or out of range, or an output is text
             FmuTimeLimitError: the run takes longer than the FMU's `time_limit`
+            FmuEndedError: the FMU ended the simulation by itself; its `samples` has those up to there
             FmuRunError: the FMU refuses its settings or fails during the run
         """
         self._require_numbers()
         samples = self._empty(1)
-        self._run_once(self._varied.row(values), samples, load_compiler=True)
+        try:
+            self._run_once(self._varied.row(values), samples, load_compiler=True)
+        except FmuEndedError as error:
+            error.samples = error.samples.numbers
+            raise
         run: FloatArray = samples[0]
         return run
 
@@ -170,22 +185,13 @@ class Plan:
         runs = len(numbers)
         kept = None if reductions is None else checked_reductions(reductions, self.outputs)
         columns = [] if kept is None else [column for reduction in kept for column in reduction.columns]
-        count = number_of_threads(threads, runs, one_instance=self._pool.library.description.one_instance)
+        count = number_of_threads(threads, runs, one_instance=self._pool.has_one)
         values = self._empty(runs if kept is None else 0)
         operations = operations_of(kept or (), self.outputs)
-        job = Job(
-            loop(self._preparation.program, operations, self.time, load_compiler=True),
-            self._preparation,
-            self.time.size,
-            self._rows(numbers),
-            np.full((runs, len(columns)), np.nan),
-            np.zeros(runs, np.bool_),
-            stop,
-            self._pool.time_limit,
-        )
-        batch = Batch(self._pool, job, values)
+        job = self._job(self._rows(numbers), len(columns), stop)
+        batch = Batch(self._new_runner(job, operations, load_compiler=True), job, values)
         interrupted = batch.carry_out(count, on_progress) if runs else False
-        values[~batch.done[: len(values)] | batch.failed[: len(values)]] = np.nan
+        values[~batch.done[: len(values)]] = np.nan
         reduced = None
         if kept is not None:
             reduced = pd.DataFrame(job.cells, index=named.index, columns=columns)
@@ -205,18 +211,32 @@ class Plan:
         for stop in tuple(self._batches.values()):
             stop[0] = True
 
+    def carry_out(
+        self, rows: NDArray[np.void], cells: int, *, operations: Sequence[Operation], load_compiler: bool
+    ) -> Outcome:
+        """Runs up to the first that fails, for a process that has been sent the rows of a plan there.
+
+        Args:
+            rows: the values that vary, one row a run
+            cells: number of results of the operations
+            operations: what to keep of each run; where there is none, its samples
+            load_compiler: as of `stepping.engine.loop`
+        """
+        job = self._job(rows, cells)
+        values = self._empty(1 if operations else len(rows))
+        runner = self._new_runner(job, operations, load_compiler=load_compiler)()
+        try:
+            status = runner.advance(0, len(rows), values)
+            failure = None if status in (OK, WARNING) else runner.failure(status)
+            raw = runner.recorded() if len(rows) == 1 and failure is None else None
+        finally:
+            runner.close()
+        kept = None if operations else values
+        return Outcome(kept, job.cells, job.done, raw, failure, is_fatal=status == FATAL)
+
     def _run_once(self, row: NDArray[Any], samples: FloatArray, *, load_compiler: bool) -> NDArray[np.void]:
-        job = Job(
-            self._single_loop(load_compiler=load_compiler),
-            self._preparation,
-            self.time.size,
-            self._rows(row),
-            np.empty((1, 0)),
-            np.zeros(1, np.bool_),
-            np.zeros(1, np.bool_),
-            self._pool.time_limit,
-        )
-        runner = Runner(self._pool, job)
+        job = self._job(self._rows(row), 0)
+        runner = self._new_runner(job, (), load_compiler=load_compiler)()
         try:
             status = runner.advance(0, 1, samples)
             if status not in (OK, WARNING):
@@ -225,14 +245,26 @@ class Plan:
         finally:
             runner.close()
 
-    def _single_loop(self, *, load_compiler: bool) -> Loop:
-        """The loop without reductions, kept from the first run on that loads the compiler."""
-        if self._loop is None:
-            made = loop(self._preparation.program, (), self.time, load_compiler=load_compiler)
-            if not load_compiler:
-                return made
+    def _job(self, rows: NDArray[np.void], cells: int, stop: NDArray[np.bool_] | None = None) -> Job:
+        done, kept = np.zeros(len(rows), np.bool_), np.full((len(rows), cells), np.nan)
+        stop = np.zeros(1, np.bool_) if stop is None else stop
+        return Job(self._preparation, self.time, rows, kept, done, stop, self._pool.time_limit)
+
+    def _new_runner(self, job: Job, operations: Sequence[Operation], *, load_compiler: bool) -> NewRunner:
+        """What makes the runners of a job: in this process, or in processes of their own."""
+        if isinstance(self._pool, ProcessPool):
+            settings = {"operations": operations, "load_compiler": load_compiler}
+            return partial(RemoteRunner, self._pool, job, self._key, self._settings, settings)
+        return partial(Runner, self._pool, job, self.loop_of(operations, load_compiler=load_compiler))
+
+    def loop_of(self, operations: Sequence[Operation], *, load_compiler: bool) -> Loop:
+        """The loop; the one without reductions is kept from the first run on that loads the compiler."""
+        if self._loop is not None and not operations:
+            return self._loop
+        made = loop(self._preparation.program, operations, self.time, load_compiler=load_compiler)
+        if load_compiler and not operations:
             self._loop = made
-        return self._loop
+        return made
 
     def _rows(self, numbers: NDArray[Any]) -> NDArray[np.void]:
         """The values that vary as the FMU takes them, one row a run."""

@@ -53,7 +53,7 @@ def prepare(
 
     Args:
         description: the FMU
-        fmi: its library as FMPy has loaded it
+        fmi: its library as FMPy has loaded it; None where another process has done so
         points: communication points (s), shape (n,)
         is_recorded: whether a sample is taken there, shape (n,)
         tolerance: what the FMU's integrator is asked to keep
@@ -75,9 +75,9 @@ def prepare(
         values = [input_format.text(text.encode()) for text in one.values] if is_text else one.values
         input_rows[one.variable.name] = values
     output_format = RowFormat(interface, "Get", outputs)
-    functions = interface.addresses(fmi)
+    functions = [0] * len(interface.functions) if fmi is None else interface.addresses(fmi)
     texts = None
-    if any(one.type == "String" for one in outputs):
+    if fmi is not None and any(one.type == "String" for one in outputs):
         place = interface.place("Get", interface.types["String"])
         texts = TextGetter(interface, functions[place], output_format)
         functions[place] = texts.address

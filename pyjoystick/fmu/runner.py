@@ -10,13 +10,16 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from pyjoystick.fmu.errors import FmuRunError, FmuTimeLimitError
+from pyjoystick.fmu.errors import THE_END, FmuEndedError, FmuRunError, FmuTimeLimitError
 from pyjoystick.fmu.library import InstancePool
 from pyjoystick.fmu.preparation import Preparation
 from pyjoystick.fmu.pulse import PULSE
+from pyjoystick.fmu.stepping.decoding import decode
 from pyjoystick.fmu.stepping.engine import Loop
+from pyjoystick.fmu.stepping.kernel import transfer
 from pyjoystick.fmu.stepping.program import (
     BETWEEN_RUNS,
+    DISCARD,
     EARLY,
     ENDED,
     FATAL,
@@ -24,8 +27,11 @@ from pyjoystick.fmu.stepping.program import (
     LATE,
     OK,
     POINT,
+    REACHED,
     RESET,
     RUN,
+    SAMPLES,
+    STEP,
     STOPPED,
     UNFINISHED,
     WARNING,
@@ -37,13 +43,27 @@ _GOOD: Final = (OK, WARNING, UNFINISHED, STOPPED)
 
 
 @dataclass(frozen=True, slots=True)
+class Samples:
+    """What there is of a run that the FMU ended.
+
+    Attributes:
+        instants: s, shape (n,); the last may lie between two communication points
+        numbers: shape (n, variables)
+        raw: as the FMU gave them, one field a variable, shape (n,)
+    """
+
+    instants: FloatArray
+    numbers: FloatArray
+    raw: NDArray[np.void]
+
+
+@dataclass(frozen=True, slots=True)
 class Job:
     """What runners work on.
 
     Attributes:
-        loop: from `stepping.engine`
         preparation: what the runs share
-        samples: number of samples of a run
+        instants: of the samples (s), shape (samples,)
         rows: the values that vary, one row a run
         cells: results of reductions, shape (runs, cells)
         done: runs that came to their end, shape (runs,)
@@ -51,9 +71,8 @@ class Job:
         time_limit: what a run may take (s)
     """
 
-    loop: Loop
     preparation: Preparation
-    samples: int
+    instants: FloatArray
     rows: NDArray[np.void]
     cells: FloatArray
     done: NDArray[np.bool_]
@@ -64,10 +83,17 @@ class Job:
 class Runner:
     """Carries out runs of a job on an instance of its own, which it replaces where it breaks."""
 
-    def __init__(self, pool: InstancePool, job: Job) -> None:
-        """Take an instance; raises as `InstancePool.take`."""
+    def __init__(self, pool: InstancePool, job: Job, loop: Loop) -> None:
+        """Take an instance; raises as `InstancePool.take`.
+
+        Args:
+            pool: instances of the FMU
+            job: the runs
+            loop: from `stepping.engine`
+        """
         self._pool = pool
         self._job = job
+        self._loop = loop
         self._rows_address = job.rows.ctypes.data
         self._has_instance = False
         self._take()
@@ -75,7 +101,6 @@ class Runner:
     def close(self) -> None:
         """Give the instance back."""
         if self._has_instance:
-            self._instance.log.place[POINT] = BETWEEN_RUNS
             self._give_back()
 
     def advance(self, first: int, last: int, values: FloatArray) -> int:
@@ -88,6 +113,18 @@ class Runner:
             FmuFileError: another instance is needed, and the FMU refuses it
             KeyboardInterrupt: Ctrl-C, within a moment
         """
+        if self._pool.resets:
+            return self._on_one_instance(first, last, values)
+        status = OK
+        for run in range(first, last):
+            status = self._on_one_instance(run, run + 1, values)
+            if status not in (OK, WARNING):
+                break
+            self._give_back()  # the next run has an instance of its own
+        return status
+
+    def _on_one_instance(self, first: int, last: int, values: FloatArray) -> int:
+        """`advance` on one instance."""
         limit = self._job.time_limit
         run, since = first, clock.monotonic()
         while True:
@@ -103,7 +140,7 @@ class Runner:
     def _go_on(self, first: int, last: int, values: FloatArray) -> int:
         """Begin, or go on where the loop has paused."""
         if not self._has_instance:
-            self._take()
+            self._take(first)
         job, instance = self._job, self._instance
         is_new, instance.is_new = instance.is_new, False
         rows = self._rows_address, first, last
@@ -113,7 +150,7 @@ class Runner:
         if is_watched:
             PULSE.add(place)
         try:
-            status = job.loop(self._workspace, is_new, *rows, values, job.cells, job.done, job.stop)
+            status = self._loop(self._workspace, is_new, *rows, values, job.cells, job.done, job.stop)
         finally:
             if is_watched:
                 PULSE.remove(place)
@@ -132,26 +169,46 @@ class Runner:
     def failure(self, status: int) -> tuple[int, FmuRunError]:
         """The run that failed with this status, and why; the runner is then ready for the next one."""
         instance, place, preparation = self._instance, self._workspace.place, self._job.preparation
-        function = preparation.interface.functions[place[FUNCTION]]
-        kind = FmuRunError
-        if status == ENDED:
-            reason = "the FMU ended the run"
+        run, path, messages = int(place[RUN]), instance.description.path, tuple(instance.log.messages())
+        reached, function = (
+            preparation.program.times[place[POINT]],
+            preparation.interface.functions[place[FUNCTION]],
+        )
+        ended = self._end_of_run(status, reached)
+        if ended is not None:
+            error: FmuRunError = FmuEndedError(ended, THE_END, path, messages, self._samples_until(ended))
         elif status == LATE:
-            kind = FmuTimeLimitError
-            reason = f"the run took longer than the limit of {self._job.time_limit:g} s"
+            reason = f"the run took longer than the time limit of {self._job.time_limit:g} s"
+            error = FmuTimeLimitError(reached, reason, path, messages)
         elif status == EARLY:
-            reason = f"{function} came back before the end of the step"
+            error = FmuRunError(reached, f"{function} came back before the end of the step", path, messages)
         else:
             label = _LABELS[status] if 0 <= status < len(_LABELS) else "not a status"
             reason = f"{function} failed with status {status} ({label})"
-        reached = preparation.program.times[place[POINT]]
-        error = kind(reached, reason, instance.description.path, tuple(instance.log.messages()))
-        run = int(place[RUN])
-        place[POINT] = BETWEEN_RUNS
+            error = FmuRunError(reached, reason, path, messages)
         instance.log.clear()
-        if status == FATAL:
-            self._abandon(is_lost=True)
+        self._abandon(is_lost=status == FATAL)
         return run, error
+
+    def _end_of_run(self, status: int, begin: float) -> float | None:
+        """When the FMU ended the run in the step from `begin` (s); None where it did not."""
+        if status == ENDED:
+            reached = float(self._workspace.flags.view(np.float64)[REACHED // 8])
+            return max(begin, reached)
+        is_discarded = status == DISCARD and self._workspace.place[FUNCTION] == STEP
+        return self._instance.end_of_run(begin) if is_discarded else None
+
+    def _samples_until(self, end: float) -> Samples:
+        """What was recorded, and one more sample at the end where none was taken there."""
+        program, place = self._job.preparation.program, self._workspace.place
+        instants = np.array(program.times)[np.array(program.recorded)][: place[SAMPLES]].tolist()
+        if not instants or instants[-1] < end:
+            row = self._workspace.raw_address + len(instants) * program.outputs_stride
+            if transfer(program, self._workspace, program.outputs, row) in (OK, WARNING):
+                instants.append(end)
+        numbers = np.full((len(instants), max(program.columns, default=-1) + 1), np.nan)
+        decode(program.outputs, program.columns, self._workspace.raw, program.outputs_stride, numbers)
+        return Samples(np.array(instants), numbers, self.recorded()[: len(instants)])
 
     def recorded(self) -> NDArray[np.void]:
         """The samples of the last run as the FMU gave them, one field a variable, shape (samples,).
@@ -161,12 +218,14 @@ class Runner:
         raw: NDArray[np.void] = self._workspace.raw.view(self._job.preparation.outputs.dtype)
         return self._job.preparation.outputs.readable(raw.copy())
 
-    def _take(self) -> None:
+    def _take(self, run: int = 0) -> None:
+        if self._pool.place is not None:
+            self._pool.place[RUN] = run  # whose fault it is if the FMU cannot even be instantiated
         self._instance = self._pool.take()
         self._has_instance = True
         self._instance.log.attach()
         self._instance.log.clear()
-        size = self._job.samples * self._job.preparation.program.outputs_stride
+        size = self._job.instants.size * self._job.preparation.program.outputs_stride
         self._workspace = self._instance.workspace(size)
 
     def _abandon(self, *, is_lost: bool) -> None:
@@ -174,5 +233,6 @@ class Runner:
         self._give_back()
 
     def _give_back(self) -> None:
+        self._workspace.place[POINT] = BETWEEN_RUNS
         self._has_instance = False
         self._pool.give_back(self._instance)

@@ -33,6 +33,7 @@ from pyjoystick.fmu.stepping.program import (
     OK,
     PAUSE,
     POINT,
+    REACHED,
     RESET,
     RUN,
     SAMPLES,
@@ -121,10 +122,10 @@ def _start(program: Program, workspace: Workspace, is_new: bool, parameters: int
         status = _begin(program, workspace, SETUP)
         if _is_bad(status):
             return status
-    status = _transfer(program, workspace, program.constants, program.constants_row)
+    status = transfer(program, workspace, program.constants, program.constants_row)
     if _is_bad(status):
         return status
-    status = _transfer(program, workspace, program.varied, parameters)
+    status = transfer(program, workspace, program.varied, parameters)
     if _is_bad(status):
         return status
     if program.version == 2:
@@ -134,7 +135,7 @@ def _start(program: Program, workspace: Workspace, is_new: bool, parameters: int
         status = _begin(program, workspace, ENTER)
     if _is_bad(status):
         return status
-    status = _transfer(program, workspace, program.inputs, program.inputs_rows)
+    status = transfer(program, workspace, program.inputs, program.inputs_rows)
     if _is_bad(status):
         return status
     place[FUNCTION] = EXIT
@@ -167,7 +168,7 @@ def _advance(program: Program, workspace: Workspace, stop: NDArray[np.bool_]) ->
                 return status
         if program.recorded[point]:
             row = workspace.raw_address + place[SAMPLES] * program.outputs_stride
-            status = _transfer(program, workspace, program.outputs, row)
+            status = transfer(program, workspace, program.outputs, row)
             if _is_bad(status):
                 return status
             place[SAMPLES] += 1
@@ -197,7 +198,7 @@ def _set_inputs(program: Program, workspace: Workspace, point: int) -> int:
     return OK
 
 
-def _transfer(program: Program, workspace: Workspace, groups: Sequence[Group], row: int) -> int:
+def transfer(program: Program, workspace: Workspace, groups: Sequence[Group], row: int) -> int:
     """Set or get what is in a row of values."""
     for i in range(len(groups)):
         status = _access(program, workspace, groups[i], row)
@@ -236,7 +237,7 @@ def _step(program: Program, workspace: Workspace, point: int) -> int:
     if program.version == 2:
         return do_step2(function, instance, time, length, 1)
     flags = workspace.flags_address
-    status = do_step3(function, instance, time, length, 1, flags, flags + 8, flags + 16, flags + 24)
+    status = do_step3(function, instance, time, length, 1, flags, flags + 8, flags + 16, flags + REACHED)
     if _is_bad(status):
         return status
     if workspace.flags[8]:
@@ -251,7 +252,7 @@ FUNCTIONS = (
     *reducing.FUNCTIONS,
     _is_bad,
     _access,
-    _transfer,
+    transfer,
     _set_inputs,
     _step,
     _begin,

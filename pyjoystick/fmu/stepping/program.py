@@ -37,6 +37,8 @@ BETWEEN_RUNS: Final = -1
 
 #: Bytes for what fmi3DoStep tells, a cache line of their own.
 FLAGS_SIZE: Final = 128
+#: Where the time is in it that fmi3DoStep has reached.
+REACHED: Final = 24
 
 # How values of an FMU are stored. A whole number or a Boolean has four times its bytes and what it is.
 FLOAT64, FLOAT32, TEXT = range(3)

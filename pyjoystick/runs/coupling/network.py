@@ -8,7 +8,7 @@ from typing import Any, Self
 
 import numpy as np
 
-from pyjoystick.fmu import REALS, FmuDescription, FmuLibrary, Value, checked_parameters
+from pyjoystick.fmu import REALS, FmuDescription, Value, checked_parameters, stepped
 from pyjoystick.runs.coupling.system import CoupledSystem
 from pyjoystick.runs.errors import CouplingError
 from pyjoystick.support import FloatArray
@@ -45,10 +45,7 @@ class Participant:
         self.time = 0.0
         self.steps = 0
         with ExitStack() as stack:
-            library = FmuLibrary(description, "CoSimulation")
-            stack.callback(library.close)
-            self._instance = library.instantiate()
-            stack.callback(self._instance.free)
+            self._instance = stack.enter_context(stepped(description))
             with self._instance.reporting(self.time):
                 self._instance.initialize(self.time, tolerance, checked_parameters(description, parameters))
             self._stack = stack.pop_all()
@@ -80,17 +77,17 @@ class Participant:
     def save(self) -> tuple[Any, float]:
         """The state of the FMU, for `restore`; to be given to `forget`."""
         with self._instance.reporting(self.time):
-            return self._instance.fmi.getFMUState(), self.time
+            return self._instance.save(), self.time
 
     def restore(self, saved: tuple[Any, float]) -> None:
         """Be again as when `saved` was made."""
         with self._instance.reporting(self.time):
-            self._instance.fmi.setFMUState(saved[0])
+            self._instance.restore(saved[0])
         self.time = saved[1]
 
     def forget(self, saved: tuple[Any, float]) -> None:
         """Free what `save` made."""
-        self._instance.fmi.freeFMUState(saved[0])
+        self._instance.forget(saved[0])
 
     def close(self) -> None:
         """Free the instance and unload the FMU."""

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from tests.pyjoystick.cli.conftest import Command
+from tests.pyjoystick.fmu.doctored import doctored
 
 
 def _line(out: str, name: str) -> str:
@@ -19,6 +20,7 @@ def test_what_an_fmu_is(command: Command) -> None:
     assert (outcome.code, outcome.err) == (0, "")
     assert _line(outcome.out, "model") == "model PreloadedSprings.Joystick.Joystick"
     assert _line(outcome.out, "FMI") == "FMI 2.0, CoSimulation and ModelExchange"
+    assert _line(outcome.out, "runs") == "runs in this process; an instance is reset between runs"
     assert "tolerance 1e-08" in _line(outcome.out, "experiment")
     assert _line(outcome.out, "theta_start").startswith("theta_start rad 0.0")
     assert _line(outcome.out, "m").startswith("m kg 0.87 > 0 Mass of the handle")
@@ -50,6 +52,27 @@ def test_a_path_and_square_brackets(command: Command, fmus_by_name: Path, tmp_pa
     assert outcome.code == 0
     assert _line(outcome.out, "file") == f"file {path.name}"
     assert "T_stiffness" in outcome.out
+
+
+@pytest.mark.parametrize(
+    ("replacement", "way"),
+    [
+        ("false", "in a process of its own, as another tool made it; each on a new instance"),
+        ("true", "each in a new process of its own, as the FMU takes one instance a process"),
+    ],
+)
+def test_where_an_fmu_of_another_tool_runs(
+    command: Command, fmus_by_name: Path, tmp_path: Path, replacement: str, way: str
+) -> None:
+    once = "canBeInstantiatedOnlyOncePerProcess="
+    doctored(
+        fmus_by_name / "Joystick.fmu",
+        tmp_path / "other.fmu",
+        description=lambda text: text.replace('"pyjoystick', '"other').replace(
+            f'{once}"false"', f'{once}"{replacement}"'
+        ),
+    )
+    assert _line(command("info", "other.fmu").out, "runs") == f"runs {way}"
 
 
 def test_files_that_are_no_fmu(command: Command, tmp_path: Path) -> None:

@@ -48,7 +48,7 @@ def loop(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> str
 
 @pytest.fixture
 def awkward_fmu(awkward_path: Path) -> Iterator[Fmu]:
-    with Fmu(awkward_path) as fmu:
+    with Fmu(awkward_path, own_process=False) as fmu:
         yield fmu
 
 

@@ -193,7 +193,7 @@ def test_openmodelica_is_not_told_when_the_run_ends(
     renamed = doctored(
         awkward_path,
         tmp_path / "renamed.fmu",
-        description=lambda text: text.replace(" guid=", f' generationTool="{tool}" guid='),
+        description=lambda text: text.replace('generationTool=""', f'generationTool="{tool}"'),
     )
     with Fmu(renamed) as fmu:
         assert set(fmu.run(TIME, outputs="stop")["stop"]) == {stop_time}

@@ -9,7 +9,8 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pyjoystick.fmu import Final, Fmu, FmuLibrary, checked_value, read_description, read_inputs
+from pyjoystick.fmu import Final, Fmu, checked_value, read_description, read_inputs
+from pyjoystick.fmu.library import FmuLibrary
 from pyjoystick.motion import compare, write_csv
 from pyjoystick.support import ParameterError
 from tests.pyjoystick.fmu import echo

@@ -65,7 +65,7 @@ def single():
         return {"stopped": True, "sound": bool((long.run([0.0]) == sound).all())}
     return {"stopped": False}
 
-with Fmu(sys.argv[1]) as fmu:
+with Fmu(sys.argv[1], own_process=False) as fmu:
     plan = fmu.plan([0.0, 0.25, 0.5], varied=("delay", "trouble"), inputs={"u": 1.0}, outputs="y")
     plan.run([0.0, 0])  # compiles, where it is to
     for line in sys.stdin:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pickle
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -101,14 +102,13 @@ def test_texts_that_no_fmu_can_be_given(echo3: Fmu) -> None:
 
 
 def test_an_interruption_while_a_text_is_copied_ends_the_run(
-    echo3: Fmu, monkeypatch: pytest.MonkeyPatch
+    echo3_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """No exception finds its way out of a function that C calls."""
-    plan = echo3.run
 
     def interrupted(*_: object) -> None:
         raise KeyboardInterrupt
 
     monkeypatch.setattr("pyjoystick.fmu.interface.RowFormat.text", interrupted)
-    with pytest.raises(KeyboardInterrupt):
-        plan(TIME, outputs="said")
+    with Fmu(echo3_path, own_process=False) as fmu, pytest.raises(KeyboardInterrupt):
+        fmu.run(TIME, outputs="said")

@@ -30,6 +30,11 @@ class Trouble(IntEnum):
     FATAL_RESET = 9
     ENDS = 10
     COMES_BACK_EARLY = 11
+    EXITS = 12
+    ABORTS = 13
+    CRASHES = 14
+    PRINTS = 15
+    KEEPS_STATE = 16
 
 
 def compile_library(version: int, folder: Path) -> Path:
@@ -54,19 +59,32 @@ def _text(source: Path) -> str:
     return re.sub(r"GETTER\((\w+),", r" fmi3Get\1(", source.read_text())
 
 
-def build(version: int, target: Path, library: Path, *, guid: str = "awkward", attributes: str = "") -> Path:
+#: What ends the process that the FMU runs in, never comes back, or prints.
+ROUGH = (Trouble.FOREVER, Trouble.EXITS, Trouble.ABORTS, Trouble.CRASHES, Trouble.PRINTS)
+
+
+def build(
+    version: int,
+    target: Path,
+    library: Path,
+    *,
+    guid: str = "awkward",
+    attributes: str = "",
+    tool: str = "",
+) -> Path:
     """An FMU at `target`.
 
     Args:
         version: of FMI, 2 or 3
         target: the file
         library: as compiled
-        guid: ``only-one`` makes the FMU refuse a second instance
+        guid: ``only-one`` makes the FMU refuse a second instance, ``exits`` end the process at the first
         attributes: more attributes of the element CoSimulation
+        tool: what is said to have made it
     """
     platform = fmpy.platform if version == 2 else fmpy.platform_tuple
     text = (FOLDER / f"fmi{version}.xml").read_text()
     with zipfile.ZipFile(target, "w") as archive:
-        archive.writestr("modelDescription.xml", text.format(guid=guid, attributes=attributes))
+        archive.writestr("modelDescription.xml", text.format(guid=guid, attributes=attributes, tool=tool))
         archive.write(library, f"binaries/{platform}/{library.name}")
     return target

@@ -4,8 +4,6 @@
 
 #include "fmi3Functions.h"
 
-#include <stdio.h>
-
 typedef struct {
     Model model;
     fmi3InstanceEnvironment environment;
@@ -83,10 +81,11 @@ fmi3Status fmi3DoStep(fmi3Instance instance, fmi3Float64 time, fmi3Float64 lengt
         return tell(it, fmi3Error, "not now", time);
     const bool is_due = time >= it->model.when;
     *event = false;
-    *terminate = is_due && it->model.trouble == ENDS;
     *early = is_due && it->model.trouble == COMES_BACK_EARLY;
-    *reached = *early ? time + 0.5 * length : time + length;
-    return tell(it, model_step(&it->model, time, length), "trouble", time);
+    const int status = model_step(&it->model, time, length);
+    *terminate = it->model.has_ended;
+    *reached = *early ? time + 0.5 * length : it->model.reached;
+    return tell(it, status, "trouble", time);
 }
 
 fmi3Status fmi3SetFloat64(fmi3Instance instance, const fmi3ValueReference r[], size_t n,

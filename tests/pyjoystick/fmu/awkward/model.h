@@ -5,8 +5,10 @@
 #ifndef MODEL_H
 #define MODEL_H
 
+#include <signal.h>
 #include <stdbool.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
@@ -27,7 +29,12 @@ enum {
     NO_RESET,
     FATAL_RESET,
     ENDS,
-    COMES_BACK_EARLY
+    COMES_BACK_EARLY,
+    EXITS,
+    ABORTS,
+    CRASHES,
+    PRINTS,
+    KEEPS_STATE
 };
 
 /* The same in both versions of FMI. */
@@ -37,7 +44,8 @@ typedef struct {
     double gain, when, delay /* ms a step */, u, slope, y, stop /* time, -1 where not told */;
     int32_t trouble, steps;
     int8_t tiny; /* twice has two times that */
-    bool flag, is_dead;
+    bool flag, is_dead, has_ended;
+    double reached; /* the end of the last step, or where the model ended the run */
     char label[64];
 } Model;
 
@@ -56,8 +64,17 @@ static int model_reset(Model *model)
         model->is_dead = true;
         return STATUS_FATAL;
     }
+    const double y = model->trouble == KEEPS_STATE ? model->y : 0.0;
     model_start(model);
+    model->y = y;
     return STATUS_OK;
+}
+
+static void model_print(void)
+{
+    for (int i = 0; i < 20000; ++i)
+        printf("line %d of what nobody asked for\n", i);
+    fflush(stdout);
 }
 
 static void model_sleep(double milliseconds)
@@ -85,6 +102,17 @@ static int model_step(Model *model, double time, double length)
     }
     while (trouble == FOREVER)
         model_sleep(1000.0);
+    if (trouble == EXITS)
+        exit(0);
+    if (trouble == ABORTS)
+        abort();
+    if (trouble == CRASHES)
+        raise(SIGSEGV);
+    if (trouble == PRINTS)
+        model_print();
+    model->has_ended = trouble == ENDS;
+    length *= model->has_ended ? 0.5 : 1.0;
+    model->reached = time + length;
     model->y += model->gain * length * (model->u + 0.5 * length * model->slope);
     model->steps += 1;
     return trouble == WARNINGS ? STATUS_WARNING : STATUS_OK;

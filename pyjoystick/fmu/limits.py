@@ -1,0 +1,54 @@
+"""What an archive may unpack to and declare before it is taken for a bomb, or for a mistake."""
+
+from __future__ import annotations
+
+import os
+import zipfile
+from pathlib import Path
+from typing import Final
+
+from pyjoystick.fmu.errors import FmuFileError
+from pyjoystick.support import ParameterError
+
+#: The limits are multiplied with what this environment variable says.
+LIMITS_VARIABLE: Final = "PYJOYSTICK_FMU_LIMITS"
+MOST_FILES: Final = 20_000
+LARGEST_UNPACKED: Final = 2**30
+LARGEST_DESCRIPTION: Final = 2**26
+MOST_VARIABLES: Final = 100_000
+
+
+def require_modest(path: Path, archive: zipfile.ZipFile) -> None:
+    """Raise FmuFileError for an archive of too many files, or too much in them."""
+    files = archive.infolist()
+    require_at_most(path, "contains {} files", len(files), MOST_FILES)
+    size = sum(file.file_size for file in files)
+    require_at_most(path, "would take {} bytes unpacked", size, LARGEST_UNPACKED)
+    size = sum(file.file_size for file in files if file.filename == "modelDescription.xml")
+    require_at_most(path, "has a modelDescription.xml of {} bytes", size, LARGEST_DESCRIPTION)
+
+
+def require_at_most(path: Path, what: str, number: int, limit: int) -> None:
+    """Raise FmuFileError if the number is above the limit.
+
+    Args:
+        path: the FMU
+        what: what there is so much of, with a place for the number
+        number: how much
+        limit: how much is taken unless the environment says otherwise
+    """
+    most = int(limit * _factor())
+    if number > most:
+        advice = f"{LIMITS_VARIABLE}=10 in the environment allows ten times as much"
+        raise FmuFileError(path, f"{what.format(number)}: at most {most} are taken ({advice})")
+
+
+def _factor() -> float:
+    text = os.environ.get(LIMITS_VARIABLE, "1")
+    try:
+        factor = float(text)
+    except ValueError:
+        factor = 0.0
+    if not 0.0 < factor < 1e9:
+        raise ParameterError(LIMITS_VARIABLE, text, "a number above 0")
+    return factor

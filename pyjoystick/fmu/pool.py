@@ -1,0 +1,123 @@
+"""What runs an FMU, made when needed, lent to one user at a time and kept for the next."""
+
+from __future__ import annotations
+
+import os
+import threading
+from abc import ABC, abstractmethod
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Generic, TypeVar
+
+from pyjoystick.fmu.description import FmuDescription
+from pyjoystick.support import PyJoystickError
+
+T = TypeVar("T")
+
+
+class Pool(ABC, Generic[T]):
+    """Instances of an FMU, or processes that run it.
+
+    Attributes:
+        description: the FMU
+    """
+
+    #: At most one may be taken at a time; others wait for it.
+    has_one = False
+
+    def __init__(self, description: FmuDescription) -> None:
+        """Make the first one, which shows that the FMU can be run; closes the pool where it cannot."""
+        self.description = description
+        self._process = os.getpid()
+        self._state = threading.Condition()
+        self._taken = 0
+        self._closed = False
+        self._idle: list[T] = []
+        try:
+            self._idle.append(self._make())
+        except BaseException:
+            self._put_away()
+            raise
+
+    def take(self) -> T:
+        """One for the caller alone, until it is given back.
+
+        Raises:
+            PyJoystickError: the pool has been closed
+            FmuFileError: the FMU refuses another one
+        """
+        with self._state:
+            while self.has_one and self._taken and not self._closed:
+                self._state.wait()
+            if self._closed:
+                raise PyJoystickError(f"{self.description.path} has been closed")
+            self._taken += 1
+            one = self._idle.pop() if self._idle else None
+        if one is not None:
+            return one
+        try:
+            return self._make()
+        except BaseException:
+            self._return(None)
+            raise
+
+    def give_back(self, one: T) -> None:
+        """Keep it for the next one who asks; free it where it cannot be used again or the pool is closed."""
+        if self.is_reusable(one):
+            self._return(one)
+        else:
+            # Before another one is made: there may be room for one only.
+            self._free(one)
+            self._return(None)
+
+    @contextmanager
+    def lent(self) -> Iterator[T]:
+        """Take one and give it back."""
+        one = self.take()
+        try:
+            yield one
+        finally:
+            self.give_back(one)
+
+    def close(self) -> None:
+        """Free what is idle, and everything as soon as all that are taken are back; twice is no harm."""
+        if os.getpid() != self._process:
+            return  # in a forked process: what was unpacked is the parent's
+        with self._state:
+            if self._closed:
+                return
+            self._closed = True
+            while self._idle:
+                self._free(self._idle.pop())
+            self._put_away_if_unused()
+            self._state.notify_all()
+
+    def _return(self, one: T | None) -> None:
+        with self._state:
+            self._taken -= 1
+            if one is not None and self._closed:
+                self._free(one)
+            elif one is not None:
+                self._idle.append(one)
+            self._put_away_if_unused()
+            self._state.notify()
+
+    def _put_away_if_unused(self) -> None:
+        if self._closed and not self._taken:
+            self._put_away()
+
+    @abstractmethod
+    def _make(self) -> T:
+        """Another one."""
+
+    @abstractmethod
+    def is_reusable(self, one: T) -> bool:
+        """Whether it may serve another user."""
+
+    @abstractmethod
+    def _free(self, one: T) -> None:
+        """Give up one that is not used again."""
+
+    @abstractmethod
+    def _put_away(self) -> None:
+        """Delete what all of them need."""

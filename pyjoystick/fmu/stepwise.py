@@ -1,0 +1,66 @@
+"""An FMU stepped from outside, call by call, where it is to run."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import partial
+from typing import Any
+
+from pyjoystick.fmu.description import FmuDescription
+from pyjoystick.fmu.instance import Instance
+from pyjoystick.fmu.library import InstancePool
+from pyjoystick.fmu.own_process.pool import ProcessPool, new_pool, run_error
+from pyjoystick.fmu.own_process.process import OwnProcess, ProcessEndedError
+
+
+@contextmanager
+def stepped(description: FmuDescription) -> Iterator[Instance | RemoteInstance]:
+    """A new Co-Simulation instance, in a process of its own where `Fmu` would run it in one.
+
+    Raises:
+        UnsupportedFmuError, FmuFileError: as in `Fmu`
+    """
+    pool = new_pool(description, None, None)
+    try:
+        if isinstance(pool, InstancePool):
+            with pool.lent() as instance:
+                yield instance
+        else:
+            with pool.lent() as process:
+                yield RemoteInstance(pool, process)
+    finally:
+        pool.close()
+
+
+class RemoteInstance:
+    """As `Instance`, in a process of its own: what it lacks here is asked there."""
+
+    def __init__(self, pool: ProcessPool, process: OwnProcess) -> None:
+        self._pool = pool
+        self._process = process
+        self._time = 0.0
+        self._ask("instantiate")
+
+    @contextmanager
+    def reporting(self, time: float) -> Iterator[None]:
+        """Calls in this context are made at `time` (s); raises as `Instance.reporting`."""
+        self._time = time
+        yield
+
+    def forget(self, state: int) -> None:
+        """As `Instance.forget`; what a process had saved is gone with it."""
+        if self._process.is_alive:
+            self._call("forget", state)
+
+    def __getattr__(self, name: str) -> Any:
+        return partial(self._call, name)
+
+    def _call(self, name: str, *arguments: Any) -> Any:
+        return self._ask("call", name, self._time, arguments)
+
+    def _ask(self, *request: Any) -> Any:
+        try:
+            return self._process.ask(*request, time_limit=self._pool.time_limit)
+        except ProcessEndedError as ended:
+            raise run_error(ended, self._time, self._pool.description.path) from None
