@@ -150,5 +150,12 @@ def _options(
         bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Show the version.")
     ] = False,
     debug: Annotated[bool, typer.Option("--debug", help="Show a traceback when an error occurs.")] = False,
+    implausible: Annotated[
+        bool,
+        typer.Option("--implausible", help="Take values that no joystick has."),
+    ] = False,
 ) -> None:
+    from pyjoystick.cli.plausibility import take_all  # the list of commands needs none of it
+
     _state.debug = debug
+    take_all(implausible)

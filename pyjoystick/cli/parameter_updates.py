@@ -7,6 +7,7 @@ from pathlib import Path
 
 from pyjoystick import model
 from pyjoystick.cli.console import print_note
+from pyjoystick.cli.plausibility import require_plausible
 
 
 def file_to_update(path: Path | None) -> model.ParameterFile:
@@ -27,8 +28,10 @@ def write_update(
     """Update or create the file, and report what was written.
 
     Raises:
+        ImplausibleError: a number is one that no joystick has
         SettingsError, OutputFileError: it cannot be written; an existing file is left as it was
     """
+    require_plausible(joystick.to_names())
     new = not path.exists()
     shown = {place: model.rounded_error(value) for place, value in uncertainties.items()}
     model.write_parameters(path, joystick, uncertainties=shown, sources=sources)

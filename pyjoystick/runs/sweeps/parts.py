@@ -5,12 +5,12 @@ from __future__ import annotations
 import json
 import zipfile
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager, suppress
+from contextlib import AbstractContextManager, contextmanager, suppress
 from pathlib import Path
 from typing import Any, Final
 
 import numpy as np
-from filelock import AcquireReturnProxy, FileLock, Timeout
+from filelock import FileLock, Timeout
 
 from pyjoystick.runs.errors import ChangedSweepError, SweepFileError
 from pyjoystick.runs.sweeps.sweep import Document, Part
@@ -65,7 +65,7 @@ class Parts:
                 write_text(self.folder / _IDENTITY, json.dumps(identity, indent=2))
             yield
 
-    def _lock(self) -> AcquireReturnProxy:
+    def _lock(self) -> AbstractContextManager[FileLock]:
         """The system releases it when this process ends, however it ends."""
         return FileLock(self.folder / _LOCK).acquire(timeout=0)
 
@@ -75,7 +75,7 @@ class Parts:
             file.unlink(missing_ok=True)
 
     def _require(self, identity: Document) -> bool:
-        """Whether the folder says that it is of this sweep; raises as `opened` does where it is of another."""
+        """Whether the folder is of this sweep or of none yet; raises as `opened` where it is of another."""
         file = self.folder / _IDENTITY
         if not file.exists():
             if any(self.folder.glob(_PARTS)):
@@ -133,8 +133,8 @@ class Parts:
         except (Timeout, OSError, ChangedSweepError, SweepFileError):
             return
         with suppress(OSError):
-            # After the lock, as not every system deletes a file that is open, and only if it is empty: another
-            # process may have begun here since.
+            # After the lock, as not every system deletes a file that is open, and only an empty folder:
+            # another process may have begun here since.
             (self.folder / _LOCK).unlink(missing_ok=True)
             self.folder.rmdir()
 
