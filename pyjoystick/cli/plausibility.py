@@ -7,20 +7,10 @@ from collections.abc import Mapping
 from typing import Final
 
 from pyjoystick import model
+from pyjoystick.cli import state
 from pyjoystick.cli.console import print_note
 
 _INSIST: Final = "pyjoystick --implausible COMMAND takes it as it is."
-
-
-class _State:
-    """The option before the command."""
-
-    taken = False
-
-
-def take_all(wanted: bool) -> None:
-    """What --implausible says."""
-    _State.taken = wanted
 
 
 def require_plausible(values: Mapping[str, float], *, options: Mapping[str, str] | None = None) -> None:
@@ -33,7 +23,7 @@ def require_plausible(values: Mapping[str, float], *, options: Mapping[str, str]
     Raises:
         ImplausibleError: a value is far outside what joysticks have, and --implausible was not given
     """
-    for name, value in values.items() if not _State.taken else ():
+    for name, value in values.items() if not state.implausible else ():
         model.require_plausible(name, value, field=(options or {}).get(name, ""), insist=_INSIST)
 
 
@@ -53,7 +43,7 @@ def require_uncertainties(errors: Mapping[str, float], values: Mapping[str, floa
     Raises:
         ImplausibleError: one is larger, and --implausible was not given
     """
-    for name, error in errors.items() if not _State.taken else ():
+    for name, error in errors.items() if not state.implausible else ():
         most = abs(values.get(name, 0.0)) / 3.0
         if error > most > 0.0:
             allowed = f"below a third of {name} = {values[name]:g}, in the same unit"

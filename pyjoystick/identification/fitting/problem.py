@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import pairwise
 from typing import Final
 
 import numpy as np
@@ -91,8 +90,8 @@ class Problem:
 
         Args:
             x: the point
-            central: four points, for an error of the fourth order in the steps; without, one point, for an
-                error of the first order at a quarter of the runs
+            central: two points, for an error of the second order in the steps; without, one point, for an
+                error of the first order at half the runs
         """
         blocks = [
             self._jacobian_of(x, k, central=central) * self.weights[k][:, np.newaxis]
@@ -157,10 +156,10 @@ class Problem:
         one = self.variables.free[variable]
         below, above = x[variable] - one.minimum, one.maximum - x[variable]
         step = min(float(self.steps[variable]) * one.scale, max(below, above) / RATIO)
+        inward = step if step <= above else -step
         if not central:
-            return (step,) if step <= above else (-step,)
-        moves = (-RATIO * step, -step, step, RATIO * step)
-        return tuple(move for move in moves if -below <= move <= above)
+            return (inward,)
+        return (-step, step) if step <= min(below, above) else (inward, RATIO * inward)
 
 
 def _moved(x: FloatArray, variable: int, move: float) -> FloatArray:
@@ -181,7 +180,7 @@ def _slope(points: Sequence[tuple[float, FloatArray]]) -> FloatArray:
     return np.asarray(weights @ np.array([values - base for _, values in others]))
 
 
-#: The outer by the inner step of central differences, and a step by the one before it on the ladder.
+#: The outer by the inner step where both are on one side, at a bound; on the ladder, a step by the last one.
 RATIO: Final = 10.0**0.5
 #: Steps that are tried, relative to the scale of a variable.
 LADDER: FloatArray = 10.0**-6.5 * RATIO ** np.arange(10)
@@ -240,14 +239,20 @@ def _of_variable(
     """Best step, the relative error of the derivative there, and the scatter of the values."""
     one = problem.variables.free[variable]
     below, above = x[variable] - one.minimum, one.maximum - x[variable]
-    ladder = LADDER * one.scale
+    ladder = [float(step) * one.scale for step in LADDER]
     moves = [move for step in ladder for move in (-step, step) if -below <= move <= above]
     values = problem.moved(x, variable, moves, record)
     found = dict(zip((*moves, 0.0), values, strict=True))
     slopes = []
-    for step, next_step in pairwise(ladder):
-        wanted = (-next_step, -step, step, next_step) if central else (step,) if step in found else (-step,)
-        own = [(move, found[move]) for move in wanted if move in found and np.all(np.isfinite(found[move]))]
+    for step, further in zip(ladder, (*ladder[1:], np.inf), strict=True):
+        sign = 1.0 if step in found else -1.0
+        inward = sign * step
+        both = (-step, step) if {-step, step} <= found.keys() else (inward, sign * further)
+        own = [
+            (move, found[move])
+            for move in (both if central else (inward,))
+            if move in found and np.all(np.isfinite(found[move]))
+        ]
         slopes.append(_slope([(0.0, found[0.0]), *own]) if own else np.full_like(values[0], np.nan))
     changes = np.linalg.norm(np.diff(slopes, axis=0), axis=1)
     changes = np.where(np.isfinite(changes), changes, np.inf)

@@ -14,7 +14,7 @@ from pyjoystick.support import FloatArray
 
 #: Singular values below this many times the error of the Jacobian are zero, and in any case below the least.
 _MARGIN: Final = 10.0
-_LEAST: Final = 1e-7
+_LEAST: Final = 1e-6
 #: A column this much smaller than the largest, each for a change by the variable's own size, is no influence.
 _NO_INFLUENCE: Final = 1e-10
 #: A column with this relative error shows the scatter of the FMU's results and no influence.

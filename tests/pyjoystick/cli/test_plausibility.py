@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from pyjoystick.laboratory import BASE, TOP
-from pyjoystick.model import NOMINAL, PAPER, read_parameters
+from pyjoystick.model import NOMINAL, PAPER, read_parameters, write_parameters
 from tests.pyjoystick.cli.conftest import Command
 
 SWING = ("import", "swing", "--time", "8.09", "--swings", "10", "--amplitude", "10")
@@ -71,6 +71,14 @@ def test_who_insists_gets_it_and_so_does_who_reads_the_file(command: Command, tm
     assert read_parameters(tmp_path / "heavy.toml").J == 11.35
     assert command("parameters", "-p", "heavy.toml").code == 0
     assert command("parameters", "-p", "heavy.toml", "--set", "J=12").code == 1
+
+
+def test_a_file_that_insists_is_updated_and_goes_on_insisting(command: Command, tmp_path: Path) -> None:
+    write_parameters(tmp_path / "a.toml", NOMINAL.replace({"a": 24.1}))
+    (tmp_path / "parts.csv").write_text("part,mass (g),height (mm),inertia (g.cm2)\nrod,870,82,0\n")
+    assert command("import", "parts", "parts.csv", "-p", "a.toml").code == 0
+    found = read_parameters(tmp_path / "a.toml")
+    assert (found.a, found.m) == (24.1, pytest.approx(0.87))
 
 
 def test_parts_in_kilograms_that_are_grams(command: Command, tmp_path: Path) -> None:
