@@ -54,6 +54,14 @@ def test_the_errors_are_those_of_the_center_and_the_radius(radius: float | None)
         assert {one.radius_error for one in found} == {0.0}
 
 
+@pytest.mark.parametrize(("radius", "count"), [(None, 4), (RADIUS, 4)])
+def test_the_noise_of_a_few_points_is_not_underrated(radius: float | None, count: int) -> None:
+    """The mean of the variances is that of the noise: what was fitted is taken off the number of points."""
+    found = [fit_circle(_arc(1e-4, seed, half=1.0, count=count), radius) for seed in range(3000)]
+    # The standard deviation of the mean is 1.8 to 2.6 %, depending on the degrees of freedom.
+    assert np.mean([one.noise**2 for one in found]) == pytest.approx(1e-8, rel=0.08)
+
+
 def test_a_known_radius_that_is_not_that_of_the_arc_moves_the_center_along_it() -> None:
     found = fit_circle(_arc(), 0.3)
     # The top of the arc stays in place: the center goes down by what the radius is too long.
