@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from pyjoystick.laboratory.measurements.marker_path import fit_circle
+from pyjoystick.laboratory.measurements.marker_path import fit_circle, motion_plane
+from pyjoystick.motion import RecordError
 
 CENTER, RADIUS = np.array([0.4, -0.2]), 0.266
 
@@ -73,3 +74,11 @@ def test_points_on_a_straight_line_determine_no_circle() -> None:
     found = fit_circle(line)
     assert not np.isfinite(found.radius_error)
     assert not np.isfinite(found.center_error).any()
+
+
+def test_an_uncertain_plane_is_told_with_the_root_mean_squares_in_and_out_of_it() -> None:
+    along = np.linspace(-0.1, 0.1, 100)
+    signs = np.tile([[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]], (25, 1))
+    path = np.column_stack((along, signs * [1e-4, 0.8e-4]))
+    with pytest.raises(RecordError, match=r"bends by 0\.1 mm rms, out of it it goes 0\.08 mm rms"):
+        motion_plane(path, path[0], np.array([1.0, 0.0, 0.0]), "path")
