@@ -101,7 +101,7 @@ def _ours(settings: FitSettings, records: list[Measurement]) -> dict[str, Any]:
 def _our_fit(settings: FitSettings, records: list[Measurement], fmu: Fmu) -> dict[str, Any]:
     begun = time.perf_counter()
     problem = make_problem(records, settings, fmu)
-    problem.steps = choose_steps(problem, problem.variables.start).steps
+    problem.steps = choose_steps(problem, problem.variables.start, central=False).steps
     best = multi_start(problem, problem.variables.start, settings.search)[0]
     seconds = time.perf_counter() - begun
     loss = sum(

@@ -110,7 +110,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     Args:
         arguments: without the name of the program; those of this process by default
     """
-    _state.debug = False
+    state.debug = state.implausible = False
     try:
         app(args=None if arguments is None else list(arguments), prog_name="pyjoystick")
     except SystemExit as stop:
@@ -118,25 +118,26 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except PyJoystickError as error:
         return _failed(str(error))
     except Exception as error:  # a fault of this program must not end in a traceback
-        hint = "" if _state.debug else " (pyjoystick --debug COMMAND shows where)"
+        hint = "" if state.debug else " (pyjoystick --debug COMMAND shows where)"
         return _failed(f"internal error: {type(error).__name__}: {error}{hint}")
     return 0
 
 
 def _failed(message: str) -> int:
     print_error(message)
-    if _state.debug:
+    if state.debug:
         print_traceback()
     return 1
 
 
-class _State:
+class State:
     """The options before the command."""
 
     debug = False
+    implausible = False
 
 
-_state = _State()
+state = State()
 
 
 def _print_version(wanted: bool) -> None:
@@ -151,6 +152,10 @@ def _options(
         bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Show the version.")
     ] = False,
     debug: Annotated[bool, typer.Option("--debug", help="Show a traceback when an error occurs.")] = False,
+    implausible: Annotated[
+        bool,
+        typer.Option("--implausible", help="Take values that no joystick has."),
+    ] = False,
 ) -> None:
-    _state.debug = debug
+    state.debug, state.implausible = debug, implausible
     support.remove_abandoned()

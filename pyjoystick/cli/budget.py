@@ -13,6 +13,7 @@ from pyjoystick.cli.console import messages, output, print_error, print_note
 from pyjoystick.cli.fit import DOUBTFUL, failed_checks
 from pyjoystick.cli.fmus import found_or_built
 from pyjoystick.cli.parameter_updates import write_update
+from pyjoystick.cli.plausibility import require_uncertainties
 from pyjoystick.support import ParameterError, check_outputs
 
 EXAMPLES: Final = """
@@ -106,6 +107,7 @@ def _bench(
     for name, value in errors.items():
         if name not in (*_PLACES, "scale"):
             raise ParameterError(name, value, f"one of {', '.join(_PLACES)}, scale")
+    require_uncertainties(errors, file.joystick.to_names() | {"scale": 1.0})
     if file.law != "constant":
         raise typer.BadParameter("the file must choose constant damping", param_hint="--parameters")
     stated = {name: file.uncertainties.get(place, 0.0) for name, place in _PLACES.items()}

@@ -15,6 +15,7 @@ from pyjoystick.cli import options
 from pyjoystick.cli.comparison_tables import print_comparison, print_differences, solver_text
 from pyjoystick.cli.console import messages, output, write
 from pyjoystick.cli.fmus import found_or_built, law_of, opened
+from pyjoystick.cli.plausibility import require_plausible
 from pyjoystick.support import check_outputs, write_text
 
 if TYPE_CHECKING:
@@ -260,6 +261,8 @@ def _of_two(first: str, second: str, between: _BetweenFmus, request: _Request) -
     """Compare two FMUs and print the result; False if a limit is exceeded."""
     paths = found_or_built(first), found_or_built(second)
     descriptions = [fmu.read_description(path) for path in paths]
+    if "theta_start" in descriptions[0].variables:
+        require_plausible(between.settings)
     experiments = runs.experiments_for(
         *descriptions,
         release_angles=request.angles,

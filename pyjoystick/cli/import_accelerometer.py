@@ -10,6 +10,7 @@ import typer
 from pyjoystick import laboratory, motion
 from pyjoystick.cli import options
 from pyjoystick.cli.console import output, print_note, print_notes, write
+from pyjoystick.cli.plausibility import require_length
 from pyjoystick.support import check_outputs
 
 _PAPER: Final = laboratory.Chain()
@@ -85,6 +86,7 @@ def run(
     chain = options.chain_of(
         rate, cutoff, order, corrected, longest_gap, velocity_points, acceleration_points
     )
+    require_length("--distance", distance)
     check_outputs(result)
     measured = motion.read_record(angle, free_oscillation=False)
     filtered = chain.run(measured.time, measured.theta)

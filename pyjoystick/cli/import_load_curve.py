@@ -12,6 +12,7 @@ from pyjoystick import laboratory, model, support
 from pyjoystick.cli import options
 from pyjoystick.cli.console import output, print_notes, write
 from pyjoystick.cli.parameter_updates import file_to_update, write_update
+from pyjoystick.cli.plausibility import require_plausible
 from pyjoystick.support import ParameterError, check_outputs
 
 EXAMPLES: Final = """
@@ -53,6 +54,10 @@ def run(
         raise typer.BadParameter("a parameter file has four segments per side", param_hint="--segments")
     if plot is not None:
         support.check_figure_path(plot)
+    require_plausible(
+        {"travel_noise": travel_noise or 0.0, "force_noise": force_noise or 0.0},
+        options={"travel_noise": "--travel-noise", "force_noise": "--force-noise"},
+    )
     check_outputs(parameters, plot)
     before = file_to_update(parameters)
     curve = laboratory.read_load_curve(file, **options.parse_headings(columns, units))

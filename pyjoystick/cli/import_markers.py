@@ -10,6 +10,7 @@ import typer
 from pyjoystick import laboratory, model, motion
 from pyjoystick.cli import options
 from pyjoystick.cli.console import output, print_notes, write
+from pyjoystick.cli.plausibility import require_length
 from pyjoystick.support import check_outputs
 
 _PAPER: Final = laboratory.Chain()
@@ -105,6 +106,7 @@ def run(
         raise typer.BadParameter("give --rests and --parameters together")
     if middle and radius is not None:
         raise typer.BadParameter("give --middle or --radius: the pivot is one or the other")
+    require_length("--radius", radius)
     check_outputs(record_file, motion_file)
     at_rest = 0.0
     if rests is not None:

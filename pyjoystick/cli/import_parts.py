@@ -12,6 +12,7 @@ from pyjoystick.cli import options
 from pyjoystick.cli.console import print_notes
 from pyjoystick.cli.import_swing import print_estimates
 from pyjoystick.cli.parameter_updates import file_to_update, write_update
+from pyjoystick.cli.plausibility import require_plausible
 from pyjoystick.support import check_outputs
 
 EXAMPLES: Final = """
@@ -31,6 +32,7 @@ def run(
     check_outputs(parameters)
     before = file_to_update(parameters)
     found = laboratory.from_parts(laboratory.read_parts(file))
+    require_plausible({"m": found.m.value, "h": found.h.value, "J": found.J.value})
     print_notes(file, found.notes)
     estimates = {"m (kg)": found.m, "h (m)": found.h, "J (kg m2)": found.J}
     print_estimates(estimates)

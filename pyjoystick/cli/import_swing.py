@@ -12,6 +12,7 @@ from pyjoystick import laboratory, model, motion
 from pyjoystick.cli.console import output, print_note
 from pyjoystick.cli.options import ParametersToUpdate, Set, parse_angle, parse_assignments, uncertainty
 from pyjoystick.cli.parameter_updates import file_to_update, write_update
+from pyjoystick.cli.plausibility import require_plausible, require_uncertainties
 from pyjoystick.support import ParameterError, TextTable, check_outputs
 
 EXAMPLES: Final = """
@@ -68,6 +69,7 @@ def run(
             times or [], swings, amplitude, end_amplitude, amplitude_uncertainty, reaction_time
         )
     found = laboratory.inertia_of_swing(period.period, values["m"], values["h"], values["g"])
+    require_plausible({"J": found.value})
     output().print(_period_text(period), markup=False)
     print_estimates({"T (s)": period.period, "J (kg m2)": found})
     if parameters is not None:
@@ -89,6 +91,8 @@ def _known(
     for name, value in {**values, **errors}.items():
         if name not in _PLACES:
             raise ParameterError(name, value, "one of m, h, g")
+    require_plausible(values)
+    require_uncertainties(errors, file.joystick.to_names() | values)
     known = {}
     for name, place in _PLACES.items():
         in_file = 0.0 if name in values else file.uncertainties.get(place, 0.0)

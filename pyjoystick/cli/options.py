@@ -11,6 +11,7 @@ from typing import Annotated, Any, Final
 import typer
 
 from pyjoystick import laboratory, model
+from pyjoystick.cli.plausibility import note_small_angle, require_plausible
 from pyjoystick.support import ParameterError
 
 _ANGLE: Final = re.compile(r"(?P<number>[-+0-9.eE]+)\s*(?P<unit>deg|rad|)")
@@ -30,6 +31,8 @@ def parse_angle(text: str, option: str = "--release-angle") -> float:
         number = math.nan
     if match is None or not math.isfinite(number):
         raise typer.BadParameter(f"{text!r} is not an angle; write -20deg or -0.35rad", param_hint=option)
+    if not match["unit"]:
+        note_small_angle(option, text.strip(), number)
     angle = number if match["unit"] == "rad" else math.radians(number)
     if abs(angle) >= math.pi / 2.0:
         hint = f"; did you mean {number:g}deg?" if match["unit"] == "rad" and abs(number) < 90.0 else ""
@@ -120,11 +123,13 @@ def joystick_of(
 
     Raises:
         UnknownParameterError, ParameterError: a name or value is not allowed
+        ImplausibleError: a value is one that no joystick has
         SettingsError: the file has no parameters of that damping law
     """
     for name in ("theta_start", "omega_start"):
         if name in changes:
             raise ParameterError(name, changes[name], "left out", "set the release with --release-angle")
+    require_plausible(changes)
     if own is not None:
         return own.replace(changes)
     file = file or model.PAPER

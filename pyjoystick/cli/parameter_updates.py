@@ -7,6 +7,7 @@ from pathlib import Path
 
 from pyjoystick import model
 from pyjoystick.cli.console import print_note
+from pyjoystick.cli.plausibility import require_plausible
 
 
 def file_to_update(path: Path | None) -> model.ParameterFile:
@@ -27,8 +28,11 @@ def write_update(
     """Update or create the file, and report what was written.
 
     Raises:
+        ImplausibleError: a number that changes is one that no joystick has
         SettingsError, OutputFileError: it cannot be written; an existing file is left as it was
     """
+    before = file_to_update(path).joystick.to_names()
+    require_plausible({name: one for name, one in joystick.to_names().items() if one != before.get(name)})
     new = not path.exists()
     shown = {place: model.rounded_error(value) for place, value in uncertainties.items()}
     model.write_parameters(path, joystick, uncertainties=shown, sources=sources)

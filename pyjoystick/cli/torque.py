@@ -11,6 +11,7 @@ import typer
 from pyjoystick import forced_motion, laboratory, model, motion, support
 from pyjoystick.cli import options, torque_results
 from pyjoystick.cli.console import messages, note_stops, output, print_note, write
+from pyjoystick.cli.plausibility import require_length
 from pyjoystick.support import ParameterError, check_outputs, write_text
 
 _PAPER: Final = laboratory.Chain()
@@ -116,6 +117,7 @@ def run(
     """
     if plot is not None:
         support.check_figure_path(plot)
+    require_length("--pivot-to-handle", arm)
     check_outputs(csv, json, plot)
     given = dict(zip(_OPTIONS, (angle, stroke_time, return_time, dwell, shape, flat), strict=True))
     file = options.parameter_file(parameters)

@@ -38,6 +38,7 @@ from .parameters.joystick import (
     JoystickParameters as JoystickParameters,
     PowerLawDamping as PowerLawDamping,
 )
+from .parameters.plausible import ImplausibleError as ImplausibleError, require_plausible as require_plausible
 from .parameters.springs import (
     ActuatorAssembly as ActuatorAssembly,
     RestrainedSpring as RestrainedSpring,

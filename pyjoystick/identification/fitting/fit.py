@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import nullcontext
+from dataclasses import replace
 
 import numpy as np
 
@@ -19,15 +20,21 @@ from pyjoystick.identification.fitting.assessment import (
 from pyjoystick.identification.fitting.bootstrap import Bootstrap, bootstrap
 from pyjoystick.identification.fitting.measurement import Measurement, measurements
 from pyjoystick.identification.fitting.noise_model import estimated_sigmas, first_weights, weights_of
+from pyjoystick.identification.fitting.order import as_given, ordered_records, ordered_settings
 from pyjoystick.identification.fitting.peak_prediction import PeakPredictor
 from pyjoystick.identification.fitting.prediction import FmuSettings, Predictor, TrajectoryPredictor
-from pyjoystick.identification.fitting.problem import Problem, choose_steps
+from pyjoystick.identification.fitting.problem import Problem, StepChoice, choose_steps
 from pyjoystick.identification.fitting.profile import Profile, profile
 from pyjoystick.identification.fitting.result import Fit
-from pyjoystick.identification.fitting.search import Minimum, multi_start, search
+from pyjoystick.identification.fitting.search import REFINED, Minimum, multi_start, search
 from pyjoystick.identification.fitting.settings import RELEASE_TIME, FitSettings
 from pyjoystick.identification.fitting.trust import check_profiles
-from pyjoystick.identification.fitting.uncertainty import StandardErrors, identifiability, standard_errors
+from pyjoystick.identification.fitting.uncertainty import (
+    SCATTER,
+    StandardErrors,
+    identifiability,
+    standard_errors,
+)
 from pyjoystick.identification.fitting.variables import Variables
 from pyjoystick.motion import Record
 from pyjoystick.support import FloatArray, ParameterError, UnknownVariableError
@@ -47,7 +54,7 @@ def make_problem(records: Iterable[Record | Measurement], settings: FitSettings,
         _predictor(shared, settings, record, variables.release_variable(k) is not None)
         for k, record in enumerate(measured)
     ]
-    problem = Problem(variables, predictors, first_weights(predictors, settings.noise))
+    problem = Problem(variables, predictors, first_weights(predictors, settings.noise), settings.tolerance)
     problem.predictions(variables.start)
     return problem
 
@@ -72,8 +79,11 @@ def _predictor(
 OnProgress = Callable[[str, int, int], None]
 
 #: The estimates of several noise levels are repeated until they change by less than this part.
-_NOISE_CHANGE = 0.01
-_MOST_ROUNDS = 5
+_NOISE_CHANGE = 1e-4
+_MOST_ROUNDS = 10
+#: Tolerance of the FMU at the solution: its results then scatter by rounding errors alone, and differences
+#: tell a weak influence from none.
+_SOLUTION_TOLERANCE = 1e-10
 
 
 def fit(
@@ -98,65 +108,81 @@ def fit(
     """
     begun = time.perf_counter()
     tell = on_progress or (lambda stage, done, total: None)
+    given = measurements(records)
+    ordered, measured = ordered_settings(settings), ordered_records(given)
     with nullcontext(fmu) if fmu is not None else Fmu(settings.fmu) as opened:
-        problem = make_problem(records, settings, opened)
-        minima = _search(problem, settings, tell)
-        return _judged(problem, settings, minima, begun, tell)
+        problem = make_problem(measured, ordered, opened)
+        solution = _at_solution(problem, measured, ordered, opened)
+        found = _judged(solution, ordered, *_search(problem, solution, ordered, tell), tell)
+    found = as_given(found, settings, [one.name for one in given])
+    runs = found.runs + (problem.runs if problem is not solution else 0)
+    return replace(found, runs=runs, seconds=time.perf_counter() - begun)
 
 
-def _search(problem: Problem, settings: FitSettings, tell: OnProgress) -> list[Minimum]:
-    """Search, and set the weights of the problem to what the noise is found to be."""
-    problem.steps = choose_steps(problem, problem.variables.start).steps
+def _at_solution(
+    problem: Problem, measured: Sequence[Measurement], settings: FitSettings, fmu: Fmu
+) -> Problem:
+    """The same problem at a tighter tolerance of the FMU, or the problem itself where the FMU fails there."""
+    if settings.tolerance <= _SOLUTION_TOLERANCE:
+        return problem
+    try:
+        return make_problem(measured, replace(settings, tolerance=_SOLUTION_TOLERANCE), fmu)
+    except FitError:
+        return problem
+
+
+def _search(
+    problem: Problem, solution: Problem, settings: FitSettings, tell: OnProgress
+) -> tuple[list[Minimum], StepChoice]:
+    """The minima, the best one refined on `solution`, whose weights become those of the noise found there."""
+    problem.steps = choose_steps(problem, problem.variables.start, central=False).steps
     starts = settings.search.starts
     tell("searching", 0, starts)
-    minima = multi_start(
+    best, *others = multi_start(
         problem,
         problem.variables.start,
         settings.search,
         lambda done, total: tell("searching", done, total),
     )
+    steps = choose_steps(solution, best.x)
+    solution.steps = steps.steps
+    best = _refined(solution, best, settings)
     if settings.noise.sigma:
-        return minima
+        return [best, *others], steps
     peaks = settings.comparison == "peaks"
     several = settings.noise.per_record or (len(settings.outputs) > 1 and not peaks)
-    best = minima[0]
     before: FloatArray | None = None
     for _ in range(_MOST_ROUNDS):
-        sigmas = estimated_sigmas(problem, best.x, per_record=settings.noise.per_record, combined=peaks)
-        old = problem.weights
-        problem.weights = weights_of(problem, sigmas)
+        sigmas = estimated_sigmas(solution, best.x, per_record=settings.noise.per_record, combined=peaks)
+        old = solution.weights
+        solution.weights = weights_of(solution, sigmas)
         if not several:
             # The same weights but for a factor: the minima stay where they are.
-            return [_rescaled(one, float(problem.weights[0][0] / old[0][0])) for one in minima]
-        best = search(problem, best.x, evaluations=settings.search.evaluations)
+            factor = float(solution.weights[0][0] / old[0][0])
+            return [replace(one, cost=one.cost * factor**2) for one in (best, *others)], steps
+        best = _refined(solution, best, settings)
         levels = np.array([value for one in sigmas for value in one.values()])
         if before is not None and np.allclose(levels, before, rtol=_NOISE_CHANGE, atol=0.0):
             break
         before = levels
-    return [best, *minima[1:]]
+    return [best, *others], steps
 
 
-def _rescaled(minimum: Minimum, factor: float) -> Minimum:
-    return Minimum(
-        minimum.x,
-        minimum.cost * factor**2,
-        minimum.converged,
-        minimum.message,
-        minimum.evaluations,
-        minimum.found,
-    )
+def _refined(solution: Problem, minimum: Minimum, settings: FitSettings) -> Minimum:
+    """The minimum with the derivatives of the solution."""
+    evaluations = settings.search.evaluations
+    found = search(solution, minimum.x, evaluations=evaluations, tolerance=REFINED, central=True)
+    return replace(found, evaluations=minimum.evaluations + found.evaluations, found=minimum.found)
 
 
 def _judged(
-    problem: Problem, settings: FitSettings, minima: Sequence[Minimum], begun: float, tell: OnProgress
+    problem: Problem, settings: FitSettings, minima: Sequence[Minimum], steps: StepChoice, tell: OnProgress
 ) -> Fit:
     """The result of a search: uncertainties, checks, profiles, bootstrap."""
     variables, best = problem.variables, minima[0]
-    steps = choose_steps(problem, best.x)
-    problem.steps = steps.steps
     labels = variables.labels
     scales = np.array([one.scale for one in variables.free])
-    jacobian = problem.jacobian(best.x)
+    jacobian = np.where(steps.errors < SCATTER, problem.jacobian(best.x), 0.0)
     known = identifiability(jacobian, best.x, scales, labels, steps.errors)
     sigma_known = bool(settings.noise.sigma)
     errors = standard_errors(
@@ -183,7 +209,7 @@ def _judged(
         checks=tuple(checks),
         steps=steps,
         runs=problem.runs,
-        seconds=time.perf_counter() - begun,
+        seconds=0.0,
         profiles=profiles,
         bootstrap=drawn,
         interrupted=interrupted,

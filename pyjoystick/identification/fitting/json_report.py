@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from typing import Any
 
 from pyjoystick.identification.fitting.result import Fit
@@ -39,7 +40,7 @@ def as_json(fit: Fit) -> str:
             {"name": one.name, "noise": one.sigma, "times": one.times, "data": one.data, "fit": one.predicted}
             for one in fit.records
         ],
-        "derivatives": {"errors": fit.steps.errors, "steps": fit.steps.steps, "noise": fit.steps.noise},
+        "derivatives": dataclasses.asdict(fit.steps),
         "runs": fit.runs,
         "seconds": fit.seconds,
         "settings": as_document(fit.settings),

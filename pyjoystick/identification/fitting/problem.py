@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 
@@ -23,17 +25,23 @@ class Problem:
         variables: what x means
         predictors: one for each record
         weights: of each residual by record; the reciprocal of the noise's standard deviation where known
-        steps: relative step of the central differences by variable, shape (variables,)
+        steps: relative step of the differences by variable, shape (variables,)
+        tolerance: of the FMU's integrator
     """
 
     def __init__(
-        self, variables: Variables, predictors: Sequence[Predictor], weights: Sequence[FloatArray]
+        self,
+        variables: Variables,
+        predictors: Sequence[Predictor],
+        weights: Sequence[FloatArray],
+        tolerance: float = math.nan,
     ) -> None:
         self.variables = variables
         self.predictors = tuple(predictors)
         self.weights = list(weights)
         self.data = [predictor.data for predictor in self.predictors]
         self.steps: FloatArray = np.full(len(variables.free), 1e-4)
+        self.tolerance = tolerance
         self.evaluations = 0
         self._last: list[tuple[FloatArray | None, Prediction | None]] = [(None, None)] * len(self.predictors)
 
@@ -77,12 +85,13 @@ class Problem:
     def jacobian(self, x: FloatArray, *, central: bool = True) -> FloatArray:
         """Derivatives of all residuals, shape (samples of all records, variables).
 
-        Differences are one-sided at a bound, beside a run that fails, and where they need not be central; the
-        release time is exact.
+        Each is the slope, at x, of the polynomial through the predictions at x and at the points of
+        `_moves` that are within the bounds and whose run does not fail; the release time is exact.
 
         Args:
             x: the point
-            central: central differences; without, half the runs for an error of the first order in the steps
+            central: two points, for an error of the second order in the steps; without, one point, for an
+                error of the first order at half the runs
         """
         blocks = [
             self._jacobian_of(x, k, central=central) * self.weights[k][:, np.newaxis]
@@ -90,20 +99,19 @@ class Problem:
         ]
         return np.concatenate(blocks)
 
-    def differences(self, x: FloatArray, variable: int, steps: FloatArray, record: int) -> FloatArray:
-        """Predictions of one record at x -+ steps and at x.
+    def moved(self, x: FloatArray, variable: int, moves: Sequence[float], record: int) -> FloatArray:
+        """Predictions of one record with one variable changed by each move, and at x itself.
 
         Args:
             x: the point
             variable: which variable is changed
-            steps: absolute changes, shape (k,)
+            moves: absolute changes, length k
             record: which record
 
         Returns:
-            shape (2k + 1, n): for each step minus then plus, and x itself at the end
+            shape (k + 1, n), x itself at the end
         """
-        points = [self._moved(x, variable, sign * step) for step in steps for sign in (-1.0, 1.0)]
-        return self._predict([*points, x], record).values
+        return self._predict([_moved(x, variable, move) for move in (*moves, 0.0)], record).values
 
     def count_records(self, counts: Sequence[float], weights: Sequence[FloatArray]) -> None:
         """Have each record count as often as `counts` says, 0 included."""
@@ -133,59 +141,80 @@ class Problem:
         concerned = [j for j in range(len(x)) if self.variables.concerns(j, record) and j != time_place]
         moves = [(j, move) for j in concerned for move in self._moves(x, j, central=central)]
         if moves:
-            points = [self._moved(x, j, move) for j, move in moves]
-            values = self._predict(points, record).values
+            values = self._predict([_moved(x, j, move) for j, move in moves], record).values
             for j in concerned:
-                ends = [(points[i][j], values[i]) for i, (k, _) in enumerate(moves) if k == j]
-                ends = [end for end in ends if np.all(np.isfinite(end[1])) and end[0] != x[j]]
-                if len(ends) == 1:
-                    ends.append((x[j], base.values[0]))
-                if len(ends) == 2:
-                    block[:, j] = (ends[1][1] - ends[0][1]) / (ends[1][0] - ends[0][0])
+                own = [
+                    (move, value)
+                    for (k, move), value in zip(moves, values, strict=True)
+                    if k == j and np.all(np.isfinite(value))
+                ]
+                block[:, j] = _slope([(0.0, base.values[0]), *own])
         return np.where(np.isfinite(block), block, 0.0)
 
     def _moves(self, x: FloatArray, variable: int, *, central: bool) -> tuple[float, ...]:
-        """By how much a variable is changed for its derivative."""
+        """By how much a variable is changed for its derivative: within its bounds."""
         one = self.variables.free[variable]
-        step = float(self.steps[variable]) * one.scale
-        if central:
-            return -step, step
-        return (step,) if x[variable] + step <= one.maximum else (-step,)
-
-    def _moved(self, x: FloatArray, variable: int, step: float) -> FloatArray:
-        """X with one variable changed, but not beyond its bounds."""
-        moved = x.copy()
-        one = self.variables.free[variable]
-        moved[variable] = min(max(x[variable] + step, one.minimum), one.maximum)
-        return moved
+        below, above = x[variable] - one.minimum, one.maximum - x[variable]
+        step = min(float(self.steps[variable]) * one.scale, max(below, above) / RATIO)
+        inward = step if step <= above else -step
+        if not central:
+            return (inward,)
+        return (-step, step) if step <= min(below, above) else (inward, RATIO * inward)
 
 
+def _moved(x: FloatArray, variable: int, move: float) -> FloatArray:
+    moved = x.copy()
+    moved[variable] += move
+    return moved
+
+
+def _slope(points: Sequence[tuple[float, FloatArray]]) -> FloatArray:
+    """The slope at the first place, 0, of the polynomial through values at places, (place, values) each."""
+    (_, base), *others = points
+    if not others:
+        return np.zeros_like(base)
+    places = np.array([place for place, _ in others])
+    size = float(np.max(np.abs(places)))
+    # Of differences from the base, so that what changes nothing has a slope of exactly 0.
+    weights = np.linalg.inv(np.vander(places / size, len(places) + 1, increasing=True)[:, 1:])[0] / size
+    return np.asarray(weights @ np.array([values - base for _, values in others]))
+
+
+#: The outer by the inner step where both are on one side, at a bound; on the ladder, a step by the last one.
+RATIO: Final = 10.0**0.5
 #: Steps that are tried, relative to the scale of a variable.
-LADDER: FloatArray = np.logspace(-6.5, -2.0, 10)
+LADDER: FloatArray = 10.0**-6.5 * RATIO ** np.arange(10)
 
 
 @dataclass(frozen=True, slots=True)
 class StepChoice:
-    """Steps of central differences.
+    """Steps of differences.
 
     Attributes:
         steps: relative to the scale of each variable, shape (variables,)
         errors: estimated relative error of each column of the Jacobian, shape (variables,)
         noise: scatter of the predicted values at the smallest step, in the unit of the data
+        tolerance: of the FMU's integrator, at which they hold
     """
 
     steps: FloatArray
     errors: FloatArray
     noise: float
+    tolerance: float
 
 
-def choose_steps(problem: Problem, x: FloatArray) -> StepChoice:
+def choose_steps(problem: Problem, x: FloatArray, *, central: bool = True) -> StepChoice:
     """Measure the best steps at x, on one record for each kind of variable; the problem keeps its own.
 
     The results of an adaptive integrator with events scatter at the level of its tolerance: too small a step
     differentiates that scatter, too large a one the curvature. So the derivative is taken at a ladder of
     steps; where it changes least from one step to the next, both errors together are smallest, and the change
     estimates them.
+
+    Args:
+        problem: the problem
+        x: the point
+        central: for central differences; without, for one-sided ones, whose best step is smaller
     """
     variables = problem.variables
     count = len(variables.free)
@@ -197,29 +226,42 @@ def choose_steps(problem: Problem, x: FloatArray) -> StepChoice:
         if variables.release_variable(record) == j:
             continue
         if variable.name not in measured:
-            step, error, scatter = _of_variable(problem, x, j, record)
+            step, error, scatter = _of_variable(problem, x, j, record, central=central)
             measured[variable.name] = (step, error)
             noise = max(noise, scatter)
         steps[j], errors[j] = measured[variable.name]
-    return StepChoice(steps, errors, noise)
+    return StepChoice(steps, errors, noise, problem.tolerance)
 
 
-def _of_variable(problem: Problem, x: FloatArray, variable: int, record: int) -> tuple[float, float, float]:
+def _of_variable(
+    problem: Problem, x: FloatArray, variable: int, record: int, *, central: bool
+) -> tuple[float, float, float]:
     """Best step, the relative error of the derivative there, and the scatter of the values."""
     one = problem.variables.free[variable]
-    room = min(x[variable] - one.minimum, one.maximum - x[variable]) / one.scale
-    ladder = LADDER[room > LADDER]
-    if len(ladder) < 2:
-        return float(LADDER[len(LADDER) // 2]), 1e-3, 0.0
-    absolute = ladder * one.scale
-    values = problem.differences(x, variable, absolute, record)
-    minus, plus, base = values[0:-1:2], values[1:-1:2], values[-1]
-    scatter = float(np.sqrt(np.mean((plus[0] - 2.0 * base + minus[0]) ** 2) / 6.0))
-    slopes = (plus - minus) / (2.0 * absolute[:, np.newaxis])
+    below, above = x[variable] - one.minimum, one.maximum - x[variable]
+    ladder = [float(step) * one.scale for step in LADDER]
+    moves = [move for step in ladder for move in (-step, step) if -below <= move <= above]
+    values = problem.moved(x, variable, moves, record)
+    found = dict(zip((*moves, 0.0), values, strict=True))
+    slopes = []
+    for step, further in zip(ladder, (*ladder[1:], np.inf), strict=True):
+        sign = 1.0 if step in found else -1.0
+        inward = sign * step
+        both = (-step, step) if {-step, step} <= found.keys() else (inward, sign * further)
+        own = [
+            (move, found[move])
+            for move in (both if central else (inward,))
+            if move in found and np.all(np.isfinite(found[move]))
+        ]
+        slopes.append(_slope([(0.0, found[0.0]), *own]) if own else np.full_like(values[0], np.nan))
     changes = np.linalg.norm(np.diff(slopes, axis=0), axis=1)
     changes = np.where(np.isfinite(changes), changes, np.inf)
     best = int(np.argmin(changes))
-    size = float(np.linalg.norm(slopes[best]))
     if not np.isfinite(changes[best]):
-        return float(ladder[0]), 1e-3, 0.0
-    return float(ladder[best]), float(changes[best]) / size if size > 0.0 else 0.0, scatter
+        return float(LADDER[len(LADDER) // 2]), 1e-3, 0.0
+    size = float(np.linalg.norm(slopes[best]))
+    least = ladder[0]
+    scatter = 0.0
+    if least in found and -least in found:
+        scatter = float(np.sqrt(np.mean((found[least] - 2.0 * found[0.0] + found[-least]) ** 2) / 6.0))
+    return float(LADDER[best]), float(changes[best]) / size if size > 0.0 else 0.0, scatter

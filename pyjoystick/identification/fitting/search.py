@@ -19,9 +19,11 @@ from pyjoystick.support import FloatArray
 #: their scale, by less than this.
 _SAME_COST: Final = 1e-6
 _SAME_PLACE: Final = 1e-3
-#: A search ends where the sum of squares changes by less than this part (a thousandth of a standard error for
-#: a few hundred samples; exact data, whose sum goes to zero, are followed all the way), or the variables.
-TOLERANCE: Final = 1e-8
+#: A search ends where the sum of squares changes by less than this part, or the variables; exact data, whose
+#: sum goes to zero, are followed all the way.
+TOLERANCE: Final = 1e-6
+#: The same where the minimum is refined: about a thousandth of a standard error for a few hundred samples.
+REFINED: Final = 1e-8
 _STEP_TOLERANCE: Final = 1e-10
 
 #: Called with the number of finished searches and of all of them.
@@ -56,6 +58,7 @@ def search(
     evaluations: int,
     held: Mapping[int, float] | None = None,
     tolerance: float = TOLERANCE,
+    central: bool = False,
 ) -> Minimum:
     """One search by SciPy's ``least_squares`` (trust region reflective, which keeps the bounds).
 
@@ -65,6 +68,7 @@ def search(
         evaluations: most evaluations of the residuals
         held: variables that keep a value, by place
         tolerance: relative change of the sum of squares at which the search ends
+        central: whether derivatives are central differences; see `Problem.jacobian`
     """
     held = dict(held or {})
     places = [j for j in range(len(x)) if j not in held]
@@ -88,7 +92,7 @@ def search(
         return found
 
     def jacobian(own: FloatArray) -> FloatArray:
-        return problem.jacobian(point(own), central=False)[:, places]
+        return problem.jacobian(point(own), central=central)[:, places]
 
     before = problem.evaluations
     lower, upper = problem.variables.lower[places], problem.variables.upper[places]

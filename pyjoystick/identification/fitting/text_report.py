@@ -136,6 +136,7 @@ def _checks(fit: Fit) -> str:
 
 def _effort(fit: Fit) -> str:
     text = f"{fit.runs} runs of the FMU in {fit.seconds:.2f} s."
+    text += f" Solution and derivatives at an FMU tolerance of {fit.steps.tolerance:g}."
     if fit.bootstrap is not None:
         text += f" Bootstrap over {fit.bootstrap.resampling}: {len(fit.bootstrap.fits)} fits"
         text += f", {fit.bootstrap.failed} failed." if fit.bootstrap.failed else "."

@@ -14,9 +14,11 @@ from pyjoystick.support import FloatArray
 
 #: Singular values below this many times the error of the Jacobian are zero, and in any case below the least.
 _MARGIN: Final = 10.0
-_LEAST: Final = 1e-7
+_LEAST: Final = 1e-6
 #: A column this much smaller than the largest, each for a change by the variable's own size, is no influence.
 _NO_INFLUENCE: Final = 1e-10
+#: A column with this relative error shows the scatter of the FMU's results and no influence.
+SCATTER: Final = 0.1
 #: Shares of a combination below this are left out of the sentence.
 _SHARE: Final = 0.02
 
@@ -68,7 +70,7 @@ def identifiability(
     seen = lengths * sizes > _NO_INFLUENCE * max(float(np.max(lengths * sizes)), 1e-300)
     safe = np.where(seen, lengths, 1.0)
     _, values, rows = np.linalg.svd(np.where(seen, jacobian / safe, 0.0), full_matrices=False)
-    threshold = max(_LEAST, _MARGIN * float(np.max(errors, initial=0.0)))
+    threshold = max(_LEAST, _MARGIN * float(np.max(errors[seen], initial=0.0)))
     rank = int(np.sum(values > threshold))
     null = np.zeros((len(x) - rank, len(x)))
     null[: len(values) - rank] = rows[rank:]

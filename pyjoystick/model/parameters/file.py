@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Final, Literal, get_args
 
 from pyjoystick.model.parameters.joystick import ConstantDamping, Damping, JoystickParameters, PowerLawDamping
+from pyjoystick.model.parameters.plausible import require_plausible
 from pyjoystick.model.parameters.springs import ActuatorAssembly, SegmentTable
 from pyjoystick.support import ParameterError, SettingsError, Table, not_negative, positive, read_toml
 
@@ -34,6 +35,8 @@ PLAIN_TABLES: Final[Mapping[str, tuple[str, ...]]] = {
     "geometry": ("a", "b", "pivot_to_top"),
 }
 _OPTIONAL: Final = ("pivot_to_top", "eps_theta", "eps_omega")
+#: The key that has a file read whose numbers no joystick has.
+IMPLAUSIBLE: Final = "implausible"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -96,10 +99,11 @@ def read_parameter_file(path: str | PathLike[str]) -> ParameterFile:
 
     Raises:
         InputFileError: the file cannot be read
-        SettingsError: it is no TOML, or a table, key or value in it is missing, unknown or not allowed
+        SettingsError: it is no TOML, or a table, key or value in it is missing, unknown or not allowed, or a
+            number is one that no joystick has and the file does not say ``implausible = true``
     """
     root = read_toml(Path(path))
-    found = _Found(root)
+    found = _Found(root, allow_implausible=root.flag(IMPLAUSIBLE))
     numbers = {
         name: found.numbers(root.table(name, required=True), keys) for name, keys in PLAIN_TABLES.items()
     }
@@ -140,8 +144,9 @@ def read_parameter_file(path: str | PathLike[str]) -> ParameterFile:
 class _Found:
     """Collects what stands beside the numbers: their uncertainties, and the sources of the tables."""
 
-    def __init__(self, root: Table) -> None:
+    def __init__(self, root: Table, *, allow_implausible: bool) -> None:
         self.root = root
+        self.allow_implausible = allow_implausible
         self.uncertainties: dict[str, float] = {}
         self.sources: dict[str, str] = {}
 
@@ -151,6 +156,7 @@ class _Found:
         for key in keys:
             if key in table or key not in _OPTIONAL:
                 found[key] = table.number(key)
+                self._ask(table, key, key, found[key])
             if f"u_{key}" in table:
                 self._keep(table, key, f"u_{key}", table.number(f"u_{key}"))
         self._keep_source(table)
@@ -168,6 +174,8 @@ class _Found:
             for i, value in enumerate(uncertain):
                 self._keep(table, f"{key}[{i}]", f"u_{key}[{i}]", value)
         self._keep_source(table)
+        for i, value in enumerate(lists["k"]):  # the travels are compared with a
+            self._ask(table, "k", f"k[{i}]", value)
         with table.at():
             return SegmentTable(tuple(lists["x"]), tuple(lists["k"]))
 
@@ -176,6 +184,15 @@ class _Found:
         numbers = self.numbers(table, [field.name for field in dataclasses.fields(law)])
         with table.at():
             return law(**numbers)
+
+    def _ask(self, table: Table, name: str, key: str, value: object) -> None:
+        """Refuse a number that no joystick has."""
+        if self.allow_implausible or isinstance(value, bool) or not isinstance(value, int | float):
+            return
+        insist = f"{IMPLAUSIBLE} = true above the tables has it taken"
+        with table.at(key):
+            law = table.name.startswith("damping.")
+            require_plausible(f"damping.{name}" if law else name, value, insist=insist)
 
     def _keep(self, table: Table, place: str, key: str, value: object) -> None:
         with table.at(key):

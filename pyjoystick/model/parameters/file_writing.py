@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
 from pyjoystick.model.parameters.file import (
+    IMPLAUSIBLE,
     PAPER,
     PLAIN_TABLES,
     SIDES,
@@ -19,6 +20,7 @@ from pyjoystick.model.parameters.file import (
     read_parameter_file,
 )
 from pyjoystick.model.parameters.joystick import JoystickParameters
+from pyjoystick.model.parameters.plausible import ImplausibleError, require_plausible
 from pyjoystick.support import SettingsError, UnknownParameterError, not_negative, replacing
 
 if TYPE_CHECKING:
@@ -45,7 +47,8 @@ def write_parameters(
 
     An existing file is updated: its comments stay, so do the numbers of the damping law that the joystick
     does not have, and whatever does not change. A new file begins as the paper's. Where a number changes,
-    the old uncertainty of it and the old source of its table go, unless new ones are given.
+    the old uncertainty of it and the old source of its table go, unless new ones are given. Where a number is
+    one that no joystick has, the file says ``implausible = true``.
 
     Args:
         path: the file
@@ -113,9 +116,24 @@ def updated_text(
     top = before.pivot_to_top if pivot_to_top is None else float(pivot_to_top)
     if top is not None:
         wanted["geometry", "pivot_to_top"] = top
+    if _is_implausible(joystick, top):
+        document[IMPLAUSIBLE] = True
     changed = _set_values(document, wanted, _grouped(uncertainties or {}, wanted))
     _set_sources(document, changed, sources or {})
     return tomlkit.dumps(document)
+
+
+def _is_implausible(joystick: JoystickParameters, pivot_to_top: float | None) -> bool:
+    """Whether the file must say that its numbers are meant, to be read again."""
+    numbers = [*joystick.to_names().items(), ("pivot_to_top", pivot_to_top or 0.0)]
+    for curve in (joystick.forward.to_table(), joystick.backward.to_table()):
+        numbers += [("k", value) for value in curve.k]
+    try:
+        for name, value in numbers:
+            require_plausible(name, value)
+    except ImplausibleError:
+        return True
+    return False
 
 
 def _values(

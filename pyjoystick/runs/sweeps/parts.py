@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import json
-import shutil
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager, suppress
 from pathlib import Path
 from typing import Any, Final
 
@@ -53,8 +52,7 @@ class Parts:
         """
         try:
             self.folder.mkdir(parents=True, exist_ok=True)
-            # The system releases it when this process ends, however it ends.
-            lock = FileLock(self.folder / _LOCK).acquire(timeout=0)
+            lock = self._lock()
         except Timeout:
             raise SweepFileError(self.folder, "another process is working on this sweep") from None
         except OSError as error:
@@ -62,18 +60,27 @@ class Parts:
         with lock:
             if anew:
                 self._drop()
-            self._identify(identity)
+            if not self._require(identity):
+                write_text(self.folder / _IDENTITY, json.dumps(identity, indent=2))
             yield
 
+    def _lock(self) -> AbstractContextManager[FileLock]:
+        """The system releases it when this process ends, however it ends."""
+        return FileLock(self.folder / _LOCK).acquire(timeout=0)
+
     def _drop(self) -> None:
-        for file in (self.folder / _IDENTITY, *self.folder.glob(_PARTS)):
+        """Delete the parts, those that a kill cut short too, and then what says whose they are."""
+        for file in (*self.folder.glob(f"*{_PARTS}"), self.folder / _IDENTITY):
             file.unlink(missing_ok=True)
 
-    def _identify(self, identity: Document) -> None:
+    def _require(self, identity: Document) -> bool:
+        """Whether the folder is of this sweep or of none yet; raises as `opened` where it is of another."""
         file = self.folder / _IDENTITY
         if not file.exists():
-            write_text(file, json.dumps(identity, indent=2))
-            return
+            if any(self.folder.glob(_PARTS)):
+                unknown = f"{self.folder} has runs but no {_IDENTITY}, which says whose they are"
+                raise ChangedSweepError(self.target, (unknown,))
+            return False
         try:
             kept = json.loads(file.read_text(encoding="utf-8"))
         except (OSError, ValueError, RecursionError) as error:
@@ -81,6 +88,7 @@ class Parts:
         if not isinstance(kept, dict):
             raise SweepFileError(file, "does not say whose runs these are")
         require_same(self.target, kept, identity)
+        return True
 
     def save(self, part: Part) -> None:
         """Keep finished runs; raises OutputFileError where they cannot be written."""
@@ -119,9 +127,20 @@ class Parts:
             else:
                 yield part
 
-    def remove(self) -> None:
-        """Forget what is kept."""
-        shutil.rmtree(self.folder, ignore_errors=True)
+    def remove(self, identity: Document | None = None) -> None:
+        """Forget what is kept, of this sweep alone where given; a folder in use by another process stays."""
+        try:
+            with self._lock():
+                if identity is not None:
+                    self._require(identity)
+                self._drop()
+        except (Timeout, OSError, ChangedSweepError, SweepFileError):
+            return
+        with suppress(OSError):
+            # After the lock, as not every system deletes a file that is open, and only an empty folder:
+            # another process may have begun here since.
+            (self.folder / _LOCK).unlink(missing_ok=True)
+            self.folder.rmdir()
 
 
 def _require_part(part: Part, runs: int, columns: int) -> None:

@@ -87,7 +87,7 @@ def run_sweep(
     check_target(target)
     parts = Parts(target)
     if not overwrite and (finished := _finished(sweep, parts)) is not None:
-        parts.remove()
+        parts.remove(sweep.identity)
         return _outcome(target, finished, found=len(finished))
     with parts.opened(sweep.identity, anew=overwrite):
         whole, done = parts.whole(len(sweep.design), len(sweep.columns))
@@ -107,8 +107,7 @@ def run_sweep(
             return _unfinished(target, whole, int(done.sum()), found, interrupted)
         table = sweep.table(whole)
         write_sweep(target, table)
-    # After the lock: not every system deletes a file that is open.
-    parts.remove()
+    parts.remove(sweep.identity)
     return _outcome(target, table, found)
 
 

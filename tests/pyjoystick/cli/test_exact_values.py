@@ -70,9 +70,7 @@ def test_a_sweep_keeps_every_digit_and_to_its_limit(
     table = read_sweep(tmp_path / "found.csv")
     assert table["p_UInt64"].tolist() == [LARGEST, LARGEST, 1, 1]
     assert table["failed"].tolist() == [False, True, False, True]
-    assert (
-        table["message"].str.contains(r"longer than the time limit of 0\.4 s").tolist() == [False, True] * 2
-    )
+    assert table["message"].str.contains(r"the time limit of 0\.4 s").tolist() == [False, True] * 2
     sound = table[~table["failed"]]
     assert sound["both_Int64[1].final"].tolist() == [float(-(2**53) - 1)] * 2
     assert sound["u_again_Int8.max"].tolist() == [-128.0] * 2

@@ -22,7 +22,16 @@ def _amplitude_and_phase(low_pass: LowPass, frequency: float) -> tuple[float, fl
     return float(np.hypot(a, b)), float(np.arctan2(b, a))
 
 
-@pytest.mark.parametrize("low_pass", [LowPass(), LowPass(corrected=True), LowPass(cutoff=20.0, order=2)])
+@pytest.mark.parametrize(
+    "low_pass",
+    [
+        LowPass(),
+        LowPass(corrected=True),
+        LowPass(20.0, 2),
+        LowPass(20.0, 1),
+        LowPass(20.0, 1, corrected=True),
+    ],
+)
 @pytest.mark.parametrize("frequency", [2.0, 8.0, 11.64, 13.0, 17.0, 26.0])
 def test_both_runs_have_the_stated_response_and_zero_phase(low_pass: LowPass, frequency: float) -> None:
     amplitude, phase = _amplitude_and_phase(low_pass, frequency)
@@ -52,6 +61,32 @@ def test_where_minus_3_db_is_and_the_cutoff_that_puts_it_at_13_hz() -> None:
 def test_the_filter_leaves_straight_lines_alone_up_to_the_ends() -> None:
     line = np.linspace(-1.0, 2.0, 500)
     np.testing.assert_allclose(LowPass().filter(line, RATE), line, atol=1e-6)
+
+
+@pytest.mark.parametrize(("order", "cutoff"), [(1, 13.0), (4, 13.0), (4, 290.0)])
+def test_ends_are_prolonged_by_six_periods_or_by_what_there_is(order: int, cutoff: float) -> None:
+    """Of a shorter series, which may have as few samples as the order needs."""
+    values = np.random.default_rng(1).standard_normal(700)
+    sections = signal.butter(order, cutoff, fs=RATE, output="sos")
+    for count in (2 * order + 2, 40, 700):
+        padding = min(count - 1, int(np.ceil(6.0 * RATE / cutoff)))
+        expected = signal.sosfiltfilt(sections, values[:count], padlen=padding)
+        np.testing.assert_array_equal(LowPass(cutoff, order).filter(values[:count], RATE), expected)
+    with pytest.raises(
+        SeriesError, match=f"has {2 * order + 1} samples, at least {2 * order + 2} are needed"
+    ):
+        LowPass(cutoff, order).filter(values[: 2 * order + 1], RATE)
+
+
+def test_the_cutoff_is_below_half_of_the_rate_and_the_order_at_most_ten() -> None:
+    assert LowPass(cutoff=np.nextafter(12.0, 0.0), order=10).design_cutoff(24.0) < 12.0
+    for method in ("design_cutoff", "half_power_frequency"):
+        with pytest.raises(ParameterError, match="below half of the sampling rate"):
+            getattr(LowPass(cutoff=12.0), method)(24.0)
+    with pytest.raises(ParameterError, match="order = 11"):
+        LowPass(order=11)
+    with pytest.raises(ParameterError, match=r"cutoff = 0\.0"):
+        LowPass(cutoff=0.0)
 
 
 def test_what_the_filter_refuses() -> None:

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from pyjoystick.laboratory.measurements.marker_path import fit_circle
+from pyjoystick.laboratory.measurements.marker_path import fit_circle, motion_plane
+from pyjoystick.motion import RecordError
 
 CENTER, RADIUS = np.array([0.4, -0.2]), 0.266
 
@@ -54,6 +55,14 @@ def test_the_errors_are_those_of_the_center_and_the_radius(radius: float | None)
         assert {one.radius_error for one in found} == {0.0}
 
 
+@pytest.mark.parametrize(("radius", "count"), [(None, 4), (RADIUS, 4)])
+def test_the_noise_of_a_few_points_is_not_underrated(radius: float | None, count: int) -> None:
+    """The mean of the variances is that of the noise: what was fitted is taken off the number of points."""
+    found = [fit_circle(_arc(1e-4, seed, half=1.0, count=count), radius) for seed in range(3000)]
+    # The standard deviation of the mean is 1.8 to 2.6 %, depending on the degrees of freedom.
+    assert np.mean([one.noise**2 for one in found]) == pytest.approx(1e-8, rel=0.08)
+
+
 def test_a_known_radius_that_is_not_that_of_the_arc_moves_the_center_along_it() -> None:
     found = fit_circle(_arc(), 0.3)
     # The top of the arc stays in place: the center goes down by what the radius is too long.
@@ -65,3 +74,11 @@ def test_points_on_a_straight_line_determine_no_circle() -> None:
     found = fit_circle(line)
     assert not np.isfinite(found.radius_error)
     assert not np.isfinite(found.center_error).any()
+
+
+def test_an_uncertain_plane_is_told_with_the_root_mean_squares_in_and_out_of_it() -> None:
+    along = np.linspace(-0.1, 0.1, 100)
+    signs = np.tile([[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]], (25, 1))
+    path = np.column_stack((along, signs * [1e-4, 0.8e-4]))
+    with pytest.raises(RecordError, match=r"bends by 0\.1 mm rms, out of it it goes 0\.08 mm rms"):
+        motion_plane(path, path[0], np.array([1.0, 0.0, 0.0]), "path")

@@ -12,10 +12,13 @@ from pyjoystick.model import (
     PAPER,
     PIVOT_TO_TOP,
     ConstantDamping,
+    ImplausibleError,
     PowerLawDamping,
     RestrainedSpring,
     read_parameter_file,
     read_parameters,
+    require_plausible,
+    write_parameters,
 )
 from pyjoystick.support import InputFileError, SettingsError
 from tests.pyjoystick.model.parameters.conftest import change
@@ -172,3 +175,38 @@ def test_the_two_nominal_joysticks_differ_in_damping_only() -> None:
     assert {name: power_law[name] for name in shared} == {name: constant[name] for name in shared}
     assert constant["damping.C"] == 0.045
     assert power_law["damping.alpha"] == 0.9
+
+
+def test_numbers_that_no_joystick_has_are_refused_unless_the_file_insists(file: Path) -> None:
+    for old, new, message in (
+        ("a = 0.02398 ", "a = 24.1 ", "[geometry] a = 24.1: must be between 0.001 and 0.5 m"),
+        ("J = 0.01135 ", "J = 11.35 ", "did you mean 11.35 g.m2 = 0.01135 kg.m2?"),
+        ("pivot_to_top = 0.266 ", "pivot_to_top = 266 ", "did you mean 266 mm = 0.266 m?"),
+        ("k = [430e3, 2625.0,", "k = [430e3, 2.625,", "[forward] k[1] = 2.625: must be between 10 and 1e+13"),
+        ("C = 0.045 ", "C = 45 ", "[damping.constant] C = 45: must be between 1e-07 and 10 N.m.s/rad"),
+        ("m = -0.26 ", "m = 26 ", "[damping.power-law] m = 26: must be between 0 and 5"),
+    ):
+        before = file.read_text(encoding="utf-8")
+        change(file, (old, new))
+        with pytest.raises(SettingsError) as refused:
+            read_parameter_file(file)
+        assert message in str(refused.value)
+        assert "implausible = true above the tables has it taken" in str(refused.value)
+        change(file, ("[body]", "implausible = true\n[body]"))
+        read_parameter_file(file)
+        file.write_text(before, encoding="utf-8")
+
+
+@pytest.mark.parametrize(("name", "value"), [("J", 100.0), ("J", 1e-7), ("forward.returnSpring.k_h", 1e14)])
+def test_what_a_study_writes_can_be_read(tmp_path: Path, name: str, value: float) -> None:
+    for _ in range(2):
+        write_parameters(tmp_path / "a.toml", NOMINAL.replace({name: value}))
+        found = read_parameters(tmp_path / "a.toml")
+        assert found.to_names()[name] == pytest.approx(value, rel=1e-3)
+
+
+def test_the_travel_of_a_spring_set_by_its_name() -> None:
+    with pytest.raises(ImplausibleError, match=r"did you mean 2\.93 mm = 0\.00293 m\?"):
+        require_plausible("forward.balanceSpring.x_0", 2.93)
+    for name, value in (("a", 0.0), ("a", float("nan")), ("J", -1.0), ("omega_start", 1e9)):
+        require_plausible(name, value)  # refused for another reason, or not judged

@@ -97,6 +97,13 @@ def test_angles_beyond_the_geometry_are_refused_and_nan_passes() -> None:
         contact_travel(NOMINAL, [0.1, -20.0, 30.0])
     with pytest.raises(ParameterError, match="theta = inf"):
         contact_travel_slope(NOMINAL, math.inf)
+    for function in (contact_travel, contact_travel_slope, contact_moment, energy):
+        arguments = (0.0,) if function is energy else ()
+        for sign in (-1.0, 1.0):
+            with pytest.raises(ParameterError, match=r"theta = -?1\.57079"):
+                function(NOMINAL, sign * math.pi / 2.0, *arguments)
+            inside = function(NOMINAL, sign * math.nextafter(math.pi / 2.0, 0.0), *arguments)
+            assert np.all(np.isfinite(inside))
     assert np.isnan(contact_travel(NOMINAL, [0.1, math.nan])).tolist() == [False, True]
 
 

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -72,6 +74,86 @@ def test_other_settings_are_told_and_refused(tmp_path: Path) -> None:
         assert parts.whole(6, 2)[1].sum() == 1
     with parts.opened(changed, anew=True):
         assert parts.whole(6, 2)[1].sum() == 0
+
+
+OTHER: dict[str, Any] = {"settings": {"experiment": {"duration": 2.0}}, "runs": 6}
+
+
+def _stopped_after(steps: int, monkeypatch: pytest.MonkeyPatch, work: Callable[[], object]) -> bool:
+    """Do `work`, but stop it at the step of that number that changes a folder; whether it was stopped."""
+    taken = 0
+
+    def counted(original: Callable[..., object]) -> Callable[..., object]:
+        def step(*arguments: object, **named: object) -> object:
+            nonlocal taken
+            taken += 1
+            if taken > steps:
+                raise KeyboardInterrupt
+            return original(*arguments, **named)
+
+        return step
+
+    with monkeypatch.context() as patch:
+        for name in ("unlink", "replace", "rmdir"):
+            patch.setattr(os, name, counted(getattr(os, name)))
+        try:
+            work()
+        except KeyboardInterrupt:
+            return True
+    return False
+
+
+def _begun(folder: Path) -> Parts:
+    parts = Parts(folder / "a.csv")
+    with parts.opened(IDENTITY):
+        for part in (_part(0, 1), _part(2, 3), _part(4, 5)):
+            parts.save(part)
+    return parts
+
+
+def _overwrite(parts: Parts) -> None:
+    with parts.opened(OTHER, anew=True):
+        pass
+
+
+@pytest.mark.parametrize("end", [_overwrite, Parts.remove], ids=["overwritten", "finished"])
+def test_wherever_the_deletion_stops_no_other_sweep_adopts_the_parts(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, end: Callable[[Parts], object]
+) -> None:
+    steps = 0
+    while True:
+        parts = _begun(tmp_path / str(steps))
+        stopped = _stopped_after(steps, monkeypatch, partial(end, parts))
+        with suppress(ChangedSweepError), parts.opened(OTHER):
+            assert parts.whole(6, 2)[1].sum() == 0
+        _overwrite(parts)
+        with parts.opened(OTHER):
+            assert parts.whole(6, 2)[1].sum() == 0
+        if not stopped:
+            break
+        steps += 1
+    assert steps >= 5
+
+
+def test_parts_that_do_not_say_whose_they_are_are_refused(tmp_path: Path) -> None:
+    parts = _begun(tmp_path)
+    (parts.folder / "sweep.json").unlink()
+    with pytest.raises(ChangedSweepError, match=r"has runs but no sweep\.json"), parts.opened(IDENTITY):
+        pytest.fail("must not be opened")
+    with parts.opened(IDENTITY, anew=True):
+        assert parts.whole(6, 2)[1].sum() == 0
+
+
+def test_what_another_sweep_or_process_keeps_is_not_removed(tmp_path: Path) -> None:
+    parts = _begun(tmp_path)
+    parts.remove(OTHER)
+    with _another_process_at_work(parts.target):
+        parts.remove(IDENTITY)
+    with parts.opened(IDENTITY):
+        assert parts.whole(6, 2)[1].all()
+    (parts.folder / ".from-000000000-1-a.npz").write_bytes(b"cut short")
+    parts.remove(IDENTITY)
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_keys_that_come_or_go_are_differences(tmp_path: Path) -> None:

@@ -150,6 +150,23 @@ def test_an_interrupted_replacement_goes_on(written: Write, tmp_path: Path) -> N
     assert outcome.table.attrs["sweep"]["settings"]["experiment"]["duration"] == 0.4
 
 
+def test_asking_for_finished_results_leaves_the_runs_of_their_replacement(
+    written: Write, tmp_path: Path
+) -> None:
+    target = tmp_path / "a.csv"
+    first = Sweep(read_settings(written()))
+    run_sweep(first, target)
+    longer = Sweep(read_settings(written(SMALL.replace("0.3\n", "0.4\n"), "longer.toml")))
+
+    def stop(done: int) -> None:
+        if done:
+            raise KeyboardInterrupt
+
+    kept = run_sweep(longer, target, overwrite=True, on_progress=stop).done
+    assert run_sweep(first, target).found == len(first.design)
+    assert run_sweep(longer, target).found == kept > 0
+
+
 def test_a_file_of_another_kind_is_not_replaced(small_sweep: Sweep, tmp_path: Path) -> None:
     (tmp_path / "a.csv").write_text("x\n1\n")
     with pytest.raises(SweepFileError, match="is not a result of a sweep"):

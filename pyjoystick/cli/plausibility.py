@@ -1,0 +1,59 @@
+"""Asking about values that no joystick has, unless ``pyjoystick --implausible`` was said."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Final
+
+from pyjoystick import model
+from pyjoystick.cli import state
+from pyjoystick.cli.console import print_note
+
+_INSIST: Final = "pyjoystick --implausible COMMAND takes it as it is."
+
+
+def require_plausible(values: Mapping[str, float], *, options: Mapping[str, str] | None = None) -> None:
+    """Refuse numbers of a joystick that were most likely meant in another unit.
+
+    Args:
+        values: in SI units, by name, see `model.require_plausible`
+        options: the option that gave a value, by name, for the message
+
+    Raises:
+        ImplausibleError: a value is far outside what joysticks have, and --implausible was not given
+    """
+    for name, value in values.items() if not state.implausible else ():
+        model.require_plausible(name, value, field=(options or {}).get(name, ""), insist=_INSIST)
+
+
+def require_length(option: str, length: float | None) -> None:
+    """As `require_plausible`, for a distance (m) from the pivot to something on the handle, if given."""
+    if length is not None:
+        require_plausible({"pivot_to_top": length}, options={"pivot_to_top": option})
+
+
+def require_uncertainties(errors: Mapping[str, float], values: Mapping[str, float]) -> None:
+    """Refuse standard uncertainties of --uncertainty above a third of the value itself.
+
+    Args:
+        errors: by name
+        values: by name, all in SI units
+
+    Raises:
+        ImplausibleError: one is larger, and --implausible was not given
+    """
+    for name, error in errors.items() if not state.implausible else ():
+        most = abs(values.get(name, 0.0)) / 3.0
+        if error > most > 0.0:
+            allowed = f"below a third of {name} = {values[name]:g}, in the same unit"
+            raise model.ImplausibleError(f"--uncertainty {name}", error, allowed, _INSIST)
+
+
+def note_small_angle(option: str, text: str, degrees: float) -> None:
+    """Say that a bare number is in degrees where it could be in radians; small angles are studied too."""
+    if 0.0 < abs(degrees) < math.pi / 2.0:
+        print_note(
+            f"note: {option} {text} is in degrees; in radians it is written {text}rad, "
+            f"{math.degrees(degrees):.4g} degrees"
+        )

@@ -1,0 +1,97 @@
+"""What the numbers of a joystick can be: a value far outside was most likely meant in another unit.
+
+The physics holds for any values, and studies use them: `JoystickParameters` does not ask. What a person
+writes is asked about where it is read: in parameter files and on the command line.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Final, NamedTuple
+
+from pyjoystick.motion import UNITS
+from pyjoystick.support import ParameterError
+
+_STIFFNESS: Final = {"N/m": 1.0, "N/mm": 1e3, "kN/mm": 1e6}
+_DAMPING: Final = {"N.m.s/rad": 1.0, "mN.m.s/rad": 1e-3, "N.m.s/deg": 180.0 / math.pi}
+_INERTIA: Final = {**UNITS["moment of inertia"], "kg.cm2": 1e-4}
+
+
+class Range(NamedTuple):
+    """Magnitudes from `low` to `high`, `typical` among them, in the first of `units` (factors to it)."""
+
+    low: float
+    typical: float
+    high: float
+    units: Mapping[str, float]
+
+    @property
+    def unit(self) -> str:
+        """The SI unit."""
+        return next(iter(self.units))
+
+
+#: From thumb sticks to the levers of excavators, with room. Zero is never a mistaken unit.
+RANGES: Final[Mapping[str, Range]] = {
+    "J": Range(1e-6, 1e-2, 2.0, _INERTIA),
+    "m": Range(1e-3, 1.0, 20.0, UNITS["mass"]),
+    "h": Range(1e-3, 0.1, 1.0, UNITS["length"]),
+    "g": Range(1e-2, 10.0, 30.0, UNITS["acceleration"]),
+    "a": Range(1e-3, 0.02, 0.5, UNITS["length"]),
+    "b": Range(1e-6, 5e-3, 0.5, UNITS["length"]),
+    "pivot_to_top": Range(5e-3, 0.25, 2.0, UNITS["length"]),
+    "k": Range(10.0, 5e3, 1e13, _STIFFNESS),
+    "k_s": Range(10.0, 2.5e3, 1e6, _STIFFNESS),
+    "k_h": Range(1e3, 5e5, 1e13, _STIFFNESS),
+    "F_0": Range(1e-3, 50.0, 5e3, UNITS["force"]),
+    "x_0": Range(1e-8, 1e-3, 0.1, UNITS["length"]),
+    **dict.fromkeys(
+        ("damping.C", "damping.A_pos", "damping.A_neg", "damping.B"), Range(1e-7, 0.05, 10.0, _DAMPING)
+    ),
+    **dict.fromkeys(("damping.n_pos", "damping.n_neg", "damping.m"), Range(0.0, 0.1, 5.0, {"": 1.0})),
+    "damping.eps_theta": Range(1e-9, 1e-4, 0.1, UNITS["angle"]),
+    "damping.eps_omega": Range(1e-9, 1e-3, 1.0, UNITS["angular velocity"]),
+    "travel_noise": Range(1e-10, 1e-6, 1e-4, UNITS["length"]),
+    "force_noise": Range(1e-7, 0.05, 50.0, UNITS["force"]),
+}
+#: Below zero they are as plausible; anything else below zero is refused for that.
+_SIGNED: Final = ("g", "damping.n_pos", "damping.n_neg", "damping.m")
+
+
+@dataclass(eq=False)
+class ImplausibleError(ParameterError):
+    """A value that no joystick has, most likely in another unit."""
+
+
+def require_plausible(name: str, value: float, *, field: str = "", insist: str = "") -> None:
+    """Refuse a value that no joystick has; names that `RANGES` does not know are not judged.
+
+    Args:
+        name: FMU name of a parameter, such as ``forward.returnSpring.k_s``, or a name of `RANGES`
+        value: in SI units
+        field: what it is called in the message; the name where empty
+        insist: how to have it taken all the same, for the message
+
+    Raises:
+        ImplausibleError: its magnitude is neither 0 nor within the range
+    """
+    known = RANGES.get(name) or RANGES.get(name.rpartition(".")[2] if "Spring." in name else "")
+    size = abs(value)
+    if known is None or known.low <= size <= known.high or size == 0.0 or not math.isfinite(size):
+        return
+    if value < 0.0 and name not in _SIGNED:
+        return
+    meant = {
+        unit: size * factor
+        for unit, factor in known.units.items()
+        if known.low <= size * factor <= known.high
+    }
+    hints = [insist] if insist else []
+    if meant:
+        unit = min(meant, key=lambda one: abs(math.log(meant[one] / known.typical)))
+        sign = math.copysign(1.0, value)
+        hints.insert(0, f"did you mean {value:g} {unit} = {sign * meant[unit]:.6g} {known.unit}?")
+    allowed = f"between {known.low:g} and {known.high:g} {known.unit}".rstrip() + ", as a joystick's is"
+    raise ImplausibleError(field or name, value, allowed, " ".join(hints))
