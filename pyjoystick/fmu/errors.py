@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Final
 
-from pyjoystick.support import PyJoystickError, SimulationError
+from pyjoystick.support import InputFileError, PyJoystickError, SimulationError
 
 
 @dataclass(eq=False)
@@ -23,18 +23,8 @@ class FmuNotFoundError(PyJoystickError):
     _message = "there is no FMU {fmu}; {advice}"
 
 
-@dataclass(eq=False)
-class FmuFileError(PyJoystickError):
-    """The file is not an FMU, or a broken one.
-
-    Attributes:
-        path: the file
-        reason: what is wrong with it
-    """
-
-    path: Path
-    reason: str
-    _message = "{path}: {reason}"
+class FmuFileError(InputFileError):
+    """The file is not an FMU, or a broken one."""
 
 
 class UnsupportedFmuError(FmuFileError):
