@@ -25,6 +25,7 @@ COMPILER_OPTIONS ?=
 PLATFORMS ?=
 FMI ?= 2
 SECONDS ?= 60
+FUZZ_OPTIONS ?=
 FMU_SETTINGS = --compiler $(COMPILER) $(addprefix --option ,$(COMPILER_OPTIONS)) $(addprefix --platform ,$(PLATFORMS))
 
 VENV := .venv
@@ -56,7 +57,7 @@ test-quick: $(READY)
 	$(BIN)/python -m pytest --quick --numprocesses auto
 
 fuzz: fmu
-	$(BIN)/python -m tests.fuzz --seconds $(SECONDS)
+	$(BIN)/python -m tests.fuzz --seconds $(SECONDS) $(FUZZ_OPTIONS)
 
 fmu: $(FMI:%=build/fmi%/.built)
 
