@@ -98,6 +98,17 @@ def test_without_early_return_events_are_carried_out_within_the_step(build3: Bui
     instance.free()
 
 
+@pytest.mark.parametrize(("beyond", "early"), [(0.5e-12, False), (1.5e-12, True)])
+def test_an_instant_before_the_communication_point_is_not_early(
+    build3: Build, beyond: float, early: bool
+) -> None:
+    """Times less than 1e-12 s apart are practically equal."""
+    instance = _started(Instance3(build3("sampler"), event_mode=True, early_return=True))
+    step = instance.step(0.0, 0.1 + beyond)
+    assert (step.event, step.early, step.time) == (True, early, 0.1)
+    instance.free()
+
+
 def test_time_events_are_announced(build3: Build) -> None:
     instance = Instance3(build3("sampler"), event_mode=True, early_return=True)
     instance.initialize()
