@@ -86,7 +86,7 @@ class Instance3:
                 *common,
                 c.c_bool(event_mode),
                 c.c_bool(early_return),
-                (c.c_uint32 * len(intermediate))(*intermediate),
+                (c.c_uint32 * len(intermediate))(*intermediate) if intermediate else None,
                 c.c_size_t(len(intermediate)),
                 None,
                 self._log_function,

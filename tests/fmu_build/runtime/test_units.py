@@ -190,9 +190,11 @@ def test_no_solution(units: c.CDLL) -> None:
     assert _solve_block(units, lambda u: [abs(u) + 1.0], lambda u: [math.copysign(1.0, u)], [2.0]) is None
 
 
-def test_rounding_moves_no_unknown(units: c.CDLL) -> None:
-    """A step that lowers the residual by nothing is not taken, be it large beside the rounding of 1."""
-    assert _solve_block(units, lambda _: [1e-7], lambda _: [1.0], [1.0]) == [1.0]
+@pytest.mark.parametrize("size", [1.0, 1e3])
+def test_rounding_moves_no_unknown(units: c.CDLL, size: float) -> None:
+    """A step that lowers the residual nowhere is not taken: 1e-7 of the unknown is rounding, 1e-5 is not."""
+    assert _solve_block(units, lambda _: [1e-7 * size], lambda _: [1.0], [size]) == [size]
+    assert _solve_block(units, lambda _: [1e-5 * size], lambda _: [1.0], [size]) is None
 
 
 @pytest.fixture
