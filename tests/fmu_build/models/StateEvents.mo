@@ -289,6 +289,7 @@ package StateEvents "Models whose events are found by zero crossings of continuo
     Real f, c, m, r, d;
     Integer i;
     Real z(start=0, fixed=true) "Integral of the floor";
+    Real w(start=0, fixed=true) "Integral of the quotient";
   equation
     u = 3*sin(time) + 0.1;
     f = floor(u);
@@ -298,6 +299,7 @@ package StateEvents "Models whose events are found by zero crossings of continuo
     d = div(u, 0.7);
     i = integer(u);
     der(z) = f;
+    der(w) = d;
   end IntegerEvents;
 
   model NoEvents "noEvent and smooth: the same kinks without events"

@@ -53,7 +53,7 @@ REFUSALS = (
     Refusal("InitialDiscrete", UnsupportedModelError, r"initial equation for a discrete variable"),
     Refusal("InputChange", ModelicaError, r"change\("),
     Refusal("InputDerivative", UnsupportedModelError, r"der\(u\)"),
-    Refusal("LeftOut", UnsupportedModelError, r"first of the results"),
+    Refusal("LeftOut", UnsupportedModelError, r"first result"),
     Refusal("LostConstraint", UnsupportedModelError, r"constraining class"),
     Refusal("LostInShortClass", UnsupportedModelError, r"body\.v\.nominal is lost"),
     Refusal("LostModifiers", UnsupportedModelError, r"modifiers of a class that is redeclared"),

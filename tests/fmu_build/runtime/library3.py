@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes as c
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
@@ -85,7 +86,7 @@ class Instance3:
                 *common,
                 c.c_bool(event_mode),
                 c.c_bool(early_return),
-                (c.c_uint32 * len(intermediate))(*intermediate),
+                (c.c_uint32 * len(intermediate))(*intermediate) if intermediate else None,
                 c.c_size_t(len(intermediate)),
                 None,
                 self._log_function,
@@ -143,8 +144,8 @@ class Instance3:
 
     def step(self, point: float, size: float) -> Step:
         """fmi3DoStep."""
-        event, terminate, early = c.c_bool(), c.c_bool(), c.c_bool()
-        time = c.c_double()
+        event, terminate, early = (c.c_bool(True) for _ in range(3))  # what the FMU leaves out shows
+        time = c.c_double(math.nan)
         outputs = (c.byref(event), c.byref(terminate), c.byref(early), c.byref(time))
         status = self.call("fmi3DoStep", float(point), float(size), True, *outputs)
         return Step(status, event.value, terminate.value, early.value, time.value)
@@ -155,7 +156,7 @@ class Instance3:
 
     def update(self) -> Discrete:
         """fmi3UpdateDiscreteStates."""
-        flags, time = [c.c_bool() for _ in range(5)], c.c_double()
+        flags, time = [c.c_bool(True) for _ in range(5)], c.c_double(math.nan)
         status = self.call("fmi3UpdateDiscreteStates", *map(c.byref, flags), c.byref(time))
         values = [flag.value for flag in flags]
         return Discrete(status, *values[:4], time.value if values[4] else None)

@@ -9,6 +9,7 @@ import pytest
 
 from tests.fmu_build.runtime.conftest import Build
 from tests.fmu_build.runtime.library import CO_SIMULATION, ERROR, MODEL_EXCHANGE, OK, Instance
+from tests.fmu_build.runtime.library3 import Instance3
 
 X, Z, W, FLOOR, S, DER_X = range(6)
 KINDS = (MODEL_EXCHANGE, CO_SIMULATION)
@@ -49,6 +50,21 @@ def test_systems_of_equations_move_by_their_linearization(build: Build, kind: in
     assert _derivatives(instance, (S,), {X: 3.0, FLOOR: 1.0}) == pytest.approx([0.5], rel=1e-14)
     assert _derivatives(instance, (), {X: 1.0}) == []
     assert _derivatives(instance, (S, Z), {}) == [0.0, 0.0]
+    instance.free()
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_adjoint_derivatives_of_fmi3_are_the_transposed_ones(build3: Build, kind: int) -> None:
+    instance = Instance3(build3("loop"), kind)
+    assert instance.set({FLOOR: -2.0}) == OK
+    instance.initialize()
+    found = (c.c_double * 2)()
+    instance.expect(
+        "fmi3GetAdjointDerivative",
+        *((c.c_uint32 * 3)(Z, S, DER_X), c.c_size_t(3), (c.c_uint32 * 2)(X, FLOOR), c.c_size_t(2)),
+        *((c.c_double * 3)(1.0, 10.0, 100.0), c.c_size_t(3), found, c.c_size_t(2)),
+    )
+    assert list(found) == pytest.approx([0.25 + 10.0 * 0.25 - 100.0 * 0.25, -10.0 * 0.25], rel=1e-14)
     instance.free()
 
 

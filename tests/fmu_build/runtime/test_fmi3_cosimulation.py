@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import math
 from collections.abc import Callable
 from itertools import pairwise
@@ -9,7 +10,7 @@ from itertools import pairwise
 import pytest
 
 from tests.fmu_build.runtime.conftest import Build
-from tests.fmu_build.runtime.library import ERROR, OK, Instance
+from tests.fmu_build.runtime.library import ERROR, MODEL_EXCHANGE, OK, Instance
 from tests.fmu_build.runtime.library3 import Instance3, Update
 
 # Of the model "ball"; it touches the ground after sqrt(2*h/g) = sqrt(0.2) s with g = 10 m/s2.
@@ -98,6 +99,17 @@ def test_without_early_return_events_are_carried_out_within_the_step(build3: Bui
     instance.free()
 
 
+@pytest.mark.parametrize(("beyond", "early"), [(0.5e-12, False), (1.5e-12, True)])
+def test_an_instant_before_the_communication_point_is_not_early(
+    build3: Build, beyond: float, early: bool
+) -> None:
+    """Times less than 1e-12 s apart are practically equal."""
+    instance = _started(Instance3(build3("sampler"), event_mode=True, early_return=True))
+    step = instance.step(0.0, 0.1 + beyond)
+    assert (step.event, step.early, step.time) == (True, early, 0.1)
+    instance.free()
+
+
 def test_time_events_are_announced(build3: Build) -> None:
     instance = Instance3(build3("sampler"), event_mode=True, early_return=True)
     instance.initialize()
@@ -105,6 +117,7 @@ def test_time_events_are_announced(build3: Build) -> None:
     for tick in range(1, 6):
         outcome = instance.update()
         assert (outcome.status, outcome.again, outcome.terminate) == (OK, False, False)
+        assert not outcome.nominals_changed
         assert outcome.next_time == tick / 10.0
         instance.expect("fmi3EnterStepMode")
         step = instance.step(time, 1.0 - time)
@@ -323,4 +336,18 @@ def test_no_step_is_longer_than_a_fiftieth_of_the_experiment(build3: Build) -> N
     instance.advance(0.0, 10.0)
     assert times[-1] == pytest.approx(10.0)
     assert max(b - a for a, b in pairwise([0.0, *times])) <= 0.2 * (1.0 + 1e-2)
+    instance.free()
+
+
+def test_counts_and_what_no_model_has(build3: Build) -> None:
+    """States and event indicators of the model "ball"; Binary variables are named as missing."""
+    instance = Instance3(build3("ball"), MODEL_EXCHANGE)
+    for function, expected in (("ContinuousStates", 2), ("EventIndicators", 1)):
+        number = ctypes.c_size_t(99)
+        instance.expect(f"fmi3GetNumberOf{function}", ctypes.byref(number))
+        assert number.value == expected
+    one = ctypes.c_size_t(1)
+    for access in ("Get", "Set"):
+        assert instance.call(f"fmi3{access}Binary", (ctypes.c_uint32 * 1)(H), one, None, None, one) == ERROR
+        assert "Binary" in instance.messages[-1][2]
     instance.free()

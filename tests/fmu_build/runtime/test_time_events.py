@@ -29,6 +29,15 @@ def test_ticks_are_at_their_times(build: Build, size: float) -> None:
     instance.free()
 
 
+def test_many_events_are_no_crowd(build: Build) -> None:
+    """A thousand events are too many only at practically the same time."""
+    instance = Instance(build("sampler"))
+    instance.initialize()
+    instance.advance(0.0, 150.05)
+    assert instance.get(TICKS) == [1501.0]
+    instance.free()
+
+
 def test_next_time_event_is_told_in_model_exchange(build: Build) -> None:
     instance = Instance(build("sampler"), MODEL_EXCHANGE)
     instance.initialize()

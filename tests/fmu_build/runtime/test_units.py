@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes as c
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 import pytest
@@ -91,6 +91,29 @@ class _Block(c.Structure):
     )
 
 
+def _block(
+    residual: Callable[..., Sequence[float]],
+    jacobian: Callable[..., Sequence[float]],
+    size: int,
+    *,
+    linear: bool = False,
+    nominal: float = 1.0,
+) -> _Block:
+    """The loop in which `residual` of the unknowns is zero; `jacobian` is row-major."""
+
+    def written(function: Callable[..., Sequence[float]]) -> Callable[..., None]:
+        def write(_time: float, y: Sequence[float], _p: object, out: list[float]) -> None:
+            for i, value in enumerate(function(*y[:size])):
+                out[i] = value
+
+        return write
+
+    unknowns = (_Unknown * size)(*(_Unknown(i, b"u", nominal) for i in range(size)))
+    return _Block(
+        size, unknowns, linear, _BlockFunction(written(residual)), _BlockFunction(written(jacobian))
+    )
+
+
 def _solve_block(
     units: c.CDLL,
     residual: Callable[..., Sequence[float]],
@@ -100,31 +123,20 @@ def _solve_block(
     linear: bool = False,
     nominal: float = 1.0,
 ) -> list[float] | None:
-    """The unknowns for which `residual` of them is zero; `jacobian` is row-major."""
-
-    def written(function: Callable[..., Sequence[float]]) -> Callable[..., None]:
-        def write(_time: float, y: Sequence[float], _p: object, out: list[float]) -> None:
-            for i, value in enumerate(function(*y[: len(guess)])):
-                out[i] = value
-
-        return write
-
-    n = len(guess)
-    unknowns = (_Unknown * n)(*(_Unknown(i, b"u", nominal) for i in range(n)))
-    functions = (_BlockFunction(written(residual)), _BlockFunction(written(jacobian)))
+    """The unknowns that solve `_block`."""
+    block = _block(residual, jacobian, len(guess), linear=linear, nominal=nominal)
     y = _array(guess)
     units.block_solve.restype = c.c_bool
     units.block_solve.argtypes = (c.c_void_p, c.c_double, c.c_void_p, c.c_void_p)
-    block = _Block(n, unknowns, linear, *functions)
     if not units.block_solve(c.addressof(block), 0.0, c.addressof(y), None):
         assert list(y) == list(guess), "the unknowns are left as they were"
         return None
     return list(y)
 
 
-@pytest.mark.parametrize("guess", [3.0, -40.0])
+@pytest.mark.parametrize("guess", [3.0, -40.0, 5e8])
 def test_steps_that_lead_away_are_shortened(units: c.CDLL, guess: float) -> None:
-    """Newton's method alone diverges for the arctangent from 1.4 on."""
+    """Newton's method alone diverges for the arctangent from 1.4 on; from 5e8, 29 halvings are needed."""
     found = _solve_block(units, lambda u: [math.atan(u)], lambda u: [1.0 / (1.0 + u * u)], [guess])
     assert found == pytest.approx([0.0], abs=1e-14)
 
@@ -176,6 +188,46 @@ def test_no_solution(units: c.CDLL) -> None:
     assert _solve_block(units, lambda u: [u - math.inf], lambda u: [1.0], [0.0], linear=True) is None
     # The kink holds the iteration at a residual of 1.
     assert _solve_block(units, lambda u: [abs(u) + 1.0], lambda u: [math.copysign(1.0, u)], [2.0]) is None
+
+
+@pytest.mark.parametrize("size", [1.0, 1e3])
+def test_rounding_moves_no_unknown(units: c.CDLL, size: float) -> None:
+    """A step that lowers the residual nowhere is not taken: 1e-7 of the unknown is rounding, 1e-5 is not."""
+    assert _solve_block(units, lambda _: [1e-7 * size], lambda _: [1.0], [size]) == [size]
+    assert _solve_block(units, lambda _: [1e-5 * size], lambda _: [1.0], [size]) is None
+
+
+@pytest.fixture
+def fail(units: c.CDLL) -> Iterator[Callable[[bool, float], None]]:
+    """Makes the model's loop have no solution, if wanted, and the Jacobian of the given entry."""
+    loop, solvable = _Block.in_dll(units, "test_loop"), c.c_bool.in_dll(units, "test_solvable")
+    kept = []
+
+    def put(unsolvable: bool, entry: float) -> None:
+        kept.append(_block(lambda _: [math.nan], lambda _: [entry], 1))
+        c.memmove(c.addressof(loop), c.addressof(kept[-1]), c.sizeof(loop))
+        solvable.value = not unsolvable
+
+    yield put
+    solvable.value = True
+
+
+@pytest.mark.parametrize(
+    ("unsolvable", "entry", "why"),
+    [
+        (True, 1.0, "the algebraic loop of `u` could not be solved: residual or Jacobian not finite"),
+        (False, 0.0, "the algebraic loop of `u` could not be solved: singular Jacobian"),
+        (False, 1.0, "a system of equations has no solution, or memory was short"),
+    ],
+)
+def test_a_loop_is_explained(
+    units: c.CDLL, fail: Callable[[bool, float], None], unsolvable: bool, entry: float, why: str
+) -> None:
+    """One that has no solution, one whose tangents are undetermined, and one that now has both."""
+    fail(unsolvable, entry)
+    units.blocks_explain.restype = c.c_char_p
+    text = c.create_string_buffer(512)
+    assert units.blocks_explain(c.c_double(0.0), _array([0.0, 0.0]), None, text).decode() == why
 
 
 def test_a_large_linear_loop(units: c.CDLL) -> None:
@@ -377,3 +429,12 @@ def test_actions(units: c.CDLL, function: str) -> None:
         told.clear()
         assert units[function](c.byref(values), *scratch, c.byref(reporter)) == status
         assert told == expected
+
+
+def test_actions_that_cannot_be_evaluated(units: c.CDLL, fail: Callable[[bool, float], None]) -> None:
+    told: list[tuple[int, str]] = []
+    reporter = _Reporter(None, _Report(lambda _, kind, text: told.append((kind, text.decode()))))
+    values = _Values(0.0, _array([0.0] * 2), _array([0.0] * 3), None, _array([0.0] * 3), _array([0.0]))
+    fail(True, 1.0)
+    assert units.actions_take(c.byref(values), (c.c_bool * 3)(), c.byref(reporter)) == FAILED
+    assert [kind for kind, _ in told] == [0]

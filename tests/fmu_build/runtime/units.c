@@ -1,6 +1,7 @@
 /* units.c - stands for the rest of the runtime where single files of it are tested: two states, one relation, three
- * actions. What a model computes comes from functions of the test. */
+ * actions, one algebraic loop. What a model computes comes from functions of the test. */
 #include "actions.h"
+#include "block.h"
 #include "integrator.h"
 #include "location.h"
 #include "model.h"
@@ -9,6 +10,11 @@
 
 static const ActionKind actions[] = {ACTION_ERROR, ACTION_WARNING, ACTION_TERMINATE};
 static const Relation relations[] = {{0, 0, false}};
+
+/* The loop, and whether it lets the algebraic variables be computed. */
+Block test_loop;
+bool test_solvable = true;
+static const Block *const blocks[] = {&test_loop};
 
 const Model model = {
     .n_states = 2,
@@ -20,6 +26,9 @@ const Model model = {
     .n_actions = 3,
     .actions = actions,
     .actions_follow_states = true,
+    .actions_read_algebraic = true,
+    .n_blocks = 1,
+    .blocks = blocks,
 };
 
 /* p has the truth of the three conditions. */
@@ -46,7 +55,7 @@ void model_action_message(size_t action, double time, const double *y, const dou
 bool model_algebraics(double time, double *y, const double *p)
 {
     (void)time, (void)y, (void)p;
-    return true;
+    return test_solvable;
 }
 
 /* The context of an integrator or of a search: a function of the test. */

@@ -225,9 +225,13 @@ def integer_events_times(stop: float) -> Array:
 def integer_events(t: Array) -> Values:
     u = integer_signal(t)
     edges = np.concatenate([[0.0], integer_events_times(float(t.max())), [float(t.max())]])
-    levels = np.floor(integer_signal((edges[1:] + edges[:-1]) / 2))
-    areas = np.concatenate([[0.0], np.cumsum(np.diff(edges) * levels)])
-    k = np.clip(np.searchsorted(edges, t, side="right") - 1, 0, len(levels) - 1)
+    middles = integer_signal((edges[1:] + edges[:-1]) / 2)
+    k = np.clip(np.searchsorted(edges, t, side="right") - 1, 0, len(middles) - 1)
+
+    def integral(levels: Array) -> Array:
+        areas = np.concatenate([[0.0], np.cumsum(np.diff(edges) * levels)])
+        return areas[k] + levels[k] * (t - edges[k])
+
     return {
         "f": np.floor(u),
         "c": np.ceil(u),
@@ -235,7 +239,8 @@ def integer_events(t: Array) -> Values:
         "r": u - np.trunc(u / 0.7) * 0.7,
         "d": np.trunc(u / 0.7),
         "i": np.floor(u),
-        "z": areas[k] + levels[k] * (t - edges[k]),
+        "z": integral(np.floor(middles)),
+        "w": integral(np.trunc(middles / 0.7)),
     }
 
 
