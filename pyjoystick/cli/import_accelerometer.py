@@ -36,9 +36,7 @@ def run(
         float,
         typer.Option("--distance", metavar="METERS", help="Distance from the pivot to the accelerometer."),
     ],
-    result: Annotated[
-        Path | None, typer.Option("--output", "-o", metavar="FILE", help="File for the angular acceleration.")
-    ] = None,
+    result: Annotated[Path | None, options.csv("the angular acceleration", "--output", "-o")] = None,
     column: Annotated[
         str, typer.Option("--column", metavar="HEADING", help="Heading of the readings.")
     ] = "acceleration",

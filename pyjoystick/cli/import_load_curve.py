@@ -24,7 +24,7 @@ Examples:
     pyjoystick import load-curve forward.csv --column travel=Extension --column force=Load \\
         --unit force=kN
 
-docs/parameters-from-measurements.md describes the file and the fit.
+The cycle begins before contact, with travel zero in the middle position, and goes out and back slowly.
 """
 
 
@@ -52,8 +52,6 @@ def run(
         raise typer.BadParameter("give --side and --parameters together")
     if parameters is not None and segments != 4:
         raise typer.BadParameter("a parameter file has four segments per side", param_hint="--segments")
-    if plot is not None:
-        support.check_figure_path(plot)
     require_plausible(
         {"travel_noise": travel_noise or 0.0, "force_noise": force_noise or 0.0},
         options={"travel_noise": "--travel-noise", "force_noise": "--force-noise"},

@@ -10,7 +10,7 @@ from typing import Annotated, Any, Final
 
 import typer
 
-from pyjoystick import laboratory, model
+from pyjoystick import laboratory, model, support
 from pyjoystick.cli.plausibility import note_small_angle, require_plausible
 from pyjoystick.support import ParameterError
 
@@ -155,19 +155,35 @@ def column(names: str) -> Any:
     return typer.Option("--column", metavar="NAME=HEADING", help=f"Heading of {names}; repeatable.")
 
 
-def plot(what: str) -> Any:
+def ending_in(*suffixes: str) -> Any:
+    """The callback of a file to write, or of several: another suffix is an OutputFileError at once."""
+
+    def checked(given: Path | list[Path] | None) -> Path | list[Path] | None:
+        for path in [given] if isinstance(given, Path) else given or []:
+            support.check_suffix(path, *suffixes)
+        return given
+
+    return checked
+
+
+def file(*names: str, text: str, suffixes: Sequence[str]) -> Any:
+    """An option for a file to write."""
+    return typer.Option(*names, metavar="FILE", help=text, callback=ending_in(*suffixes))
+
+
+def plot(what: str, name: str = "--plot") -> Any:
     """--plot."""
-    return typer.Option("--plot", metavar="FILE", help=f"Plot {what}: .png, .pdf or .svg.")
+    return file(name, text=f"Plot {what}: .png, .pdf or .svg.", suffixes=support.FIGURE_SUFFIXES)
 
 
 def json(what: str) -> Any:
     """--json."""
-    return typer.Option("--json", metavar="FILE", help=f"Write {what} as JSON.")
+    return file("--json", text=f"Write {what} as JSON.", suffixes=(".json",))
 
 
-def csv(what: str) -> Any:
+def csv(what: str, *names: str) -> Any:
     """--csv."""
-    return typer.Option("--csv", metavar="FILE", help=f"Write {what} as CSV, in SI units.")
+    return file(*(names or ("--csv",)), text=f"Write {what} as CSV, in SI units.", suffixes=(".csv",))
 
 
 def uncertainty(names: str) -> Any:

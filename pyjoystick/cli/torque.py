@@ -37,7 +37,7 @@ Examples:
 
 A measured motion is a CSV file with the columns time and theta and optionally omega and alpha, such as
 `pyjoystick import markers --motion` writes. Without omega or alpha, the angle is filtered and differentiated
-as in the paper. docs/forced-motion.md describes the details.
+as in the paper.
 """
 
 
@@ -115,8 +115,6 @@ def run(
 
     The table of --csv is for the damping law of --damping, else for that of the parameter file.
     """
-    if plot is not None:
-        support.check_figure_path(plot)
     require_length("--pivot-to-handle", arm)
     check_outputs(csv, json, plot)
     given = dict(zip(_OPTIONS, (angle, stroke_time, return_time, dwell, shape, flat), strict=True))
