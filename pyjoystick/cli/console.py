@@ -12,6 +12,7 @@ from rich.console import Console
 from rich.markup import escape
 
 from pyjoystick import model
+from pyjoystick.cli.narrow_tables import NarrowConsole
 
 #: Width of tables that are not shown on a terminal: more than any of them takes.
 _UNBOUNDED: Final = 10_000
@@ -21,7 +22,8 @@ _ABOUT: Final = 1.05
 
 def output() -> Console:
     """Standard output; unless it is a terminal, nothing is wrapped or truncated, so that it can be piped."""
-    console = Console(highlight=False, soft_wrap=True)
+    console = NarrowConsole(highlight=False)
+    console.soft_wrap = not console.is_terminal
     if not console.is_terminal and "COLUMNS" not in os.environ:
         console.width = _UNBOUNDED
     return console
@@ -29,7 +31,9 @@ def output() -> Console:
 
 def messages() -> Console:
     """Standard error."""
-    return Console(stderr=True, highlight=False, soft_wrap=True)
+    console = Console(stderr=True, highlight=False)
+    console.soft_wrap = not console.is_terminal
+    return console
 
 
 def print_error(message: str) -> None:

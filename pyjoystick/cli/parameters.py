@@ -51,7 +51,7 @@ def run(
     title = target.stem if target is not None and changes else None
     text = model.updated_text(file, options.joystick_of(damping, changes, file), title=title)
     if target is None:
-        output().print(text, end="", markup=False)
+        output().print(text, end="", markup=False, soft_wrap=True)
         return
     if target.exists() and not overwrite:
         raise OutputFileError(target, "it exists; --overwrite replaces it")

@@ -42,7 +42,7 @@ def find_peaks(
             goes beyond the peak
 
     Returns:
-        one row a peak in order of time, with the columns ``time`` (s), ``value`` (in the unit of the series) and
+        one row a peak in order of time, with the columns ``time`` (s), ``value`` (the unit of the series) and
         ``sign`` (1 for a maximum, -1 for a minimum); empty where there is no peak. ``attrs["units"]`` names
         the unit of ``time`` and, for a column of a table that has units, of ``value``
 

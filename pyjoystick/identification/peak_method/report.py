@@ -93,7 +93,7 @@ def damping_json(
 
 
 def damping_csv(estimate: DampingEstimate) -> str:
-    """The peaks and the C of each as CSV; those of the displacement and of the velocity have a column each."""
+    """The peaks and the C of each as CSV; displacement and velocity have a column each."""
     series = {"theta (rad)": estimate.displacement, "omega (rad/s)": estimate.velocity}
     table = pd.concat([points.rename(columns={"peak": name}) for name, points in series.items()])
     headings = {"time": "time (s)", "C": "C (N.m.s/rad)"}
