@@ -25,6 +25,7 @@ __all__ = ["app", "main"]
 _COMMANDS: Final = {
     "info": "Show the interfaces, platforms and variables of an FMU.",
     "parameters": "Check, change and print a parameter file.",
+    "check": "List everything wrong in parameter and settings files.",
     "import": "Make records and parameters from laboratory files.",
     "peaks": "Estimate the damping from the peaks of free oscillations.",
     "fit": "Fit parameters to measured motion, with uncertainties.",

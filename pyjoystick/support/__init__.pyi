@@ -59,4 +59,5 @@ from .output import (
 from .plots import plot_motion as plot_motion, save_figure as save_figure, save_results as save_results
 from .temporary_folders import remove_abandoned as remove_abandoned, temporary_folder as temporary_folder
 from .text_table import TextTable as TextTable
+from .toml_mistakes import mistakes as mistakes
 from .toml_table import Table as Table, read_toml as read_toml
