@@ -12,7 +12,6 @@ from rich.console import Console
 from rich.markup import escape
 
 from pyjoystick import model
-from pyjoystick.cli.narrow_tables import NarrowConsole
 
 #: Width of tables that are not shown on a terminal: more than any of them takes.
 _UNBOUNDED: Final = 10_000
@@ -22,6 +21,8 @@ _ABOUT: Final = 1.05
 
 def output() -> Console:
     """Standard output; unless it is a terminal, nothing is wrapped or truncated, so that it can be piped."""
+    from pyjoystick.cli.narrow_tables import NarrowConsole  # the lists of commands need no tables
+
     console = NarrowConsole(highlight=False)
     console.soft_wrap = not console.is_terminal
     if not console.is_terminal and "COLUMNS" not in os.environ:

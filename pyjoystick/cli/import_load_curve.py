@@ -39,11 +39,19 @@ def run(
     units: options.Units = None,
     travel_noise: Annotated[
         float | None,
-        typer.Option(metavar="METERS", help="Standard deviation of travel. Default: from its scatter."),
+        options.quantity(
+            "length",
+            metavar="LENGTH",
+            text="Standard deviation of travel: 1e-6 (m) or 1um. Default: from its scatter.",
+        ),
     ] = None,
     force_noise: Annotated[
         float | None,
-        typer.Option(metavar="NEWTON", help="Standard deviation of force. Default: from its scatter."),
+        options.quantity(
+            "force",
+            metavar="FORCE",
+            text="Standard deviation of force: 0.05 (N) or 50mN. Default: from its scatter.",
+        ),
     ] = None,
     plot: Annotated[Path | None, options.plot("the curve and the fit")] = None,
 ) -> None:

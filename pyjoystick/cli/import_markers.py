@@ -58,10 +58,12 @@ def run(
     ] = False,
     radius: Annotated[
         float | None,
-        typer.Option(
+        options.quantity(
+            "length",
             "--radius",
-            metavar="METERS",
-            help="Measured distance from the pivot to the top marker. Default: the radius of its arc.",
+            metavar="LENGTH",
+            text="Measured distance from the pivot to the top marker: 0.266 (m) or 266mm. Default: the "
+            "radius of its arc.",
         ),
     ] = None,
     moving_base: Annotated[

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import groupby
-from typing import Final
+from typing import Any, Final
 
 from rich.console import Console
 from rich.measure import Measurement
@@ -18,16 +18,16 @@ _UNLIMITED: Final = 100_000
 class NarrowConsole(Console):
     """A console that lays out tables, and Markdown tables within text, so that they fit its width."""
 
-    def print(self, *objects: object, **options: object) -> None:  # type: ignore[override]
+    def print(self, *objects: Any, **options: Any) -> None:
         """Print as `Console.print` does."""
         if not any(_is_wide(one, self.width) for one in objects):
-            super().print(*objects, **options)  # type: ignore[arg-type]
+            super().print(*objects, **options)
             return
         for one in objects:
             for part in _parts(one, self.width) if isinstance(one, str) else [one]:
                 if isinstance(part, Table):
                     _fit(part, self)
-                super().print(part, **options)  # type: ignore[arg-type]
+                super().print(part, **options)
 
 
 def _is_wide(printed: object, width: int) -> bool:

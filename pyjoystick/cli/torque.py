@@ -100,10 +100,12 @@ def run(
     assignments: options.Set = None,
     arm: Annotated[
         float | None,
-        typer.Option(
+        options.quantity(
+            "length",
             "--pivot-to-handle",
-            metavar="METERS",
-            help="Distance from the pivot to the hand. Default: pivot_to_top of --parameters.",
+            metavar="LENGTH",
+            text="Distance from the pivot to the hand: 0.266 (m) or 266mm. Default: pivot_to_top of "
+            "--parameters.",
         ),
     ] = None,
     csv: Annotated[Path | None, options.csv("motion, torque and its parts")] = None,

@@ -94,3 +94,15 @@ def test_settings_in_a_help_are_settings(words: str, reader: Any, command: Comma
     )
     assert 'fmu.path = "Joystick"' in lines
     reader(tmp_path / "settings.toml")
+
+
+@pytest.mark.parametrize("option", ["--radius=266", "--radius=266mm"])
+def test_lengths_of_options_have_units(option: str, command: Command) -> None:
+    outcome = command("import", "markers", "none.c3d", "--top=T", "--base", "A", "B", "-o", "a.csv", option)
+    assert ("none.c3d" if option.endswith("mm") else "--radius = 266.0: must be") in outcome.message
+
+
+def test_a_length_in_another_unit_is_refused(command: Command) -> None:
+    outcome = command("torque", "--pivot-to-handle", "3kg")
+    assert outcome.code == 2
+    assert "'3kg' must be a number, or one with a unit: m, cm, mm, um" in outcome.err
