@@ -92,7 +92,7 @@ def plot(runs: dict[str, pd.DataFrame], oscillators: dict[str, LineOscillator]) 
     energy.set_ylabel("Energy (mJ)")
     period.set_ylabel("Undamped period (ms)")
     for axes in (position, energy):
-        axes.set_xlabel("Time after the release (s)")
+        axes.set_xlabel("Time (s)")
         axes.set_xlim(0.0, DURATION)
     period.set_xlabel("Amplitude (mm)")
     period.set_xlim(0.0, 1e3 * RELEASE)

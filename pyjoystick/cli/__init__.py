@@ -25,6 +25,7 @@ __all__ = ["app", "main"]
 _COMMANDS: Final = {
     "info": "Show the interfaces, platforms and variables of an FMU.",
     "parameters": "Check, change and print a parameter file.",
+    "check": "List everything wrong in parameter and settings files.",
     "import": "Make records and parameters from laboratory files.",
     "peaks": "Estimate the damping from the peaks of free oscillations.",
     "fit": "Fit parameters to measured motion, with uncertainties.",
@@ -53,6 +54,23 @@ class _InOrder(TyperGroup):
         return list(_COMMANDS)
 
 
+class _Command(TyperCommand):
+    """A command whose options do not take the name of another option for their value."""
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        """Refuse ``--base B1 -o x``, of which Click makes the values B1 and -o, and a missing --output."""
+        taken = {
+            name: one.nargs for one in self.params if not getattr(one, "is_flag", True) for name in one.opts
+        }
+        known = {name for one in self.params for name in (*one.opts, *one.secondary_opts)}
+        words = args[: args.index("--")] if "--" in args else args
+        for i, name in enumerate(words):
+            if swallowed := known.intersection(words[i + 1 : i + 1 + taken.get(name, 0)]):
+                count = "a value" if taken[name] == 1 else f"{taken[name]} values"
+                raise typer.BadParameter(f"needs {count} before {min(swallowed)}", param_hint=name)
+        return super().parse_args(ctx, args)
+
+
 class LazyCommand(TyperCommand):
     """A command in the list of a group, which loads its module when something is asked of it."""
 
@@ -63,7 +81,7 @@ class LazyCommand(TyperCommand):
         assert self.name is not None
         module = import_module(f"pyjoystick.cli.{self.prefix}{self.name.replace('-', '_')}")
         program = _program()
-        program.command(self.name, epilog=module.EXAMPLES)(module.run)
+        program.command(self.name, cls=_Command, epilog=module.EXAMPLES)(module.run)
         return typer.main.get_command(program)
 
     def make_context(self, info_name: str | None, args: list[str], parent: Any = None, **extra: Any) -> Any:

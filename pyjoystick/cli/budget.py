@@ -9,12 +9,12 @@ import typer
 
 from pyjoystick import fmu, identification, laboratory, model, motion
 from pyjoystick.cli import options
-from pyjoystick.cli.console import messages, output, print_error, print_note
+from pyjoystick.cli.console import messages, output, print_error, print_note, write
 from pyjoystick.cli.fit import DOUBTFUL, failed_checks
 from pyjoystick.cli.fmus import found_or_built
 from pyjoystick.cli.parameter_updates import write_update
 from pyjoystick.cli.plausibility import require_uncertainties
-from pyjoystick.support import ParameterError, check_outputs
+from pyjoystick.support import ParameterError, check_outputs, write_text
 
 EXAMPLES: Final = """
 Examples:
@@ -22,7 +22,7 @@ Examples:
     pyjoystick budget trial1.csv trial2.csv -p joystick.toml --curve forward=forward.csv \\
         --curve backward=backward.csv --uncertainty a=1e-5 --uncertainty scale=0.002 --update
 
-docs/your-joystick.md shows the whole procedure from the bench to the fit.
+The parameter file must come from the same curves (`pyjoystick import load-curve`).
 """
 #: Quantities that may have an uncertainty, and their places in a parameter file.
 _PLACES: Final = {
@@ -63,13 +63,15 @@ def run(
         bool,
         typer.Option("--update", help="Save J and C with their combined uncertainties."),
     ] = False,
+    csv: Annotated[Path | None, options.csv("the table")] = None,
+    json: Annotated[Path | None, options.json("the table and the fitted values")] = None,
 ) -> None:
     """Show what each measured quantity adds to the errors of a run, and of J and C fitted to releases.
 
     The standard errors of `pyjoystick fit` cover only the noise of the records. This command repeats the fit
     with each quantity shifted by its standard uncertainty; those of a load-deflection curve are correlated.
     """
-    check_outputs(parameters)
+    check_outputs(parameters, csv, json)
     angle = options.parse_angle(release_angle)
     before = model.read_parameter_file(parameters)
     errors = options.parse_assignments(uncertainties, "--uncertainty")
@@ -82,6 +84,8 @@ def run(
     ):
         found, contributions = identification.fit_contributions(releases, bench, opened, release_angle=angle)
     output().print(identification.contribution_table(contributions), markup=False)
+    write(csv, lambda path: write_text(path, identification.contribution_csv(contributions)))
+    write(json, lambda path: write_text(path, identification.contribution_json(found, contributions)))
     names = identification.FITTED
     values = [found.value(name) for name in names]
     parts = identification.combined(contributions)

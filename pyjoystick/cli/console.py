@@ -21,7 +21,10 @@ _ABOUT: Final = 1.05
 
 def output() -> Console:
     """Standard output; unless it is a terminal, nothing is wrapped or truncated, so that it can be piped."""
-    console = Console(highlight=False, soft_wrap=True)
+    from pyjoystick.cli.narrow_tables import NarrowConsole  # the lists of commands need no tables
+
+    console = NarrowConsole(highlight=False)
+    console.soft_wrap = not console.is_terminal
     if not console.is_terminal and "COLUMNS" not in os.environ:
         console.width = _UNBOUNDED
     return console
@@ -29,7 +32,9 @@ def output() -> Console:
 
 def messages() -> Console:
     """Standard error."""
-    return Console(stderr=True, highlight=False, soft_wrap=True)
+    console = Console(stderr=True, highlight=False)
+    console.soft_wrap = not console.is_terminal
+    return console
 
 
 def print_error(message: str) -> None:

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Annotated, Final
 
 import typer
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
 from pyjoystick import fmu, identification, model, motion
 from pyjoystick.cli import options
@@ -25,7 +25,13 @@ Examples:
     pyjoystick fit trial*.csv --settings fit.toml --output results/fit
     pyjoystick fit trial*.csv --parameters joystick.toml --update
 
-docs/fitting.md describes the settings file.
+Settings that fit J and C to releases, each with an angle and a time of its own:
+
+    fmu.path = "Joystick"
+    free.J = {}
+    free."damping.C" = {}
+    free.theta_start = { per_record = true }
+    free.release_time = { per_record = true }
 """
 #: Exit code of a fit that failed a check, and after Ctrl-C.
 DOUBTFUL: Final = 3
@@ -167,13 +173,16 @@ def _update(
 
 @contextmanager
 def _progress() -> Iterator[identification.OnProgress]:
-    """A bar for each stage; nothing is drawn unless standard error is a terminal."""
+    """A bar for each stage, which pulses where it has only one part; drawn on a terminal only."""
     console = messages()
-    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
+    columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
     with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:
         task = bar.add_task("searching", total=None)
 
         def tell(stage: str, done: int, total: int) -> None:
-            bar.update(task, description=stage, completed=done, total=total)
+            several = total > 1
+            text = f"{stage} {done}/{total}" if several else stage
+            bar.update(task, description=text, completed=done)
+            bar.tasks[0].total = total if several else None  # None is "as it was" to update
 
         yield tell

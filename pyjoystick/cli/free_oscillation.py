@@ -41,8 +41,6 @@ def run(
 ) -> None:
     """Release the joystick from rest, let it oscillate, and print the peaks of its motion."""
     start = options.parse_angle(release_angle)
-    if plot is not None:
-        support.check_figure_path(plot)
     support.check_outputs(csv, plot)
     with (
         opened(damping, fmu, assignments, parameters_file) as (joystick, parameters),

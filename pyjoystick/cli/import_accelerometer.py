@@ -34,11 +34,14 @@ def run(
     ],
     distance: Annotated[
         float,
-        typer.Option("--distance", metavar="METERS", help="Distance from the pivot to the accelerometer."),
+        options.quantity(
+            "length",
+            "--distance",
+            metavar="LENGTH",
+            text="Distance from the pivot to the accelerometer: 0.25 (m) or 250mm.",
+        ),
     ],
-    result: Annotated[
-        Path | None, typer.Option("--output", "-o", metavar="FILE", help="File for the angular acceleration.")
-    ] = None,
+    result: Annotated[Path | None, options.csv("the angular acceleration", "--output", "-o")] = None,
     column: Annotated[
         str, typer.Option("--column", metavar="HEADING", help="Heading of the readings.")
     ] = "acceleration",
@@ -66,8 +69,11 @@ def run(
     ] = None,
     delay: Annotated[
         float,
-        typer.Option(
-            "--delay", metavar="SECONDS", help="Time on the accelerometer's clock at time zero of the angle."
+        options.quantity(
+            "time",
+            "--delay",
+            metavar="TIME",
+            text="Time on the accelerometer's clock at time zero of the angle: 0.35 (s) or 350ms.",
         ),
     ] = 0.0,
     backward: Annotated[

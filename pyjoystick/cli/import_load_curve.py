@@ -24,7 +24,7 @@ Examples:
     pyjoystick import load-curve forward.csv --column travel=Extension --column force=Load \\
         --unit force=kN
 
-docs/parameters-from-measurements.md describes the file and the fit.
+The cycle begins before contact, with travel zero in the middle position, and goes out and back slowly.
 """
 
 
@@ -39,11 +39,19 @@ def run(
     units: options.Units = None,
     travel_noise: Annotated[
         float | None,
-        typer.Option(metavar="METERS", help="Standard deviation of travel. Default: from its scatter."),
+        options.quantity(
+            "length",
+            metavar="LENGTH",
+            text="Standard deviation of travel: 1e-6 (m) or 1um. Default: from its scatter.",
+        ),
     ] = None,
     force_noise: Annotated[
         float | None,
-        typer.Option(metavar="NEWTON", help="Standard deviation of force. Default: from its scatter."),
+        options.quantity(
+            "force",
+            metavar="FORCE",
+            text="Standard deviation of force: 0.05 (N) or 50mN. Default: from its scatter.",
+        ),
     ] = None,
     plot: Annotated[Path | None, options.plot("the curve and the fit")] = None,
 ) -> None:
@@ -52,8 +60,6 @@ def run(
         raise typer.BadParameter("give --side and --parameters together")
     if parameters is not None and segments != 4:
         raise typer.BadParameter("a parameter file has four segments per side", param_hint="--segments")
-    if plot is not None:
-        support.check_figure_path(plot)
     require_plausible(
         {"travel_noise": travel_noise or 0.0, "force_noise": force_noise or 0.0},
         options={"travel_noise": "--travel-noise", "force_noise": "--force-noise"},

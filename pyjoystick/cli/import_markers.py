@@ -37,12 +37,8 @@ def run(
     base: Annotated[
         tuple[str, str], typer.Option("--base", metavar="NAME NAME", help="The two markers on the base.")
     ],
-    record_file: Annotated[
-        Path, typer.Option("--output", "-o", metavar="FILE", help="File for the record: time and angle.")
-    ],
-    motion_file: Annotated[
-        Path | None, typer.Option("--motion", metavar="FILE", help="File for the filtered motion.")
-    ] = None,
+    record_file: Annotated[Path, options.csv("the record, time and angle,", "--output", "-o")],
+    motion_file: Annotated[Path | None, options.csv("the filtered motion", "--motion")] = None,
     forward: Annotated[
         str, typer.Option("--forward", metavar="AXIS", help="Axis that points forward: x, -x, y, -y, z, -z.")
     ] = "x",
@@ -62,10 +58,12 @@ def run(
     ] = False,
     radius: Annotated[
         float | None,
-        typer.Option(
+        options.quantity(
+            "length",
             "--radius",
-            metavar="METERS",
-            help="Measured distance from the pivot to the top marker. Default: the radius of its arc.",
+            metavar="LENGTH",
+            text="Measured distance from the pivot to the top marker: 0.266 (m) or 266mm. Default: the "
+            "radius of its arc.",
         ),
     ] = None,
     moving_base: Annotated[

@@ -23,7 +23,7 @@ Examples:
 
     pyjoystick import swing pendulum.csv -p joystick.toml --set m=0.87 --uncertainty m=0.001
 
-docs/parameters-from-measurements.md describes the test.
+Hang the joystick upside down, clear of its springs, and let it swing about its pivot.
 """
 #: Quantities that the moment of inertia depends on, and their places in a parameter file.
 _PLACES: Final = {"m": "body.m", "h": "body.h", "g": "gravity.g"}

@@ -5,16 +5,17 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import Annotated, Any, Final
 
 import typer
 
-from pyjoystick import laboratory, model
+from pyjoystick import laboratory, model, motion, support
 from pyjoystick.cli.plausibility import note_small_angle, require_plausible
 from pyjoystick.support import ParameterError
 
-_ANGLE: Final = re.compile(r"(?P<number>[-+0-9.eE]+)\s*(?P<unit>deg|rad|)")
+_ANGLE: Final = re.compile(r"(?P<number>[-+0-9.eE]+)\s*(?P<unit>\D*)")
 DEFAULT_RELEASE_ANGLE: Final = "-20deg"
 
 
@@ -29,33 +30,37 @@ def parse_angle(text: str, option: str = "--release-angle") -> float:
         number = float(match["number"]) if match else math.nan
     except ValueError:
         number = math.nan
-    if match is None or not math.isfinite(number):
+    unit = motion.plain_unit(match["unit"]) if match else ""
+    if unit not in ("", *motion.UNITS["angle"]) or not math.isfinite(number):
         raise typer.BadParameter(f"{text!r} is not an angle; write -20deg or -0.35rad", param_hint=option)
-    if not match["unit"]:
+    if not unit:
         note_small_angle(option, text.strip(), number)
-    angle = number if match["unit"] == "rad" else math.radians(number)
+    angle = math.radians(number) if unit in ("", "deg") else number * motion.UNITS["angle"][unit]
     if abs(angle) >= math.pi / 2.0:
-        hint = f"; did you mean {number:g}deg?" if match["unit"] == "rad" and abs(number) < 90.0 else ""
+        hint = f"; did you mean {number:g}deg?" if unit == "rad" and abs(number) < 90.0 else ""
         raise typer.BadParameter(f"{text!r} must lie between -90deg and 90deg{hint}", param_hint=option)
     return angle
 
 
 def parse_assignments(texts: Sequence[str] | None, option: str) -> dict[str, float]:
-    """Numbers by name from texts such as ``damping.C=0.05``; each name at most once.
+    """Numbers in SI units by name, from texts such as ``damping.C=0.05`` or ``a=24.1mm``; each name once.
 
     Raises:
         BadParameter: a text does not have that form, or a name is given twice
+        ParameterError: a unit is not one of the parameter's
     """
     values: dict[str, float] = {}
     for text in texts or []:
         name, sign, value = (part.strip() for part in text.partition("="))
+        number = math.nan
         try:
-            number = float(value)
+            number = _with_unit(name, value)
             if math.isfinite(number) and abs(number) >= 2.0**53 and value.lstrip("+-").isdecimal():
                 number = int(value)  # beyond 2^53 the float may be another
+        except ParameterError:
+            raise
         except ValueError:
             sign = ""
-            number = math.nan
         if not name or not sign:
             raise typer.BadParameter(
                 f"{text!r} must be NAME=NUMBER, such as damping.C=0.05", param_hint=option
@@ -64,6 +69,32 @@ def parse_assignments(texts: Sequence[str] | None, option: str) -> dict[str, flo
             raise typer.BadParameter(f"{name} is given twice", param_hint=option)
         values[name] = number
     return values
+
+
+def _with_unit(name: str, text: str) -> float:
+    """A number, with or without a unit of the parameter; raises ValueError where there is no number."""
+    with suppress(ValueError):
+        return float(text)
+    units = model.units_of(name)
+    try:
+        return motion.amount(text, units or {})
+    except KeyError:
+        named = ", ".join(filter(None, units or ()))
+        allowed = f"a number, or one with a unit: {named}" if named else "a number without a unit"
+        raise ParameterError(name, text, allowed) from None
+
+
+def quantity(kind: str, *names: str, metavar: str, text: str) -> Any:
+    """An option for a number in the SI unit, or with another unit of that kind in `motion.UNITS`."""
+
+    def read(given: str) -> float:
+        try:
+            return motion.amount(str(given), motion.UNITS[kind])
+        except (KeyError, ValueError):
+            units = ", ".join(motion.UNITS[kind])
+            raise typer.BadParameter(f"{given!r} must be a number, or one with a unit: {units}") from None
+
+    return typer.Option(*names, metavar=metavar, help=text, parser=read)
 
 
 def parse_names(texts: Sequence[str] | None, option: str) -> dict[str, str]:
@@ -155,19 +186,35 @@ def column(names: str) -> Any:
     return typer.Option("--column", metavar="NAME=HEADING", help=f"Heading of {names}; repeatable.")
 
 
-def plot(what: str) -> Any:
+def ending_in(*suffixes: str) -> Any:
+    """The callback of a file to write, or of several: another suffix is an OutputFileError at once."""
+
+    def checked(given: Path | list[Path] | None) -> Path | list[Path] | None:
+        for path in [given] if isinstance(given, Path) else given or []:
+            support.check_suffix(path, *suffixes)
+        return given
+
+    return checked
+
+
+def file(*names: str, text: str, suffixes: Sequence[str]) -> Any:
+    """An option for a file to write."""
+    return typer.Option(*names, metavar="FILE", help=text, callback=ending_in(*suffixes))
+
+
+def plot(what: str, name: str = "--plot") -> Any:
     """--plot."""
-    return typer.Option("--plot", metavar="FILE", help=f"Plot {what}: .png, .pdf or .svg.")
+    return file(name, text=f"Plot {what}: .png, .pdf or .svg.", suffixes=support.FIGURE_SUFFIXES)
 
 
 def json(what: str) -> Any:
     """--json."""
-    return typer.Option("--json", metavar="FILE", help=f"Write {what} as JSON.")
+    return file("--json", text=f"Write {what} as JSON.", suffixes=(".json",))
 
 
-def csv(what: str) -> Any:
+def csv(what: str, *names: str) -> Any:
     """--csv."""
-    return typer.Option("--csv", metavar="FILE", help=f"Write {what} as CSV, in SI units.")
+    return file(*(names or ("--csv",)), text=f"Write {what} as CSV, in SI units.", suffixes=(".csv",))
 
 
 def uncertainty(names: str) -> Any:
@@ -229,7 +276,8 @@ Set = Annotated[
         "--set",
         "-s",
         metavar="NAME=VALUE",
-        help="Set a parameter, in SI units; repeatable. `pyjoystick info Joystick` lists them.",
+        help="Set a parameter, in SI units or with a unit such as a=24.1mm; repeatable. "
+        "`pyjoystick info Joystick` lists them.",
     ),
 ]
 FmuFile = Annotated[

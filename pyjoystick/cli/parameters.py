@@ -20,7 +20,7 @@ Examples:
     pyjoystick parameters -p joystick.toml --damping power-law
     pyjoystick parameters -p joystick.toml --fmu-names
 
-docs/parameters.md describes the file.
+The file that `-o` writes explains each of its values in a comment.
 """
 
 
@@ -32,7 +32,7 @@ def run(
     assignments: options.Set = None,
     target: Annotated[
         Path | None,
-        typer.Option("--output", "-o", metavar="FILE", help="Write to this file instead of printing."),
+        options.file("--output", "-o", text="Write to this file instead of printing.", suffixes=(".toml",)),
     ] = None,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace FILE if it exists.")] = False,
     fmu_names: Annotated[
@@ -51,7 +51,7 @@ def run(
     title = target.stem if target is not None and changes else None
     text = model.updated_text(file, options.joystick_of(damping, changes, file), title=title)
     if target is None:
-        output().print(text, end="", markup=False)
+        output().print(text, end="", markup=False, soft_wrap=True)
         return
     if target.exists() and not overwrite:
         raise OutputFileError(target, "it exists; --overwrite replaces it")

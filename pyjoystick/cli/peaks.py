@@ -17,7 +17,7 @@ Examples:
 
     pyjoystick peaks trial1.csv trial2.csv trial3.csv trial4.csv
     pyjoystick peaks trial*.csv --column theta=AngleX --unit theta=deg --unit time=s
-    pyjoystick peaks trial1.csv --released backward --set J=0.012 --plot peaks.png
+    pyjoystick peaks trial1.csv --released backward --set J=0.012 --json peaks.json --plot peaks.png
 """
 
 
@@ -28,11 +28,12 @@ def run(
     released: options.Released = None,
     parameters: options.Parameters = None,
     assignments: options.Set = None,
+    csv: Annotated[Path | None, options.csv("the peaks and the C of each")] = None,
+    json: Annotated[Path | None, options.json("the estimates and their biases")] = None,
     plot: Annotated[Path | None, options.plot("C over the peaks")] = None,
 ) -> None:
     """Estimate the damping from the peaks of free oscillations (eqs. 9 and 10), and its bias."""
-    if plot is not None:
-        support.check_figure_path(plot)
+    support.check_outputs(csv, json, plot)
     changes = options.parse_assignments(assignments, "--set")
     joystick = options.joystick_of(None, changes, options.parameter_file(parameters))
     read = motion.read_repeats(records, **options.parse_headings(columns, units), released=released)
@@ -50,6 +51,9 @@ def run(
     console.print(identification.releases_report(releases))
     console.print()
     console.print(identification.damping_report(estimate, constants, lines))
+    found = releases, estimate, constants, lines
+    write(csv, lambda path: support.write_text(path, identification.damping_csv(estimate)))
+    write(json, lambda path: support.write_text(path, identification.damping_json(*found)))
     constant = constants["both"].corrected
     write(
         plot,

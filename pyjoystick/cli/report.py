@@ -23,7 +23,9 @@ Examples:
 
 
 def run(
-    target: Annotated[Path, typer.Option("--output", "-o", metavar="FILE", help="HTML file to write.")],
+    target: Annotated[
+        Path, options.file("--output", "-o", text="HTML file to write.", suffixes=(".html", ".htm"))
+    ],
     parameters_file: options.Parameters = None,
     damping: options.Law = None,
     assignments: options.Set = None,
@@ -36,8 +38,6 @@ def run(
 
     The report on the paper's joystick also compares the statements of the paper with the results.
     """
-    if target.suffix.lower() not in (".html", ".htm"):
-        raise typer.BadParameter(f"{target} must end in .html", param_hint="--output")
     start = options.parse_angle(release_angle)
     check_outputs(target)
     file = options.parameter_file(parameters_file)

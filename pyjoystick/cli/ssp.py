@@ -9,6 +9,7 @@ from typing import Annotated
 import typer
 
 from pyjoystick import runs
+from pyjoystick.cli import options
 from pyjoystick.cli.console import write
 
 EXAMPLES = """
@@ -29,7 +30,12 @@ class Version(StrEnum):
 def run(
     file: Annotated[
         Path,
-        typer.Argument(metavar="FILE", help="The .ssp file to write.", show_default=False),
+        typer.Argument(
+            metavar="FILE",
+            help="The .ssp file to write.",
+            show_default=False,
+            callback=options.ending_in(".ssp"),
+        ),
     ],
     version: Annotated[
         Version, typer.Option("--ssp-version", help="Version of the SSP standard.")

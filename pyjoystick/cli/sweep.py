@@ -11,6 +11,7 @@ from rich.markup import escape
 from rich.table import Table
 
 from pyjoystick import runs, support
+from pyjoystick.cli import options
 from pyjoystick.cli.console import output, print_note, write
 from pyjoystick.cli.fmus import found_or_built
 from pyjoystick.cli.sweep_progress import progress
@@ -27,7 +28,14 @@ Examples:
     pyjoystick sweep scenarios/sweeps/sensitivity.toml -o indices.parquet --indices indices.csv
     pyjoystick sweep settings.toml --scheduler tcp://10.0.0.1:8786
 
-docs/sweeps.md describes the settings file and how to use a cluster.
+Settings of a sweep over a release angle and a damping coefficient:
+
+    fmu.path = "Joystick"
+    experiment = { duration = 1.0, output_interval = 0.001 }
+    sampling.method = "grid"
+    vary.theta_start = { from = "-20deg", to = "-5deg", count = 16 }
+    vary."damping.C" = { from = 0.03, to = 0.06, count = 13 }
+    results = [{ kind = "peaks", variable = "theta", derivative = "omega", count = 2 }]
 """
 
 
@@ -66,24 +74,15 @@ def run(
     ] = None,
     plots: Annotated[
         list[Path] | None,
-        typer.Option(
-            "--plot",
-            metavar="FILE",
-            help="Plot the Sobol indices of a saltelli sweep, or the results of any other over the "
-            "parameters: .png, .pdf or .svg; repeatable.",
-        ),
+        options.plot("the Sobol indices of a saltelli sweep, of any other its results; repeatable"),
     ] = None,
     scatters: Annotated[
         list[Path] | None,
-        typer.Option(
-            "--scatter",
-            metavar="FILE",
-            help="Plot results over the parameters, whatever the sampling method; repeatable.",
-        ),
+        options.plot("results over the parameters, whatever the sampling method; repeatable", "--scatter"),
     ] = None,
     indices: Annotated[
         Path | None,
-        typer.Option("--indices", metavar="FILE", help="Write the Sobol indices as CSV."),
+        options.file("--indices", text="Write the Sobol indices as CSV.", suffixes=(".csv",)),
     ] = None,
     results: Annotated[
         list[str] | None,
@@ -106,8 +105,6 @@ def run(
     if threads is not None and scheduler is not None:
         raise typer.BadParameter("give --threads or --scheduler: the workers choose their own threads")
     figures = plots or [], scatters or []
-    for path in (*figures[0], *figures[1]):
-        support.check_figure_path(path)
     target = target or settings.with_suffix(".csv")
     check_outputs(target, *figures[0], *figures[1], indices)
     sweep = runs.Sweep(runs.read_settings(settings, found_or_built))

@@ -37,7 +37,7 @@ Examples:
 
 A measured motion is a CSV file with the columns time and theta and optionally omega and alpha, such as
 `pyjoystick import markers --motion` writes. Without omega or alpha, the angle is filtered and differentiated
-as in the paper. docs/forced-motion.md describes the details.
+as in the paper.
 """
 
 
@@ -100,10 +100,12 @@ def run(
     assignments: options.Set = None,
     arm: Annotated[
         float | None,
-        typer.Option(
+        options.quantity(
+            "length",
             "--pivot-to-handle",
-            metavar="METERS",
-            help="Distance from the pivot to the hand. Default: pivot_to_top of --parameters.",
+            metavar="LENGTH",
+            text="Distance from the pivot to the hand: 0.266 (m) or 266mm. Default: pivot_to_top of "
+            "--parameters.",
         ),
     ] = None,
     csv: Annotated[Path | None, options.csv("motion, torque and its parts")] = None,
@@ -115,8 +117,6 @@ def run(
 
     The table of --csv is for the damping law of --damping, else for that of the parameter file.
     """
-    if plot is not None:
-        support.check_figure_path(plot)
     require_length("--pivot-to-handle", arm)
     check_outputs(csv, json, plot)
     given = dict(zip(_OPTIONS, (angle, stroke_time, return_time, dwell, shape, flat), strict=True))

@@ -41,6 +41,8 @@ from .laboratory_errors import (
     Bench as Bench,
     Contribution as Contribution,
     combined as combined,
+    contribution_csv as contribution_csv,
+    contribution_json as contribution_json,
     contribution_table as contribution_table,
     fit_contributions as fit_contributions,
 )
@@ -68,6 +70,8 @@ from .peak_method.figures import (
 from .peak_method.line import PowerLine as PowerLine, fit_power_line as fit_power_line
 from .peak_method.report import (
     bias_report as bias_report,
+    damping_csv as damping_csv,
+    damping_json as damping_json,
     damping_report as damping_report,
     peak_error_report as peak_error_report,
     releases_report as releases_report,

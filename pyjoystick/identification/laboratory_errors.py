@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
+import pandas as pd
 
 from pyjoystick.fmu import Fmu
 from pyjoystick.identification.fitting.fit import fit
@@ -21,7 +22,7 @@ from pyjoystick.identification.fitting.settings import RELEASE, FitSettings, Fre
 from pyjoystick.laboratory import REST_TIME, LoadCurveFit, mean_period
 from pyjoystick.model import ActuatorAssembly, JoystickParameters, Side, simulate
 from pyjoystick.motion import Record
-from pyjoystick.support import TextTable
+from pyjoystick.support import TextTable, json_text
 
 #: What `refit` finds.
 FITTED: Final = ("J", "damping.C")
@@ -238,3 +239,19 @@ def contribution_table(contributions: Sequence[Contribution]) -> str:
     rows.append(["all", "", "", "", *(cell(100.0 * value, 3) for value in combined(contributions))])
     header = ["stage", "theta, rms (deg)", "omega, rms (rad/s)", "period (%)", "fitted J (%)", "fitted C (%)"]
     return TextTable(header, rows).markdown()
+
+
+def contribution_csv(contributions: Sequence[Contribution]) -> str:
+    """The contributions as CSV, a row for each stage; `period`, `J` and `C` are relative."""
+    headings = {"theta": "theta (rad)", "omega": "omega (rad/s)"}
+    return pd.DataFrame(contributions).rename(columns=headings).to_csv(index=False, lineterminator="\n")
+
+
+def contribution_json(found: Fit, contributions: Sequence[Contribution]) -> str:
+    """The fitted values with their combined standard uncertainties (SI units), and the contributions."""
+    fitted = {
+        name: {"value": found.value(name), "standard_uncertainty": abs(found.value(name)) * part}
+        for name, part in zip(FITTED, combined(contributions), strict=True)
+    }
+    stages = [dataclasses.asdict(one) for one in contributions]
+    return json_text({"fitted": fitted, "trusted": found.trusted, "contributions": stages})

@@ -36,9 +36,9 @@ def plot_chain_effect(parameters: JoystickParameters, effect: ChainEffect, *, ti
     true = LAWS[law] | {"linestyle": SOLID}
     figure = Figure(figsize=(7.0, 6.0), layout="constrained")
     above, below = figure.subplots(2, 1, sharex=True)
-    above.plot(run.time - run.time[0], run.omega, label="simulated", **true)
-    above.plot(time, motion.omega[shown], label="through the measuring chain", **_MEASURED)
-    above.set_ylabel("Velocity (rad/s)")
+    above.plot(run.time - run.time[0], run.omega * _DEG, label="simulated", **true)
+    above.plot(time, motion.omega[shown] * _DEG, label="through the measuring chain", **_MEASURED)
+    above.set_ylabel("Velocity (deg/s)")
     measured = energy(parameters, motion.theta[shown], motion.omega[shown])
     below.plot(run.time - run.time[0], run.E * _MJ, **true)
     below.plot(time, measured * _MJ, **_MEASURED)
@@ -52,7 +52,7 @@ def plot_chain_effect(parameters: JoystickParameters, effect: ChainEffect, *, ti
         zorder=0,
         label="where it seems to have risen",
     )
-    below.set(ylabel="Energy (mJ)", xlabel="Time after the release (s)", ylim=(0.0, 1.05 * run.E[0] * _MJ))
+    below.set(ylabel="Energy (mJ)", xlabel="Time (s)", ylim=(0.0, 1.05 * run.E[0] * _MJ))
     below.set_xlim(0.0, float(time[-1]))
     dress(above, zero=True)
     dress(below)
@@ -100,7 +100,7 @@ def plot_instruments(
         panel.text(0.985, 0.93, f"({letter})", transform=panel.transAxes, ha="right", va="top")
         panel.margins(y=0.08)
         dress(panel, zero=True)
-    axes[-1].set_xlabel("Time after the release (s)")
+    axes[-1].set_xlabel("Time (s)")
     axes[-1].set_xlim(0.0, duration)
     figure.align_ylabels(axes)
     if title:

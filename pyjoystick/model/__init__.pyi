@@ -38,7 +38,11 @@ from .parameters.joystick import (
     JoystickParameters as JoystickParameters,
     PowerLawDamping as PowerLawDamping,
 )
-from .parameters.plausible import ImplausibleError as ImplausibleError, require_plausible as require_plausible
+from .parameters.plausible import (
+    ImplausibleError as ImplausibleError,
+    require_plausible as require_plausible,
+    units_of as units_of,
+)
 from .parameters.springs import (
     ActuatorAssembly as ActuatorAssembly,
     RestrainedSpring as RestrainedSpring,

@@ -35,15 +35,16 @@ def find_peaks(
 
     Args:
         time: instants (s), shape (n,), strictly increasing
-        value: the series, shape (n,), n >= 3
-        derivative: its derivative with respect to time, shape (n,)
+        value: the series, shape (n,), n >= 3; rad for ``theta`` of a run, not degrees
+        derivative: its derivative with respect to time, shape (n,); rad/s for ``omega``
         minimum_height: peaks with |value| below this are left out
         minimum_prominence: a peak counts only if the series comes back by this much on either side before it
             goes beyond the peak
 
     Returns:
         one row a peak in order of time, with the columns ``time`` (s), ``value`` (the unit of the series) and
-        ``sign`` (1 for a maximum, -1 for a minimum); empty where there is no peak
+        ``sign`` (1 for a maximum, -1 for a minimum); empty where there is no peak. ``attrs["units"]`` names
+        the unit of ``time`` and, for a column of a table that has units, of ``value``
 
     Raises:
         SeriesError: a series is not one-dimensional, not of the length of the others, too short, holds NaN or
@@ -61,7 +62,10 @@ def find_peaks(
         else extrema_of_derivative(instants, values, slopes)
     )
     peaks = peaks_among(extrema, values[0], values[-1], height, prominence)
-    return pd.DataFrame({"time": peaks[:, 0], "value": peaks[:, 1], "sign": peaks[:, 2].astype(np.int64)})
+    table = pd.DataFrame({"time": peaks[:, 0], "value": peaks[:, 1], "sign": peaks[:, 2].astype(np.int64)})
+    unit = value.attrs.get("units", {}).get(value.name) if isinstance(value, pd.Series) else None
+    table.attrs["units"] = {"time": "s"} | ({} if unit is None else {"value": unit})
+    return table
 
 
 def periods(peaks: pd.DataFrame, *, release_time: float | None = None) -> pd.DataFrame:

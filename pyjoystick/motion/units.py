@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping
+from decimal import Decimal
 from typing import Final
 
 #: Standard gravity (m/s2), which is also the unit g of an acceleration.
@@ -23,6 +25,9 @@ UNITS: Final[Mapping[str, Mapping[str, float]]] = {
     "moment of inertia": {"kg.m2": 1.0, "g.m2": 1e-3, "kg.mm2": 1e-6, "g.cm2": 1e-7, "g.mm2": 1e-9},
     "acceleration": {"m/s2": 1.0, "mm/s2": 1e-3, "g": GRAVITY},
     "voltage": {"V": 1.0, "mV": 1e-3},
+    "torque": {"N.m": 1.0, "mN.m": 1e-3, "N.mm": 1e-3},
+    "stiffness": {"N/m": 1.0, "N/mm": 1e3, "kN/m": 1e3, "kN/mm": 1e6},
+    "damping": {"N.m.s/rad": 1.0, "N.m.s": 1.0, "mN.m.s/rad": 1e-3, "N.m.s/deg": 1.0 / _DEGREE},
 }
 
 _SPELLINGS: Final = str.maketrans(
@@ -36,6 +41,30 @@ _SPELLINGS: Final = str.maketrans(
         "*": ".",
     }
 )
+
+_AMOUNT: Final = re.compile(
+    r"\s*(?P<number>[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?)(?P<unit>\s*([^\W\d_][^=]*|°[^=]*)?)"
+)
+
+
+def amount(text: str, units: Mapping[str, float]) -> float:
+    """A number in SI units from text such as ``24.1mm``; without a unit it is in SI units already.
+
+    Decimal fractions stay exact: ``24.1mm`` is the very float 0.0241.
+
+    Args:
+        text: number and unit
+        units: allowed units with their factors to the SI unit, as in `UNITS`
+
+    Raises:
+        ValueError: the text is no number with something behind it
+        KeyError: what stands behind the number is none of the units
+    """
+    match = _AMOUNT.fullmatch(text)
+    if match is None:
+        raise ValueError(text)
+    unit = plain_unit(match["unit"])
+    return float(Decimal(match["number"]) * Decimal(repr(units[unit]))) if unit else float(match["number"])
 
 
 def plain_unit(text: str) -> str:

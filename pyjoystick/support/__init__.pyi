@@ -47,19 +47,17 @@ from .figure_style import (
     line_style as line_style,
 )
 from .output import (
+    FIGURE_SUFFIXES as FIGURE_SUFFIXES,
     check_outputs as check_outputs,
+    check_suffix as check_suffix,
     json_text as json_text,
     replacing as replacing,
     version_of as version_of,
     versions as versions,
     write_text as write_text,
 )
-from .plots import (
-    check_figure_path as check_figure_path,
-    plot_motion as plot_motion,
-    save_figure as save_figure,
-    save_results as save_results,
-)
+from .plots import plot_motion as plot_motion, save_figure as save_figure, save_results as save_results
 from .temporary_folders import remove_abandoned as remove_abandoned, temporary_folder as temporary_folder
 from .text_table import TextTable as TextTable
+from .toml_mistakes import mistakes as mistakes
 from .toml_table import Table as Table, read_toml as read_toml

@@ -15,6 +15,8 @@ from typing import Any, Final
 
 from pyjoystick.support.errors import OutputFileError
 
+#: Formats of figures.
+FIGURE_SUFFIXES: Final = (".png", ".pdf", ".svg")
 #: Packages that results depend on.
 _PACKAGES: Final = ("pyjoystick", "fmpy", "numpy", "scipy", "pandas")
 
@@ -63,6 +65,12 @@ def check_outputs(*paths: Path | None) -> None:
                 pass
         except OSError as error:
             raise OutputFileError(path, f"{folder}: {error.strerror or error}") from error
+
+
+def check_suffix(path: Path, *suffixes: str) -> None:
+    """Raise OutputFileError unless the name ends in one of the suffixes, in small or capital letters."""
+    if path.suffix.lower() not in suffixes:
+        raise OutputFileError(path, f"the name must end in {', '.join(suffixes)}")
 
 
 def write_text(path: Path, text: str) -> None:

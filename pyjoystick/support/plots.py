@@ -10,9 +10,9 @@ from typing import Final, Literal
 import pandas as pd
 from matplotlib.figure import Figure
 
-from pyjoystick.support.errors import OutputFileError, ParameterError, UnknownVariableError
+from pyjoystick.support.errors import ParameterError, UnknownVariableError
 from pyjoystick.support.figure_style import SERIES, LineStyle, dress, legend_above
-from pyjoystick.support.output import replacing, write_text
+from pyjoystick.support.output import FIGURE_SUFFIXES, check_suffix, replacing, write_text
 
 AngleUnit = Literal["deg", "rad"]
 
@@ -21,7 +21,6 @@ _PANELS: Final = (
     ("omega", "Velocity", "/s"),
     ("alpha", "Acceleration", "/s²"),
 )
-_SUFFIXES: Final = (".png", ".pdf", ".svg")
 
 
 def plot_motion(
@@ -85,7 +84,7 @@ def save_figure(figure: Figure, path: Path, *, resolution: float = 200.0) -> Non
     Raises:
         OutputFileError: another suffix, or the file cannot be written
     """
-    check_figure_path(path)
+    check_suffix(path, *FIGURE_SUFFIXES)
     # Without a date the same figure is the same file.
     metadata = {".pdf": {"CreationDate": None}, ".svg": {"Date": None}}.get(path.suffix.lower(), {})
     with replacing(path) as temporary:
@@ -109,9 +108,3 @@ def save_results(folder: Path, summary: str, figures: Mapping[str, Figure]) -> N
     text = summary.rstrip("\n")
     write_text(folder / "summary.md", f"{text}\n")
     print(text)
-
-
-def check_figure_path(path: Path) -> None:
-    """Raise OutputFileError unless `save_figure` knows the suffix."""
-    if path.suffix.lower() not in _SUFFIXES:
-        raise OutputFileError(path, f"the name must end in {', '.join(_SUFFIXES)}")

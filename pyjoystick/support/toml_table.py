@@ -11,6 +11,7 @@ import re
 import tomllib
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from os import PathLike
 from pathlib import Path
 from typing import Any, Final
 
@@ -177,13 +178,16 @@ class Table:
         return default if value is None else value
 
 
-def read_toml(path: Path) -> Table:
-    """The whole file as a table.
+def read_toml(path: str | PathLike[str] | Table) -> Table:
+    """The whole file as a table, which a reader may also be given.
 
     Raises:
         InputFileError: it cannot be read
         SettingsError: it is not TOML
     """
+    if isinstance(path, Table):
+        return path
+    path = Path(path)
     try:
         text = path.read_text(encoding="utf-8")
     except OSError as error:

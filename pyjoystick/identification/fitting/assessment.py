@@ -10,6 +10,7 @@ import numpy as np
 from pyjoystick.identification.fitting import trust
 from pyjoystick.identification.fitting.noise_model import relative_sizes
 from pyjoystick.identification.fitting.peak_prediction import missing_peaks
+from pyjoystick.identification.fitting.prediction import TrajectoryPredictor
 from pyjoystick.identification.fitting.problem import Problem
 from pyjoystick.identification.fitting.result import Criteria, Derived, RecordFit, criteria
 from pyjoystick.identification.fitting.search import Minimum
@@ -22,8 +23,8 @@ from pyjoystick.support import FloatArray
 def record_fits(problem: Problem, x: FloatArray) -> tuple[RecordFit, ...]:
     """Each record beside the prediction at x."""
     found = []
-    for predictor, predicted, weights in zip(
-        problem.predictors, problem.predictions(x), problem.weights, strict=True
+    for number, (predictor, predicted, weights) in enumerate(
+        zip(problem.predictors, problem.predictions(x), problem.weights, strict=True)
     ):
         sizes = relative_sizes(predictor)
         sigma = {
@@ -33,7 +34,15 @@ def record_fits(problem: Problem, x: FloatArray) -> tuple[RecordFit, ...]:
         }
         found.append(
             RecordFit(
-                predictor.record.name, predictor.labels, predictor.times, predictor.data, predicted, sigma
+                predictor.record.name,
+                predictor.labels,
+                predictor.times,
+                predictor.data,
+                predicted,
+                sigma,
+                predictor.curve(problem.variables.row(x, number), problem.variables.release_time(x, number))
+                if isinstance(predictor, TrajectoryPredictor)
+                else None,
             )
         )
     return tuple(found)

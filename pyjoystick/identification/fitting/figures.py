@@ -15,6 +15,9 @@ from pyjoystick.support import BAND, FITTED, MEASURED, FloatArray, dress, legend
 #: Angles are drawn in degrees.
 _ANGLES: Final = {"theta": "deg", "omega": "deg/s"}
 _COLUMNS: Final = 3
+#: Characters that a legend has room for side by side, and the longest name of a record within a label.
+_LEGEND_WIDTH: Final = 96
+_LONGEST_NAME: Final = 12
 #: The figure that only a fit with profiles has.
 PROFILES: Final = "profiles.png"
 
@@ -34,26 +37,23 @@ def save_figures(fit: Fit, folder: Path) -> list[Path]:
 
 
 def plot_records(fit: Fit) -> Figure:
-    """Each record as dots and the fit at its samples as a line; peaks as dots and crosses."""
+    """Each record as dots and the fitted motion as a line, or peaks as dots and crosses.
+
+    The line has the motion at every millisecond and a gap where samples are missing.
+    """
     panels = [(one, label) for one in fit.records for label in _series(one)]
     figure = Figure(figsize=(7.4, 1.9 * len(panels) + 0.5), layout="constrained")
     axes = figure.subplots(len(panels), 1, squeeze=False, sharex=True)[:, 0]
-    peaks = fit.settings.comparison == "peaks"
     for panel, (one, label) in zip(axes, panels, strict=True):
         inside = np.array(one.labels) == label
         factor, unit = _scale(label)
         times = one.times[inside]
-        fitted = one.predicted[len(times) :] if peaks else times
         panel.plot(times, one.data[inside] * factor, ".", color=MEASURED, markersize=4, label="measured")
-        panel.plot(
-            fitted,
-            one.predicted[inside] * factor,
-            "x" if peaks else "-",
-            color=FITTED,
-            linewidth=1.0,
-            markersize=6,
-            label="fit",
-        )
+        if one.curve is None:
+            heights, instants = one.predicted[inside], one.predicted[len(times) :]
+            panel.plot(instants, heights * factor, "x", color=FITTED, markersize=6, label="fit")
+        else:
+            panel.plot(one.curve.index, one.curve[label] * factor, color=FITTED, linewidth=1.0, label="fit")
         panel.set_ylabel(f"{label} {unit}".strip())
         panel.set_title(one.name, loc="left", fontsize="small")
         dress(panel)
@@ -64,7 +64,9 @@ def plot_records(fit: Fit) -> Figure:
 
 def plot_residuals(fit: Fit) -> Figure:
     """Residuals in standard deviations of the noise, over time and as a histogram."""
-    figure = Figure(figsize=(7.4, 3.4), layout="constrained")
+    columns = max(1, min(4, _LEGEND_WIDTH // (4 + max(len(one.name) for one in fit.records))))
+    rows = math.ceil(len(fit.records) / columns)
+    figure = Figure(figsize=(7.4, 3.2 + 0.2 * rows), layout="constrained")
     over_time, histogram = figure.subplots(1, 2, sharey=True, width_ratios=[3.0, 1.0])
     markers = "o^sDv<>p"
     everything = []
@@ -88,7 +90,7 @@ def plot_residuals(fit: Fit) -> Figure:
     figure.legend(
         *over_time.get_legend_handles_labels(),
         loc="outside upper center",
-        ncols=4,
+        ncols=columns,
         frameon=False,
         fontsize="small",
     )
@@ -125,8 +127,18 @@ def plot_profiles(fit: Fit) -> Figure:
 
 
 def plot_correlation(fit: Fit) -> Figure:
-    """The correlations of the fitted values; gray where the data do not determine a value."""
-    labels = [variable.label for variable in fit.variables]
+    """The correlations of the fitted values; gray where the data do not determine a value.
+
+    Records with long names have numbers in the labels, and the numbers stand below the figure.
+    """
+    names = [one.name for one in fit.records]
+    numbered = max(map(len, names)) > _LONGEST_NAME
+    labels = [
+        variable.label
+        if variable.record is None or not numbered
+        else f"{variable.name} [{variable.record + 1}]"
+        for variable in fit.variables
+    ]
     size = 0.42 * len(labels) + 2.4
     figure = Figure(figsize=(size + 0.8, size), layout="constrained")
     axes = figure.subplots()
@@ -142,6 +154,9 @@ def plot_correlation(fit: Fit) -> Figure:
                 color = "white" if abs(value) > 0.6 else "black"
                 axes.text(j, i, f"{value:.2f}", ha="center", va="center", fontsize="x-small", color=color)
     figure.colorbar(image, ax=axes, shrink=0.8, label="Correlation")
+    if numbered:
+        key = "\n".join(f"[{number}] {name}" for number, name in enumerate(names, start=1))
+        figure.supxlabel(key, fontsize="x-small", ha="left", x=0.02)
     return figure
 
 

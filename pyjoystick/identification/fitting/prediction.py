@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple, Protocol
 
@@ -18,6 +19,11 @@ from pyjoystick.support import FloatArray
 _PLANS_KEPT = 4
 #: Up to so many runs are done one after the other.
 _FEW = 24
+#: Curves are drawn in steps of this (s), and of no more points than this.
+_CURVE_STEP = 1e-3
+_MOST_POINTS = 20_000
+#: Samples lack where two are further apart than this many of the usual steps.
+_GAP = 1.5
 
 
 class Prediction(NamedTuple):
@@ -129,23 +135,48 @@ class TrajectoryPredictor:
             )
         return Prediction(values, slope, found.message)
 
+    def curve(self, row: FloatArray, release_time: float) -> pd.DataFrame:
+        """The outputs for one row of parameters at every millisecond of the record, NaN where samples lack.
+
+        Of long records so many instants are left out that 20 000 remain.
+        """
+        start, end = self.record.time[0], self.record.time[-1]
+        time = np.linspace(
+            start, end, 1 + min(math.ceil(round((end - start) / _CURVE_STEP, 6)), _MOST_POINTS)
+        )
+        steps = np.diff(self.record.time)
+        before = np.clip(np.searchsorted(self.record.time, time, side="right") - 1, 0, len(steps) - 1)
+        lacking = (steps[before] > _GAP * np.median(steps)) & ~np.isin(time, self.record.time)
+        moving = np.unique(time[time > release_time])
+        numbers = np.full((len(time), len(self._outputs)), np.nan)
+        if moving.size:
+            plan = self._plan_at(np.concatenate(([0.0], moving - release_time)), release_time)
+            found = run_rows(plan, row[np.newaxis], self._settings).numbers[0, :, : len(self._outputs)]
+            self.runs += 1
+            numbers = found[np.where(time > release_time, np.searchsorted(moving, time) + 1, 0)]
+        numbers[lacking] = np.nan
+        return pd.DataFrame(numbers, index=time, columns=list(self._outputs))
+
     def _plan(self, release_time: float, moving: np.ndarray[tuple[int], np.dtype[np.bool_]]) -> Plan:
         plan = self._plans.get(release_time)
         if plan is None:
             if len(self._plans) == _PLANS_KEPT:
                 del self._plans[next(iter(self._plans))]
             instants = np.concatenate(([0.0], self.record.time[moving] - release_time))
-            inputs = self._inputs
-            plan = self._settings.fmu.plan(
-                instants,
-                varied=self._settings.varied,
-                parameters=self._settings.constants,
-                inputs=None if inputs is None else inputs.set_axis(inputs.index - release_time),
-                outputs=(*self._outputs, *self._slopes),
-                tolerance=self._settings.tolerance,
-            )
-            self._plans[release_time] = plan
+            self._plans[release_time] = plan = self._plan_at(instants, release_time)
         return plan
+
+    def _plan_at(self, instants: FloatArray, release_time: float) -> Plan:
+        """A plan of runs with these instants (s after the release)."""
+        inputs = self._inputs
+        return self._settings.fmu.plan(
+            instants,
+            varied=self._settings.varied,
+            parameters=self._settings.constants,
+            inputs=None if inputs is None else inputs.set_axis(inputs.index - release_time),
+            outputs=(*self._outputs, *self._slopes),
+            tolerance=self._settings.tolerance,
+        )
 
 
 class Runs(NamedTuple):

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
+import pandas as pd
 
 from pyjoystick.identification.fitting.bootstrap import Bootstrap
 from pyjoystick.identification.fitting.problem import StepChoice
@@ -78,6 +79,8 @@ class RecordFit:
         times: its instant (s), shape (n,)
         data, predicted: measured and fitted numbers, shape (n,)
         sigma: standard deviation of the noise by series, given or estimated
+        curve: the fitted motion, a table of the series over each millisecond (s), NaN where samples lack;
+            None where peaks were compared
     """
 
     name: str
@@ -86,6 +89,7 @@ class RecordFit:
     data: FloatArray
     predicted: FloatArray
     sigma: dict[str, float]
+    curve: pd.DataFrame | None = None
 
     def residuals(self) -> FloatArray:
         """Data less prediction, shape (n,)."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable, Mapping
+from os import PathLike
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +22,9 @@ from pyjoystick.runs import difference_of, fmu_of, joystick_values, number_of, v
 from pyjoystick.support import ParameterError, SettingsError, Table, UnknownVariableError, read_toml
 
 
-def read_fit_settings(path: Path, find: Callable[[str], Path] = find_fmu) -> FitSettings:
+def read_fit_settings(
+    path: str | PathLike[str] | Table, find: Callable[[str], Path] = find_fmu
+) -> FitSettings:
     """Read the settings of a fit.
 
     Args:
@@ -54,7 +57,7 @@ def read_fit_settings(path: Path, find: Callable[[str], Path] = find_fmu) -> Fit
     try:
         return with_values(FitSettings(**given), values)
     except ParameterError as error:
-        raise SettingsError(path, "", "", None, str(error)) from None
+        raise SettingsError(root.path, "", "", None, str(error)) from None
 
 
 def _fixed(table: Table, fmu: FmuDescription) -> dict[str, Value]:

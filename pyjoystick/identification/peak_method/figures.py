@@ -14,16 +14,27 @@ from matplotlib.ticker import FixedLocator, MaxNLocator, NullFormatter, NullLoca
 
 from pyjoystick.identification.peak_method.estimate import DampingEstimate
 from pyjoystick.identification.peak_method.line import PowerLine
-from pyjoystick.support import BACKWARD, BLACK, FORWARD, LAWS, SERIES, FloatArray, ParameterError, dress
+from pyjoystick.support import (
+    BACKWARD,
+    BLACK,
+    FORWARD,
+    LAWS,
+    SERIES,
+    FloatArray,
+    ParameterError,
+    dress,
+    legend_above,
+)
 
 #: Color and marker of the peaks of either sign.
 _SIDES: Final = {"positive": (FORWARD, "o"), "negative": (BACKWARD, "v")}
 _BOTH: Final = BLACK
+_DEG: Final = math.degrees(1.0)
 _CONSTANT: Final = "constant C without the bias"
 #: Ticks of the logarithmic axes: a few round numbers, for a decade is too wide for the range of C.
 _C_TICKS: Final = (0.01, 0.02, 0.03, 0.04, 0.05, 0.06, 0.08, 0.1, 0.15, 0.2)
 _ANGLE_TICKS: Final = (0.5, 1.0, 2.0, 3.0, 5.0, 10.0, 15.0, 20.0)
-_VELOCITY_TICKS: Final = (1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)
+_VELOCITY_TICKS: Final = (50.0, 100.0, 150.0, 200.0, 300.0, 400.0, 500.0)
 _ERRORS: Final = {
     "displacement_time": "peak time",
     "displacement": "peak displacement",
@@ -53,22 +64,23 @@ def plot_damping_estimate(
     angle, velocity = figure.subplots(1, 2, sharey=True)
     for name, (color, _) in _SIDES.items():
         points = estimate.displacement[_side(estimate.displacement, name)]
-        _points(angle, points, name, scale=math.degrees(1.0))
-        _line(angle, estimate.lines[name], points, color, confidence, scale=math.degrees(1.0))
+        _points(angle, points, name)
+        _line(angle, estimate.lines[name], points, color, confidence)
+        angle.lines[-1].set_label(f"line, {name} peaks")
         _points(velocity, estimate.velocity[_side(estimate.velocity, name)], name)
     _line(velocity, estimate.lines["velocity"], estimate.velocity, _BOTH, confidence)
+    velocity.lines[-1].set_label("line, both signs")
     if constant is not None:
         for axes in (angle, velocity):
             axes.axhline(constant, label=_CONSTANT, **LAWS["constant"])
     angle.set_ylabel("$C_\\mathrm{exp}$ (N m s/rad)")
     for axes, label, ticks in (
         (angle, "(a)  Peak displacement (deg)", _ANGLE_TICKS),
-        (velocity, "(b)  Peak velocity (rad/s)", _VELOCITY_TICKS),
+        (velocity, "(b)  Peak velocity (deg/s)", _VELOCITY_TICKS),
     ):
         axes.set_xlabel(label)
         _dress_logarithmic(axes, ticks)
-    handles, labels = angle.get_legend_handles_labels()
-    figure.legend(handles, labels, title=title, loc="outside upper center", ncols=len(handles), frameon=False)
+    legend_above(figure, [angle, velocity], title=title, columns=3)
     return figure
 
 
@@ -115,10 +127,10 @@ def _side(points: pd.DataFrame, name: str) -> pd.Series[bool]:
     return points["peak"] > 0.0 if name == "positive" else points["peak"] < 0.0
 
 
-def _points(axes: Axes, points: pd.DataFrame, side: str, *, scale: float = 1.0) -> None:
+def _points(axes: Axes, points: pd.DataFrame, side: str) -> None:
     color, marker = _SIDES[side]
     axes.plot(
-        points["peak"].abs() * scale,
+        points["peak"].abs() * _DEG,
         points["C"],
         label=f"{side} peaks",
         linestyle="",
@@ -135,13 +147,11 @@ def _line(
     points: pd.DataFrame,
     color: str,
     confidence: float,
-    *,
-    scale: float = 1.0,
 ) -> None:
     height = _heights(points)
     low, high = line.band(height, confidence)
-    axes.plot(height * scale, line.at(height), color=color, linewidth=1.2)
-    axes.fill_between(height * scale, low, high, color=color, alpha=0.15, linewidth=0.0)
+    axes.plot(height * _DEG, line.at(height), color=color, linewidth=1.2)
+    axes.fill_between(height * _DEG, low, high, color=color, alpha=0.15, linewidth=0.0)
 
 
 def _heights(points: pd.DataFrame) -> FloatArray:

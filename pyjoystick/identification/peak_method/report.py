@@ -1,9 +1,11 @@
-"""Reports on damping estimates and peak errors, in Markdown."""
+"""Reports on damping estimates and peak errors, in Markdown, JSON and CSV."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import asdict
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -11,7 +13,7 @@ import pandas as pd
 from pyjoystick.identification.peak_method.bias import Bias
 from pyjoystick.identification.peak_method.estimate import CONSTANTS, LINES, DampingEstimate
 from pyjoystick.motion import MeasuredPeaks, minima
-from pyjoystick.support import TextTable
+from pyjoystick.support import TextTable, json_text
 
 _LINE_NAMES = dict(zip(LINES, (("A_pos", "n_pos"), ("A_neg", "n_neg"), ("B", "m")), strict=True))
 _ERRORS = {
@@ -57,6 +59,46 @@ def damping_report(
     if estimate.left_out:
         return f"{table}\n\n{estimate.left_out} points without a logarithm are left out of the lines."
     return table
+
+
+def damping_json(
+    releases: Sequence[MeasuredPeaks],
+    estimate: DampingEstimate,
+    constants: Mapping[str, Bias],
+    lines: Mapping[str, Bias],
+) -> str:
+    """The same as JSON text, in SI units: releases, constant C, coefficients and exponents of the lines."""
+
+    def with_bias(bias: Bias, interval: tuple[float, float] | None) -> dict[str, Any]:
+        return asdict(bias) | {"bias": bias.bias, "interval": interval}
+
+    content: dict[str, Any] = {
+        "releases": [
+            {key: value for key, value in vars(one).items() if not isinstance(value, pd.DataFrame)}
+            for one in releases
+        ],
+        "constants": {
+            name: with_bias(constants[name], estimate.constants[name].interval()) for name in CONSTANTS
+        },
+        "lines": {},
+        "left_out": estimate.left_out,
+    }
+    for line, (coefficient, exponent) in _LINE_NAMES.items():
+        fitted = estimate.lines[line]
+        content["lines"] |= {
+            coefficient: with_bias(lines[coefficient], fitted.coefficient_interval()),
+            exponent: with_bias(lines[exponent], fitted.exponent_interval()),
+        }
+    return json_text(content)
+
+
+def damping_csv(estimate: DampingEstimate) -> str:
+    """The peaks and the C of each as CSV; displacement and velocity have a column each."""
+    series = {"theta (rad)": estimate.displacement, "omega (rad/s)": estimate.velocity}
+    table = pd.concat([points.rename(columns={"peak": name}) for name, points in series.items()])
+    headings = {"time": "time (s)", "C": "C (N.m.s/rad)"}
+    columns = ["record", "number", "time (s)", *series, "C (N.m.s/rad)"]
+    return table.rename(columns=headings)[columns].to_csv(index=False, lineterminator="\n")
 
 
 def bias_report(table: pd.DataFrame) -> str:

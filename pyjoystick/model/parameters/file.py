@@ -94,7 +94,7 @@ def read_parameters(path: str | PathLike[str]) -> JoystickParameters:
     return read_parameter_file(path).joystick
 
 
-def read_parameter_file(path: str | PathLike[str]) -> ParameterFile:
+def read_parameter_file(path: str | PathLike[str] | Table) -> ParameterFile:
     """Read a parameter file; docs/parameters.md describes it.
 
     Raises:
@@ -102,7 +102,7 @@ def read_parameter_file(path: str | PathLike[str]) -> ParameterFile:
         SettingsError: it is no TOML, or a table, key or value in it is missing, unknown or not allowed, or a
             number is one that no joystick has and the file does not say ``implausible = true``
     """
-    root = read_toml(Path(path))
+    root = read_toml(path)
     found = _Found(root, allow_implausible=root.flag(IMPLAUSIBLE))
     numbers = {
         name: found.numbers(root.table(name, required=True), keys) for name, keys in PLAIN_TABLES.items()

@@ -14,8 +14,8 @@ from typing import Final, NamedTuple
 from pyjoystick.motion import UNITS
 from pyjoystick.support import ParameterError
 
-_STIFFNESS: Final = {"N/m": 1.0, "N/mm": 1e3, "kN/mm": 1e6}
-_DAMPING: Final = {"N.m.s/rad": 1.0, "mN.m.s/rad": 1e-3, "N.m.s/deg": 180.0 / math.pi}
+_STIFFNESS: Final = UNITS["stiffness"]
+_DAMPING: Final = UNITS["damping"]
 _INERTIA: Final = {**UNITS["moment of inertia"], "kg.cm2": 1e-4}
 
 
@@ -58,6 +58,17 @@ RANGES: Final[Mapping[str, Range]] = {
 }
 #: Below zero they are as plausible; anything else below zero is refused for that.
 _SIGNED: Final = ("g", "damping.n_pos", "damping.n_neg", "damping.m")
+#: Units of what is not judged.
+_OTHERS: Final[Mapping[str, Mapping[str, float]]] = {
+    "damping.alpha": {"": 1.0},
+    **dict.fromkeys(("theta", "theta_start"), UNITS["angle"]),
+    **dict.fromkeys(("omega", "omega_start"), UNITS["angular velocity"]),
+    "alpha": UNITS["angular acceleration"],
+    "x": UNITS["length"],
+    "f_x": UNITS["force"],
+    **dict.fromkeys(("T", "M_s", "M_d", "M_g"), UNITS["torque"]),
+    "C": _DAMPING,
+}
 
 
 @dataclass(eq=False)
@@ -77,7 +88,7 @@ def require_plausible(name: str, value: float, *, field: str = "", insist: str =
     Raises:
         ImplausibleError: its magnitude is neither 0 nor within the range
     """
-    known = RANGES.get(name) or RANGES.get(name.rpartition(".")[2] if "Spring." in name else "")
+    known = _range_of(name)
     size = abs(value)
     if known is None or known.low <= size <= known.high or size == 0.0 or not math.isfinite(size):
         return
@@ -95,3 +106,17 @@ def require_plausible(name: str, value: float, *, field: str = "", insist: str =
         hints.insert(0, f"did you mean {value:g} {unit} = {sign * meant[unit]:.6g} {known.unit}?")
     allowed = f"between {known.low:g} and {known.high:g} {known.unit}".rstrip() + ", as a joystick's is"
     raise ImplausibleError(field or name, value, allowed, " ".join(hints))
+
+
+def units_of(name: str) -> Mapping[str, float] | None:
+    """The units of a parameter or output of the joystick, by its FMU name, with factors to the SI unit.
+
+    Returns:
+        the SI unit first; the unit of a pure number is empty; None for a name that is not known
+    """
+    known = _range_of(name)
+    return known.units if known else _OTHERS.get(name)
+
+
+def _range_of(name: str) -> Range | None:
+    return RANGES.get(name) or RANGES.get(name.rpartition(".")[2] if "Spring." in name else "")

@@ -55,7 +55,7 @@ def plot_operated_joystick(run: pd.DataFrame) -> Figure:
     angle.plot(run.index, degrees * run["joystick.theta"], color=VERMILION, linestyle=SOLID, label="joystick")
     torque.plot(run.index, run["operator.T"], color=VERMILION)
     angle.set(ylabel="theta (deg)")
-    torque.set(xlabel="time (s)", ylabel="T of the operator (N m)")
+    torque.set(xlabel="Time (s)", ylabel="T of the operator (N m)")
     for axes in (angle, torque):
         dress(axes, zero=True)
     figure.align_ylabels()

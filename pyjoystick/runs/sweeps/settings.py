@@ -75,7 +75,7 @@ class Settings:
     document: Mapping[str, Any]
 
 
-def read_settings(path: str | PathLike[str], find: Callable[[str], Path] = find_fmu) -> Settings:
+def read_settings(path: str | PathLike[str] | Table, find: Callable[[str], Path] = find_fmu) -> Settings:
     """Read the settings of a sweep; docs/sweeps.md describes the file.
 
     Args:
@@ -87,7 +87,7 @@ def read_settings(path: str | PathLike[str], find: Callable[[str], Path] = find_
         SettingsError: something in it is not allowed
         FmuNotFoundError, FmuFileError: there is no such FMU, or it is broken
     """
-    root = read_toml(Path(path))
+    root = read_toml(path)
     fmu = fmu_of(root.table("fmu", required=True), find)
     joystick = joystick_values(root.table("fmu"), fmu)
     parameters = _parameters(root.table("parameters"), fmu)

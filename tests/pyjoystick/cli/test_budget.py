@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import json
 import math
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
 import pytest
 
 from pyjoystick.laboratory import synthetic_record
@@ -13,6 +15,8 @@ from pyjoystick.model import BACKWARD_TABLE, NOMINAL, read_parameter_file, write
 from tests.pyjoystick.cli.conftest import Command
 from tests.pyjoystick.laboratory.load_curve.machine import cycle, write
 from tests.scenarios.scripts import cells
+
+SAVED = ("--json", "budget.json", "--csv", "budget.csv")
 
 
 @pytest.fixture
@@ -27,7 +31,9 @@ def record(tmp_path: Path) -> str:
 
 def test_what_is_uncertain_has_a_row_and_the_file_the_whole(command: Command, record: str) -> None:
     before = read_parameter_file(Path("joystick.toml")).joystick
-    outcome = command("budget", record, "-p", "joystick.toml", "--uncertainty", "scale=0.002", "--update")
+    outcome = command(
+        "budget", record, "-p", "joystick.toml", "--uncertainty", "scale=0.002", "--update", *SAVED
+    )
     assert outcome.code == 0, outcome.err
     assert "taken as exact: h, a, load curve forward, load curve backward" in outcome.err
     parts = [
@@ -42,6 +48,17 @@ def test_what_is_uncertain_has_a_row_and_the_file_the_whole(command: Command, re
     whole = [float(cell) for cell in cells(outcome.out, "all")[3:]]
     np.testing.assert_allclose(np.sqrt(np.sum(np.square(parts), axis=0)), whole, atol=2e-3)
     assert all(0.0 < part < total for row in parts for part, total in zip(row, whole, strict=True))
+    saved = json.loads(Path("budget.json").read_text(encoding="utf-8"))
+    assert saved["trusted"] is True
+    assert saved["fitted"]["J"]["value"] == pytest.approx(NOMINAL.J, rel=0.01)
+    inertia = saved["fitted"]["J"]
+    assert inertia["standard_uncertainty"] / inertia["value"] == pytest.approx(whole[0] / 100.0, abs=1e-5)
+    table = pd.read_csv("budget.csv", index_col="stage")
+    assert list(table) == ["theta (rad)", "omega (rad/s)", "period", "J", "C"]
+    np.testing.assert_allclose(
+        np.sqrt(np.nansum(table[["J", "C"]] ** 2, axis=0)), np.array(whole) / 100, atol=1e-5
+    )
+    assert [one["stage"] for one in saved["contributions"]] == list(table.index)
     found = read_parameter_file(Path("joystick.toml"))
     assert found.uncertainties["body.J"] == pytest.approx(whole[0] / 100.0 * NOMINAL.J, rel=0.06)
     assert found.uncertainties["body.m"] == 0.01

@@ -23,6 +23,8 @@ from pyjoystick.support import ParameterError, UnknownParameterError
         ("89.999", 89.999),
         ("-0.35rad", math.degrees(-0.35)),
         (".5 rad", math.degrees(0.5)),
+        ("-20°", -20.0),
+        ("350 mrad", math.degrees(0.35)),
     ],
 )
 def test_angles(text: str, degrees: float) -> None:
@@ -78,3 +80,42 @@ def test_the_joystick_of_a_law() -> None:
         joystick_of("constant", {"damping.alpha": 0.5})
     with pytest.raises(ParameterError, match=r"theta_start = 0\.1: must be left out .*--release-angle"):
         joystick_of("constant", {"theta_start": 0.1})
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("a=24.1mm", 0.0241),
+        ("a = 2.41 cm", 0.0241),
+        ("h=81e-3m", 0.081),
+        ("J=118.5 g.m2", 0.1185),
+        ("J=0.012 kg m^2", 0.012),
+        ("m=910g", 0.91),
+        ("g=1 g", 9.80665),
+        ("forward.returnSpring.k_s=2.625N/mm", 2625.0),
+        ("backward.balanceSpring.x_0=75um", 75e-6),
+        ("backward.returnSpring.F_0=52.5 N", 52.5),
+        ("damping.C=45 mN.m.s/rad", 0.045),
+        ("damping.eps_theta=0.1mrad", 1e-4),
+        ("theta=1e-3deg", math.radians(1e-3)),
+        ("x=5", 5.0),
+    ],
+)
+def test_values_with_units_are_the_same_as_in_si_units(text: str, value: float) -> None:
+    (number,) = parse_assignments([text], "--set").values()
+    assert number == value
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("a=24.1kg", "a = 24.1kg: must be a number, or one with a unit: m, cm, mm, um"),
+        ("a=24.1mmm", "a = 24.1mmm: must be a number, or one with a unit: m, cm, mm, um"),
+        ("J=1 kg", "J = 1 kg: must be a number, or one with a unit: kg.m2"),
+        ("damping.alpha=0.9deg", r"damping\.alpha = 0\.9deg: must be a number without a unit"),
+        ("nothing=3mm", "nothing = 3mm: must be a number without a unit"),
+    ],
+)
+def test_units_of_another_dimension_are_refused(text: str, message: str) -> None:
+    with pytest.raises(ParameterError, match=message):
+        parse_assignments([text], "--set")

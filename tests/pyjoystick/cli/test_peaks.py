@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import json
+import math
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
+import pytest
 
 from tests.pyjoystick.cli.conftest import Command
 
@@ -22,6 +26,23 @@ def test_the_estimate_is_printed_beside_its_bias(command: Command, tmp_path: Pat
     assert abs(float(cells[0]) - 0.045) < 0.001
     assert abs(float(cells[3]) - 0.045) < 0.001
     assert "synthetic_constant_4" in outcome.out
+
+
+def test_the_results_are_saved(command: Command, tmp_path: Path) -> None:
+    outcome = command("peaks", *RECORDS, "--json", "peaks.json", "--csv", "peaks.csv")
+    assert outcome.code == 0, outcome.err
+    found = json.loads((tmp_path / "peaks.json").read_text(encoding="utf-8"))
+    both = found["constants"]["both"]
+    row = next(line for line in outcome.out.splitlines() if line.startswith("| C, both "))
+    assert f"{both['corrected']:.4f}" == row.split("|")[5].strip()
+    assert both["interval"][0] < both["estimate"] < both["interval"][1]
+    assert list(found["lines"]) == ["A_pos", "n_pos", "A_neg", "n_neg", "B", "m"]
+    assert [one["name"] for one in found["releases"]] == [Path(record).stem for record in RECORDS]
+    assert found["releases"][0]["release_angle"] == pytest.approx(math.radians(-20.0), rel=0.01)
+    table = pd.read_csv(tmp_path / "peaks.csv")
+    assert list(table) == ["record", "number", "time (s)", "theta (rad)", "omega (rad/s)", "C (N.m.s/rad)"]
+    assert set(table["record"]) == {Path(record).stem for record in RECORDS}
+    assert table["theta (rad)"].isna().equals(table["omega (rad/s)"].notna())
 
 
 def test_columns_units_and_parameters(command: Command, tmp_path: Path) -> None:

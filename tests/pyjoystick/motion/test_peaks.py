@@ -228,3 +228,15 @@ def test_limits_are_checked(name: str) -> None:
     limits: dict[str, Any] = {name: -1.0}
     with pytest.raises(ParameterError, match=f"^{name} = -1.0: must be a finite number, 0 or more$"):
         find_peaks([0.0, 1.0, 2.0], [0.0, 1.0, 0.0], **limits)
+
+
+def test_the_unit_of_the_value_is_that_of_the_table() -> None:
+    time = np.linspace(0.0, 1.0, 101)
+    theta, omega = damped_sine(time)
+    table = pd.DataFrame({"theta": theta, "omega": omega}, index=time)
+    assert find_peaks(time, theta).attrs["units"] == {"time": "s"}
+    table.attrs["units"] = {"time": "s", "theta": "rad", "omega": "rad/s"}
+    assert find_peaks(table.index, table["theta"], table["omega"]).attrs["units"] == {
+        "time": "s",
+        "value": "rad",
+    }

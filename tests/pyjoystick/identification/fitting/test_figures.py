@@ -6,6 +6,7 @@ import dataclasses
 import math
 from pathlib import Path
 
+import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
@@ -39,8 +40,39 @@ def test_records_beside_their_fit(found: Fit) -> None:
     assert all(axes.get_ylabel() == "theta (deg)" for axes in figure.axes)
     dots, line = figure.axes[0].lines
     assert list(dots.get_ydata()) == pytest.approx([math.degrees(x) for x in found.records[0].data])
-    assert list(line.get_ydata()) == pytest.approx([math.degrees(x) for x in found.records[0].predicted])
+    times = np.asarray(line.get_xdata())
+    assert np.diff(times).max() <= 1.0001e-3
+    at_samples = np.interp(found.records[0].times, times, np.asarray(line.get_ydata()))
+    assert at_samples == pytest.approx(np.degrees(found.records[0].predicted), abs=2e-3)
     assert _legend(figure) == ["measured", "fit"]
+
+
+def test_the_motion_has_a_gap_where_samples_are_missing(fmus_by_name: Path) -> None:
+    whole = releases(NOMINAL, noise=math.radians(0.1))[0]
+    kept = np.ones(len(whole.time), dtype=bool)
+    kept[40:46] = False
+    one = dataclasses.replace(whole, time=whole.time[kept], theta=whole.theta[kept], rows=whole.rows[kept])
+    curve = fit([one], CONSTANT_DAMPING).records[0].curve
+    assert curve is not None
+    missing = curve.index[curve["theta"].isna()].to_numpy()
+    before, after = whole.time[39], whole.time[46]
+    assert before < missing[0] < before + 2e-3
+    assert after - 2e-3 < missing[-1] < after
+    assert len(missing) == pytest.approx((after - before) / 1e-3, abs=2)
+
+
+def test_long_names_of_records_take_little_room(found: Fit) -> None:
+    names = [f"2026-11-19_subject_7_right_hand_release_{number}" for number in (1, 2)]
+    records = tuple(
+        dataclasses.replace(one, name=name) for one, name in zip(found.records, names, strict=True)
+    )
+    long = dataclasses.replace(found, records=records)
+    assert max(len(text.get_text()) for text in plot_correlation(long).axes[0].get_yticklabels()) < 30
+    figure = plot_residuals(long)
+    figure.draw_without_rendering()
+    legend, axes = figure.legends[0].get_window_extent(), figure.axes[0].get_window_extent()
+    assert legend.width < figure.bbox.width
+    assert axes.height > 0.6 * figure.bbox.height
 
 
 def test_residuals_in_standard_deviations(found: Fit) -> None:

@@ -23,15 +23,22 @@ def test_points_lines_and_bands_of_fig_9(estimate: DampingEstimate) -> None:
     angle, velocity = figure.axes
     assert (angle.get_xscale(), angle.get_yscale()) == ("log", "log")
     assert "(deg)" in angle.get_xlabel()
-    assert "(rad/s)" in velocity.get_xlabel()
+    assert "(deg/s)" in velocity.get_xlabel()
     by_label = {str(line.get_label()): line for line in angle.lines}
     positive = estimate.displacement[estimate.displacement["peak"] > 0.0]
     points = by_label["positive peaks"]
     np.testing.assert_allclose(np.asarray(points.get_xdata()), np.degrees(positive["peak"]))
     np.testing.assert_array_equal(points.get_ydata(), positive["C"])
-    drawn = [line for line in angle.lines if str(line.get_label()).startswith("_")]
-    height = np.radians(np.asarray(drawn[0].get_xdata(), dtype=np.float64))
-    np.testing.assert_allclose(np.asarray(drawn[0].get_ydata()), estimate.lines["positive"].at(height))
+    drawn = by_label["line, positive peaks"]
+    height = np.radians(np.asarray(drawn.get_xdata(), dtype=np.float64))
+    np.testing.assert_allclose(np.asarray(drawn.get_ydata()), estimate.lines["positive"].at(height))
+    both = next(line for line in velocity.lines if line.get_label() == "line, both signs")
+    height = np.radians(np.asarray(both.get_xdata(), dtype=np.float64))
+    np.testing.assert_allclose(np.asarray(both.get_ydata()), estimate.lines["velocity"].at(height))
+    legend = [text.get_text() for text in figure.legends[0].get_texts()]
+    drawn_lines = {str(line.get_label()) for axes in figure.axes for line in axes.lines}
+    assert set(legend) == drawn_lines
+    assert len(legend) == len(drawn_lines) == 6
     assert [len(axes.collections) for axes in figure.axes] == [2, 1]
     assert [line.get_ydata()[0] for line in (angle.lines[-1], velocity.lines[-1])] == [0.045, 0.045]
 
