@@ -71,7 +71,9 @@ def run(
     ] = None,
     samples_per_second: Annotated[
         float | None,
-        typer.Option("--samples-per-second", metavar="HZ", help="Sampling rate of a file without a time."),
+        typer.Option(
+            "--samples-per-second", metavar="HZ", help="Sampling rate, instead of a column of times."
+        ),
     ] = None,
     sheet: Annotated[
         str, typer.Option("--sheet", metavar="NAME", help="Sheet of a workbook, or structure of a .mat file.")
@@ -93,6 +95,8 @@ def run(
     """
     if record_file is None and preview is None:
         raise typer.BadParameter("give --output, --preview or both")
+    if record_file is not None and record_file.exists() and file.exists() and record_file.samefile(file):
+        raise typer.BadParameter("is the table itself", param_hint="--output")
     if decimal not in ("", ".", ","):
         raise typer.BadParameter(f"{decimal!r} must be . or ,", param_hint="--decimal")
     if samples_per_second is not None and not (0.0 < samples_per_second < math.inf):

@@ -136,7 +136,9 @@ class TableHead:
     def _find(self, column: Column, wanted: str) -> Heading | None:
         """The heading of a column; None where an optional one is missing and no heading is `wanted`."""
         name = wanted or column.name
-        found = self.named(name) or ([] if wanted else [h for h in self.headings if h.name in column.aliases])
+        found = [heading for heading in self.headings if heading.text == wanted] or self.named(name)
+        if not (found or wanted):
+            found = [heading for heading in self.headings if heading.name in column.aliases]
         if len(found) == 1:
             return found[0]
         if not (found or column.required or wanted):
@@ -168,7 +170,7 @@ class TableHead:
             for one in column.units:
                 if plain_unit(unit) == plain_unit(one) or not any(column.units):
                     return one
-            advice = f"known are {known}: --unit {column.name}={next(iter(column.units))} says what it is"
+            advice = f"known are {known}: --unit {column.name}=UNIT"
             reason, value = "has an unknown unit", unit
         raise RecordError(str(self.path), reason, advice, column=heading.text, rows=self._rows, value=value)
 

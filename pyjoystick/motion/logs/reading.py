@@ -33,7 +33,7 @@ from pyjoystick.support import FloatArray
 _AUTOMATIC: Final = Layout()
 #: Quantities that a log may hold, in SI units: time (s), theta (rad), omega (rad/s), T (N m), F (N).
 COLUMNS: Final = (
-    replace(TIME, required=False),
+    TIME,
     Column("theta", UNITS["angle"]),
     Column("omega", UNITS["angular velocity"], required=False),
     Column("T", UNITS["torque"], required=False),
@@ -41,7 +41,9 @@ COLUMNS: Final = (
 )
 #: Time between two samples (s) of an instrument that records a joystick.
 _USUAL: Final = (1e-6, 0.1)
-#: Kinds of quantities whose symbols mean other things too: without a unit they are left alone.
+#: A shorter record (s) holds no motion of a joystick.
+_SHORTEST: Final = 0.02
+#: Quantities whose symbols mean other things too: without a unit they are left alone.
 _SYMBOLIC: Final = ("T", "F")
 
 
@@ -120,7 +122,8 @@ class LogTable:
         """The heading of a column, None where there is none or what is given leads to none."""
         head = self.file.head
         if column.name in named:
-            found = head.named(named[column.name])
+            given = named[column.name]
+            found = [one for one in head.headings if one.text == given] or head.named(given)
             return found[0] if len(found) == 1 else None
         found = candidates(column, head.headings)
         if kind_of(column) and column.name in _SYMBOLIC and not certain:
@@ -246,7 +249,7 @@ def read_log(
         units: units by quantity; they replace those of the headings
         layout: the form of the file, where that is to be given
         scales: calibrations by quantity, of readings in V, mV or counts
-        rate: samples a second (Hz) of a table without a time
+        rate: samples a second (Hz), instead of a column of times
         start: earliest time that is kept (s)
         end: latest time that is kept (s)
 
@@ -254,20 +257,19 @@ def read_log(
         RecordError: the file is refused; the message names file, column and rows, and the option that decides
     """
     table = read_log_table(path, layout, numbered=bool(columns))
-    wanted = (replace(TIME, required=rate is None), *COLUMNS[1:])
+    wanted = COLUMNS if rate is None else COLUMNS[1:]
     for name in scales or {}:
         if name not in [column.name for column in COLUMNS[1:]]:
             reason = f"has no quantity {name!r} with a scale"
             raise RecordError(str(path), reason, "known are theta, omega, T and F")
     found = table.find(wanted, headings=columns, units=units, scales=scales, override=True)
-    if rate is not None and "time" in found:
-        reason = "has a time, and a rate is given"
-        raise RecordError(str(path), reason, "leave one of the two out", column=found["time"].heading.text)
     series = {} if rate is None else {"time": np.arange(len(table.file.rows)) / rate}
     for name, match in found.items():
         zero = scales[name].zero * scales[name].factor if scales and name in scales else 0.0
         series[name] = table.file.numbers(table.heading(match)) * match.factor - zero
     known = np.isfinite(np.stack(list(series.values()))).all(axis=0)
+    if "time" not in (units or {}):
+        _require_duration(table, found, series["time"][known])
     inside = known & (series["time"] >= start) & (series["time"] <= end)
     if not inside.any():
         reason = f"has no samples from {start:g} to {end:g} s" if known.any() else "has no complete row"
@@ -284,6 +286,15 @@ def read_log(
     )
     record_of(log)  # refuses what no motion can be
     return log
+
+
+def _require_duration(table: LogTable, found: Mapping[str, Match], time: FloatArray) -> None:
+    """Raise where a record (s) is too short for a motion, as seconds under the name of ms are."""
+    if "time" in found and len(time) > 1 and 0.0 < np.ptp(time) < _SHORTEST:
+        match = found["time"]
+        reason = f"a record of {np.ptp(time):.3g} s: are these s or ms under the name of {match.unit}?"
+        advice = f"say what it is: --unit time=s or --unit time={match.unit}"
+        raise RecordError(str(table.file.head.path), reason, advice, column=match.heading.text)
 
 
 def _notes(table: LogTable, found: Mapping[str, Match], left_out: NDArray[np.int64]) -> Iterator[str]:

@@ -39,6 +39,8 @@ def test_a_preview_comes_before_anything_is_written(tmp_path: Path, command: Com
     assert command("import", "record", str(log), "--preview", str(figure)).code == 0
     assert sorted(path.name for path in tmp_path.iterdir()) == ["log.csv", "log.svg"]
     assert "give --output, --preview or both" in command("import", "record", str(log)).err
+    assert "is the table itself" in command("import", "record", str(log), "-o", str(log)).err
+    assert log.read_text(encoding="utf-8") == GERMAN
 
 
 def test_readings_are_calibrated(tmp_path: Path, command: Command) -> None:

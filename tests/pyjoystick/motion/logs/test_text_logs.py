@@ -230,6 +230,21 @@ REFUSED: dict[str, tuple[str, str, dict[str, Any]]] = {
         "ms or us under the name of s.*--unit time=ms",
         {"units": {"time": "ms"}, "stretched": 4.0},
     ),
+    "s under the name of ms": (
+        text(("time (ms)", "angle (deg)"), TIME, ANGLE),
+        "a record of 0.000476 s: .*--unit time=s",
+        {"units": {"time": "s"}},
+    ),
+    "an angle with and one without a unit": (
+        text(("time (s)", "angle", "angle (deg)"), TIME, ANGLE, -ANGLE),
+        "has 2 columns 'angle'; choose one: --column theta='angle' or",
+        {"columns": {"theta": "angle"}, "units": {"theta": "deg"}},
+    ),
+    "dates of an unknown order": (
+        text(("Zeit", "n", "Winkel [Grad]"), [f"11.12.2026 10:00:0{t:.3f}" for t in TIME], TIME, ANGLE),
+        "column 'Zeit', row 2: is not a number",
+        {"rate": 250.0},
+    ),
     "two angles": (
         text(("time (s)", "angle (deg)", "winkel (deg)"), TIME, ANGLE, -ANGLE),
         r"2 columns that may be theta; choose one: --column theta='angle \(deg\)' or",
@@ -247,7 +262,7 @@ REFUSED: dict[str, tuple[str, str, dict[str, Any]]] = {
     ),
     "Grad that may be gon": (
         text(("time (s)", "angle (grad)"), TIME, ANGLE),
-        "has an unknown unit .found grad.*--unit theta=rad",
+        "has an unknown unit .found grad.*--unit theta=UNIT",
         {"units": {"theta": "deg"}},
     ),
     "counts": (
@@ -341,7 +356,7 @@ def test_a_stretch_is_cut_out(tmp_path: Path) -> None:
 
 def test_both_decimal_marks_decide_what_was_doubtful(tmp_path: Path) -> None:
     path = written(tmp_path / "log.csv", f"time (ms);angle (deg)\n{THOUSANDS}")
-    log = read_log(path, layout=Layout(decimal=","))
+    log = read_log(path, layout=Layout(decimal=","), units={"time": "ms"})
     assert log.series["time"][1] == pytest.approx(1.001e-3)
     assert log.series["theta"][1] == pytest.approx(np.radians(2.501))
 
