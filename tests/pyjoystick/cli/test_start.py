@@ -82,7 +82,7 @@ print(*(name for name in sys.modules if name == "numpy" or name.startswith("pyjo
 def test_every_command_has_one_line_in_its_list() -> None:
     done = _python("from pyjoystick.cli import main; main(['--help']), main(['import', '--help'])")
     listed = [line for line in done.stdout.splitlines() if line.startswith("│ ") and "--" not in line]
-    assert len(listed) == 18
+    assert len(listed) == 19
     assert all(re.fullmatch(r"│ [a-z-]+ +[A-Z].*\. +│", line) for line in listed), listed
 
 
