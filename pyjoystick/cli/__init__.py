@@ -39,6 +39,7 @@ _COMMANDS: Final = {
     "report": "Write a report on a joystick as one HTML file.",
 }
 _IMPORTS: Final = {
+    "record": "Make a record from a table of time and angle.",
     "markers": "Make a record of the angle from motion capture.",
     "accelerometer": "Compare an accelerometer with the differentiated angle.",
     "load-curve": "Fit the springs of one side to a load-deflection curve.",

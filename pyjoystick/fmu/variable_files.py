@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from pyjoystick.fmu.description import FmuDescription, Variable
 from pyjoystick.fmu.values import INTEGERS
-from pyjoystick.motion import TIME, Column, Match, RecordError, TableFile, read_table_file
+from pyjoystick.motion import TIME, Column, Match, RecordError, TableFile, read_log_table, read_table_file
 from pyjoystick.support import UnknownInputError
 
 _TIME: Final = replace(TIME, default_unit="s")
@@ -66,9 +66,9 @@ def read_variables(path: str | PathLike[str], fmu: FmuDescription, names: Sequen
         RecordError: the file is not a table, a column is missing, its unit is unknown, a cell is no finite
             number, or the time does not increase
     """
-    file = read_table_file(Path(path))
-    found = file.head.match([_TIME, *(_column(fmu.variables[name]) for name in names)])
-    table = _table(file, found, fmu)
+    log = read_log_table(path)
+    file = log.file
+    table = _table(file, log.find([_TIME, *(_column(fmu.variables[name]) for name in names)]), fmu)
     backward = np.flatnonzero(np.diff(table.index) <= 0.0)
     if backward.size:
         advice = "keep one record a file, its samples in order"

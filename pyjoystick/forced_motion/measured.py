@@ -6,7 +6,6 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from os import PathLike
-from pathlib import Path
 from typing import Final
 
 import numpy as np
@@ -14,7 +13,7 @@ import numpy as np
 from pyjoystick.forced_motion.motions import ForwardAndReturn
 from pyjoystick.forced_motion.samples import Samples
 from pyjoystick.laboratory import BASE, GAP, TOP, Chain, MarkerLayout, measure_angle, synthetic_markers
-from pyjoystick.motion import MISSING_ADVICE, UNITS, Column, Record, RecordError, read_record, read_table_file
+from pyjoystick.motion import MISSING_ADVICE, UNITS, Column, Record, RecordError, read_log_table, read_record
 
 _ALPHA: Final = Column("alpha", UNITS["angular acceleration"], required=False, advice=MISSING_ADVICE)
 
@@ -59,7 +58,9 @@ def read_motion(
     headings, given = dict(columns or {}), dict(units or {})
     of_alpha = [{"alpha": one.pop("alpha")} if "alpha" in one else {} for one in (headings, given)]
     record = read_record(path, columns=headings, units=given, free_oscillation=False)
-    found = read_table_file(Path(path)).read([_ALPHA], headings=of_alpha[0], units=of_alpha[1])
+    found = read_log_table(path, numbered=bool(columns)).read(
+        [_ALPHA], headings=of_alpha[0], units=of_alpha[1]
+    )
     alpha = found.get("alpha")
     if record.omega is not None and alpha is not None:
         _require_no_gap(record)

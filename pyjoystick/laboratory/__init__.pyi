@@ -49,8 +49,11 @@ from .measurements.resampling import GAP as GAP
 from .measurements.results import (
     acceleration_report as acceleration_report,
     chain_report as chain_report,
+    log_report as log_report,
     markers_report as markers_report,
+    plot_log as plot_log,
     write_acceleration as write_acceleration,
+    write_log as write_log,
     write_motion as write_motion,
     write_record as write_record,
 )

@@ -26,7 +26,8 @@ _COMMENT: Final = "#"
 DELIMITERS: Final = ",;\t"
 #: Numbers beyond this are no measurement; their powers would overflow.
 LARGEST: Final = 1e60
-_EMPTY: Final = ("", "nan", "na", "n/a", "null", "none", "-")
+#: Cells that hold no number, in lower case.
+EMPTY: Final = ("", "nan", "na", "n/a", "null", "none", "-")
 _HEADING: Final = re.compile(r"(?P<name>.*?)\s*[(\[](?P<unit>[^()\[\]]*)[)\]]\s*")
 
 
@@ -135,16 +136,16 @@ class TableHead:
     def _find(self, column: Column, wanted: str) -> Heading | None:
         """The heading of a column; None where an optional one is missing and no heading is `wanted`."""
         name = wanted or column.name
-        found = self._named(name) or (
-            [] if wanted else [h for h in self.headings if h.name in column.aliases]
-        )
+        found = [heading for heading in self.headings if heading.text == wanted] or self.named(name)
+        if not (found or wanted):
+            found = [heading for heading in self.headings if heading.name in column.aliases]
         if len(found) == 1:
             return found[0]
         if not (found or column.required or wanted):
             return None
         texts = ", ".join(repr(heading.text) for heading in self.headings)
         reason = f"has {len(found) or 'no'} column{'s' * bool(found)} {name!r}"
-        advice = f"which column holds {column.name}? There are {texts}"
+        advice = f"which column holds {column.name}? There are {texts}: --column {column.name}=HEADING"
         if found:
             advice = f"choose one by its whole heading; there are {texts}"
         elif len(self.headings) == 1:
@@ -163,15 +164,17 @@ class TableHead:
         elif not unit and "" not in column.units:
             reason = "has no unit"
             example = f"{heading.text} ({next(iter(column.units))})"
-            advice = f"write it in the heading, as in {example!r}, or give it as an option: {known}"
+            option = f"--unit {column.name}=UNIT"
+            advice = f"write it in the heading, as in {example!r}, or as an option, {option}: {known}"
         else:
             for one in column.units:
                 if plain_unit(unit) == plain_unit(one) or not any(column.units):
                     return one
-            reason, advice, value = "has an unknown unit", f"known are {known}", unit
+            advice = f"known are {known}: --unit {column.name}=UNIT"
+            reason, value = "has an unknown unit", unit
         raise RecordError(str(self.path), reason, advice, column=heading.text, rows=self._rows, value=value)
 
-    def _named(self, name: str) -> list[Heading]:
+    def named(self, name: str) -> list[Heading]:
         """The headings of this name or text: in this very case, or where none is, in any."""
         exact = [heading for heading in self.headings if name in (heading.text, heading.name)]
         folded = name.casefold()
@@ -231,7 +234,7 @@ class TableFile:
         values = np.empty(len(self.cells))
         for i, cell in enumerate(self.texts(heading)):
             try:
-                values[i] = np.nan if cell.lower() in _EMPTY else float(cell)
+                values[i] = np.nan if cell.lower() in EMPTY else float(cell)
             except ValueError:
                 raise no_number(self.head.path, heading, int(self.rows[i]), cell) from None
         return values
@@ -281,7 +284,7 @@ def read_table_file(path: Path) -> TableFile:
     head, rows = _head(path, filled), list(filled)
     if not rows:
         raise RecordError(str(path), "has no rows under a heading", "write a heading, then one sample a row")
-    cells = tuple(_cells(path, number, line, head.delimiter) for number, line in rows)
+    cells = tuple(cells_of_line(path, number, line, head.delimiter) for number, line in rows)
     for (number, _), row in zip(rows, cells, strict=True):
         if len(row) != len(head.headings):
             reason = f"has {len(row)} cells under {len(head.headings)} headings"
@@ -338,7 +341,7 @@ def _head(path: Path, filled: Iterator[tuple[int, str]]) -> TableHead:
     if not line:
         raise RecordError(str(path), "has no headings", example)
     delimiter = max(DELIMITERS, key=line.count)
-    headings = tuple(_heading(cell) for cell in _cells(path, number, line, delimiter))
+    headings = tuple(_heading(cell) for cell in cells_of_line(path, number, line, delimiter))
     texts = [heading.text for heading in headings]
     for text in texts:
         if _is_number(text):
@@ -350,7 +353,7 @@ def _head(path: Path, filled: Iterator[tuple[int, str]]) -> TableHead:
     return TableHead(path, headings, delimiter, number)
 
 
-def _cells(path: Path, number: int, line: str, delimiter: str) -> tuple[str, ...]:
+def cells_of_line(path: Path, number: int, line: str, delimiter: str) -> tuple[str, ...]:
     """The cells of a line without the blanks around them."""
     if '"' not in line:
         return tuple(cell.strip() for cell in line.split(delimiter))

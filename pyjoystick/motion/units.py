@@ -15,12 +15,13 @@ _DEGREE: Final = math.radians(1.0)
 
 #: Factors to SI units by kind of quantity and unit; spelled as `plain_unit` spells them.
 UNITS: Final[Mapping[str, Mapping[str, float]]] = {
-    "time": {"s": 1.0, "ms": 1e-3},
+    "time": {"s": 1.0, "ms": 1e-3, "us": 1e-6},
     "angle": {"rad": 1.0, "deg": _DEGREE, "mrad": 1e-3},
     "angular velocity": {"rad/s": 1.0, "deg/s": _DEGREE},
     "angular acceleration": {"rad/s2": 1.0, "deg/s2": _DEGREE},
     "length": {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6},
     "force": {"N": 1.0, "kN": 1e3, "mN": 1e-3},
+    "torque": {"N.m": 1.0, "N.mm": 1e-3, "N.cm": 1e-2, "mN.m": 1e-3, "kN.m": 1e3},
     "mass": {"kg": 1.0, "g": 1e-3},
     "moment of inertia": {"kg.m2": 1.0, "g.m2": 1e-3, "kg.mm2": 1e-6, "g.cm2": 1e-7, "g.mm2": 1e-9},
     "acceleration": {"m/s2": 1.0, "mm/s2": 1e-3, "g": GRAVITY},

@@ -8,15 +8,25 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from pathlib import Path
+from typing import Final
 
 import numpy as np
+from matplotlib.figure import Figure
 
 from pyjoystick.laboratory.measurements.accelerometer import AccelerometerRecord, AngularAcceleration
 from pyjoystick.laboratory.measurements.angle import AngleMeasurement
 from pyjoystick.laboratory.measurements.chain import Chain, Motion
 from pyjoystick.laboratory.measurements.markers import Markers
-from pyjoystick.motion import Record
-from pyjoystick.support import FloatArray, TextTable, write_text
+from pyjoystick.motion import Log, Record
+from pyjoystick.support import MEASURED, FloatArray, TextTable, dress, write_text
+
+#: Labels and factors of quantities, as tables and figures show them.
+_SHOWN: Final = {
+    "theta": ("Angle (deg)", math.degrees(1.0)),
+    "omega": ("Velocity (rad/s)", 1.0),
+    "T": ("Torque (N m)", 1.0),
+    "F": ("Force (N)", 1.0),
+}
 
 
 def write_record(record: Record, path: Path, comments: Iterable[str]) -> None:
@@ -28,6 +38,13 @@ def write_record(record: Record, path: Path, comments: Iterable[str]) -> None:
         comments: lines that stand before the headings
     """
     _write(path, {"time (s)": record.time, "theta (rad)": record.theta}, comments)
+
+
+def write_log(log: Log, path: Path, comments: Iterable[str]) -> None:
+    """Write the samples of a laboratory's table as a record, in SI units; raises OutputFileError."""
+    units = {"time": "s", "theta": "rad", "omega": "rad/s", "T": "N.m", "F": "N"}
+    columns = {f"{name} ({unit})": log.series[name] for name, unit in units.items() if name in log.series}
+    _write(path, columns, comments)
 
 
 def write_motion(motion: Motion, path: Path, comments: Iterable[str]) -> None:
@@ -80,6 +97,40 @@ def markers_report(markers: Markers, names: tuple[str, ...], measured: AngleMeas
         ["angle (deg)", f"{theta.min():+.2f} to {theta.max():+.2f}"],
     ]
     return TextTable(["", "markers"], rows).markdown()
+
+
+def log_report(log: Log) -> str:
+    """What was understood of a laboratory's table."""
+    time = log.series["time"]
+    rows = [
+        ["file", log.form],
+        ["headings in row", str(log.line) if log.line else "none"],
+        *([name, f"{match.heading.text!r}, in {match.unit}"] for name, match in log.found.items()),
+        ["samples", f"{len(time)}, {1.0 / float(np.median(np.diff(time))):.6g} Hz"],
+        ["time (s)", f"{time[0]:.6g} to {time[-1]:.6g}"],
+        *(
+            [label, f"{factor * log.series[name].min():+.6g} to {factor * log.series[name].max():+.6g}"]
+            for name, (label, factor) in _SHOWN.items()
+            if name in log.series
+        ),
+        ["rows left out", str(len(log.left_out))],
+    ]
+    return TextTable(["", "record"], rows).markdown()
+
+
+def plot_log(log: Log) -> Figure:
+    """What was understood of a laboratory's table, a panel for each quantity."""
+    shown = {name: label for name, label in _SHOWN.items() if name in log.series}
+    figure = Figure(figsize=(7.0, 1.2 + 1.9 * len(shown)), layout="constrained")
+    panels = figure.subplots(len(shown), 1, sharex=True, squeeze=False)[:, 0]
+    for panel, (name, (label, factor)) in zip(panels, shown.items(), strict=True):
+        panel.plot(log.series["time"], factor * log.series[name], ".", color=MEASURED, markersize=2.0)
+        match = log.found[name]
+        panel.set(ylabel=label, title=f"column {match.heading.text!r}, read in {match.unit}")
+        dress(panel, zero=True)
+    panels[-1].set_xlabel("Time (s)")
+    figure.suptitle(f"{log.path.name}: {log.form}", fontsize="medium")
+    return figure
 
 
 def chain_report(chain: Chain, motion: Motion) -> str:

@@ -11,10 +11,11 @@ from typing import Final
 
 import numpy as np
 
+from pyjoystick.motion.logs.reading import read_log_table
 from pyjoystick.motion.records.errors import RecordError
 from pyjoystick.motion.records.free_oscillation import Side, check_free_oscillation
 from pyjoystick.motion.records.record import MISSING_ADVICE, Record
-from pyjoystick.motion.table_files import TIME, Column, read_table_file
+from pyjoystick.motion.table_files import TIME, Column
 from pyjoystick.motion.units import UNITS
 from pyjoystick.support import FloatArray
 
@@ -34,11 +35,11 @@ def read_record(
     free_oscillation: bool = True,
     name: str | None = None,
 ) -> Record:
-    """Read one motion from a CSV file.
+    """Read one motion from a file.
 
-    The file has one line of headings, ``time (s)``, ``theta (deg)`` or ``theta (rad)`` and perhaps ``omega
+    A CSV file has one line of headings, ``time (s)``, ``theta (deg)`` or ``theta (rad)`` and perhaps ``omega
     (rad/s)`` or ``omega (deg/s)``, then one sample a row; lines that begin with # are comments, other columns
-    are left alone. Columns are separated by commas, semicolons or tabs.
+    are left alone. The files of `read_log` are read too, where they can be understood in one way only.
 
     Args:
         path: the file
@@ -58,9 +59,9 @@ def read_record(
             empty or no finite number; times are repeated or out of order; degrees stand under the name of
             radians; or it is not a free oscillation. The message names the file, the column and the rows.
     """
-    file = read_table_file(Path(path))
-    series = file.read(_COLUMNS, headings=columns, units=units)
-    in_degrees = file.head.match(_COLUMNS, headings=columns, units=units)["theta"].unit == "deg"
+    table = read_log_table(path, numbered=bool(columns))
+    series = table.read(_COLUMNS, headings=columns, units=units)
+    in_degrees = table.find(_COLUMNS, headings=columns, units=units)["theta"].unit == "deg"
     record = Record(
         name=Path(path).stem if name is None else name,
         time=series["time"],
@@ -68,7 +69,7 @@ def read_record(
         omega=series.get("omega"),
         source=str(path),
         notes=_small_degrees(series["theta"]) if in_degrees else (),
-        rows=file.rows,
+        rows=table.file.rows,
     )
     return check_free_oscillation(record, released=released) if free_oscillation else record
 

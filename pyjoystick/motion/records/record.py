@@ -29,12 +29,13 @@ def require_sampling(source: str, time: FloatArray, rows: Sequence[int] | NDArra
     """Raise RecordError where increasing instants (s), shape (n,), n > 1, are likely in another unit."""
     shortest, longest = _INTERVALS
     interval = float(np.median(np.diff(time)))
-    if not shortest <= interval <= longest:
+    if not shortest <= interval < longest:
         raise RecordError(
             source,
             "the usual time between two samples is not one of a measured motion",
-            f"it must be from {shortest:g} s to {longest:g} s: are these ms or us under the name of s? The "
-            "heading says the unit, as in 'time (ms)'",
+            f"it must be from {shortest:g} s to less than {longest:g} s: are these ms or us under the name "
+            "of s? The heading says the unit, as in 'time (ms)', or `pyjoystick import record` with "
+            "--unit time=ms",
             column="time",
             rows=rows[:2],
             value=f"{interval:.6g} s",

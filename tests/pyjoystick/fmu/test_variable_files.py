@@ -64,3 +64,12 @@ def test_a_record_in_milliseconds_and_degrees(tmp_path: Path, joystick: FmuDescr
     table = read_variables(path, joystick, ["theta"])
     assert table.index.tolist() == [0.0, 0.5]
     assert table["theta"].tolist() == pytest.approx([-math.pi / 2, math.pi / 4], rel=1e-15)
+
+
+def test_a_record_in_the_form_of_a_laboratory(tmp_path: Path, joystick: FmuDescription) -> None:
+    rows = "".join(f"{10 * i};{0.5 * i};{0.25 * i}\n" for i in range(4)).replace(".", ",")
+    path = _file(tmp_path, f"Stand 3\nZeit [ms];Winkel [Grad];Drehmoment [Nm]\n{rows}")
+    table = read_variables(path, joystick, ["theta", "T"])
+    assert table.index.tolist() == pytest.approx([0.0, 0.01, 0.02, 0.03])
+    assert table["theta"].tolist() == pytest.approx([math.radians(0.5 * i) for i in range(4)])
+    assert table["T"].tolist() == [0.0, 0.25, 0.5, 0.75]

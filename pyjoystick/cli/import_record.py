@@ -1,0 +1,146 @@
+"""``pyjoystick import record``."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Annotated, Final
+
+import typer
+
+from pyjoystick import laboratory, motion, support
+from pyjoystick.cli import options
+from pyjoystick.cli.console import output, print_notes, write
+
+EXAMPLES: Final = """
+Examples:
+
+    pyjoystick import record log.csv --preview log.png
+
+    pyjoystick import record log.xlsx --sheet "Run 3" --column theta=Joystick --unit theta=deg \\
+        --output trial1.csv
+
+    pyjoystick import record log.csv --scale theta=0.0879deg/count --zero theta=2048 \\
+        --scale T=2.5N.m/V --from 1.5 --to 6 --output trial1.csv
+
+The quantities are time, theta, omega, T (torque) and F (force). `pyjoystick peaks`, `pyjoystick fit` and
+`pyjoystick torque` read the record. docs/measurements.md describes the files.
+"""
+_SCALE: Final = re.compile(r"(?P<number>[-+0-9.eE]+?)\s*(?P<unit>[a-zA-Z°].*)/(?P<reading>[^/]+)")
+
+
+def run(
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="CSV, XLSX, ODS, MAT or Parquet.")],
+    record_file: Annotated[
+        Path | None, typer.Option("--output", "-o", metavar="FILE", help="File for the record.")
+    ] = None,
+    preview: Annotated[
+        Path | None,
+        typer.Option(
+            "--preview",
+            metavar="FIGURE",
+            help="Plot what was understood: .png, .pdf or .svg; without --output, nothing else is written.",
+        ),
+    ] = None,
+    columns: Annotated[list[str] | None, options.column("time, theta, omega, T or F")] = None,
+    units: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--unit", metavar="NAME=UNIT", help="Unit of a column, instead of its heading's; repeatable."
+        ),
+    ] = None,
+    scales: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--scale",
+            metavar="NAME=FACTOR",
+            help="Calibration of counts or voltages, such as theta=0.0879deg/count; repeatable.",
+        ),
+    ] = None,
+    zeros: Annotated[
+        list[str] | None,
+        typer.Option("--zero", metavar="NAME=NUMBER", help="Reading at zero, in the unit of --scale."),
+    ] = None,
+    start: Annotated[
+        float | None, typer.Option("--from", metavar="SECONDS", help="Leave out what is before this time.")
+    ] = None,
+    end: Annotated[
+        float | None, typer.Option("--to", metavar="SECONDS", help="Leave out what is after this time.")
+    ] = None,
+    samples_per_second: Annotated[
+        float | None,
+        typer.Option(
+            "--samples-per-second", metavar="HZ", help="Sampling rate, instead of a column of times."
+        ),
+    ] = None,
+    sheet: Annotated[
+        str, typer.Option("--sheet", metavar="NAME", help="Sheet of a workbook, or structure of a .mat file.")
+    ] = "",
+    delimiter: Annotated[
+        str,
+        typer.Option(
+            "--delimiter", metavar="NAME", help="comma, semicolon, tab, bar, space, or another character."
+        ),
+    ] = "",
+    decimal: Annotated[str, typer.Option("--decimal", metavar="MARK", help="Decimal mark: . or ,")] = "",
+    encoding: Annotated[
+        str, typer.Option("--encoding", metavar="NAME", help="Encoding of a text file, such as cp1252.")
+    ] = "",
+) -> None:
+    """Make a record from a laboratory's table of time, angle, torque and force.
+
+    Whatever can be understood in more than one way is an error, which names the option that decides.
+    """
+    if record_file is None and preview is None:
+        raise typer.BadParameter("give --output, --preview or both")
+    if record_file is not None and record_file.exists() and file.exists() and record_file.samefile(file):
+        raise typer.BadParameter("is the table itself", param_hint="--output")
+    if decimal not in ("", ".", ","):
+        raise typer.BadParameter(f"{decimal!r} must be . or ,", param_hint="--decimal")
+    if samples_per_second is not None and not (0.0 < samples_per_second < math.inf):
+        raise typer.BadParameter("must be above 0", param_hint="--samples-per-second")
+    if preview is not None:
+        support.check_figure_path(preview)
+    support.check_outputs(record_file, preview)
+    log = motion.read_log(
+        file,
+        **options.parse_headings(columns, units),
+        layout=motion.Layout(delimiter, decimal, encoding, sheet),
+        scales=_scales(scales, zeros),
+        rate=samples_per_second,
+        start=-math.inf if start is None else start,
+        end=math.inf if end is None else end,
+    )
+    print_notes(file, log.notes)
+    output().print(laboratory.log_report(log), markup=False)
+    write(preview, lambda path: support.save_figure(laboratory.plot_log(log), path))
+    read = ", ".join(
+        f"{name} from {match.heading.text!r} in {match.unit}" for name, match in log.found.items()
+    )
+    write(record_file, lambda path: laboratory.write_log(log, path, [f"from {file.name}: {read}"]))
+
+
+def _scales(texts: Sequence[str] | None, zeros: Sequence[str] | None) -> dict[str, motion.Scale]:
+    """The calibrations of --scale and --zero by quantity.
+
+    Raises:
+        BadParameter: a text is no calibration, or a zero has no scale
+    """
+    at_zero, found = options.parse_assignments(zeros, "--zero"), {}
+    for name, text in options.parse_names(texts, "--scale").items():
+        match = _SCALE.fullmatch(text)
+        factor = motion.scale_factor(name, match["unit"]) if match else None
+        reading = motion.reading_unit(match["reading"]) if match else ""
+        try:
+            number = float(match["number"]) if match else math.nan
+        except ValueError:
+            number = math.nan
+        if factor is None or not reading or not math.isfinite(number) or number == 0.0:
+            example = "such as theta=0.0879deg/count or T=2.5N.m/V; readings are in V, mV or count"
+            raise typer.BadParameter(f"{name}={text} must be NAME=FACTOR, {example}", param_hint="--scale")
+        found[name] = motion.Scale(number * factor, reading, at_zero.pop(name, 0.0))
+    for name in at_zero:
+        raise typer.BadParameter(f"{name} has no --scale", param_hint="--zero")
+    return found

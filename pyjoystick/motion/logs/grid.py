@@ -1,0 +1,221 @@
+"""Where in rows of cells a table is: its preamble, headings, units and numbers."""
+
+from __future__ import annotations
+
+import datetime
+import re
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+import numpy as np
+
+from pyjoystick.motion.logs.headings import is_unit, understood
+from pyjoystick.motion.records.errors import RecordError
+from pyjoystick.motion.table_files import EMPTY, Heading, TableFile, TableHead
+
+#: A line number and its cells.
+Row = tuple[int, list[str]]
+
+_NUMBERS: Final = {
+    mark: re.compile(rf"[+-]?(\d+{part}|{dot}\d+)([eE][+-]?\d+)?|[+-]?inf(inity)?", re.IGNORECASE)
+    for mark, dot, part in ((".", r"\.", r"(\.\d*)?"), (",", ",", r"(,\d+)?"))
+}
+_CLOCK: Final = re.compile(
+    r"(?:(?P<date>\d{4}-\d\d-\d\d)[T ])?(?P<h>\d{1,2}):(?P<m>\d\d):(?P<s>\d\d(?:[.,]\d+)?)"
+    r"|(?P<m2>\d{1,3}):(?P<s2>\d\d[.,]\d+)"
+)
+_THOUSANDS: Final = re.compile(r"[+-]?[1-9]\d{0,2}([.,]\d{3})+")
+#: What a wrong delimiter leaves of two cells.
+_JOINED: Final = re.compile(r"[-+.,\d]+[;\t|][-+.,\d;\t|]*")
+_ERRORS: Final = ("#n/a", "#nv", "#div/0!", "#num!", "#value!", "nat", "<na>")
+_NOTHING: Final = (*EMPTY, *_ERRORS)
+_EMPTY_CELL, _NUMBER_CELL, _TEXT_CELL = range(3)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Candidate:
+    """A table as one delimiter and one decimal mark show it.
+
+    Attributes:
+        delimiter: what separates the cells
+        decimal: the decimal mark
+        names: rows of headings and of units, or of headings alone; none where the file has none
+        rows: the rows of data, all of one width
+        numeric: indices of the columns of numbers
+        ragged: the first row of data of another width, or None
+        faults: cells that are no numbers in columns of numbers, and ragged rows
+        doubtful: whether every decimal mark may separate thousands
+    """
+
+    delimiter: str
+    decimal: str
+    names: tuple[Row, ...]
+    rows: Sequence[Row]
+    numeric: tuple[int, ...]
+    ragged: Row | None
+    faults: int
+    doubtful: bool
+
+    def table(self, path: Path, comments: tuple[str, ...]) -> TableFile:
+        """The table, its numbers with decimal points, times of day in s.
+
+        Raises:
+            RecordError: a row is longer or shorter than the headings
+        """
+        width = len(self.rows[0][1])
+        if self.ragged is not None:
+            number, cells = self.ragged
+            advice = "was the file cut off, or are the decimal marks commas?"
+            reason = f"has {len(cells)} cells under {width} headings"
+            raise RecordError(str(path), reason, advice, rows=[number])
+        units = self.names[1][1] if len(self.names) > 1 else [""] * width
+        texts = self.names[0][1] if self.names else [""] * width
+        headings = _headings(texts, units)
+        columns = [list(column) for column in zip(*(cells for _, cells in self.rows), strict=True)]
+        for i in self.numeric:
+            columns[i], is_clock = _plain_numbers(columns[i], self.decimal)
+            if is_clock:
+                headings[i] = Heading(headings[i].text, headings[i].name, "s")
+        line = self.names[-1][0] if self.names else 0
+        rows = np.array([number for number, _ in self.rows], dtype=np.int64)
+        head = TableHead(path, tuple(headings), self.delimiter, line)
+        return TableFile(head, comments, tuple(zip(*columns, strict=True)), rows)
+
+
+def find_table(rows: Sequence[Row], remarks: Sequence[Row], delimiter: str, decimal: str) -> Candidate | None:
+    """The table in rows of cells, or None where there is none of two columns of numbers or more.
+
+    Args:
+        rows: the filled lines
+        remarks: the lines of comments; the one before the numbers may hold their headings
+        delimiter: what the cells were separated by
+        decimal: the decimal mark
+    """
+    width = Counter(len(cells) for _, cells in rows).most_common(1)[0][0] if rows else 0
+    rows = [(number, _trimmed(cells, width)) for number, cells in rows]
+    fitting = [i for i, (_, cells) in enumerate(rows) if len(cells) == width]
+    kinds = np.array([[_kind(cell, decimal) for cell in rows[i][1]] for i in fitting], dtype=np.int8)
+    if width < 2 or len(fitting) < 2:
+        return None
+    numeric = (kinds == _NUMBER_CELL).sum(axis=0) > (kinds == _TEXT_CELL).sum(axis=0)
+    bad = kinds[:, numeric] == _TEXT_CELL
+    is_data = ~bad.any(axis=1) & (kinds[:, numeric] == _NUMBER_CELL).any(axis=1)
+    starts = np.flatnonzero(is_data[:-1] & is_data[1:])
+    if numeric.sum() < 2 or not starts.size:
+        return None
+    start = int(starts[0])
+    first = fitting[start]
+    data = [rows[i] for i in fitting[start:]]
+    if any(all(_JOINED.fullmatch(cells[i]) for _, cells in data) for i in np.flatnonzero(~numeric)):
+        return None
+    names = _names(rows[:first], [row for row in remarks if row[0] < rows[first][0]], width)
+    if names is None:
+        return None
+    used = [i for i in range(width) if any(cells[i] for _, cells in (*names[:1], *data))]
+    ragged = [row for row in rows[first:] if len(row[1]) != width]
+    columns = [i for i in used if numeric[i]]
+    marked = [cells[i] for _, cells in data for i in columns if decimal in cells[i] and ":" not in cells[i]]
+    return Candidate(
+        delimiter,
+        decimal,
+        tuple((number, [cells[i] for i in used]) for number, cells in names),
+        [(number, [cells[i] for i in used]) for number, cells in data],
+        tuple(used.index(i) for i in columns),
+        ragged[0] if ragged else None,
+        int(bad[start:].sum()) + len(ragged),
+        bool(marked) and all(_THOUSANDS.fullmatch(cell) for cell in marked),
+    )
+
+
+def _trimmed(cells: list[str], width: int) -> list[str]:
+    """A row without the empty cells beyond the usual width."""
+    return cells if any(cells[width:]) else cells[:width]
+
+
+def _kind(cell: str, decimal: str) -> int:
+    if _NUMBERS[decimal].fullmatch(cell):
+        return _NUMBER_CELL
+    if cell.casefold() in _NOTHING:
+        return _EMPTY_CELL
+    return _NUMBER_CELL if _CLOCK.fullmatch(cell) else _TEXT_CELL
+
+
+def _names(above: Sequence[Row], remarks: Sequence[Row], width: int) -> tuple[Row, ...] | None:
+    """The row of headings and perhaps that of units; none where nothing stands above the numbers.
+
+    Returns None where what stands above does not fit the numbers.
+    """
+    last = [(number, cells + [""] * (width - len(cells))) for number, cells in above[-2:]]
+    if not above:
+        headed = [row for row in remarks[-1:] if _is_heading(row[1], width)]
+        return tuple(headed)
+    if not _is_heading(last[-1][1], width) and not _is_units(last[-1][1]):
+        return None
+    if len(last) == 2 and _is_units(last[1][1]) and _is_heading(last[0][1], width):
+        return last[0], last[1]
+    return (last[-1],) if _is_heading(last[-1][1], width) and len(above[-1][1]) >= width - 1 else None
+
+
+def _is_heading(cells: Sequence[str], width: int) -> bool:
+    filled = [cell for cell in cells if cell]
+    is_text = all(_kind(cell, mark) == _TEXT_CELL for cell in filled for mark in ".,")
+    return len(cells) == width and len(filled) >= 2 and is_text
+
+
+def _is_units(cells: Sequence[str]) -> bool:
+    filled = [cell.strip("[](){}<> ") for cell in cells if cell.strip("-[](){}<> ")]
+    return any(map(is_unit, filled)) and all(len(cell) <= 8 for cell in filled)
+
+
+def _headings(texts: Sequence[str], units: Sequence[str]) -> list[Heading]:
+    """Headings with their units; those that are missing or not unique are numbered."""
+    joined = [
+        f"{text} [{unit.strip('[](){}<> ')}]" if unit.strip("-[](){}<> ") else text
+        for text, unit in zip(texts, units, strict=True)
+    ]
+    found = [understood(text, joined) for text in joined]
+    for i, heading in enumerate(found):
+        if not heading.text:
+            found[i] = Heading(f"#{i + 1}", f"#{i + 1}", heading.unit)
+        elif joined.count(heading.text) > 1:
+            found[i] = Heading(f"{heading.text} #{i + 1}", heading.name, heading.unit)
+    return found
+
+
+def _plain_numbers(cells: Sequence[str], decimal: str) -> tuple[list[str], bool]:
+    """Cells of a column of numbers with decimal points, and whether they are times of day, then in s."""
+    matches = [_CLOCK.fullmatch(cell) for cell in cells]
+    if not any(matches):
+        return ["" if cell.casefold() in _ERRORS else cell.replace(decimal, ".") for cell in cells], False
+    dates = [match["date"] for match in matches if match and match["date"]]
+    return [
+        _seconds(match, dates) if match else cell for match, cell in zip(matches, cells, strict=True)
+    ], True
+
+
+def _seconds(match: re.Match[str], dates: Sequence[str]) -> str:
+    """Seconds since the midnight before the first sample."""
+    second = (match["s"] or match["s2"]).replace(",", ".")
+    whole = 60 * int(match["m"] or match["m2"]) + 3600 * int(match["h"] or 0)
+    if match["date"]:
+        first, own = (datetime.date.fromisoformat(date) for date in (dates[0], match["date"]))
+        whole += 86_400 * (own - first).days
+    return f"{whole + int(second[:2])}{second[2:]}"
+
+
+def text_of(value: object) -> str:
+    """A value of a typed table as text: times of day and dates in ISO 8601, durations in s."""
+    if value is None:
+        return ""
+    if isinstance(value, datetime.timedelta):
+        return repr(value.total_seconds())
+    if isinstance(value, bool):
+        return str(value)
+    if isinstance(value, datetime.date | datetime.time):
+        return value.isoformat()
+    if isinstance(value, bytes):
+        return value.decode(errors="replace")
+    return repr(value) if isinstance(value, float) else str(value).strip()

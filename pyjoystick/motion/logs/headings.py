@@ -1,0 +1,147 @@
+"""What headings mean: quantities in several languages, and units as they are written."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Final
+
+from pyjoystick.motion.table_files import Column, Heading
+from pyjoystick.motion.units import UNITS, plain_unit
+
+#: Spellings by kind of quantity and unit besides those of `UNITS`; those in lower case hold for
+#: upper case too.
+_SPELLINGS: Final[Mapping[str, Mapping[str, str]]] = {
+    "time": {
+        "s": "s sec secs second seconds sek sekunde sekunden seconde secondes seg segundo segundos secondo "
+        "secondi sekund sekunder",
+        "ms": "ms msec msecs millisecond milliseconds millisekunde millisekunden milliseconde millisecondes "
+        "milisegundos millisecondi",
+        "us": "us usec microsecond microseconds mikrosekunde mikrosekunden microsecondes microsegundos",
+    },
+    "angle": {
+        "deg": "deg degs degree degrees degré degrés grados gradi graden grader º",
+        "rad": "rad radian radians radiant radianten radianes radianti",
+        "mrad": "mrad milliradian milliradians",
+    },
+    "angular velocity": {"deg/s": "deg/s deg/sec degrees/s degree/s", "rad/s": "rad/s rad/sec radians/s"},
+    "torque": {
+        "N.m": "Nm N-m newtonmeter newton-meter newton.meter newtonmetre",
+        "N.mm": "Nmm N-mm",
+        "N.cm": "Ncm N-cm",
+        "mN.m": "mNm",
+        "kN.m": "kNm",
+    },
+    "force": {"N": "newton newtons"},
+    "voltage": {"V": "volt volts v", "mV": "millivolt millivolts"},
+    "count": {
+        "count": "count counts cts digit digits inc increment increments inkrement inkremente tick ticks "
+        "lsb step steps pulse pulses impulse adc raw"
+    },
+}
+#: Unit by kind and spelling.
+_KNOWN: Final = {
+    kind: {unit: unit for unit in UNITS.get(kind, {})}
+    | {word: unit for unit, words in spellings.items() for word in words.split()}
+    for kind, spellings in _SPELLINGS.items()
+} | {"angular acceleration": {unit: unit for unit in UNITS["angular acceleration"]}}
+#: Kinds of quantity by their names in `Column`, and whole headings that mean them.
+_NAMES: Final[Mapping[str, tuple[str, str]]] = {
+    "time": (
+        "time",
+        "t,time,zeit,uhrzeit,zeitstempel,messzeit,temps,tempo,tiempo,tijd,tid,czas,cas,время,时间,時間,"
+        "timestamp,time stamp,elapsed time,relative time,x time",
+    ),
+    "theta": (
+        "angle",
+        "theta,θ,phi,φ,angle,winkel,drehwinkel,angulo,angolo,hoek,vinkel,kat,угол,角度,angular position,"
+        "position angulaire,joystick angle,joystick winkel,winkel joystick,angle joystick,winkelposition",
+    ),
+    "omega": ("angular velocity", "omega,ω,angular velocity,angular rate,winkelgeschwindigkeit"),
+    "alpha": ("angular acceleration", "angular acceleration,winkelbeschleunigung"),
+    "T": ("torque", "torque,hand torque,moment,drehmoment,couple,momento,coppia,koppel,moment de force"),
+    "F": ("force", "force,hand force,kraft,handkraft,fuerza,forza,kracht,kraftsensor"),
+}
+#: Letters that mean a quantity in this case only; a unit of its kind must stand beside them.
+_SYMBOLS: Final = {"T": "M", "F": "F"}
+_BRACKETS: Final = re.compile(r"(?P<name>.*?)\s*[(\[{<](?P<unit>[^()\[\]{}<>]*)[)\]}>]\s*")
+_AFTER: Final = re.compile(
+    r"(?P<name>[^/]+?)\s*/\s*(?P<unit>.+)|(?P<name2>.+?)(?:,\s*|\s+in\s+|[_ ])(?P<unit2>\S+)"
+)
+_GERMAN: Final = ("zeit", "winkel", "kraft", "moment", "weg", "geschwindigkeit")
+
+
+def spelled(kind: str, unit: str) -> str | None:
+    """A unit as `UNITS` spells it, None if it is not of this kind."""
+    known, plain = _KNOWN.get(kind, {}), plain_unit(unit).rstrip(".")
+    return known.get(plain) or known.get(unit) or known.get(plain.casefold())
+
+
+def is_unit(text: str) -> bool:
+    """Whether a text is a known unit of any kind."""
+    return text.casefold() == "grad" or any(spelled(kind, text) for kind in _KNOWN)
+
+
+def understood(text: str, others: Iterable[str] = ()) -> Heading:
+    """Name and unit of a heading: ``Winkel [Grad]``, ``t/s``, ``Time in ms``, ``angle_deg``.
+
+    Args:
+        text: the heading
+        others: all headings of the table; *Grad* are degrees only beside German words, and gon elsewhere
+    """
+    name, unit = text, ""
+    if match := _BRACKETS.fullmatch(text):
+        name, unit = match["name"], match["unit"]
+    elif match := _AFTER.fullmatch(text):
+        name, unit = match["name"] or match["name2"], match["unit"] or match["unit2"]
+        short = len(unit) == 1 and match["name2"] and meaning(name) != "time" and unit != "°"
+        if not is_unit(unit) or short:
+            name, unit = text, ""
+    if any(word in other.casefold() for other in others for word in _GERMAN):
+        unit = re.sub(r"\b[Gg]rad\b", "deg", unit)
+    unit = unit.strip()
+    return Heading(text, name.strip(), next(filter(None, (spelled(kind, unit) for kind in _KNOWN)), unit))
+
+
+def meaning(name: str) -> str | None:
+    """The quantity whose name this is, in one of the languages."""
+    plain = "".join(c for c in unicodedata.normalize("NFKD", name.casefold()) if not unicodedata.combining(c))
+    plain = " ".join(re.split(r"[\s_.\-]+", plain)).strip()
+    for quantity, (_, names) in _NAMES.items():
+        if plain in names.split(",") and not (quantity == "time" and name == "T"):
+            return quantity
+    return next((quantity for quantity, symbols in _SYMBOLS.items() if name in (quantity, symbols)), None)
+
+
+def kind_of(column: Column) -> str:
+    """The kind of quantity of a column with one of the names above; empty for every other column."""
+    kind = _NAMES.get(column.name, ("",))[0]
+    return kind if kind and set(column.units) & set(UNITS[kind]) else ""
+
+
+def candidates(column: Column, headings: Sequence[Heading]) -> list[Heading]:
+    """The headings that may be those of a column: by its own name, else by another."""
+    kind = kind_of(column)
+    own = [h for h in headings if column.name in (h.text, h.name)]
+    folded = column.name.casefold()
+    if len(folded) > 1:  # t is not T
+        own = own or [h for h in headings if folded in (h.text.casefold(), h.name.casefold())]
+    return own or [h for h in headings if kind and meaning(last_part(h.name)) == column.name]
+
+
+def last_part(name: str) -> str:
+    """The name of a field without the structures that it is in."""
+    return name.rpartition(".")[2] or name
+
+
+def reading_unit(unit: str) -> str:
+    """``V``, ``mV`` or ``count`` where a unit is what an instrument reads, not what it measures."""
+    return spelled("voltage", unit) or spelled("count", unit) or ""
+
+
+def scale_factor(name: str, unit: str) -> float | None:
+    """The factor to SI units of a unit of a quantity (theta, omega, T, F); None if it is none."""
+    kind = _NAMES[name][0] if name in _NAMES else ""
+    found = spelled(kind, unit.strip())
+    return UNITS[kind][found] if found else None

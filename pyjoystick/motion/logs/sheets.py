@@ -1,0 +1,193 @@
+"""Tables of other forms as rows of cells: XLSX, ODS, MATLAB and Parquet, told apart by their contents."""
+
+from __future__ import annotations
+
+import importlib
+import zipfile
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+import pandas as pd
+
+from pyjoystick.motion.logs.grid import Row, text_of
+from pyjoystick.motion.records.errors import RecordError
+
+_LONGEST: Final = 10_000_000
+
+
+def form_of(path: Path, head: bytes) -> str:
+    """The form of a file by its first bytes: xlsx, ods, matlab, matlab 7.3, parquet, or empty for text.
+
+    Raises:
+        RecordError: it is of a form that is not read here; the message says what to do
+    """
+    suffix = path.suffix.casefold()
+    if head.startswith(b"PK\3\4"):
+        names = _names_in_archive(path)
+        return (
+            "xlsx" if "xl/workbook.xml" in names else "ods" if "content.xml" in names else _refuse_zip(path)
+        )
+    if head.startswith((b"\x89HDF", b"MATLAB 7.3")):
+        return "matlab 7.3"
+    if head.startswith(b"MATLAB 5.0") or suffix == ".mat":
+        return "matlab"
+    if head.startswith(b"PAR1"):
+        return "parquet"
+    markers = suffix == ".c3d" or (suffix == ".trc" and b"\t" in head) or head.startswith(b"PathFileType")
+    if markers or head.removeprefix(b"\xef\xbb\xbf").startswith(b"Trajectories"):
+        advice = f"make a record of the angle from them: pyjoystick import markers {path}"
+        raise RecordError(str(path), "holds markers, not an angle", advice)
+    if head.startswith(b"\xd0\xcf\x11\xe0"):
+        raise RecordError(str(path), "is a workbook of Excel 97 to 2003", "save it as .xlsx")
+    return ""
+
+
+def _names_in_archive(path: Path) -> list[str]:
+    try:
+        with zipfile.ZipFile(path) as archive:
+            return archive.namelist()
+    except (zipfile.BadZipFile, OSError) as error:
+        raise RecordError(
+            str(path), f"is a damaged archive: {error}", "copy or save the file again"
+        ) from error
+
+
+def _refuse_zip(path: Path) -> str:
+    raise RecordError(str(path), "is an archive, but no workbook", "unpack it, and give the table in it")
+
+
+def load(path: Path, form: str, sheet: str) -> tuple[list[Row], bool]:
+    """The filled rows of a file that is not text, and whether its numbers are numbers rather than text.
+
+    Args:
+        path: the file
+        form: from `form_of`
+        sheet: name of the sheet or structure; where empty, there must be one only
+
+    Raises:
+        RecordError: the package that reads this form is missing, the file is damaged, or has several sheets
+    """
+    package, extra, reader = _READERS[form]
+    try:
+        importlib.import_module(package)
+    except ImportError as error:
+        advice = f"pip install {package_of(package)}, or pip install 'pyjoystick[{extra}]'"
+        raise RecordError(str(path), f"needs the package {package_of(package)} to be read", advice) from error
+    try:
+        tables = reader(path)
+    except Exception as error:  # whatever the package makes of a damaged file
+        reason = f"cannot be read as {form}: {error}"
+        raise RecordError(str(path), reason, "save the file again, or export it as CSV") from error
+    name = _chosen(path, tables, sheet)
+    frame = tables[name]
+    cells = [[text_of(cell) for cell in row] for row in frame.itertuples(index=False, name=None)]
+    typed = any(isinstance(cell, int | float) and cell == cell for cell in frame.to_numpy(dtype=object).flat)
+    return [(number, row) for number, row in enumerate(cells, start=1) if any(row)], typed
+
+
+def _chosen(path: Path, tables: Mapping[str, pd.DataFrame], sheet: str) -> str:
+    if sheet:
+        if sheet not in tables:
+            raise RecordError(
+                str(path), f"has no sheet {sheet!r}", f"there are {', '.join(map(repr, tables))}"
+            )
+        return sheet
+    filled = [name for name, table in tables.items() if table.size]
+    if len(filled) == 1:
+        return filled[0]
+    if not filled:
+        raise RecordError(str(path), "holds no table", "write headings, then one sample a row")
+    advice = f"say which: {' or '.join(f'--sheet {name!r}' for name in filled)}"
+    raise RecordError(str(path), f"has {len(filled)} sheets with content", advice)
+
+
+def package_of(module: str) -> str:
+    """The package to install for a module."""
+    return {"odf": "odfpy"}.get(module, module)
+
+
+def _workbook(path: Path) -> dict[str, pd.DataFrame]:
+    return pd.read_excel(path, sheet_name=None, header=None, dtype=object, na_filter=False)
+
+
+def _parquet(path: Path) -> dict[str, pd.DataFrame]:
+    frame = pd.read_parquet(path, engine="pyarrow")
+    if frame.index.name is not None:
+        frame = frame.reset_index()
+    return {"": _headed({str(name): frame[name] for name in frame.columns})}
+
+
+def _matlab(path: Path) -> dict[str, pd.DataFrame]:
+    from scipy.io import loadmat
+
+    found = loadmat(path, simplify_cells=True)
+    return _tables({name: value for name, value in found.items() if not name.startswith("__")})
+
+
+def _matlab_7_3(path: Path) -> dict[str, pd.DataFrame]:
+    import h5py
+
+    def values(group: Any) -> dict[str, Any]:
+        found = {}
+        for name, one in group.items():
+            if name.startswith("#"):
+                continue
+            if isinstance(one, h5py.Group):
+                found[name] = values(one)
+            elif one.dtype.kind in "iufb" and one.attrs.get("MATLAB_class", b"double") != b"char":
+                found[name] = np.squeeze(one[()].T)
+        return found
+
+    with h5py.File(path) as file:
+        return _tables(values(file))
+
+
+def _tables(variables: Mapping[str, Any]) -> dict[str, pd.DataFrame]:
+    """The tables in MATLAB variables: one of the vectors, and one a structure, where the vectors fit."""
+    columns = dict(_vectors(variables, ""))
+    if len({len(column) for column in columns.values()}) == 1:
+        return {"": _headed(columns)}
+    parts = {name: dict(_vectors(one, "")) for name, one in variables.items() if isinstance(one, Mapping)}
+    parts[""] = {name: one for name, one in columns.items() if "." not in name}
+    lengths = {name: {len(column) for column in part.values()} for name, part in parts.items()}
+    if any(len(found) > 1 for found in lengths.values()):
+        sizes = ", ".join(f"{name} {len(column)}" for name, column in columns.items())
+        raise ValueError(f"its vectors have different lengths ({sizes}); save those of one record alone")
+    return {name: _headed(part) for name, part in parts.items() if part}
+
+
+def _vectors(value: Any, name: str) -> Iterator[tuple[str, Any]]:
+    """The vectors in a variable with their names, columns of a matrix one by one; scalars are left out."""
+    if isinstance(value, Mapping):
+        for field, one in value.items():
+            yield from _vectors(one, f"{name}.{field}" if name else field)
+        return
+    array = np.asarray(value)
+    if array.dtype.kind not in "iufb" or array.size < 2 or array.size > _LONGEST:
+        return
+    if array.ndim == 2:
+        columns = array if array.shape[0] >= array.shape[1] else array.T
+        yield from ((f"{name} #{i + 1}", column) for i, column in enumerate(columns.T))
+    elif array.ndim == 1:
+        yield name, array
+
+
+def _headed(columns: Mapping[str, Any]) -> pd.DataFrame:
+    """Columns under a row of their names, as a sheet has them."""
+    if not columns:
+        return pd.DataFrame()
+    cells = {
+        i: pd.Series([name, *one.tolist()], dtype=object) for i, (name, one) in enumerate(columns.items())
+    }
+    return pd.DataFrame(cells)
+
+
+_READERS: Final[Mapping[str, tuple[str, str, Callable[[Path], dict[str, pd.DataFrame]]]]] = {
+    "xlsx": ("openpyxl", "excel", _workbook),
+    "ods": ("odf", "ods", _workbook),
+    "matlab": ("scipy", "matlab", _matlab),
+    "matlab 7.3": ("h5py", "matlab", _matlab_7_3),
+    "parquet": ("pyarrow", "parquet", _parquet),
+}

@@ -1,0 +1,178 @@
+"""Tables in text files: encoding, delimiter and decimal mark, each found out where only one is possible."""
+
+from __future__ import annotations
+
+import codecs
+import re
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Final
+
+from charset_normalizer import from_bytes
+
+from pyjoystick.motion.logs.grid import Candidate, Row, find_table
+from pyjoystick.motion.logs.layout import Layout
+from pyjoystick.motion.records.errors import RecordError
+from pyjoystick.motion.table_files import cells_of_line
+
+_DELIMITERS: Final = {"comma": ",", "semicolon": ";", "tab": "\t", "bar": "|", "space": " "}
+_REMARKS: Final = ("#", "%", "//")
+_BOMS: Final = {
+    codecs.BOM_UTF8: "utf-8-sig",
+    codecs.BOM_UTF32_LE: "utf-32",
+    codecs.BOM_UTF32_BE: "utf-32",
+    codecs.BOM_UTF16_LE: "utf-16",
+    codecs.BOM_UTF16_BE: "utf-16",
+}
+#: Encodings of headings in laboratories; the digits are the same in all of them.
+_ENCODINGS: Final = ["cp1252", "cp1250", "cp1251", "mac_roman", "cp437", "shift_jis", "gb18030", "euc_kr"]
+#: Bytes that are enough to tell the encoding.
+_ENOUGH: Final = 1 << 16
+#: A heading with its unit where blanks separate the columns.
+_WORD: Final = re.compile(r"[^\s(\[]+(?:\s*[(\[][^)\]]*[)\]])?")
+
+
+def decoded(path: Path, data: bytes, encoding: str) -> tuple[str, str]:
+    """The text of a file, and its encoding.
+
+    Args:
+        path: the file, for messages
+        data: its content
+        encoding: its encoding; empty where that is to be found out
+
+    Raises:
+        RecordError: it is no text, or not in this encoding
+    """
+    try:
+        for name in [encoding] if encoding else _encodings(data):
+            try:
+                return data.decode(name), name
+            except UnicodeDecodeError:
+                continue
+    except LookupError:
+        pass
+    reason = (
+        f"is not text in {encoding}" if encoding else "is not UTF-8 text, nor in an encoding that is known"
+    )
+    raise RecordError(str(path), reason, "export it as CSV in UTF-8, or name its encoding: --encoding cp1252")
+
+
+def _encodings(data: bytes) -> list[str]:
+    for mark, name in _BOMS.items():
+        if data.startswith(mark):
+            return [name]
+    if b"\0" in data:
+        odd, even = data[1::2].count(0), data[::2].count(0)
+        return ["utf-16-le" if odd > even else "utf-16-be"] if max(odd, even) > len(data) // 4 else []
+    try:
+        data.decode("utf-8")
+    except UnicodeDecodeError:
+        # A single degree sign says too little: the most usual encoding goes before others that fit.
+        best = next((one for names in (_ENCODINGS[:1], _ENCODINGS) if (one := _best(data, names))), "cp1252")
+        return [best, "latin-1"]
+    return ["utf-8"]
+
+
+def _best(data: bytes, encodings: list[str]) -> str:
+    found = from_bytes(data[:_ENOUGH], cp_isolation=encodings).best()
+    return found.encoding if found else ""
+
+
+def find_in_text(path: Path, text: str, layout: Layout) -> tuple[Candidate | None, tuple[str, ...]]:
+    """The table in a text, and its comments; None where there is none of two columns of numbers.
+
+    Raises:
+        RecordError: more than one delimiter or decimal mark is possible
+    """
+    numbered = enumerate(re.split("\r\n|\r|\n", text), start=1)
+    lines = [(number, line.strip(" ")) for number, line in numbered if line.strip()]
+    remarks = [(number, line.lstrip("#%/ ")) for number, line in lines if _is_remark(line)]
+    lines = [(number, line) for number, line in lines if not _is_remark(line)]
+    comments = tuple(line.strip() for _, line in remarks)
+    given = _DELIMITERS.get(layout.delimiter, "\t" if layout.delimiter == "\\t" else layout.delimiter)
+    found: list[Candidate] = []
+    for one in [given] if given else _DELIMITERS.values():
+        # Blanks stand inside of other tables too: they separate only where nothing else does.
+        if lines and one in lines[-1][1] and not (one == " " and found and not given):
+            cells = _split(path, lines, one)
+            marks = [layout.decimal] if layout.decimal else [".", ","]
+            tables = [find_table(cells, _split(path, remarks, one), one, mark) for mark in marks]
+            found += _of_best_mark(path, [table for table in tables if table is not None])
+    flawless = [one for one in found if not one.faults]
+    found = flawless or found
+    if len(found) > 1:
+        names = [name for name, one in _DELIMITERS.items() if one in {table.delimiter for table in found}]
+        advice = f"say which: --delimiter {' or --delimiter '.join(names)}"
+        raise RecordError(str(path), f"may be separated by {' or '.join(names)}", advice)
+    if found and found[0].doubtful and not layout.decimal and found[0].delimiter != found[0].decimal:
+        _require_certain(path, found[0])
+    return (found[0] if found else None), comments
+
+
+def find_in_rows(path: Path, rows: list[Row], typed: bool, layout: Layout) -> Candidate | None:
+    """The table in the rows of a sheet, None where there is none of two columns of numbers.
+
+    Args:
+        path: the file
+        rows: its filled rows
+        typed: whether the numbers are numbers, whose decimal mark is a point
+        layout: what is known
+
+    Raises:
+        RecordError: more than one decimal mark is possible
+    """
+    marks = ["."] if typed else [layout.decimal] if layout.decimal else [".", ","]
+    tables = [find_table(rows, [], "", mark) for mark in marks]
+    found = _of_best_mark(path, [table for table in tables if table is not None])
+    if found and found[0].doubtful and not (typed or layout.decimal):
+        _require_certain(path, found[0])
+    return found[0] if found else None
+
+
+def delimiter_name(delimiter: str) -> str:
+    """A delimiter in words."""
+    return next((name for name, one in _DELIMITERS.items() if one == delimiter), repr(delimiter))
+
+
+def _is_remark(line: str) -> bool:
+    first = line.lstrip()
+    return first.startswith(_REMARKS) and not first.casefold().startswith(("#n/a", "#nv", "#div/0!", "#num!"))
+
+
+def _split(path: Path, lines: Sequence[tuple[int, str]], delimiter: str) -> list[Row]:
+    """Lines as cells; minus signs of typography are those of numbers."""
+    if delimiter != " ":
+        return [
+            (
+                number,
+                [
+                    cell.replace("\N{MINUS SIGN}", "-")
+                    for cell in cells_of_line(path, number, line, delimiter)
+                ],
+            )
+            for number, line in lines
+        ]
+    return [(n, _WORD.findall(line) if "(" in line or "[" in line else line.split()) for n, line in lines]
+
+
+def _of_best_mark(path: Path, tables: list[Candidate]) -> list[Candidate]:
+    """Of the tables of one delimiter that with most numbers."""
+    flawless = [table for table in tables if not table.faults] or tables
+    most = max((len(table.numeric) for table in flawless), default=0)
+    best = [table for table in flawless if len(table.numeric) == most]
+    if len({table.numeric for table in best}) > 1:
+        _require_certain(path, best[0])
+    return best[:1]
+
+
+def _require_certain(path: Path, table: Candidate) -> None:
+    for number, cells in table.rows:
+        for i in table.numeric:
+            if table.decimal in cells[i]:
+                raise RecordError(
+                    str(path),
+                    "may be a decimal mark or separate thousands",
+                    "say which is the decimal mark: --decimal , or --decimal .",
+                    rows=[number],
+                    value=repr(cells[i]),
+                )

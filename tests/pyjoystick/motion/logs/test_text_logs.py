@@ -1,0 +1,370 @@
+"""Logs as text: each is read right, or refused with the option to add."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from pyjoystick.motion import Layout, RecordError, Scale, read_log
+from tests.pyjoystick.motion.logs.made import ANGLE, COUNT, TIME, TORQUE, text, written
+
+DEG = np.radians(1.0)
+GERMAN = ("Zeit [s]", "Winkel [Grad]", "Drehmoment [Nm]")
+
+
+def _german(**form: Any) -> str:
+    return text(GERMAN, TIME, ANGLE, TORQUE, **({"delimiter": ";", "decimal": ","} | form))
+
+
+def _lines(form: str) -> str:
+    return "".join(form.format(t, a) for t, a in zip(TIME.tolist(), ANGLE.tolist(), strict=True))
+
+
+def _with_clock(form: Callable[[float], str], **more: Any) -> str:
+    return text(("Uhrzeit", "Winkel (Grad)"), [form(float(t)) for t in TIME], ANGLE, delimiter=";", **more)
+
+
+def _clock(time: float) -> str:
+    return f"10:59:{59.8 + time:06.3f}" if time < 0.2 else f"11:00:{time - 0.2:06.3f}"
+
+
+def _with_inserted(content: str, at: int, line: str) -> str:
+    lines = content.split("\n")
+    return "\n".join([*lines[:at], line, *lines[at:]])
+
+
+#: Name -> content, encoding, whether the torque is in it.
+READ: dict[str, tuple[str, str, bool]] = {
+    "plain": (text(("time (s)", "theta (deg)"), TIME, ANGLE), "utf-8", False),
+    "german": (_german(), "utf-8", True),
+    "german windows": (_german(newline="\r\n"), "cp1252", True),
+    "old mac lines": (_german(newline="\r"), "utf-8", True),
+    "bom": (_german(), "utf-8-sig", True),
+    "utf-16": (_german(), "utf-16", True),
+    "utf-16 without a mark": (_german(), "utf-16-le", True),
+    "latin-1 degree": (
+        text(("t/s", "Winkel/°"), TIME, ANGLE, delimiter=";", decimal=","),
+        "latin-1",
+        False,
+    ),
+    "cp1252 umlauts": (
+        text(
+            ("Prüfzeit", "Zeit [s]", "Winkel [°]"),
+            ["früh"] * COUNT,
+            TIME,
+            ANGLE,
+            delimiter=";",
+            decimal=",",
+            before="Prüfer: Müller\nGerät: Öl\n",
+        ),
+        "cp1252",
+        False,
+    ),
+    "iso symbols": (text(("t/s", "phi/deg", "M/Nm"), TIME, ANGLE, TORQUE, delimiter="\t"), "utf-8", True),
+    "ms and mrad": (
+        text(("Time in ms", "Angle, mrad"), 1e3 * TIME, 1e3 * DEG * ANGLE, delimiter=";", digits=15),
+        "utf-8",
+        False,
+    ),
+    "us": (text(("time_us", "angle_deg"), 1e6 * TIME, ANGLE), "utf-8", False),
+    "french": (text(("Temps (s)", "Angle (degrés)", "Couple (N·m)"), TIME, ANGLE, TORQUE), "utf-8", True),
+    "spanish": (text(("tiempo [ms]", "ángulo [grados]"), 1e3 * TIME, ANGLE, delimiter="|"), "utf-8", False),
+    "italian": (
+        text(("Tempo (s)", "Angolo (gradi)"), TIME, ANGLE, delimiter=";", decimal=","),
+        "utf-8",
+        False,
+    ),
+    "capitals": (text(("TIME [S]", "ANGLE [DEG]"), TIME, ANGLE), "utf-8", False),
+    "trailing tab": (
+        "time [s]\tangle [deg]\t\n"
+        + "".join(f"{t:.9g}\t{a:.9g}\t\n" for t, a in zip(TIME, ANGLE, strict=True)),
+        "utf-8",
+        False,
+    ),
+    "trailing tab below the headings only": (
+        "time [s]\tangle [deg]\n"
+        + "".join(f"{t:.9g}\t{a:.9g}\t\n" for t, a in zip(TIME, ANGLE, strict=True)),
+        "utf-8",
+        False,
+    ),
+    "blanks": (
+        "  time (s)    angle (deg)\n" + _lines("  {:10.6f}  {:12.6f}\n"),
+        "utf-8",
+        False,
+    ),
+    "preamble": (
+        _german(before="Prüfstand 3\nDatum;22.11.2026\nAbtastrate;250\n\nKanäle;3;x\n"),
+        "utf-8",
+        True,
+    ),
+    "padded preamble": (_german(before="Bench;;\nRate;250;\nDate;2026;\n"), "utf-8", True),
+    "sep line": (_german(before="sep=;\n"), "utf-8", True),
+    "units below": (
+        text(("Time", "Angle", "Torque"), ["s", *TIME], ["deg", *ANGLE], ["N.m", *TORQUE]),
+        "utf-8",
+        True,
+    ),
+    "units below in brackets": (
+        text(
+            ("Time", "Angle", "Pressure"),
+            ["[s]", *TIME],
+            ["[deg]", *ANGLE],
+            ["[mbar]", *TORQUE],
+            before="Bench\n",
+        ),
+        "utf-8",
+        False,
+    ),
+    "comments inside": (_with_inserted(_german(), 40, "# Operator: pause"), "utf-8", True),
+    "headings in a comment": (
+        "# made by numpy\n# time (s) angle (deg)\n" + _lines("{:.9e} {:.9e}\n"),
+        "utf-8",
+        False,
+    ),
+    "percent comments": (
+        text(("t (s)", "theta (rad)"), TIME, DEG * ANGLE, before="% Octave\n", digits=15),
+        "utf-8",
+        False,
+    ),
+    "quoted decimals": (text(("time [s]", "angle [deg]"), TIME, ANGLE, decimal=","), "utf-8", False),
+    "commas in headings": (
+        text(("time, s", "angle, deg"), TIME, ANGLE, delimiter=";", decimal=",").replace('"', ""),
+        "utf-8",
+        False,
+    ),
+    "russian": (
+        text(("Время [s]", "Угол [deg]"), TIME, ANGLE, delimiter=";", decimal=",", before="Стенд три\n"),
+        "cp1251",
+        False,
+    ),
+    "japanese": (
+        text(("時間 [s]", "角度 [deg]"), TIME, ANGLE, before="試験装置\n"),
+        "shift_jis",
+        False,
+    ),
+    "quoted headings": (
+        text(("time, of the bench [s]", "x"), TIME, ANGLE)
+        .replace("time, of the bench", "time")
+        .replace("x\n", '"angle [deg]"\n'),
+        "utf-8",
+        False,
+    ),
+    "minus signs": (_german().replace("-", "\N{MINUS SIGN}"), "utf-8", True),
+    "exponents": (
+        "time (s);angle (deg)\n" + _lines("{:.9e};{:.9E}\n"),
+        "utf-8",
+        False,
+    ),
+    "other columns": (
+        text(
+            ("No.", "Time [s]", "Temperature T [°C]", "T [°C]", "Angle [deg]", "Remark"),
+            [*range(COUNT)],
+            TIME,
+            20.0 + TIME,
+            21.0 + TIME,
+            ANGLE,
+            ["a;b"] * COUNT,
+        ),
+        "utf-8",
+        False,
+    ),
+    "a clock": (_with_clock(_clock), "utf-8", False),
+    "a clock with commas": (_with_clock(lambda t: _clock(t).replace(".", ","), decimal=","), "utf-8", False),
+    "date and clock": (
+        text(
+            ("timestamp", "angle (deg)"),
+            [
+                f"2026-11-22 23:59:{59.8 + t:06.3f}" if t < 0.2 else f"2026-11-23T00:00:{t - 0.2:06.3f}"
+                for t in TIME
+            ],
+            ANGLE,
+        ),
+        "utf-8",
+        False,
+    ),
+    "two headings without a name": (
+        text(("Zeit [s]", "", "Winkel [Grad]", ""), TIME, ["x"] * COUNT, ANGLE, ["y"] * COUNT, delimiter=";"),
+        "utf-8",
+        False,
+    ),
+}
+
+
+@pytest.mark.parametrize("name", READ)
+def test_a_log_is_read_as_it_was_written(name: str, tmp_path: Path) -> None:
+    content, encoding, has_torque = READ[name]
+    log = read_log(written(tmp_path / "log.txt", content, encoding))
+    start = log.series["time"][0]
+    np.testing.assert_allclose(log.series["time"] - start, TIME, rtol=0.0, atol=1e-9)
+    np.testing.assert_allclose(log.series["theta"], DEG * ANGLE, rtol=0.0, atol=1e-9)
+    assert ("T" in log.series) == has_torque
+    if has_torque:
+        np.testing.assert_allclose(log.series["T"], TORQUE, rtol=0.0, atol=1e-9)
+    assert not log.left_out.size
+
+
+THOUSANDS = "".join(f"{1000 + i:,};{1 + i % 7},{500 + i}\n" for i in range(COUNT))
+#: Name -> content, what the message says, the options that it asks for.
+REFUSED: dict[str, tuple[str, str, dict[str, Any]]] = {
+    "an angle without a unit": (
+        text(("time (s)", "angle"), TIME, ANGLE),
+        r"column 'angle', row 1: has no unit; .*--unit theta=",
+        {"units": {"theta": "deg"}},
+    ),
+    "a time without a unit": (
+        text(("time", "angle (deg)"), 1e3 * TIME, ANGLE),
+        "column 'time': has no unit; its steps of 4 can be ms or us; say which: --unit time=ms or --unit ",
+        {"units": {"time": "ms"}},
+    ),
+    "ms under the name of s": (
+        text(("time (s)", "angle (deg)"), 1e3 * TIME, ANGLE),
+        "ms or us under the name of s.*--unit time=ms",
+        {"units": {"time": "ms"}},
+    ),
+    "1 ms under the name of s": (
+        text(("time (s)", "angle (deg)"), 250.0 * TIME, ANGLE),
+        "ms or us under the name of s.*--unit time=ms",
+        {"units": {"time": "ms"}, "stretched": 4.0},
+    ),
+    "s under the name of ms": (
+        text(("time (ms)", "angle (deg)"), TIME, ANGLE),
+        "a record of 0.000476 s: .*--unit time=s",
+        {"units": {"time": "s"}},
+    ),
+    "an angle with and one without a unit": (
+        text(("time (s)", "angle", "angle (deg)"), TIME, ANGLE, -ANGLE),
+        "has 2 columns 'angle'; choose one: --column theta='angle' or",
+        {"columns": {"theta": "angle"}, "units": {"theta": "deg"}},
+    ),
+    "dates of an unknown order": (
+        text(("Zeit", "n", "Winkel [Grad]"), [f"11.12.2026 10:00:0{t:.3f}" for t in TIME], TIME, ANGLE),
+        "column 'Zeit', row 2: is not a number",
+        {"rate": 250.0},
+    ),
+    "two angles": (
+        text(("time (s)", "angle (deg)", "winkel (deg)"), TIME, ANGLE, -ANGLE),
+        r"2 columns that may be theta; choose one: --column theta='angle \(deg\)' or",
+        {"columns": {"theta": "angle (deg)"}},
+    ),
+    "duplicate headings": (
+        text(("time (s)", "angle (deg)", "angle (deg)"), TIME, ANGLE, -ANGLE),
+        r"has 2 columns 'angle'; choose one: --column theta='angle \(deg\) #2' or",
+        {"columns": {"theta": "angle (deg) #2"}},
+    ),
+    "an angle by another name": (
+        text(("time (s)", "Stick (deg)"), TIME, ANGLE),
+        r"which column holds theta\? There are .*'Stick \(deg\)'.*--column theta=",
+        {"columns": {"theta": "Stick"}},
+    ),
+    "Grad that may be gon": (
+        text(("time (s)", "angle (grad)"), TIME, ANGLE),
+        "has an unknown unit .found grad.*--unit theta=UNIT",
+        {"units": {"theta": "deg"}},
+    ),
+    "counts": (
+        text(("time (s)", "angle (counts)"), TIME, np.round(ANGLE * 1e6) + 2048.0),
+        "holds readings in count.*--scale theta=",
+        {"scales": {"theta": Scale(1e-6 * DEG, "count", 2048.0)}},
+    ),
+    "volts": (
+        text(("time (s)", "angle (mV)"), TIME, 100.0 * ANGLE + 2500.0, digits=12),
+        "holds readings in mV.*--scale theta=",
+        {"scales": {"theta": Scale(10.0 * DEG, "V", 2.5)}},
+    ),
+    "no headings": (
+        text((), TIME, ANGLE),
+        "a number where a heading is expected.*--column time=#1 --column theta=#2",
+        {"columns": {"time": "#1", "theta": "#2"}, "units": {"time": "s", "theta": "deg"}},
+    ),
+    "no time": (
+        text(("angle (deg)", "remark (V)"), ANGLE, TORQUE),
+        "which column holds time",
+        {"rate": 250.0},
+    ),
+    "two delimiters": (
+        text(("time (s)", "angle (deg)", "note;a;b"), TIME, ANGLE, [f"x;{i};{i}" for i in range(COUNT)]),
+        "may be separated by comma or semicolon; say which: --delimiter comma or --delimiter semicolon",
+        {"layout": Layout(delimiter="comma")},
+    ),
+}
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_a_log_of_two_meanings_is_refused_and_read_with_the_option(name: str, tmp_path: Path) -> None:
+    content, message, options = REFUSED[name]
+    path = written(tmp_path / "log.csv", content)
+    with pytest.raises(RecordError, match=message):
+        read_log(path)
+    stretched = options.get("stretched", 1.0)
+    log = read_log(path, **{option: value for option, value in options.items() if option != "stretched"})
+    np.testing.assert_allclose(log.series["time"] * stretched, TIME, rtol=0.0, atol=1e-9)
+    np.testing.assert_allclose(log.series["theta"], DEG * ANGLE, rtol=0.0, atol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        (f"time (ms);angle (deg)\n{THOUSANDS}", "decimal mark or separate thousands.*--decimal"),
+        (
+            "time [s];angle [deg]\n" + "".join(f"{t:.3f};1.234,5\n" for t in TIME),
+            "'1.234,5'",
+        ),
+        (
+            "time (s),angle (deg)\n" + "".join(f"0,{i:03d},1,{i}\n" for i in range(9)),
+            "4 cells under 2 headings",
+        ),
+        ("time (s),angle (deg)\n" + "".join(f"0.5,{i}\n" for i in range(9)), "times are repeated"),
+        ("time (s),angle (deg)\n" + "".join(f"{9 - i}.5,{i}\n" for i in range(9)), "time runs backward"),
+        (_with_inserted(_german(), 40, "Zeit [s];Winkel [Grad];Drehmoment [Nm]"), "row 41: is not a number"),
+        (_with_inserted(_german(), 40, "0,158;7,5"), "row 41: has 2 cells under 3 headings"),
+        (_with_inserted(_german(), 40, "0,158;7;5;1"), "row 41: has 4 cells under 3 headings"),
+        (text(("time (s)", "angle (kg)"), TIME, ANGLE), "column 'angle .kg.', row 1: has an unknown unit"),
+        (text(("time (s)", "angle (rad)"), TIME, ANGLE), "degrees under the name of radians"),
+        ("PathFileType\t4\t(X/Y/Z)\ta.trc\n1\t2\n", "pyjoystick import markers"),
+        ("", "has no headings"),
+    ],
+    ids=range(12),
+)
+def test_a_log_that_no_option_mends_is_refused_with_the_place(
+    content: str, message: str, tmp_path: Path
+) -> None:
+    with pytest.raises(RecordError, match=message):
+        read_log(written(tmp_path / "log.csv", content))
+
+
+def test_rows_without_a_number_are_left_out_and_named(tmp_path: Path) -> None:
+    lines = _german().split("\n")
+    for i, cell in ((10, ""), (11, "NaN"), (12, "#NV"), (30, "-")):
+        lines[i] = ";".join((lines[i].split(";")[0], cell, "1,5"))
+    log = read_log(written(tmp_path / "log.csv", "\n".join(lines)))
+    assert log.left_out.tolist() == [11, 12, 13, 31]
+    kept = np.setdiff1d(np.arange(COUNT), [9, 10, 11, 29])
+    np.testing.assert_allclose(log.series["theta"], DEG * ANGLE[kept], atol=1e-9)
+    assert "4 rows without a number are left out: rows 11-13, 31" in log.notes
+
+
+def test_a_stretch_is_cut_out(tmp_path: Path) -> None:
+    log = read_log(written(tmp_path / "log.csv", _german()), start=0.1, end=0.2)
+    assert log.series["time"][[0, -1]] == pytest.approx([0.1, 0.2])
+    with pytest.raises(RecordError, match=r"no samples from 5 to 6 s; check --from, --to"):
+        read_log(written(tmp_path / "log.csv", _german()), start=5.0, end=6.0)
+
+
+def test_both_decimal_marks_decide_what_was_doubtful(tmp_path: Path) -> None:
+    path = written(tmp_path / "log.csv", f"time (ms);angle (deg)\n{THOUSANDS}")
+    log = read_log(path, layout=Layout(decimal=","), units={"time": "ms"})
+    assert log.series["time"][1] == pytest.approx(1.001e-3)
+    assert log.series["theta"][1] == pytest.approx(np.radians(2.501))
+
+
+def test_an_encoding_that_is_given_is_taken(tmp_path: Path) -> None:
+    path = written(tmp_path / "log.csv", text(("t/s", "Winkel/°"), TIME, ANGLE, delimiter=";"), "cp437")
+    assert read_log(path, layout=Layout(encoding="cp437")).found["theta"].unit == "deg"
+    with pytest.raises(RecordError, match="is not text in utf-8"):
+        read_log(path, layout=Layout(encoding="utf-8"))
+    with pytest.raises(RecordError, match="is not text in latin-77"):
+        read_log(path, layout=Layout(encoding="latin-77"))
