@@ -133,7 +133,7 @@ def test_an_output_that_cannot_be_written(command: Command, tmp_path: Path) -> N
         (("--plot", "file/run.png"), "cannot write file/run.png: "),
         (
             ("--csv", "run.png", "--plot", "run.png"),
-            "cannot write run.png: another result is written there too",
+            "cannot write run.png: the name must end in .csv",
         ),
     ],
 )
