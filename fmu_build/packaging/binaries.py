@@ -1,8 +1,8 @@
 """Compile the shared libraries of an FMU with zig, the C compiler of the package ziglang.
 
 The runtime is the same for every model. It is compiled once for each platform, to static libraries in zig's
-cache folder: one of what both versions of FMI share, one of the face of each version. A build then compiles the
-model alone and links all three.
+cache folder: one of what both versions of FMI share, one of the face of each version. A build then compiles
+the model alone and links all three.
 """
 
 from __future__ import annotations

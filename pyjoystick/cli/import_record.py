@@ -102,7 +102,7 @@ def run(
     if samples_per_second is not None and not (0.0 < samples_per_second < math.inf):
         raise typer.BadParameter("must be above 0", param_hint="--samples-per-second")
     if preview is not None:
-        support.check_figure_path(preview)
+        support.check_suffix(preview, *support.FIGURE_SUFFIXES)
     support.check_outputs(record_file, preview)
     log = motion.read_log(
         file,

@@ -26,7 +26,6 @@ UNITS: Final[Mapping[str, Mapping[str, float]]] = {
     "moment of inertia": {"kg.m2": 1.0, "g.m2": 1e-3, "kg.mm2": 1e-6, "g.cm2": 1e-7, "g.mm2": 1e-9},
     "acceleration": {"m/s2": 1.0, "mm/s2": 1e-3, "g": GRAVITY},
     "voltage": {"V": 1.0, "mV": 1e-3},
-    "torque": {"N.m": 1.0, "mN.m": 1e-3, "N.mm": 1e-3},
     "stiffness": {"N/m": 1.0, "N/mm": 1e3, "kN/m": 1e3, "kN/mm": 1e6},
     "damping": {"N.m.s/rad": 1.0, "N.m.s": 1.0, "mN.m.s/rad": 1e-3, "N.m.s/deg": 1.0 / _DEGREE},
 }
