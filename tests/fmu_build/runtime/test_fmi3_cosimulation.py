@@ -351,3 +351,14 @@ def test_counts_and_what_no_model_has(build3: Build) -> None:
         assert instance.call(f"fmi3{access}Binary", (ctypes.c_uint32 * 1)(H), one, None, None, one) == ERROR
         assert "Binary" in instance.messages[-1][2]
     instance.free()
+
+
+@pytest.mark.parametrize("missing", range(4))
+def test_a_step_needs_a_place_for_each_result(build3: Build, missing: int) -> None:
+    instance = Instance3(build3("ball"))
+    instance.initialize()
+    places = [*(ctypes.byref(ctypes.c_bool()) for _ in range(3)), ctypes.byref(ctypes.c_double())]
+    places[missing] = None
+    assert instance.call("fmi3DoStep", 0.0, 0.1, True, *places) == ERROR
+    assert "null pointer" in instance.text
+    instance.free()
