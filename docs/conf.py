@@ -59,6 +59,11 @@ nitpick_ignore = [
     # Handed from one function to the next, not made by users.
     ("py:class", "pyjoystick.fmu.instance.Instance"),
     ("py:class", "pyjoystick.fmu.library.InstancePool"),
+    ("py:class", "pyjoystick.fmu.own_process.pool.ProcessPool"),
+    ("py:class", "pyjoystick.fmu.own_process.runner.Outcome"),
+    ("py:class", "pyjoystick.fmu.stepping.reducing.Operation"),
+    ("py:class", "pyjoystick.fmu.stepwise.RemoteInstance"),
+    ("py:class", "FmiVersion"),  # a Literal of fmu_build
     ("py:class", "pyjoystick.runs.sweeps.sweep.Part"),
     ("py:class", "pyjoystick.runs.sweeps.sweep.Task"),
 ]

@@ -29,6 +29,8 @@ SLOW = (
     *("pyjoystick/laboratory/load_curve/test_fit.py", "pyjoystick/model/reference/test_physics.py"),
     "pyjoystick/model/reference/test_accuracy.py",
 )
+#: Minutes of work for one process, while others go on with the rest.
+FIRST = ("test_your_joystick.py", "test_site.py", "test_sanitizers.py")
 #: Quick all the same.
 QUICK = ("fmu_build/modelica_source", "fmu_build/runtime/test_layers.py")
 
@@ -47,7 +49,8 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Leave out the slow tests where only the quick ones are wanted."""
+    """Begin with what takes minutes in one process; with ``--quick``, leave out the slow tests."""
+    items.sort(key=lambda item: item.path.name not in FIRST)  # else in the order of collection
     if not config.getoption("--quick"):
         return
     slow = [item for item in items if _is_slow(item)]

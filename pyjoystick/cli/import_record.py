@@ -26,7 +26,7 @@ Examples:
         --scale T=2.5N.m/V --from 1.5 --to 6 --output trial1.csv
 
 The quantities are time, theta, omega, T (torque) and F (force). `pyjoystick peaks`, `pyjoystick fit` and
-`pyjoystick torque` read the record. docs/measurements.md describes the files.
+`pyjoystick torque` read the record.
 """
 _SCALE: Final = re.compile(r"(?P<number>[-+0-9.eE]+?)\s*(?P<unit>[a-zA-Z°].*)/(?P<reading>[^/]+)")
 

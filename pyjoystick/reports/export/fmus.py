@@ -9,16 +9,14 @@ from dataclasses import dataclass
 from importlib.util import find_spec
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
+from fmu_build import BuildError, FmiVersion, build_fmu
 from pyjoystick.model import JoystickParameters, LawName, ParameterFile, fmu_values, inverse_torque
 from pyjoystick.reports.export.modelica_class import BASES, Direction, check_name, modelica_class
 from pyjoystick.support import PyJoystickError, json_text, write_text
 
-if TYPE_CHECKING:
-    from fmu_build import FmiVersion
-
-_TOOLS: Final = ("fmu_build", "rumoca", "ziglang")
+_TOOLS: Final = ("rumoca", "ziglang")
 _SUFFIXES: Final[dict[Direction, str]] = {"forward": "", "inverse": "Inverse"}
 _PUSH: Final = math.radians(10.0)
 
@@ -86,8 +84,6 @@ def export_fmus(
     law = law or file.law
     if not all(find_spec(tool) for tool in _TOOLS):
         raise FmuExportError(name, "no compiler is installed; pip install 'pyjoystick[build]' brings one")
-    from fmu_build import BuildError, build_fmu
-
     paths = []
     with tempfile.TemporaryDirectory(prefix="pyjoystick-") as temporary:
         for direction in directions:

@@ -81,10 +81,12 @@ def test_an_fmu_that_fails(command: Command, first: str, pair: Path) -> None:
 
 def test_inputs_from_a_file(command: Command, first: str, second: str, tmp_path: Path) -> None:
     (tmp_path / "in.csv").write_text("time (s);u (N)\n0;0\n1;2\n1;0.5\n2;0\n")
-    outcome = command("compare", first, second, "--inputs", "in.csv", "--variable", "integral", "--json", "a")
+    outcome = command(
+        "compare", first, second, "--inputs", "in.csv", "--variable", "integral", "--json", "a.json"
+    )
     assert outcome.code == 0
     assert "0 to 2 s, driven" in outcome.out
-    runs = json.loads((tmp_path / "a").read_text())["runs"]
+    runs = json.loads((tmp_path / "a.json").read_text())["runs"]
     assert [run["differences"][0]["variable"] for run in runs] == ["integral", "integral"]
     # The integral ends at 1.25, so that a ten-thousandth of its largest value is the limit.
     assert runs[0]["differences"][0]["limit"] == pytest.approx(1.25e-4)

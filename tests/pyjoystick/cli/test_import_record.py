@@ -93,10 +93,10 @@ def test_other_commands_read_the_same_tables(tmp_path: Path, command: Command) -
     plain = written(tmp_path / "plain.csv", text(("time (s)", "theta (deg)"), time, theta))
     assert read_record(log).theta == pytest.approx(read_record(plain).theta, abs=1e-12)
     tables = [
-        command("torque", str(path), "--csv", str(path.with_suffix(".torque"))) for path in (log, plain)
+        command("torque", str(path), "--csv", str(path.with_suffix(".torque.csv"))) for path in (log, plain)
     ]
     assert [table.code for table in tables] == [0, 0]
-    assert log.with_suffix(".torque").read_bytes() == plain.with_suffix(".torque").read_bytes()
+    assert log.with_suffix(".torque.csv").read_bytes() == plain.with_suffix(".torque.csv").read_bytes()
     markers = tmp_path / "trial.c3d"
     markers.write_bytes(b"\x02\x50" + bytes(600))
     for name in ("peaks", "torque", "fit"):

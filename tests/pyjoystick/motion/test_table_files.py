@@ -47,7 +47,22 @@ def test_units_by_their_definition(kind: str, unit: str, meaning: float) -> None
 
 def test_the_other_units_are_those_of_the_si() -> None:
     plain = {unit for units in UNITS.values() for unit, factor in units.items() if factor == 1.0}
-    assert plain == {"s", "rad", "rad/s", "rad/s2", "m", "N", "N.m", "kg", "kg.m2", "m/s2", "V"}
+    assert plain == {
+        "s",
+        "rad",
+        "rad/s",
+        "rad/s2",
+        "m",
+        "N",
+        "N.m",
+        "kg",
+        "kg.m2",
+        "m/s2",
+        "V",
+        "N/m",
+        "N.m.s/rad",
+        "N.m.s",
+    }
 
 
 @pytest.mark.parametrize(
