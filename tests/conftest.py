@@ -27,7 +27,8 @@ SLOW = (
     *("pyjoystick/identification/fitting", "pyjoystick/fmu/stepping", "pyjoystick/fmu/test_batch.py"),
     *("pyjoystick/motion/test_record_peaks.py", "pyjoystick/laboratory/inertia/test_swing.py"),
     *("pyjoystick/laboratory/load_curve/test_fit.py", "pyjoystick/model/reference/test_physics.py"),
-    "pyjoystick/model/reference/test_accuracy.py",
+    *("pyjoystick/model/reference/test_accuracy.py", "pyjoystick/fmu/test_exact_values.py"),
+    *("pyjoystick/fmu/test_texts_and_arrays.py", "pyjoystick/forced_motion/test_driving.py"),
 )
 #: Minutes of work for one process, while others go on with the rest.
 FIRST = ("test_your_joystick.py", "test_site.py", "test_sanitizers.py")
