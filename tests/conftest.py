@@ -28,7 +28,18 @@ SLOW = (
     *("pyjoystick/motion/test_record_peaks.py", "pyjoystick/laboratory/inertia/test_swing.py"),
     *("pyjoystick/laboratory/load_curve/test_fit.py", "pyjoystick/model/reference/test_physics.py"),
     *("pyjoystick/model/reference/test_accuracy.py", "pyjoystick/fmu/test_exact_values.py"),
-    *("pyjoystick/fmu/test_texts_and_arrays.py", "pyjoystick/forced_motion/test_driving.py"),
+    *(
+        "pyjoystick/fmu/test_texts_and_arrays.py",
+        "pyjoystick/fmu/test_linearization.py",
+        "pyjoystick/forced_motion",
+    ),
+    *(
+        "pyjoystick/laboratory/measurements",
+        "pyjoystick/identification",
+        "pyjoystick/runs/sweeps/test_parts.py",
+    ),
+    *("pyjoystick/support/test_plots.py", "pyjoystick/model/reference/test_integration.py"),
+    *("pyjoystick/fmu/test_own_fmi3.py", "pyjoystick/fmu/test_cosimulation.py", "test_signals.py"),
 )
 #: Minutes of work for one process, while others go on with the rest.
 FIRST = ("test_your_joystick.py", "test_site.py", "test_sanitizers.py")
