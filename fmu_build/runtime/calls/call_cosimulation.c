@@ -70,6 +70,8 @@ Status call_do_step(Instance *instance, double point, double step)
     if (!step_is_possible(instance, point, step))
         return refuse_step(instance, point, step);
     const Status status = cosimulation_advance(instance, point + step);
+    if (instance->phase != PHASE_STEP_COMPLETE) /* ended by a call that the importer made in a callback */
+        return STATUS_ERROR;
     instance->progress.last_step = status;
     if (status == STATUS_DISCARD)
         instance->phase = PHASE_STEP_DISCARDED;

@@ -31,9 +31,7 @@ fmi3Status fmi3DoStep(fmi3Instance instance, fmi3Float64 currentCommunicationPoi
     if (!call_has(entered, 1, eventHandlingNeeded) || !call_has(entered, 1, terminateSimulation) ||
         !call_has(entered, 1, earlyReturn) || !call_has(entered, 1, lastSuccessfulTime))
         return fmi3_leave(instance, STATUS_ERROR);
-    Status status = call_do_step(entered, currentCommunicationPoint, communicationStepSize);
-    if (entered->phase == PHASE_TERMINATED) /* by a call of the importer during an intermediate update */
-        status = STATUS_ERROR;
+    const Status status = call_do_step(entered, currentCommunicationPoint, communicationStepSize);
     const double point = currentCommunicationPoint + communicationStepSize, time = entered->values.time;
     *terminateSimulation = status == STATUS_DISCARD;
     *eventHandlingNeeded = entered->progress.ended_at_event;

@@ -141,3 +141,26 @@ def test_only_the_standards_functions_are_exported(build: Build) -> None:
     for name in ("model", "instance_create", "integrator_step", "event_update", "block_solve"):
         with pytest.raises(AttributeError):
             library[name]
+
+
+@pytest.mark.parametrize("function", ["fmi2Reset", "fmi2Terminate"])
+def test_a_step_that_a_callback_ends_is_an_error(build: Build, function: str) -> None:
+    class Meddler(Instance):
+        meddles = False
+
+        def _log(
+            self, _environment: object, name: bytes, status: int, category: bytes, message: bytes
+        ) -> None:
+            super()._log(_environment, name, status, category, message)
+            if self.meddles and category == b"logEvents":
+                self.meddles = False
+                self.expect(function)
+
+    instance = Meddler(build("ball"), CO_SIMULATION, debug=True)
+    instance.initialize(stop=2.0)
+    instance.meddles = True
+    statuses = [instance.step(0.1 * i, 0.1) for i in range(20) if instance.meddles]
+    assert not instance.meddles
+    assert statuses[-1] == ERROR
+    assert set(statuses[:-1]) == {OK}
+    instance.free()
