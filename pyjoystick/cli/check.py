@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, Final
 
@@ -19,19 +20,52 @@ Examples:
     pyjoystick check joystick.toml fit.toml
     pyjoystick check scenarios/sweeps/*.toml
 """
-#: Tables by which a file is known.
-_TABLES: Final[Mapping[str, tuple[str, ...]]] = {
-    "parameter file": ("body", "gravity", "geometry", "forward", "backward"),
-    "settings of a sweep": ("vary", "sampling", "results", "experiment"),
-    "settings of a fit": ("free", "ties", "noise", "compare", "search", "uncertainty"),
-}
-#: What is put in the place of mistakes, so that the rest can be read.
-_SWEEP: Final = {
-    "vary": {"J": {"values": [0.01135]}},
-    "sampling": {"method": "latin-hypercube", "count": 1},
-    "results": [{"kind": "final", "variable": "theta"}],
-}
-_FIT: Final[Mapping[str, Any]] = {"free": {"J": {}}}
+
+
+@dataclass(frozen=True)
+class _Kind:
+    """A kind of file.
+
+    Attributes:
+        name: what it is called
+        tables: by which it is known
+        example: what is put in the place of mistakes, so that the rest can be read
+        read: its reader
+    """
+
+    name: str
+    tables: tuple[str, ...]
+    example: Mapping[str, Any]
+    read: Callable[[Table], object]
+
+
+def _kinds() -> tuple[_Kind, ...]:
+    paper = support.read_toml(model.PAPER.path).content
+    sweep = {
+        "vary": {"J": {"values": [0.01135]}},
+        "sampling": {"method": "latin-hypercube", "count": 1},
+        "results": [{"kind": "final", "variable": "theta"}],
+    }
+    return (
+        _Kind(
+            "parameter file",
+            ("body", "gravity", "geometry", "forward", "backward"),
+            paper,
+            model.read_parameter_file,
+        ),
+        _Kind(
+            "settings of a sweep",
+            ("vary", "sampling", "results", "experiment"),
+            sweep,
+            lambda root: runs.Sweep(runs.read_settings(root, found_or_built)),
+        ),
+        _Kind(
+            "settings of a fit",
+            ("free", "ties", "noise", "compare", "search", "uncertainty"),
+            {"free": {"J": {}}},
+            lambda root: identification.read_fit_settings(root, found_or_built),
+        ),
+    )
 
 
 def run(
@@ -60,24 +94,9 @@ def run(
 
 def _checked(file: Path) -> tuple[str, list[PyJoystickError]]:
     """What a file is, and its mistakes."""
-    content = support.read_toml(file).content
-    shares = {kind: len(content.keys() & set(tables)) for kind, tables in _TABLES.items()}
-    kind = max(shares, key=shares.__getitem__)
-    if not shares[kind]:
-        names = "; ".join(f"{kind}: {', '.join(tables)}" for kind, tables in _TABLES.items())
+    keys, kinds = support.read_toml(file).content.keys(), _kinds()
+    kind = max(kinds, key=lambda one: len(keys & set(one.tables)))
+    if not keys & set(kind.tables):
+        names = "; ".join(f"{one.name}: {', '.join(one.tables)}" for one in kinds)
         raise InputFileError(file, f"has no table of a file that is known ({names})")
-    example: Mapping[str, Any] = _FIT
-    if kind == "parameter file":
-        example = support.read_toml(model.PAPER.path).content
-    elif kind == "settings of a sweep":
-        example = _SWEEP
-
-    def read(root: Table) -> None:
-        if kind == "parameter file":
-            model.read_parameter_file(root)
-        elif kind == "settings of a sweep":
-            runs.Sweep(runs.read_settings(root, found_or_built))
-        else:
-            identification.read_fit_settings(root, found_or_built)
-
-    return kind, support.mistakes(file, read, example)
+    return kind.name, support.mistakes(file, kind.read, kind.example)

@@ -64,8 +64,10 @@ def run(
 
     FMU NAME computes the motion from the torque, NAMEInverse the torque from the motion.
     """
+    if not (fmus or modelica or json):
+        raise typer.BadParameter("leaves nothing to write; add --modelica or --json", param_hint="--no-fmu")
     file = options.parameter_file(parameters)
-    own = name or reports.default_name(file)
+    own = reports.check_name(name or reports.default_name(file))
     law = damping or file.law
     values = model.fmu_values(file, law)
     if modelica:

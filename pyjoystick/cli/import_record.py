@@ -33,16 +33,10 @@ _SCALE: Final = re.compile(r"(?P<number>[-+0-9.eE]+?)\s*(?P<unit>[a-zA-Z°].*)/(
 
 def run(
     file: Annotated[Path, typer.Argument(metavar="FILE", help="CSV, XLSX, ODS, MAT or Parquet.")],
-    record_file: Annotated[
-        Path | None, typer.Option("--output", "-o", metavar="FILE", help="File for the record.")
-    ] = None,
+    record_file: Annotated[Path | None, options.csv("the record", "--output", "-o")] = None,
     preview: Annotated[
         Path | None,
-        typer.Option(
-            "--preview",
-            metavar="FIGURE",
-            help="Plot what was understood: .png, .pdf or .svg; without --output, nothing else is written.",
-        ),
+        options.plot("what was understood; without --output, nothing else is written", "--preview"),
     ] = None,
     columns: Annotated[list[str] | None, options.column("time, theta, omega, T or F")] = None,
     units: Annotated[
@@ -101,8 +95,6 @@ def run(
         raise typer.BadParameter(f"{decimal!r} must be . or ,", param_hint="--decimal")
     if samples_per_second is not None and not (0.0 < samples_per_second < math.inf):
         raise typer.BadParameter("must be above 0", param_hint="--samples-per-second")
-    if preview is not None:
-        support.check_suffix(preview, *support.FIGURE_SUFFIXES)
     support.check_outputs(record_file, preview)
     log = motion.read_log(
         file,

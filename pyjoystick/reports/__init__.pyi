@@ -20,7 +20,11 @@ from .export.fmus import (
     export_fmus as export_fmus,
     values_json as values_json,
 )
-from .export.modelica_class import Direction as Direction, modelica_class as modelica_class
+from .export.modelica_class import (
+    Direction as Direction,
+    check_name as check_name,
+    modelica_class as modelica_class,
+)
 from .html_report.page import Section as Section, figure as figure, page as page, paragraph as paragraph
 from .html_report.report import joystick_report as joystick_report
 from .html_report.sections import Study as Study

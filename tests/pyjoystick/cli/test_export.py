@@ -64,3 +64,14 @@ def test_fmu_names(command: Command, stick: Path) -> None:
     (row,) = [line for line in lines if "backward.balanceSpring.k_h" in line]
     assert [cell.strip() for cell in row.strip("|").split("|")][1] == "backward: k[2] - k[3]"
     assert "--set" in command("parameters", "--fmu-names", "--set", "a=0.025").err
+
+
+def test_nothing_is_written_for_a_wrong_name_or_for_nothing(command: Command, stick: Path) -> None:
+    for name in ("../out", "stick"):
+        done = command("export", "-p", "stick.toml", "-o", "out", "--no-fmu", "--json", "--name", name)
+        assert done.code == 1
+        assert f"name = {name}" in done.message
+    done = command("export", "-p", "stick.toml", "-o", "out", "--no-fmu")
+    assert done.code == 2
+    assert "--no-fmu" in done.err
+    assert [path.name for path in stick.parent.iterdir()] == ["stick.toml"]
