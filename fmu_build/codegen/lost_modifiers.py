@@ -30,7 +30,7 @@ _CONSTRAINING_CLASS = (
 )
 _EXTENSION = r"\bextends\s+[\w.]+\s*\("
 _SHORT_CLASS = rf"\b{_KINDS}\s+\w+\s*=\s*[\w.]+\s*\("
-_BASE = re.compile(r"(?:\bextends|=)\s+([\w.]+)\s*\(")
+_BASE = re.compile(r"(?:\bextends\s+|=\s*)([\w.]+)\s*(\()?")
 _REDECLARED_COMPONENT = re.compile(rf"\bredeclare\s+(?:replaceable\s+)?(?!{_KINDS}\b)[\w.]+\s+(\w+)")
 
 
@@ -42,14 +42,13 @@ def reject_lost_modifiers(model: LoweredModel) -> None:
         for construct in text.find([pattern]):
             raise _rejection(model, why, construct)
     for extension in (*text.find([_EXTENSION]), *text.find([_SHORT_CLASS])):
-        for why in _faults(text, extension.text):
+        for why in _faults(text, extension.plain):
             raise _rejection(model, why, extension)
 
 
 def _faults(text: ModelText, extension: str) -> Iterator[str]:
     found = _BASE.search(extension)
-    if found is None:
-        return
+    assert found is not None  # by the patterns above
     base = found[1].rpartition(".")[2]
     for component in _REDECLARED_COMPONENT.findall(extension):
         if text.mentions(base, rf"\breplaceable\b[^;]*\b{component}\b") is False:
@@ -82,7 +81,7 @@ def _given(text: ModelText, base: str, component: str, seen: set[str]) -> set[Na
             if not inside_parentheses(plain, declared.start()):
                 inner = plain[declared.end() : closing(plain, declared.end() - 1) - 1]
                 given |= {(component, *path) for path in assigned(inner)}
-        for extended in re.finditer(r"(?:\bextends|=)\s+([\w.]+)\s*(\()?", plain):
+        for extended in _BASE.finditer(plain):
             if extended[2]:
                 inner = plain[extended.end() : closing(plain, extended.end() - 1) - 1]
                 given |= {path for path in assigned(inner) if path[0] == component}

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections import defaultdict
 from collections.abc import Container, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from fmu_build.modelica_source.modifiers import closing
@@ -17,10 +17,11 @@ _WORD = re.compile(r"'(?:[^'\\\n]|\\.)*'|[A-Za-z_]\w*")
 
 @dataclass(frozen=True, slots=True)
 class Construct:
-    """A piece of source, joined to one line, and its place."""
+    """A piece of source, joined to one line, and its place; `plain` is without comments and strings."""
 
     text: str
     place: Place
+    plain: str = field(default="", compare=False)
 
 
 class ModelText:
@@ -77,7 +78,8 @@ class ModelText:
 
     def _construct(self, file: Path, start: int, end: int) -> Construct:
         text = self._texts[file]
-        return Construct(" ".join(text[start:end].split()), place_at(file, text, start))
+        one_line, plain = (" ".join(t[start:end].split()) for t in (text, self._plain[file]))
+        return Construct(one_line, place_at(file, text, start), plain)
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,6 +7,7 @@ model LostInShortClass "The same in a short class definition, and with attribute
   model Train
     Body body[2](v(each start = 2, each nominal = 5));
   end Train;
-  model Faster = Train(body(v(each start = 3))); // here
+  model Faster=Train( // here, a comment with (
+    body(v(each start = 3 "and a ) text")));
   Faster train;
 end LostInShortClass;
