@@ -1,8 +1,7 @@
 """Compile the shared libraries of an FMU with zig, the C compiler of the package ziglang.
 
-The runtime is the same for every model. It is compiled once for each platform, to static libraries in zig's
-cache folder: one of what both versions of FMI share, one of the face of each version. A build then compiles
-the model alone and links all three.
+The runtime is the same for every model. It is compiled once for each platform, to a static library in zig's
+cache folder; a build then compiles the model alone and links both.
 """
 
 from __future__ import annotations
@@ -48,8 +47,7 @@ _CACHE_PLACES = {
     "HOME": ".cache/zig",
     "LOCALAPPDATA": "zig",
 }
-# What both versions of FMI share, and the face of one.
-_CORE, _FACE = "core.a", "face.a"
+_RUNTIME = "runtime.a"
 
 
 def toolchain_version() -> str:
@@ -67,14 +65,11 @@ def compile_library(sources: Mapping[str, bytes], identifier: str, platform: Pla
     """
     toolchain_version()
     runtime = {name: content for name, content in sources.items() if name not in (MODEL_FILE, TOKEN_FILE)}
-    files = {name: content for name, content in sources.items() if name not in c_files(runtime)}
-    core = {name: content for name, content in runtime.items() if not name.startswith("fmi")}
-    face = {name: content for name, content in runtime.items() if name not in c_files(core)}
-    log = ""
-    for archive, part in ((_FACE, face), (_CORE, core)):
-        if c_files(part):
-            files[archive], printed = _runtime_archive(archive, part, platform)
-            log += printed
+    log, files = "", dict(sources)
+    if c_files(runtime):
+        archive, log = _runtime_archive(runtime, platform)
+        files = {name: content for name, content in sources.items() if name not in c_files(runtime)}
+        files[_RUNTIME] = archive
     library = identifier + platform.extension
     content, printed = _compiled(files, _library_arguments(files, library, platform), library, platform)
     return content, log + printed
@@ -114,15 +109,15 @@ def binary_entries(
     }
 
 
-def _runtime_archive(name: str, part: Mapping[str, bytes], platform: Platform) -> tuple[bytes, str]:
-    """Return a part of the runtime as a static library, cached if possible, and what the compiler printed."""
-    arguments = _archive_arguments(name, c_files(part), platform)
-    digest = hashlib.sha256(repr([toolchain_version(), arguments, sorted(part.items())]).encode())
+def _runtime_archive(runtime: Mapping[str, bytes], platform: Platform) -> tuple[bytes, str]:
+    """Return the runtime as a static library, from the cache if possible, and what the compiler printed."""
+    arguments = _archive_arguments(c_files(runtime), platform)
+    digest = hashlib.sha256(repr([toolchain_version(), arguments, sorted(runtime.items())]).encode())
     folder = runtime_folder()
     stored = None if folder is None else folder / f"{digest.hexdigest()}.a"
     if stored is not None and (archive := _read_stored(stored)) is not None:
         return archive, ""
-    archive, log = _compiled(part, arguments, name, platform)
+    archive, log = _compiled(runtime, arguments, _RUNTIME, platform)
     if stored is not None:
         _store(stored, archive)
     return archive, log
@@ -196,16 +191,15 @@ def _environment(local: Path) -> dict[str, str]:
     return environment
 
 
-def _archive_arguments(name: str, files: list[str], platform: Platform) -> list[str]:
+def _archive_arguments(files: list[str], platform: Platform) -> list[str]:
     # zig cc cannot make a static library. These are its settings for COMPILER_FLAGS and LINKER_FLAGS.
     settings = ["-OReleaseFast", "-fstrip", "-fPIC", *(["-flto"] if platform.extension == ".so" else [])]
-    made = ["-static", "-lc", "--name", Path(name).stem, f"-femit-bin={name}"]
+    made = ["-static", "-lc", "--name", "runtime", f"-femit-bin={_RUNTIME}"]
     return ["build-lib", *_target(platform), *settings, *made, "-cflags", *COMPILER_FLAGS, "--", *files]
 
 
 def _library_arguments(files: Mapping[str, bytes], library: str, platform: Platform) -> list[str]:
-    archives = [name for name in (_FACE, _CORE) if name in files]
-    whole = ["-Wl,--whole-archive", *archives, "-Wl,--no-whole-archive"] if archives else []
+    whole = ["-Wl,--whole-archive", _RUNTIME, "-Wl,--no-whole-archive"] if _RUNTIME in files else []
     own = {
         # A missing function is an error now, not when an importer first calls it. Link-time optimization
         # pays: the model's functions are short, and the runtime calls them thousands of times a run. zig
