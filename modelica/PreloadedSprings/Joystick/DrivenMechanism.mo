@@ -52,7 +52,6 @@ equation
   der(theta) = omega;
   der(omega) = alpha;
   handle.omega = omega;
-  handle.alpha = alpha;
   E = handle.E + gravity.E + forward.E + backward.E;
   connect(T, drive.T)
     annotation (Line(points = {{-210, 0}, {-162, 0}}, color = {0, 0, 127}));
@@ -97,6 +96,8 @@ equation
 that extends this adds a component <code>damping</code> that is a
 <a href=\"modelica://PreloadedSprings.Interfaces.DampingLaw\">damping law</a>, gives it the angular velocity
 <code>omega</code> and the side <code>camPlate.isForward</code>, and connects it to the shaft
-<code>handle.flange</code> and to the outputs <code>C</code> and <code>M_d</code>.</p>
+<code>handle.flange</code> and to the outputs <code>C</code> and <code>M_d</code>. It also makes <code>alpha</code>
+that of the handle, or zero where
+<a href=\"modelica://PreloadedSprings.Joystick.RubbingMechanism\">dry friction</a> holds it.</p>
 </html>"));
 end DrivenMechanism;

@@ -5,6 +5,7 @@ model Joystick "Joystick with constant damping: torque in, motion out (eq. 1)"
     constrainedby Interfaces.DampingLaw "Damping law"
     annotation (choicesAllMatching = true, Placement(transformation(extent = {{-30, -10}, {30, 50}})));
 equation
+  handle.alpha = alpha;
   damping.omega = omega;
   connect(damping.flange, handle.flange)
     annotation (Line(points = {{-30, 20}, {-80, 20}, {-80, 110}, {-30, 110}}, color = {64, 64, 64}));

@@ -18,10 +18,13 @@ equation
     defaultComponentName = "joystick",
     experiment(StartTime = 0, StopTime = 1.5, Tolerance = 1e-8, Interval = 1e-3),
     Documentation(info = "<html>
-<p>The torque that a given motion needs, eq. (13), and its three shares (Fig. 15):</p>
-<blockquote><code>T = T_inertia + T_damping + T_stiffness</code>,<br>
+<p>The torque that a given motion needs, eq. (13), and its shares (Fig. 15):</p>
+<blockquote><code>T = T_inertia + T_damping + T_stiffness + T_friction</code>,<br>
 <code>T_inertia = J*alpha</code>,&nbsp; <code>T_damping = C*omega</code>,&nbsp;
 <code>T_stiffness = M_s - m*g*h*sin(theta)</code>.</blockquote>
+<p>The share <code>T_friction</code> is that of the <a href=\"modelica://PreloadedSprings.Friction.Prescribed\">dry
+friction</a>, which is zero with the preset values. At rest, any torque within <code>T_band</code> of <code>T</code>
+holds the joystick.</p>
 <p>The angle and its two derivatives are inputs; nothing is differentiated here, so filtered measurements can be
 used as they are. Parameters and their preset values are those of
 <a href=\"modelica://PreloadedSprings.Joystick.Joystick\">Joystick</a>, without the start values. The damping law

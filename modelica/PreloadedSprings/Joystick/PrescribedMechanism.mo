@@ -23,6 +23,14 @@ partial model PrescribedMechanism "Mechanism that is led through a motion: the i
     "Share of the torque that holds springs and weight, M_s - m*g*h*sin(theta)"
     annotation (Placement(transformation(extent = {{200, -112}, {220, -92}}),
       iconTransformation(extent = {{100, -70}, {120, -50}})));
+  Interfaces.Signals.TorqueOutput T_friction "Share of the torque that overcomes dry friction, zero at rest"
+    annotation (Placement(transformation(extent = {{200, -30}, {220, -10}}),
+      iconTransformation(extent = {{100, -86}, {114, -72}})));
+  Interfaces.Signals.TorqueOutput T_band "Half the width of the band of torques that hold at rest, zero in motion"
+    annotation (Placement(transformation(extent = {{200, -50}, {220, -30}}),
+      iconTransformation(extent = {{100, -102}, {114, -88}})));
+  Friction.Prescribed friction(final a = a, final b = b) "Dry friction of the pivot and of the plungers"
+    annotation (Placement(transformation(extent = {{100, -50}, {140, -10}})));
 protected
   PrescribedAngle motion "Motion from outside"
     annotation (Placement(transformation(extent = {{-160, -90}, {-120, -50}})));
@@ -31,6 +39,16 @@ equation
     getInstanceName() + ".theta must stay between -pi/2 and pi/2, but is " + String(theta) + " rad");
   T_inertia = handle.flange.tau;
   T_stiffness = camPlate.M_s - gravity.M_g;
+  friction.omega = omega;
+  friction.isForwardInContact = forward.returnSpring.isEngaged;
+  friction.isBackwardInContact = backward.returnSpring.isEngaged;
+  connect(friction.flange, handle.flange)
+    annotation (Line(points = {{100, -30}, {70, -30}, {70, -20}, {-80, -20}, {-80, 110}, {-30, 110}},
+      color = {64, 64, 64}));
+  connect(friction.M_f, T_friction)
+    annotation (Line(points = {{142, -20}, {210, -20}}, color = {0, 0, 127}));
+  connect(friction.M_band, T_band)
+    annotation (Line(points = {{142, -40}, {210, -40}}, color = {0, 0, 127}));
   connect(theta, motion.theta)
     annotation (Line(points = {{-210, -70}, {-162, -70}}, color = {0, 0, 127}));
   connect(motion.flange, handle.flange)
@@ -50,7 +68,9 @@ equation
       Text(extent = {{62, 72}, {98, 48}}, lineColor = {0, 0, 127}, textString = "T"),
       Text(extent = {{62, 30}, {98, 10}}, lineColor = {0, 0, 127}, textString = "inertia"),
       Text(extent = {{62, -10}, {98, -30}}, lineColor = {0, 0, 127}, textString = "damping"),
-      Text(extent = {{62, -50}, {98, -70}}, lineColor = {0, 0, 127}, textString = "stiffness")}),
+      Text(extent = {{62, -50}, {98, -70}}, lineColor = {0, 0, 127}, textString = "stiffness"),
+      Text(extent = {{62, -73}, {98, -86}}, lineColor = {0, 0, 127}, textString = "friction"),
+      Text(extent = {{62, -88}, {98, -101}}, lineColor = {0, 0, 127}, textString = "band")}),
     Diagram(coordinateSystem(extent = {{-220, -220}, {220, 220}}), graphics = {
       Line(points = {{200, 110}, {30, 110}}, color = {0, 0, 127}, pattern = LinePattern.Dash),
       Text(extent = {{90, 126}, {190, 114}}, lineColor = {64, 64, 64}, textString = "torque on the handle"),

@@ -15,6 +15,10 @@ force for large travel. Joysticks, snubbers and switches are built that way.</p>
 <td><a href=\"modelica://PreloadedSprings.Joystick.Joystick\">Joystick.Joystick</a></td></tr>
 <tr><td>motion under a torque, damping by eq. (11)</td>
 <td><a href=\"modelica://PreloadedSprings.Joystick.JoystickPowerLaw\">Joystick.JoystickPowerLaw</a></td></tr>
+<tr><td>the same with dry friction</td>
+<td><a href=\"modelica://PreloadedSprings.Joystick.JoystickFriction\">Joystick.JoystickFriction</a>,
+<a href=\"modelica://PreloadedSprings.Joystick.JoystickFrictionPowerLaw\">Joystick.JoystickFrictionPowerLaw</a></td>
+</tr>
 <tr><td>torque that a motion needs</td>
 <td><a href=\"modelica://PreloadedSprings.Joystick.JoystickInverse\">Joystick.JoystickInverse</a>,
 <a href=\"modelica://PreloadedSprings.Joystick.JoystickInversePowerLaw\">Joystick.JoystickInversePowerLaw</a></td></tr>
