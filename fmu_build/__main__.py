@@ -1,8 +1,9 @@
-"""Command line: ``python -m fmu_build MODEL... --output DIR``."""
+"""Command line: ``python -m fmu_build MODEL... --output DIR`` and ``python -m fmu_build explore``."""
 
 from __future__ import annotations
 
 import signal
+import sys
 import time
 from collections.abc import Iterable
 from pathlib import Path
@@ -13,12 +14,15 @@ from rich.console import Console
 from rich.markup import escape
 
 from fmu_build import BuildError, FmiVersion, build_fmu, compiler_names
-from fmu_build.packaging.platforms import ALL, PLATFORMS, select_platforms
+from fmu_build.explore import command as explore
+from fmu_build.packaging.platforms import ALL, PLATFORM_NAMES, select_platforms
 
 _EXAMPLE = """
 Example:
 
     python -m fmu_build PreloadedSprings.Joystick.Joystick --output build/fmi2
+
+`python -m fmu_build explore --help`: a page in which a model runs live.
 """
 _FMI_VERSIONS: dict[str, FmiVersion] = {"2": "2.0", "3": "3.0", "2.0": "2.0", "3.0": "3.0"}
 _messages = Console(stderr=True, highlight=False, soft_wrap=True)
@@ -79,8 +83,8 @@ def main(
         typer.Option(
             callback=lambda names: _known_platforms(names or []),
             metavar="NAME",
-            help=f"Platform to build for, repeatable: {', '.join([*PLATFORMS, ALL])}, "
-            "or its name in FMI 2; default: this machine's.",
+            help=f"Platform to build for, repeatable: {', '.join(PLATFORM_NAMES)}, or its name in FMI 2; "
+            "default: this machine's. wasm32 adds a WebAssembly module to the others.",
             show_default=False,
         ),
     ] = None,
@@ -163,4 +167,7 @@ app.command(epilog=_EXAMPLE)(main)
 if __name__ == "__main__":
     # As Ctrl-C, also where that is ignored: temporary folders are deleted, started tools are ended.
     signal.signal(signal.SIGTERM, signal.default_int_handler)
-    app(prog_name="python -m fmu_build")
+    if sys.argv[1:2] == ["explore"]:
+        explore.app(sys.argv[2:], prog_name="python -m fmu_build explore")
+    else:
+        app(prog_name="python -m fmu_build")

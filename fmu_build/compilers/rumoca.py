@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+import traceback
 from collections.abc import Mapping
 from dataclasses import replace
 from importlib import metadata
@@ -61,6 +62,14 @@ class RumocaCompiler:
 
 def generate_model(request: BuildRequest) -> tuple[GeneratedModel, str]:
     """Return the C model and rumoca's log; raises as `RumocaCompiler.build` does."""
+    try:
+        return _generated(request)
+    except BaseException as error:
+        _release_sessions(error)
+        raise
+
+
+def _generated(request: BuildRequest) -> tuple[GeneratedModel, str]:
     from fmu_build.codegen import ModelSource, generate
 
     library = request.library or default_library()
@@ -77,6 +86,17 @@ def generate_model(request: BuildRequest) -> tuple[GeneratedModel, str]:
     with native_stderr() as generating, translated_errors(request.model, known.file, files):
         generated = generate(ModelSource(session, model))
     return _with_input_steps(generated, library), loading() + generating() + generated.notes
+
+
+def _release_sessions(error: BaseException | None) -> None:
+    """Let go of the sessions that the frames of an error and of its causes still hold.
+
+    A session of rumoca must be freed by the thread that made it. An error that is kept in a reference cycle
+    would leave that to the garbage collector, which runs in any thread.
+    """
+    while error is not None:
+        traceback.clear_frames(error.__traceback__)
+        error = error.__cause__ or error.__context__
 
 
 def _with_input_steps(model: GeneratedModel, library: Path) -> GeneratedModel:

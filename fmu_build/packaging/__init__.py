@@ -19,7 +19,8 @@ from fmu_build.packaging.elements import generation_time
 from fmu_build.packaging.figures import ICONS, default_run_svg, model_png
 from fmu_build.packaging.fmi3_xml import TERMINALS, terminals_and_icons_xml
 from fmu_build.packaging.licenses_text import license_text
-from fmu_build.packaging.platforms import Platform, host_platform, select_platforms
+from fmu_build.packaging.module import compile_module, module_name, wasm_module
+from fmu_build.packaging.platforms import WASM32, Platform, host_platform, select_platforms, wants_module
 from fmu_build.packaging.reference_results import reference_files
 from fmu_build.packaging.sources import (
     BUILD_DESCRIPTION,
@@ -32,9 +33,10 @@ from fmu_build.packaging.sources import (
     token_header,
 )
 from fmu_build.support.description import GeneratedModel, ModelDescription
+from fmu_build.support.errors import BuildError
 from fmu_build.support.request import BuildRequest, check_fmi
 
-__all__ = ["PackagedFmu", "check_request", "package_fmu"]
+__all__ = ["PackagedFmu", "check_request", "package_fmu", "wasm_module"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,6 +51,8 @@ def check_request(request: BuildRequest) -> None:
     """Raise `BuildError` for a request that cannot be met, before any work is done."""
     check_fmi(request)
     select_platforms(request.platforms)
+    if wants_module(request.platforms) and request.fmi_version != "2.0":
+        raise BuildError(f"platform 'wasm32' needs FMI 2.0, not {request.fmi_version}")
     generation_time()
     check_output_folder(request.output)
 
@@ -73,13 +77,18 @@ def package_fmu(model: GeneratedModel, request: BuildRequest) -> PackagedFmu:
     # The default run needs the library of this machine too.
     libraries, log = _compiled(sources, identifier, (*platforms, *([host] if host else [])), request.on_stage)
     entries |= binary_entries({p: libraries[p] for p in platforms}, identifier, version)
+    modules = (WASM32,) if wants_module(request.platforms) else ()
+    for module in modules:
+        request.on_stage(f"compiling the C code for {module.name}")
+        entries[module_name(identifier)], output = compile_module(sources, identifier)
+        log += output
     request.on_stage("running the default experiment")
     run: DefaultRun | str = "it was not run, because this machine is not a known platform"
     if host is not None:
         run = run_default_experiment(libraries[host], host, model.description, token, version)
     log += f"default experiment: {run}\n" if isinstance(run, str) else ""
     entries |= _documents(model.description, run)
-    entries["documentation/licenses/license.txt"] = license_text(version, platforms).encode()
+    entries["documentation/licenses/license.txt"] = license_text(version, (*platforms, *modules)).encode()
     entries[ICONS[version]] = model_png(model.description)
     request.on_stage("packing and checking the FMU")
     target = request.output / f"{identifier}.fmu"

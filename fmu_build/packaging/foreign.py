@@ -12,7 +12,7 @@ from lxml import etree
 from fmu_build.packaging.archive import check_output_folder, replacing
 from fmu_build.packaging.check import check_archive, check_loads
 from fmu_build.packaging.fmi2_units import add_unit_definitions
-from fmu_build.packaging.platforms import host_platform, select_platforms
+from fmu_build.packaging.platforms import WASM32, host_platform, select_platforms, wants_module
 from fmu_build.support.errors import BuildError
 from fmu_build.support.request import BuildRequest, check_fmi
 
@@ -25,6 +25,7 @@ def check_request(request: BuildRequest, tool: str) -> None:
     host = host_platform()
     asked = select_platforms(request.platforms) if request.platforms else ()
     others = [platform.name for platform in asked if platform != host]
+    others += [WASM32.name] if wants_module(request.platforms) else []
     if others:
         own = f" ({host.name})" if host is not None else ""
         raise BuildError(f"{tool} builds only for this machine{own}, not for {', '.join(others)}")

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Collection
 from importlib import resources
 from importlib.resources.abc import Traversable
 
-from fmu_build.packaging.platforms import Platform
+from fmu_build.packaging.platforms import WASM32, Platform
 from fmu_build.packaging.sources import FMI_HEADERS, fmi_header
 from fmu_build.support.errors import BuildError
 from fmu_build.support.request import FmiVersion
@@ -15,8 +15,8 @@ from fmu_build.support.request import FmiVersion
 _RULE = "=" * 78
 
 
-def license_text(fmi_version: FmiVersion, platforms: Iterable[Platform]) -> str:
-    """Return the file's content for an FMU with binaries for these platforms.
+def license_text(fmi_version: FmiVersion, platforms: Collection[Platform]) -> str:
+    """Return the file's content for an FMU with binaries for these platforms, WebAssembly among them.
 
     Raises `BuildError` if a package lacks its licence.
     """
@@ -30,6 +30,10 @@ def license_text(fmi_version: FmiVersion, platforms: Iterable[Platform]) -> str:
     if any(platform.extension == ".dll" for platform in platforms):
         mingw = compiler / "lib" / "libc" / "mingw" / "COPYING"
         sections["Library of the C compiler for Windows, mingw-w64"] = _read(mingw)
+    if WASM32 in platforms:
+        for name, place in (("wasi-libc", "wasi/LICENSE"), ("musl", "musl/COPYRIGHT")):
+            title = f"Library of the C compiler for WebAssembly, {name}"
+            sections[title] = _read(compiler / "lib" / "libc" / place)
     return (
         "This FMU consists of a model and a runtime that executes it.\n\n"
         "The model (modelDescription.xml and sources/model.c) is under the licence of its\n"

@@ -41,6 +41,10 @@ PLATFORMS = {
     )
 }
 _BY_ANY_NAME = PLATFORMS | {p.fmi2_name: p for p in PLATFORMS.values()}
+# No platform of FMI: the module goes to extra/ and is built beside libraries for others. Of C libraries for
+# WebAssembly, zig has the one for WASI; the module imports nothing of WASI.
+WASM32 = Platform("wasm32", "wasm32-wasi", ".wasm", "wasm32")
+PLATFORM_NAMES = (*PLATFORMS, WASM32.name, ALL)
 _SYSTEMS = {"linux": "linux", "win32": "windows", "darwin": "darwin"}
 _MACHINES = {"x86_64": "x86_64", "amd64": "x86_64", "aarch64": "aarch64", "arm64": "aarch64"}
 
@@ -54,16 +58,17 @@ def host_platform() -> Platform | None:
 def find_platform(name: str) -> Platform:
     """Return the platform with that platform tuple or FMI 2 name; raises `BuildError` for any other name."""
     if name not in _BY_ANY_NAME:
-        raise BuildError(f"unknown platform {name!r}; known platforms are {', '.join([*PLATFORMS, ALL])}")
+        raise BuildError(f"unknown platform {name!r}; known platforms are {', '.join(PLATFORM_NAMES)}")
     return _BY_ANY_NAME[name]
 
 
 def select_platforms(names: Sequence[str]) -> tuple[Platform, ...]:
     """Return the named platforms, each once and in the order of the table; the host's if none is named.
 
-    "all" selects the whole table. Raises `BuildError` for a name that is not in the table.
+    "all" selects the whole table. "wasm32" is no platform for libraries, see `wants_module`. Raises
+    `BuildError` for an unknown name.
     """
-    named = {find_platform(name) for name in names if name != ALL}
+    named = {find_platform(name) for name in names if name not in (ALL, WASM32.name)}
     if ALL in names:
         return tuple(PLATFORMS.values())
     if named:
@@ -75,3 +80,8 @@ def select_platforms(names: Sequence[str]) -> tuple[Platform, ...]:
             f"name the platforms to build for: {', '.join([*PLATFORMS, ALL])}"
         )
     return (host,)
+
+
+def wants_module(names: Sequence[str]) -> bool:
+    """Return whether the WebAssembly module is among the named platforms; "all" does not include it."""
+    return WASM32.name in names

@@ -19,6 +19,7 @@ from fmu_build.support.request import FmiVersion
 MODEL_FILE = "model.c"
 TOKEN_FILE = "token.h"
 RUNTIME = Path(str(resources.files("fmu_build"))) / "runtime"
+MODULE_FACE = "wasm"  # the folder of the runtime that only WebAssembly modules have
 FMI_HEADERS: Mapping[FmiVersion, tuple[str, ...]] = {
     "2.0": ("fmi2FunctionTypes.h", "fmi2Functions.h", "fmi2TypesPlatform.h"),
     "3.0": ("fmi3FunctionTypes.h", "fmi3Functions.h", "fmi3PlatformTypes.h"),
@@ -27,11 +28,16 @@ FMI_HEADERS: Mapping[FmiVersion, tuple[str, ...]] = {
 
 def runtime_files(fmi_version: FmiVersion) -> list[Path]:
     """Return the runtime's files for one FMI version; raises `BuildError` if they are missing."""
-    others = {f"fmi{version[0]}" for version in FMI_HEADERS if version != fmi_version}
+    others = {MODULE_FACE} | {f"fmi{version[0]}" for version in FMI_HEADERS if version != fmi_version}
     files = sorted(path for path in RUNTIME.glob("*/*.[ch]") if path.parent.name not in others)
     if not any(path.suffix == ".c" for path in files):
         raise BuildError(f"the C runtime is missing: no C file in {RUNTIME}")
     return files
+
+
+def module_face() -> dict[str, bytes]:
+    """Return file name -> content of what a WebAssembly module has beside the sources of its FMU (FMI 2)."""
+    return {path.name: path.read_bytes() for path in sorted((RUNTIME / MODULE_FACE).glob("*.[ch]"))}
 
 
 def include_arguments() -> list[str]:

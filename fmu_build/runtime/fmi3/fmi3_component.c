@@ -29,7 +29,7 @@ static const char *const phase_names[] = {
     [PHASE_ERROR] = "the terminated state",
 };
 
-const Face fmi3_face = {.phase_names = phase_names, .states_settable_in_event_mode = true};
+const Face fmi3_face = {.phase_names = phase_names, .states_settable_in_event_mode = true, .errors_terminate = true};
 
 Instance *fmi3_enter(fmi3Instance handle, Call call)
 {

@@ -33,6 +33,7 @@ typedef struct {
     unsigned told_always;           /* log categories that stay on when the importer switches logging off */
     bool steps_may_be_empty;        /* communication steps of length zero are allowed */
     bool states_settable_in_event_mode;
+    bool errors_terminate; /* there is no error state: an error leads to the terminated state */
 } Face;
 
 /* How the importer takes part in communication steps; all zero if it does not. */

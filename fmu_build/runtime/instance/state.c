@@ -143,8 +143,9 @@ static bool phase_is_sound(const Instance *instance, Phase phase)
     case PHASE_INSTANTIATED:
     case PHASE_INITIALIZATION:
     case PHASE_TERMINATED:
-    case PHASE_ERROR:
         return true;
+    case PHASE_ERROR:
+        return !instance->face->errors_terminate;
     case PHASE_EVENT:
         return !instance->co_simulation || instance->attendance.event_mode;
     case PHASE_CONTINUOUS_TIME:

@@ -1,0 +1,148 @@
+// The page: state -> request -> worker -> run -> plots, table, files. What another package adds takes part by
+// the functions of its `addition`: names(), mount(app), curves(panel, theme), shown(run, row, state, theme), all optional.
+
+import { Controls } from "./controls.js";
+import { make, save } from "./elements.js";
+import { csvText, pngOf } from "./files.js";
+import { numberText } from "./format.js";
+import { experimentBox, header, presetBox } from "./header.js";
+import { module, page, workerSource } from "./page-data.js";
+import { Playback } from "./playback.js";
+import { Plots } from "./plots.js";
+import { runRequest } from "./request.js";
+import { Run } from "./run.js";
+import { Simulation } from "./simulation.js";
+import { State } from "./state.js";
+import { ValueTable } from "./value-table.js";
+
+export async function start(addition = {}) {
+  const app = new App(addition);
+  addition.mount?.(app);
+  try {
+    app.simulation = new Simulation(await module(), workerSource(), (...result) => app.received(...result));
+    app.changed(null);
+  } catch (error) {
+    app.alert(`This browser cannot run the model: ${error.message}`);
+  }
+}
+
+class App {
+  constructor(addition) {
+    this.addition = addition;
+    this.run = new Run({ names: [], start: 0, step: 1, rows: 1 }, { rows: 0, table: new Float64Array(0) });
+    this.kept = null;
+    this.state = new State((origin) => this.changed(origin));
+    const place = (id) => document.getElementById(id);
+    this.playback = new Playback((time) => this.moved(time));
+    this.plots = new Plots(this);
+    this.view = place("view");
+    this.view.append(this.playback.element, this.plots.element);
+    this.table = new ValueTable();
+    place("more").append(this.plots.chooser, this.table.element);
+    this.controlsPlace = place("controls");
+    this.controlsPlace.append(presetBox(this.state), experimentBox(this.state));
+    this.controls = new Controls(this.controlsPlace, this.state);
+    this.footer = make("p", { id: "status" });
+    place("foot").append(this.footer);
+    place("head").append(...header(this.actions()));
+    this.note = make("p", { id: "note", role: "status", hidden: true });
+    document.getElementById("alert").after(this.note);
+    this.noteIgnored();
+  }
+
+  actions() {
+    this.keep = make(
+      "button",
+      { type: "button", "aria-pressed": "false", onclick: () => this.toggleKept() },
+      "Keep curves",
+    );
+    const file = (end) => `${page.model.split(".").pop()}.${end}`;
+    return [
+      make("button", { type: "button", onclick: () => this.state.reset() }, "Reset all"),
+      this.keep,
+      make(
+        "button",
+        { type: "button", onclick: () => save(file("csv"), csvText(this.run, this.shownNames), "text/csv") },
+        "CSV",
+      ),
+      make("button", { type: "button", onclick: () => this.savePng(file("png")) }, "PNG"),
+    ];
+  }
+
+  // What a link has and this model has not; it may come from another version.
+  noteIgnored() {
+    const ignored = this.state.ignored;
+    this.note.textContent = ignored.length
+      ? `The link has values that this model does not take: ${ignored.join(", ")}`
+      : "";
+    this.note.hidden = ignored.length === 0;
+  }
+
+  // The variables of the plots, each once.
+  get shownNames() {
+    return [...new Set(this.plots.names)].filter((name) => this.run.has(name));
+  }
+
+  async savePng(name) {
+    if (this.plots.panels.length > 0) save(name, await pngOf(page.title, this.plots));
+  }
+
+  // A changed value: shown at once, run as soon as the model is free.
+  changed(origin) {
+    this.controls.refresh(origin);
+    if (origin === "address") this.noteIgnored();
+    if (origin === "plots" || origin === "address" || origin === "reset") this.plots.choose(this.state.plots);
+    const names = [...new Set([...this.plots.names, ...(this.addition.names?.() ?? [])])];
+    this.simulation?.run(runRequest(this.state, names));
+  }
+
+  received(result, request) {
+    if (result.rows > 0) {
+      this.run = new Run(request, result);
+      this.playback.over(this.run);
+      this.table.show(this.run, this.shownNames);
+    }
+    document.body.classList.toggle("stale", result.rows === 0);
+    this.explain(result, request);
+    this.draw();
+  }
+
+  explain(result, request) {
+    const isWhole = request && result.rows === request.rows;
+    const message = isWhole ? "" : result.message || "The model failed without a message.";
+    this.controls.showErrors(message);
+    const time =
+      request && result.rows > 0 ? ` at ${numberText(request.start + (result.rows - 1) * request.step)} s` : "";
+    this.alert(isWhole ? "" : `The run stopped${time} (${result.status}). ${message}`);
+    if (isWhole) this.footer.textContent = `${result.rows} rows in ${result.milliseconds.toFixed(1)} ms`;
+    document.body.dataset.runs = Number(document.body.dataset.runs ?? 0) + 1;
+  }
+
+  alert(message) {
+    const place = document.getElementById("alert");
+    if (place.textContent !== message) place.textContent = message;
+    place.hidden = message === "";
+  }
+
+  toggleKept() {
+    this.kept = this.kept ? null : this.run;
+    this.keep.setAttribute("aria-pressed", String(Boolean(this.kept)));
+    this.draw();
+  }
+
+  moved() {
+    this.draw();
+  }
+
+  // Once for everything that changes before the next picture.
+  draw() {
+    if (this.isDrawing) return;
+    this.isDrawing = true;
+    requestAnimationFrame(() => {
+      this.isDrawing = false;
+      const row = this.run.rowAt(this.playback.time);
+      this.plots.draw(this.run, this.kept, row);
+      this.addition.shown?.(this.run, row, this.state, this.plots.theme);
+    });
+  }
+}

@@ -1,0 +1,5 @@
+// A page without additions.
+
+import { start } from "./app.js";
+
+start();

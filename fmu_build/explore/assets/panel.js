@@ -1,0 +1,96 @@
+// A plot with its legend, in which the values at the cursor stand.
+
+import { make } from "./elements.js";
+import { numberText, shownUnit } from "./format.js";
+import { byName } from "./page-data.js";
+import { drawPlot } from "./plot.js";
+
+const TIME = { name: "time", unit: "s", text: "Time" };
+const HEIGHT = 210;
+
+export class Panel {
+  constructor(choice, onCursor) {
+    this.choice = choice;
+    this.x = choice.x ? byName.get(choice.x) : TIME;
+    this.ys = choice.y.map((name) => byName.get(name));
+    this.isOverTime = !choice.x;
+    this.canvas = make("canvas", { role: "img" });
+    this.values = this.ys.map(() => make("span", { class: "value" }));
+    const entries = this.ys.map((one, i) =>
+      make("span", { class: `entry c${i % 6}`, title: one.text ?? "" }, make("i"), one.name, " ", this.values[i]),
+    );
+    const over = this.isOverTime ? null : make("span", { class: "over" }, `over ${this.x.name}`);
+    this.legend = make("figcaption", {}, ...entries, over);
+    this.element = make("figure", { class: "panel plot" }, this.legend, this.canvas);
+    if (this.isOverTime) this.canvas.addEventListener("pointermove", (event) => this.pointed(event, onCursor));
+  }
+
+  get names() {
+    return [...(this.choice.x ? [this.choice.x] : []), ...this.choice.y];
+  }
+
+  pointed(event, onCursor) {
+    if (!this.scale) return;
+    const { box, xEnds } = this.scale;
+    const part = (event.offsetX - box.left) / box.width;
+    onCursor(xEnds[0] + Math.min(1, Math.max(0, part)) * (xEnds[1] - xEnds[0]));
+  }
+
+  // What is drawn: a run, the kept run behind it, and points at the row of the cursor.
+  content(run, kept, row, theme, more) {
+    const curves = [];
+    for (const [source, look] of [
+      [kept, { alpha: 0.75, dash: [5, 4], width: 1.25 }],
+      [run, {}],
+    ]) {
+      if (!source || !this.names.every((name) => source.has(name))) continue;
+      const x = source.shown(this.x);
+      for (const [i, one] of this.ys.entries()) {
+        curves.push({ x, y: source.shown(one), color: theme.colors[i % 6], ...look });
+      }
+    }
+    const xRange = this.isOverTime && run.rows > 1 ? [run.times[0], run.times[0] + run.span] : undefined;
+    const xLabel = this.isOverTime ? "s" : label(this.x);
+    const at = run.rows ? run.shown(this.x)[row] : undefined;
+    const points = run.rows
+      ? this.ys.map((one, i) => ({ x: at, y: run.shown(one)[row], color: theme.colors[i % 6] }))
+      : [];
+    curves.push(...more);
+    return { curves, xRange, xLabel, points, cursor: this.isOverTime ? at : undefined };
+  }
+
+  draw(run, kept, row, theme, more) {
+    const width = this.canvas.clientWidth;
+    if (width === 0) return;
+    const ratio = window.devicePixelRatio || 1;
+    const height = HEIGHT;
+    if (this.canvas.width !== Math.round(width * ratio)) {
+      this.canvas.width = Math.round(width * ratio);
+      this.canvas.height = Math.round(height * ratio);
+    }
+    const context = this.canvas.getContext("2d");
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    context.clearRect(0, 0, width, height);
+    this.scale = drawPlot(context, width, height, this.content(run, kept, row, theme, more), theme);
+    this.ys.forEach((one, i) => {
+      const text = run.rows ? numberText(run.shown(one)[row], 4) : "–";
+      this.values[i].textContent = `${text} ${shownUnit(one)}`;
+    });
+  }
+
+  // In words, for those who do not see the curves.
+  describe(run) {
+    if (!this.names.every((name) => run.has(name))) return;
+    const parts = this.ys.map((one) => {
+      const values = run.rows ? run.shown(one) : [];
+      const ends = values.reduce(([low, high], v) => [Math.min(low, v), Math.max(high, v)], [Infinity, -Infinity]);
+      return `${one.name} from ${numberText(ends[0])} to ${numberText(ends[1])} ${shownUnit(one)}`.trim();
+    });
+    this.canvas.setAttribute("aria-label", `${parts.join("; ")}; over ${this.x.name}`);
+  }
+}
+
+export function label(one) {
+  const unit = shownUnit(one);
+  return unit ? `${one.name} (${unit})` : one.name;
+}

@@ -1,0 +1,85 @@
+"""The WebAssembly module of an FMU: the model and its runtime for web pages and for sandboxes.
+
+FMI has no name for it yet (the layered standard FMI-LS-WASM is a draft, in which a name such as
+``wasm32-wasip2`` means a component and not a bare module). It is therefore in the folder of extra/ that FMI
+reserves for files of a tool.
+"""
+
+from __future__ import annotations
+
+import re
+import zipfile
+from collections.abc import Mapping
+from os import PathLike
+from pathlib import Path
+
+from lxml import etree
+
+from fmu_build.packaging.binaries import compile_library
+from fmu_build.packaging.platforms import WASM32
+from fmu_build.packaging.sources import MODEL_FILE, TOKEN_FILE, module_face
+from fmu_build.support.errors import BuildError
+
+#: What may become a file in the compiler's folder: no path, and nothing that it takes for an option.
+_SOURCE = re.compile(r"[A-Za-z_]\w*\.[ch]", re.ASCII)
+_IDENTIFIER = re.compile(r"[A-Za-z_]\w*", re.ASCII)
+_FOLDER = "extra/org.pyjoystick/wasm32"
+_SOURCES = "sources/"
+
+
+def module_name(identifier: str) -> str:
+    """Return the module's name in the archive."""
+    return f"{_FOLDER}/{identifier}{WASM32.extension}"
+
+
+def compile_module(sources: Mapping[str, bytes], identifier: str) -> tuple[bytes, str]:
+    """Return the module made from the sources/ of an FMU of FMI 2, and the compiler's commands and output.
+
+    It exports the functions of FMI 2.0, those of runtime/wasm/explore.h, malloc, free and its memory, and
+    imports nothing. Raises `ToolchainError` as `compile_library`.
+    """
+    return compile_library({**sources, **module_face()}, identifier, WASM32)
+
+
+def wasm_module(fmu: str | PathLike[str]) -> bytes:
+    """Return the WebAssembly module of an FMU: the one in it, else one compiled from its sources/.
+
+    C that is compiled can take in files of this machine: compile only FMUs that you trust.
+
+    Raises:
+        BuildError: the file is no FMU, has neither a module nor sources of this project for FMI 2, or cannot
+            be compiled (`ToolchainError`)
+    """
+    path = Path(fmu)
+    try:
+        with zipfile.ZipFile(path) as archive:
+            names = set(archive.namelist())
+            identifier = _identifier(archive.read("modelDescription.xml"), path)
+            if module_name(identifier) in names:
+                return archive.read(module_name(identifier))
+            if not {_SOURCES + name for name in (MODEL_FILE, TOKEN_FILE, "fmi2Functions.h")} <= names:
+                raise BuildError(
+                    f"{path} has neither a WebAssembly module nor the sources to make one: it is no FMU of "
+                    "FMI 2.0 that this project built"
+                )
+            sources = {name: name.removeprefix(_SOURCES) for name in names if name.startswith(_SOURCES)}
+            files = {plain: archive.read(name) for name, plain in sources.items() if _SOURCE.fullmatch(plain)}
+    except (OSError, KeyError, zipfile.BadZipFile) as error:
+        raise BuildError(f"cannot read the FMU {path}: {error}") from error
+    return compile_module(files, identifier)[0]
+
+
+def _identifier(description: bytes, path: Path) -> str:
+    """Return the model identifier; raises `BuildError` if the description has none."""
+    try:
+        root = etree.fromstring(description)
+    except etree.XMLSyntaxError as error:
+        raise BuildError(f"{path} has no readable modelDescription.xml: {error}") from error
+    for kind in ("CoSimulation", "ModelExchange"):
+        element = root.find(kind)
+        if element is not None and element.get("modelIdentifier"):
+            identifier = str(element.get("modelIdentifier"))
+            if not _IDENTIFIER.fullmatch(identifier):
+                raise BuildError(f"{path}: the modelIdentifier {identifier!r} is no identifier of C")
+            return identifier
+    raise BuildError(f"{path}: modelDescription.xml has no modelIdentifier")
