@@ -101,9 +101,9 @@ class Table:
             raise self.error(key, "must be text")
         return value
 
-    def flag(self, key: str) -> bool:
-        """True or false; false where it is absent."""
-        value = self._given(key, default=False)
+    def flag(self, key: str, *, default: bool = False) -> bool:
+        """True or false; the default where it is absent."""
+        value = self._given(key, default=default)
         if not isinstance(value, bool):
             raise self.error(key, "must be true or false")
         return value
@@ -195,6 +195,22 @@ def read_toml(path: str | PathLike[str] | Table) -> Table:
     except UnicodeDecodeError as error:
         raise InputFileError(path, "is not text in UTF-8") from error
     try:
-        return Table(path, "", tomllib.loads(text))
+        content = tomllib.loads(text)
     except (ValueError, RecursionError) as error:  # of tomllib, and of numbers with thousands of digits
         raise SettingsError(path, "", "", None, f"is not TOML: {error}") from error
+    _require_known_whole_numbers(path, "", content)
+    return Table(path, "", content)
+
+
+def _require_known_whole_numbers(path: Path, table: str, content: dict[str, Any]) -> None:
+    """Refuse whole numbers beyond those of FMI, Int64 and UInt64: they may be beyond all floats."""
+    for key, value in content.items():
+        inside = [value]
+        for one in inside:
+            if isinstance(one, dict):
+                _require_known_whole_numbers(path, f"{table}.{key}" if table else key, one)
+            elif isinstance(one, list):
+                inside += one
+            elif isinstance(one, int) and not -(2**63) <= one < 2**64:
+                allowed = "a whole number must fit in 64 bits"
+                raise SettingsError(path, table, key, value, allowed, "larger numbers have an exponent: 1e30")

@@ -102,8 +102,16 @@ def test_what_is_beyond_measure_is_no_internal_error(text: str, tmp_path: Path) 
         read_toml(path)
 
 
-def test_a_number_of_too_many_digits_is_refused_at_its_place(tmp_path: Path) -> None:
+@pytest.mark.parametrize("text", ["{}", "[1.0, {}]", "[[1.0], [{}]]"])
+@pytest.mark.parametrize("number", ["1" + "0" * 400, str(2**64), str(-(2**63) - 1)])
+def test_a_whole_number_beyond_64_bits_is_refused_at_its_place(text: str, number: str, tmp_path: Path) -> None:
     path = tmp_path / "large.toml"
-    path.write_text("a = 1" + "0" * 400)
-    with pytest.raises(SettingsError, match=r"a = 10+: must be a finite number"):
-        read_toml(path).number("a")
+    path.write_text(f"[one.two]\na = {text.format(number)}")
+    with pytest.raises(SettingsError, match=r"\[one.two\] a = \[*.*: a whole number must fit in 64 bits"):
+        read_toml(path)
+
+
+def test_the_largest_and_the_smallest_whole_number_are_read(tmp_path: Path) -> None:
+    path = tmp_path / "large.toml"
+    path.write_text(f"a = [{2**64 - 1}, {-(2**63)}]")
+    assert read_toml(path).entries("a") == [2**64 - 1, -(2**63)]
