@@ -11,9 +11,13 @@ from .errors import (
     FmuCrashError as FmuCrashError,
     FmuEndedError as FmuEndedError,
     FmuFileError as FmuFileError,
+    FmuFuelError as FmuFuelError,
+    FmuMemoryError as FmuMemoryError,
     FmuNotFoundError as FmuNotFoundError,
     FmuRunError as FmuRunError,
     FmuTimeLimitError as FmuTimeLimitError,
+    FmuTrapError as FmuTrapError,
+    StepperEndedError as StepperEndedError,
     UnsupportedFmuError as UnsupportedFmuError,
 )
 from .files import MODELS as MODELS, build_folder as build_folder, find_fmu as find_fmu
@@ -21,6 +25,7 @@ from .inputs import Inputs as Inputs, checked_inputs as checked_inputs
 from .linearization import Linearization as Linearization
 from .model_exchange import run_model_exchange as run_model_exchange
 from .plan import Plan as Plan
+from .real_time import paced as paced
 from .reductions import (
     Extremes as Extremes,
     Final as Final,
@@ -28,6 +33,7 @@ from .reductions import (
     Peaks as Peaks,
     Reduction as Reduction,
 )
+from .stepper import SavedState as SavedState, Stepper as Stepper
 from .stepwise import stepped as stepped
 from .values import (
     INTEGERS as INTEGERS,

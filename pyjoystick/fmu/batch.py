@@ -7,22 +7,25 @@ import threading
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
-import pandas as pd
 from numpy.typing import NDArray
 
 from pyjoystick.fmu.errors import FmuEndedError, FmuFileError
 from pyjoystick.fmu.own_process.runner import RemoteRunner
 from pyjoystick.fmu.runner import Job, Runner, Samples
+from pyjoystick.fmu.sandbox.runner import SandboxRunner
 from pyjoystick.fmu.stepping.program import OK, STOPPED
-from pyjoystick.support import FloatArray, PyJoystickError, whole_number
+from pyjoystick.support import FloatArray, PyJoystickError, Shown, whole_number
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 #: Called in the calling thread with the number of runs that are done and the number of all runs.
 OnProgress = Callable[[int, int], None]
 
-AnyRunner = Runner | RemoteRunner
+AnyRunner = Runner | RemoteRunner | SandboxRunner
 NewRunner = Callable[[], AnyRunner]
 
 _LARGEST_PIECE: Final = 64
@@ -33,7 +36,7 @@ _GRACE: Final = 0.5
 
 
 @dataclass(frozen=True, slots=True)
-class BatchResult:
+class BatchResult(Shown):
     """Many runs of one plan, one row per run in the order of the given table.
 
     Attributes:
@@ -47,6 +50,8 @@ class BatchResult:
         done: shape (runs,), True for runs that are over, failed ones included
         interrupted: the batch was stopped by Ctrl-C or `Plan.stop`; runs may be missing
     """
+
+    _shown_by = "pyjoystick.fmu.notebook"
 
     parameters: pd.DataFrame
     values: FloatArray | None

@@ -7,25 +7,30 @@ from collections.abc import Iterable, Mapping
 from functools import partial
 from os import PathLike
 from types import TracebackType
-from typing import Any, Self
+from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
-import pandas as pd
 from numpy.typing import ArrayLike, NDArray
 
 from pyjoystick.fmu.description import FmuDescription, read_description
-from pyjoystick.fmu.errors import FmuEndedError
+from pyjoystick.fmu.errors import FmuEndedError, UnsupportedFmuError
 from pyjoystick.fmu.files import find_fmu
 from pyjoystick.fmu.inputs import Inputs
+from pyjoystick.fmu.library import InstancePool
 from pyjoystick.fmu.linearization import Linearization, linearize
 from pyjoystick.fmu.own_process.pool import ProcessPool, new_pool
 from pyjoystick.fmu.plan import Plan
+from pyjoystick.fmu.sandbox.pool import SandboxPool
+from pyjoystick.fmu.stepper import Stepper
 from pyjoystick.fmu.values import Value, default_outputs
 from pyjoystick.motion import make_table
-from pyjoystick.support import DEFAULT_TOLERANCE, FloatArray
+from pyjoystick.support import DEFAULT_TOLERANCE, FloatArray, ParameterError, Shown
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 
-class Fmu:
+class Fmu(Shown):
     """A Co-Simulation FMU (FMI 2.0 or 3.0), loaded once for any number of runs.
 
     >>> with Fmu("Joystick") as joystick:  # doctest: +SKIP
@@ -41,12 +46,15 @@ class Fmu:
         description: the FMU's own description
     """
 
+    _shown_by = "pyjoystick.fmu.notebook"
+
     def __init__(
         self,
         fmu: str | PathLike[str],
         *,
         own_process: bool | None = None,
         time_limit: float | None = None,
+        sandbox: bool = False,
     ) -> None:
         """Open an FMU.
 
@@ -58,16 +66,29 @@ class Fmu:
                 others in their own.
             time_limit: what a run may take by the clock, s, or ``math.inf``. Where not given: any time in the
                 caller's process, where a run is ended between two communication points; 300 s in a process
-                of its own, which is ended.
+                of its own, which is ended, and in a sandbox.
+            sandbox: run the WebAssembly module of an FMU of FMI 2.0 (``fmu_build --platform wasm32``) in
+                place of its binary. It reaches no file, network or process; memory and instructions are
+                bounded. For FMUs from strangers; `run` and `plan` work, `start` and `linearize` do not.
 
         Raises:
             FmuNotFoundError: there is no such file
             FmuFileError: it is no FMU, or a broken one, or it crashes when it is loaded
-            UnsupportedFmuError: it has no Co-Simulation, no binary for this machine, or another FMI version
+            UnsupportedFmuError: it has no Co-Simulation, no binary for this machine, no module for a sandbox,
+                or another FMI version
+            MissingPackageError: `sandbox` needs wasmtime (``pip install 'pyjoystick[sandbox]'``)
+            ParameterError: `sandbox` together with `own_process`
         """
+        if sandbox and own_process is not None:
+            raise ParameterError("own_process", own_process, "left out where sandbox is True")
         self.description: FmuDescription = read_description(find_fmu(fmu))
-        self._choice: dict[str, Any] = {"own_process": own_process, "time_limit": time_limit}
-        self._pool = new_pool(self.description, own_process, time_limit)
+        choice = {"own_process": own_process, "time_limit": time_limit, "sandbox": sandbox}
+        self._choice: dict[str, Any] = choice
+        self._pool = (
+            SandboxPool(self.description, time_limit)
+            if sandbox
+            else new_pool(self.description, own_process, time_limit)
+        )
         self._close = weakref.finalize(self, self._pool.close)
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -120,6 +141,7 @@ class Fmu:
             FmuEndedError: the FMU ended the simulation by itself; its `samples` is the table up to there
             FmuTimeLimitError: the run takes longer than `time_limit`
             FmuCrashError: the FMU's process ended
+            FmuFuelError, FmuMemoryError, FmuTrapError: the FMU breaks a limit or a rule of its sandbox
             FmuRunError: the FMU refuses its settings or fails during the run; it carries the FMU's messages
         """
         left_out: tuple[str, ...] = ()
@@ -162,6 +184,39 @@ class Fmu:
         """
         return Plan(self, self._pool, time, varied, parameters or {}, inputs, outputs, tolerance)
 
+    def start(
+        self,
+        time: float = 0.0,
+        *,
+        parameters: Mapping[str, Value] | None = None,
+        inputs: Mapping[str, Value] | None = None,
+        outputs: Iterable[str] | None = None,
+        stop_time: float | None = None,
+        tolerance: float = DEFAULT_TOLERANCE,
+    ) -> Stepper:
+        """Begin a simulation that goes on step by step, as its user says; close it when done.
+
+        With the same communication points, and `stop_time` at the last of them, the results are those of
+        `run`, bit for bit.
+
+        Args:
+            time: of the start (s)
+            parameters: as in `run`
+            inputs: values at the start by name; those not given keep the FMU's own
+            outputs: as in `run`; what a step returns
+            stop_time: the end (s) where it is known: the FMU may choose its own steps by it, as ours do
+            tolerance: as in `run`
+
+        Raises:
+            UnknownParameterError, UnknownInputError, UnknownVariableError: a name is not one of the FMU's
+            ParameterError: a value is not allowed
+            UnsupportedFmuError: the FMU can be instantiated only once in a process, and would be in this one;
+                or it is in a sandbox
+            FmuRunError: the FMU refuses its settings
+        """
+        settings = parameters or {}, inputs or {}, outputs, tolerance
+        return Stepper(self, self._steppable(), time, stop_time, *settings)
+
     def linearize(
         self,
         time: float = 0.0,
@@ -183,15 +238,23 @@ class Fmu:
         Raises:
             UnknownParameterError, UnknownInputError, UnknownVariableError: a name is not one of the FMU's
             ParameterError: a value is not allowed, or the time is negative
-            UnsupportedFmuError: the FMU provides neither directional nor adjoint derivatives
+            UnsupportedFmuError: the FMU provides neither directional nor adjoint derivatives, or is in a
+                sandbox
             FmuRunError: the FMU refuses its settings, fails on the way or has no derivatives there
         """
         arguments = time, parameters or {}, inputs or {}, outputs, tolerance
-        if isinstance(self._pool, ProcessPool):
-            found: Linearization = self._pool.linearize(*arguments)
+        pool = self._steppable()
+        if isinstance(pool, ProcessPool):
+            found: Linearization = pool.linearize(*arguments)
             return found
-        with self._pool.lent() as instance:
+        with pool.lent() as instance:
             return linearize(instance, *arguments)
+
+    def _steppable(self) -> InstancePool | ProcessPool:
+        """The pool, for what a sandbox does not do."""
+        if isinstance(self._pool, SandboxPool):
+            raise UnsupportedFmuError(self.description.path, "is in a sandbox, which does whole runs only")
+        return self._pool
 
 
 def _table(plan: Plan, time: FloatArray, samples: NDArray[np.void]) -> pd.DataFrame:

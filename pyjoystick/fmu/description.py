@@ -126,7 +126,8 @@ class FmuDescription:
         has_sources: the C sources are inside
         variables: by name, in the order of the file
         experiment: proposed settings
-        interpolates_inputs: Co-Simulation follows input derivatives within a step
+        interpolates_inputs: Co-Simulation follows input derivatives within a step (FMI 2)
+        asks_for_inputs: Co-Simulation asks for inputs within a step (FMI 3, intermediate update)
         variable_steps: Co-Simulation takes communication steps of different lengths
         saves_states: Co-Simulation can save its state and restore it
         one_instance: Co-Simulation can be instantiated only once in a process
@@ -150,6 +151,7 @@ class FmuDescription:
     variable_steps: bool
     saves_states: bool
     one_instance: bool = False
+    asks_for_inputs: bool = False
     directional_derivatives: bool = False
     adjoint_derivatives: bool = False
     log_categories: tuple[str, ...] = ()
@@ -286,6 +288,7 @@ def _description(path: Path, files: list[str], model: Any, declared: Mapping[str
         # FMPy has the name of FMI 2 for both versions.
         saves_states=bool(getattr(model.coSimulation, "canGetAndSetFMUstate", False)),
         one_instance=bool(getattr(model.coSimulation, "canBeInstantiatedOnlyOncePerProcess", False)),
+        asks_for_inputs=bool(getattr(model.coSimulation, "providesIntermediateUpdate", False)),
         # FMPy has the names of FMI 2 alone.
         directional_derivatives=_provides(declared, "providesDirectionalDerivative"),
         adjoint_derivatives=_provides(declared, "providesAdjointDerivative"),

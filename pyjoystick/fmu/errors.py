@@ -70,8 +70,27 @@ class FmuEndedError(FmuRunError):
         return f"{self.path.name}: {self.reason} at t = {self.time:.9g} s{f': {said}' if said else ''}"
 
 
+class StepperEndedError(FmuRunError):
+    """A simulation was to go on after its end; the reason says how it ended."""
+
+    def __str__(self) -> str:
+        return f"{self.path.name}: the simulation ended at t = {self.time:.9g} s: {self.reason}"
+
+
 class FmuCrashError(FmuRunError):
     """The process of the FMU ended in a run; the reason has its signal or exit code, and what it printed."""
+
+
+class FmuTrapError(FmuRunError):
+    """The WebAssembly module of an FMU in a sandbox trapped or broke a rule; the reason says which."""
+
+
+class FmuFuelError(FmuTrapError):
+    """A run in a sandbox took more instructions than it may, and was ended."""
+
+
+class FmuMemoryError(FmuTrapError):
+    """The module of an FMU in a sandbox found no memory for a run within its limit."""
 
 
 class FmuTimeLimitError(FmuRunError):

@@ -16,6 +16,8 @@ MODELS = MappingProxyType(
         for package, name in (
             ("Joystick", "Joystick"),
             ("Joystick", "JoystickPowerLaw"),
+            ("Joystick", "JoystickFriction"),
+            ("Joystick", "JoystickFrictionPowerLaw"),
             ("Joystick", "JoystickInverse"),
             ("Joystick", "JoystickInversePowerLaw"),
             ("Operator", "Operator"),

@@ -2,22 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
-import pandas as pd
 from numpy.typing import NDArray
 
 from pyjoystick.fmu.description import FmuDescription, Variable
-from pyjoystick.fmu.values import REALS, Value, checked_value, require_scalar
+from pyjoystick.fmu.values import REALS, Value, checked_value, limits, require_scalar
 from pyjoystick.support import FloatArray, ParameterError, SeriesError, UnknownInputError
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 #: A constant by name of the input, or a table indexed by time (s) with one column an input. Between rows a
 #: continuous input is straight and any other keeps its value; before the first and after the last row both
 #: stay. Two rows of one time are a jump: the second holds from there on.
-Inputs = Mapping[str, Value] | pd.DataFrame
+Inputs = Union[Mapping[str, Value], "pd.DataFrame"]  # `|` takes no name that is to come
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,8 +37,21 @@ class InputSeries:
     slopes: FloatArray
 
 
-def checked_inputs(description: FmuDescription, inputs: Inputs) -> pd.DataFrame:
-    """The inputs as a table of finite numbers with increasing time.
+@dataclass(frozen=True, slots=True)
+class InputTable:
+    """Inputs that have been checked.
+
+    Attributes:
+        time: s, shape (n,); it does not fall
+        columns: the values over the time by name of the input, shape (n,), as they were given
+    """
+
+    time: FloatArray
+    columns: Mapping[str, NDArray[Any]]
+
+
+def checked_inputs(description: FmuDescription, inputs: Inputs) -> InputTable:
+    """The inputs as columns of finite values with increasing time.
 
     Raises:
         UnknownInputError: the FMU has no input of that name
@@ -47,54 +62,66 @@ def checked_inputs(description: FmuDescription, inputs: Inputs) -> pd.DataFrame:
     for name in inputs:
         if name not in known:
             raise UnknownInputError(str(name), known)
-    table = inputs if isinstance(inputs, pd.DataFrame) else _constant_inputs(inputs)
-    if table.empty and len(table.columns):
-        raise ParameterError("inputs", "an empty table", "at least one row")
-    for name in table:
-        variable = description.variables[str(name)]
+    index: Any = np.zeros(1)
+    columns: dict[str, Any]
+    if isinstance(inputs, Mapping):
+        columns = {name: _constant(name, value) for name, value in inputs.items()}
+    else:
+        index, columns = inputs.index, {str(name): inputs[name] for name in inputs}
+        if inputs.empty and columns:
+            raise ParameterError("inputs", "an empty table", "at least one row")
+    for name, column in columns.items():
+        variable = description.variables[name]
         require_scalar(variable)
-        for value in table[name]:
+        for value in _doubtful(variable, column):
             checked_value(variable, value)
     try:
-        time = table.index.to_numpy(dtype=np.float64)
+        time = np.asarray(index, dtype=np.float64)
     except (TypeError, ValueError) as error:
         raise SeriesError("index of the inputs", "must be time in s") from error
     for i in np.flatnonzero(~np.isfinite(time) | (np.diff(time, prepend=-np.inf) < 0.0))[:1]:
         raise SeriesError("index of the inputs", f"is {time[i]} at row {i}; must be finite and not fall")
-    return table
+    return InputTable(time, {name: np.asarray(column) for name, column in columns.items()})
 
 
-def _constant_inputs(inputs: Mapping[str, object]) -> pd.DataFrame:
-    """One row of values that hold for the whole run."""
-    for name, value in inputs.items():
-        if not np.isscalar(value):
-            allowed = "a number; a table (pandas DataFrame indexed by time in s) gives values that change"
-            raise ParameterError(name, f"a {type(value).__name__}", allowed)
-    return pd.DataFrame(dict(inputs), index=[0.0])
+def _doubtful(variable: Variable, column: pd.Series[Any] | NDArray[Any]) -> Iterable[object]:
+    """The values that may not be allowed: of floats for a real input those out of range, else all of them."""
+    if variable.type not in REALS or column.dtype != np.float64:
+        return column.tolist()
+    low, high = limits(variable)
+    values = np.asarray(column)
+    return values[~((values >= low) & (values <= high))]
 
 
-def communication_points(instants: FloatArray, table: pd.DataFrame) -> FloatArray:
+def _constant(name: str, value: object) -> NDArray[Any]:
+    """The one row of an input that holds for the whole run."""
+    if not np.isscalar(value):
+        allowed = "a number; a table (pandas DataFrame indexed by time in s) gives values that change"
+        raise ParameterError(name, f"a {type(value).__name__}", allowed)
+    return np.array([value], dtype=object if isinstance(value, str) else None)
+
+
+def communication_points(instants: FloatArray, table: InputTable) -> FloatArray:
     """The output instants and, between them, the times at which the inputs have a kink or a jump."""
-    breaks = table.index.to_numpy(dtype=np.float64)
-    inner = breaks[(breaks > instants[0]) & (breaks < instants[-1])]
+    inner = table.time[(table.time > instants[0]) & (table.time < instants[-1])]
     return np.union1d(instants, inner)
 
 
-def input_series(description: FmuDescription, table: pd.DataFrame, points: FloatArray) -> list[InputSeries]:
+def input_series(description: FmuDescription, table: InputTable, points: FloatArray) -> list[InputSeries]:
     """Every input of the table at the communication points, shape (n,), n >= 2."""
-    time = table.index.to_numpy(dtype=np.float64)
+    time = table.time
     series = []
-    for name in table:
-        variable = description.variables[str(name)]
+    for name, column in table.columns.items():
+        variable = description.variables[name]
         after: NDArray[Any]
         if variable.type in REALS and variable.variability == "continuous":
-            samples = table[name].to_numpy(dtype=np.float64)
+            samples = column.astype(np.float64)
             after = _limit(time, samples, points, np.searchsorted(time, points, side="right"))
             before = _limit(time, samples, points, np.searchsorted(time, points, side="left"))
             slopes = (before[1:] - after[:-1]) / np.diff(points)
         else:
             last = np.searchsorted(time, points, side="right") - 1
-            after, slopes = table[name].to_numpy()[np.maximum(last, 0)], np.zeros(len(points) - 1)
+            after, slopes = column[np.maximum(last, 0)], np.zeros(len(points) - 1)
         series.append(InputSeries(variable, after, slopes))
     return series
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import copy
 import os
 import threading
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 from typing import Any, Final
@@ -16,12 +16,13 @@ from fmpy.fmi2 import FMU2Model, FMU2Slave
 from fmpy.fmi3 import FMU3Model, FMU3Slave
 from numpy.typing import NDArray
 
-from pyjoystick.fmu.description import FmuDescription, Interface
+from pyjoystick.fmu.description import FmuDescription, Interface, Variable
+from pyjoystick.fmu.drive import Attendance, inputs_asked_for
 from pyjoystick.fmu.errors import FmuFileError, UnsupportedFmuError
 from pyjoystick.fmu.instance import Instance
 from pyjoystick.fmu.log import FmuLog
 from pyjoystick.fmu.pool import Pool
-from pyjoystick.support import ARCHIVE_ERRORS, archive_problem, temporary_folder
+from pyjoystick.support import ARCHIVE_ERRORS, PyJoystickError, archive_problem, temporary_folder
 
 #: FMPy's classes by interface and first digit of the version of FMI: what can be run.
 _CLASSES: Final[dict[tuple[Interface, str], Any]] = {
@@ -81,40 +82,54 @@ class FmuLibrary:
             stack.callback(self.fmi.freeLibrary)
             self._stack = stack.pop_all()
 
-    def instantiate(self, place: NDArray[np.intp] | None = None) -> Instance:
+    def instantiate(self, place: NDArray[np.intp] | None = None, *, asks: bool = False) -> Instance:
         """A new instance; free it before `close`.
 
         Args:
             place: where it is, as of `FmuLog`
+            asks: it is to ask for its inputs within its steps, where it can
 
         Raises:
             FmuFileError: the FMU refuses
         """
         fmi = copy.copy(self.fmi)
         log = FmuLog(place)
+        asked = inputs_asked_for(self.description) if asks else []
+        attendance = Attendance(fmi) if asked else None
         try:
             if self.description.fmi_version.startswith("2"):
                 fmi.instantiate(callbacks=log.callbacks, loggingOn=False)
             else:
-                _instantiate_with_log(fmi, log, self.description.log_categories)
+                categories = self.description.log_categories
+                _instantiate_with_log(fmi, log, categories, attendance, asked)
         except Exception as error:  # FMPy has no type of its own for it
             log.close()
             said = "; ".join(log.messages()) or "no message"
             raise FmuFileError(self.description.path, f"cannot be instantiated: {said}") from error
-        return Instance(self.description, fmi, log)
+        return Instance(self.description, fmi, log, attendance=attendance)
 
     def close(self) -> None:
         """Unload the binary and delete what was unpacked."""
         self._stack.close()
 
 
-def _instantiate_with_log(fmi: Any, log: FmuLog, categories: tuple[str, ...]) -> None:
+def _instantiate_with_log(
+    fmi: Any,
+    log: FmuLog,
+    categories: tuple[str, ...],
+    attendance: Attendance | None,
+    asked: Sequence[Variable],
+) -> None:
     """Of FMI 3: logging is on, which else would be off, but for problems alone where they have categories."""
 
     def receive(_environment: object, _status: int, _category: bytes, text: bytes) -> None:
         log.add(text.replace(b"##", b"#"))
 
-    fmi.instantiate(logMessage=receive, loggingOn=True)
+    settings: dict[str, Any] = {}
+    if attendance is not None:
+        references = [one.value_reference for one in asked]
+        settings = {"intermediateUpdate": attendance.answer, "requiredIntermediateVariables": references}
+    fmi.instantiate(logMessage=receive, loggingOn=True, **settings)
     problems = [category for category in categories if category.startswith("logStatus")]
     if problems:
         fmi.fmi3SetDebugLogging(fmi.component, False, 0, None)
@@ -172,6 +187,7 @@ class InstancePool(Pool[Instance]):
         folder: Path | None = None,
         place: NDArray[np.intp] | None = None,
         time_limit: float | None = None,
+        first: InstancePool | None = None,
     ) -> None:
         """Load the FMU and make the first instance, which shows that it can be run.
 
@@ -180,22 +196,48 @@ class InstancePool(Pool[Instance]):
             folder: as of `FmuLibrary`
             place: where its instances say where they are, see `FmuLog`; each has its own where not given
             time_limit: what a run may take (s); None for any time
+            first: the pool whose library this one uses, for instances that ask for their inputs
 
         Raises:
             UnsupportedFmuError, FmuFileError: as `FmuLibrary`, or the FMU refuses to be instantiated
         """
-        self.library = FmuLibrary(description, "CoSimulation", folder)
+        self._first = first
+        self._second: InstancePool | None = None
+        self.library: FmuLibrary = (
+            FmuLibrary(description, "CoSimulation", folder) if first is None else first.library
+        )
+        self._asks = first is not None or description.one_instance
         self.resets = description.is_ours
         self.has_one = description.one_instance
         self.place = place
         self.time_limit = time_limit
         # FMUs may be made for one thread that makes and frees their instances.
-        self._lock = threading.Lock()
+        self._lock: threading.Lock = threading.Lock() if first is None else first._lock
         super().__init__(description)
+
+    def attended(self) -> InstancePool:
+        """Instances that ask for their inputs within their steps, which takes time: a pool of their own."""
+        if self._asks:
+            return self
+        with self._state:
+            if self._closed:
+                raise PyJoystickError(f"{self.description.path} has been closed")
+            if self._second is None:
+                self._taken += 1  # the library stays until the second pool is put away
+                self._second = InstancePool(
+                    self.description, place=self.place, time_limit=self.time_limit, first=self
+                )
+            return self._second
+
+    def close(self) -> None:
+        """As of `Pool`."""
+        if self._second is not None:
+            self._second.close()
+        super().close()
 
     def _make(self) -> Instance:
         with self._lock:
-            return self.library.instantiate(self.place)
+            return self.library.instantiate(self.place, asks=self._asks)
 
     def is_reusable(self, one: Instance) -> bool:
         """As of `Pool`."""
@@ -206,4 +248,7 @@ class InstancePool(Pool[Instance]):
             one.free()
 
     def _put_away(self) -> None:
-        self.library.close()
+        if self._first is None:
+            self.library.close()
+        else:
+            self._first._return(None)

@@ -37,10 +37,15 @@ def require_at_most(path: Path, what: str, number: int, limit: int) -> None:
         number: how much
         limit: how much is taken unless the environment says otherwise
     """
-    most = int(limit * _factor())
+    most = int(allowed(limit))
     if number > most:
         advice = f"{LIMITS_VARIABLE}=10 in the environment allows ten times as much"
         raise FmuFileError(path, f"{what.format(number)}: at most {most} are taken ({advice})")
+
+
+def allowed(limit: float) -> float:
+    """The limit, multiplied with what the environment says; raises ParameterError where it says nonsense."""
+    return limit * _factor()
 
 
 def _factor() -> float:

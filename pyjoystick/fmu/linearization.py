@@ -5,11 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import fmpy
 import numpy as np
-import pandas as pd
 
 from pyjoystick.fmu.description import FmuDescription, Variable
 from pyjoystick.fmu.errors import UnsupportedFmuError
@@ -17,6 +16,9 @@ from pyjoystick.fmu.inputs import checked_inputs
 from pyjoystick.fmu.instance import Instance
 from pyjoystick.fmu.values import REALS, Value, checked_outputs, checked_parameters
 from pyjoystick.support import FloatArray, ParameterError, not_negative, positive
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 
 @dataclass(frozen=True)
@@ -48,6 +50,8 @@ class Linearization:
             one row an eigenvalue, with the columns ``real`` and ``imaginary`` (1/s), ``frequency`` (rad/s,
             undamped) and ``damping`` (of the critical one; negative where the motion grows)
         """
+        import pandas as pd
+
         values = np.linalg.eigvals(self.A.to_numpy())
         values = values[np.lexsort((values.imag, values.real))]
         size = np.abs(values)
@@ -65,13 +69,15 @@ def linearize(
     tolerance: float,
 ) -> Linearization:
     """What `Fmu.linearize` gives, on an instance that is the caller's alone."""
+    import pandas as pd  # see `motion.make_table`
+
     description = instance.description
     instant = not_negative("time", time, "s")
     if not (description.directional_derivatives or description.adjoint_derivatives):
         raise UnsupportedFmuError(description.path, "provides neither directional nor adjoint derivatives")
     constants = checked_parameters(description, parameters)
     table = checked_inputs(description, inputs)
-    given = {str(name): table[name].iloc[0] for name in table}
+    given = {name: column[0] for name, column in table.columns.items()}
     recorded = _outputs(description, outputs)
     rates, states = _rates_and_states(description)
     driven = [

@@ -5,18 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from contextlib import ExitStack
 from os import PathLike
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import fmpy
 import numpy as np
-import pandas as pd
 from fmpy.simulation import Input
 from numpy.typing import ArrayLike, NDArray
 
 from pyjoystick.fmu.description import FmuDescription, Variable, read_description
 from pyjoystick.fmu.errors import THE_END, FmuEndedError, FmuRunError
 from pyjoystick.fmu.files import find_fmu
-from pyjoystick.fmu.inputs import Inputs, checked_inputs
+from pyjoystick.fmu.inputs import Inputs, InputTable, checked_inputs
 from pyjoystick.fmu.instance import Instance
 from pyjoystick.fmu.interface import c_interface
 from pyjoystick.fmu.library import FmuLibrary
@@ -24,6 +23,9 @@ from pyjoystick.fmu.own_process.pool import is_apart, run_apart
 from pyjoystick.fmu.values import INTEGERS, Value, checked_outputs, checked_parameters
 from pyjoystick.motion import make_table
 from pyjoystick.support import ParameterError, SimulationError, increasing_times, positive
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 
 def run_model_exchange(
@@ -81,7 +83,7 @@ def run_model_exchange(
         stack.callback(instance.free)
         folder = str(library.folder)
         model_description = fmpy.read_model_description(folder, validate=False)
-        signals = input_signals(description, table) if len(table.columns) else None
+        signals = input_signals(description, table) if table.columns else None
         if signals is not None:
             apply_inputs_with_time(instance.fmi, model_description, signals)
         rows = _simulate(
@@ -133,7 +135,7 @@ def _column(rows: Any, variable: Variable) -> NDArray[Any]:
     return column
 
 
-def input_signals(description: FmuDescription, table: pd.DataFrame) -> NDArray[Any]:
+def input_signals(description: FmuDescription, table: InputTable) -> NDArray[Any]:
     """All inputs over the time as FMPy takes them; those that the table lacks keep their start values.
 
     Raises:
@@ -142,7 +144,7 @@ def input_signals(description: FmuDescription, table: pd.DataFrame) -> NDArray[A
     stored = c_interface(description.fmi_version).types
     variables = [description.variables[name] for name in description.names("input")]
     for one in variables:
-        if one.type == "String" and one.name in table:
+        if one.type == "String" and one.name in table.columns:
             raise ParameterError(one.name, "text", "left out: Model Exchange is given no texts")
     variables = [one for one in variables if one.type in stored and one.type != "String" and not one.is_array]
     types = [
@@ -152,10 +154,10 @@ def input_signals(description: FmuDescription, table: pd.DataFrame) -> NDArray[A
             for one in variables
         ),
     ]
-    signals = np.empty(len(table), dtype=types)
-    signals["time"] = table.index
+    signals = np.empty(len(table.time), dtype=types)
+    signals["time"] = table.time
     for one in variables:
-        signals[one.name] = table[one.name] if one.name in table else _start(one)
+        signals[one.name] = table.columns[one.name] if one.name in table.columns else _start(one)
     return signals
 
 

@@ -5,10 +5,9 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import pandas as pd
 from numpy.typing import ArrayLike, NDArray
 
 from pyjoystick.fmu.batch import Batch, BatchResult, NewRunner, OnProgress, number_of_threads
@@ -20,6 +19,8 @@ from pyjoystick.fmu.own_process.runner import Outcome, RemoteRunner
 from pyjoystick.fmu.preparation import prepare
 from pyjoystick.fmu.reductions import Reduction, checked_reductions, operations_of, units_of
 from pyjoystick.fmu.runner import Job, Runner
+from pyjoystick.fmu.sandbox.pool import SandboxPool
+from pyjoystick.fmu.sandbox.runner import SandboxRunner
 from pyjoystick.fmu.stepping.engine import Loop, loop
 from pyjoystick.fmu.stepping.program import FATAL, OK, WARNING
 from pyjoystick.fmu.stepping.reducing import Operation
@@ -31,7 +32,10 @@ from pyjoystick.fmu.values import (
     checked_varied,
     default_outputs,
 )
-from pyjoystick.support import FloatArray, ParameterError, increasing_times, positive
+from pyjoystick.support import FloatArray, ParameterError, increasing_times, notebook_progress, positive
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 #: Tell the plans apart that a process is sent.
 _keys = itertools.count()
@@ -54,7 +58,7 @@ class Plan:
     def __init__(
         self,
         fmu: Any,
-        pool: InstancePool | ProcessPool,
+        pool: InstancePool | ProcessPool | SandboxPool,
         time: ArrayLike,
         varied: Iterable[str],
         parameters: Mapping[str, Value],
@@ -94,7 +98,7 @@ class Plan:
             "time": self.time,
             "varied": self.varied,
             "parameters": dict(parameters),
-            "inputs": inputs.copy() if isinstance(inputs, pd.DataFrame) else inputs,
+            "inputs": inputs if inputs is None or isinstance(inputs, Mapping) else inputs.copy(),
             "outputs": self.outputs,
             "tolerance": tolerance,
         }
@@ -158,7 +162,8 @@ class Plan:
                 where not given. An FMU that can be instantiated only once has one.
             reductions: what to keep of each run; every sample of every run is kept where not given
             on_progress: called in the calling thread, about ten times a second, with the number of runs done
-                and of all runs; an exception in it stops the batch and is passed on
+                and of all runs; an exception in it stops the batch and is passed on. Where not given, a
+                notebook shows a bar.
 
         Raises:
             ParameterError: a value of the table is not allowed (the message names its row), a setting is not,
@@ -169,7 +174,9 @@ class Plan:
         stop = np.zeros(1, np.bool_)
         self._batches[id(stop)] = stop  # at once: loading the compiler takes a while
         try:
-            return self._carry_out(table, stop, threads, reductions, on_progress)
+            with notebook_progress("runs") as show:
+                tell = on_progress or (lambda done, runs: show(f"{done} of {runs}", done, runs))
+                return self._carry_out(table, stop, threads, reductions, tell)
         finally:
             del self._batches[id(stop)]
 
@@ -194,6 +201,8 @@ class Plan:
         values[~batch.done[: len(values)]] = np.nan
         reduced = None
         if kept is not None:
+            import pandas as pd  # see `tables.make_table`
+
             reduced = pd.DataFrame(job.cells, index=named.index, columns=columns)
             reduced.attrs["units"] = units_of(kept, self.units)
         return BatchResult(
@@ -251,7 +260,9 @@ class Plan:
         return Job(self._preparation, self.time, rows, kept, done, stop, self._pool.time_limit)
 
     def _new_runner(self, job: Job, operations: Sequence[Operation], *, load_compiler: bool) -> NewRunner:
-        """What makes the runners of a job: in this process, or in processes of their own."""
+        """What makes the runners of a job: in this process, in processes of their own or in sandboxes."""
+        if isinstance(self._pool, SandboxPool):
+            return partial(SandboxRunner, self._pool, job, operations)
         if isinstance(self._pool, ProcessPool):
             settings = {"operations": operations, "load_compiler": load_compiler}
             return partial(RemoteRunner, self._pool, job, self._key, self._settings, settings)

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyjoystick.fmu.description import FmuDescription, Variable
+from pyjoystick.fmu.drive import Drive, inputs_asked_for
 from pyjoystick.fmu.inputs import InputSeries
 from pyjoystick.fmu.interface import CInterface, RowFormat, TextGetter, c_interface
 from pyjoystick.fmu.stepping.program import Group, Program
@@ -28,6 +29,7 @@ class Preparation:
         outputs: rows of what is recorded
         texts: the getter of texts, where some are recorded
         memory: what the addresses in the program point to
+        drive: inputs that the FMU asks for within its steps; None where none of them moves
     """
 
     program: Program
@@ -36,6 +38,7 @@ class Preparation:
     outputs: RowFormat
     texts: TextGetter | None
     memory: tuple[object, ...]
+    drive: Drive | None = None
 
 
 def prepare(
@@ -109,7 +112,10 @@ def prepare(
         columns=output_format.columns,
     )
     memory = (constants, constants_row, input_format, input_rows, moving_references, moving_orders, slopes)
-    return Preparation(program, interface, varied_format, output_format, texts, memory)
+    asked = {one.name for one in inputs_asked_for(description)}
+    within = [one for one in inputs if one.variable.name in asked and np.any(one.slopes)]
+    drive = Drive(points, within) if within else None
+    return Preparation(program, interface, varied_format, output_format, texts, memory, drive)
 
 
 def _changed(

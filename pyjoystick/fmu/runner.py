@@ -10,7 +10,8 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from pyjoystick.fmu.errors import THE_END, FmuEndedError, FmuRunError, FmuTimeLimitError
+from pyjoystick.fmu.errors import FmuEndedError, FmuRunError, FmuTimeLimitError
+from pyjoystick.fmu.failures import failure
 from pyjoystick.fmu.library import InstancePool
 from pyjoystick.fmu.preparation import Preparation
 from pyjoystick.fmu.pulse import PULSE
@@ -19,26 +20,20 @@ from pyjoystick.fmu.stepping.engine import Loop
 from pyjoystick.fmu.stepping.kernel import transfer
 from pyjoystick.fmu.stepping.program import (
     BETWEEN_RUNS,
-    DISCARD,
-    EARLY,
-    ENDED,
     FATAL,
     FUNCTION,
     LATE,
     OK,
     POINT,
-    REACHED,
     RESET,
     RUN,
     SAMPLES,
-    STEP,
     STOPPED,
     UNFINISHED,
     WARNING,
 )
 from pyjoystick.support import FloatArray
 
-_LABELS: Final = ("ok", "warning", "discard", "error", "fatal", "pending")
 _GOOD: Final = (OK, WARNING, UNFINISHED, STOPPED)
 
 
@@ -91,7 +86,7 @@ class Runner:
             job: the runs
             loop: from `stepping.engine`
         """
-        self._pool = pool
+        self._pool = pool if job.preparation.drive is None else pool.attended()
         self._job = job
         self._loop = loop
         self._rows_address = job.rows.ctypes.data
@@ -157,6 +152,8 @@ class Runner:
         if instance.log.interrupted:
             instance.log.interrupted = False
             raise KeyboardInterrupt
+        if instance.attendance is not None and instance.attendance.failure is not None:
+            raise instance.attendance.failure
         if job.preparation.texts is not None:
             job.preparation.texts.check()
         if status in _GOOD or place[FUNCTION] != RESET:
@@ -169,34 +166,18 @@ class Runner:
     def failure(self, status: int) -> tuple[int, FmuRunError]:
         """The run that failed with this status, and why; the runner is then ready for the next one."""
         instance, place, preparation = self._instance, self._workspace.place, self._job.preparation
-        run, path, messages = int(place[RUN]), instance.description.path, tuple(instance.log.messages())
-        reached, function = (
-            preparation.program.times[place[POINT]],
-            preparation.interface.functions[place[FUNCTION]],
-        )
-        ended = self._end_of_run(status, reached)
-        if ended is not None:
-            error: FmuRunError = FmuEndedError(ended, THE_END, path, messages, self._samples_until(ended))
-        elif status == LATE:
+        run, reached = int(place[RUN]), preparation.program.times[place[POINT]]
+        if status == LATE:
             reason = f"the run took longer than the time limit of {self._job.time_limit:g} s"
-            error = FmuTimeLimitError(reached, reason, path, messages)
-        elif status == EARLY:
-            error = FmuRunError(reached, f"{function} came back before the end of the step", path, messages)
+            messages = tuple(instance.log.messages())
+            error: FmuRunError = FmuTimeLimitError(reached, reason, instance.description.path, messages)
         else:
-            label = _LABELS[status] if 0 <= status < len(_LABELS) else "not a status"
-            reason = f"{function} failed with status {status} ({label})"
-            error = FmuRunError(reached, reason, path, messages)
+            error = failure(instance, self._workspace, preparation.interface, status, reached)
+        if isinstance(error, FmuEndedError):
+            error.samples = self._samples_until(error.time)
         instance.log.clear()
         self._abandon(is_lost=status == FATAL)
         return run, error
-
-    def _end_of_run(self, status: int, begin: float) -> float | None:
-        """When the FMU ended the run in the step from `begin` (s); None where it did not."""
-        if status == ENDED:
-            reached = float(self._workspace.flags.view(np.float64)[REACHED // 8])
-            return max(begin, reached)
-        is_discarded = status == DISCARD and self._workspace.place[FUNCTION] == STEP
-        return self._instance.end_of_run(begin) if is_discarded else None
 
     def _samples_until(self, end: float) -> Samples:
         """What was recorded, and one more sample at the end where none was taken there."""
@@ -225,6 +206,9 @@ class Runner:
         self._has_instance = True
         self._instance.log.attach()
         self._instance.log.clear()
+        if self._instance.attendance is not None:
+            self._instance.attendance.drive = self._job.preparation.drive
+            self._instance.attendance.failure = None
         size = self._job.instants.size * self._job.preparation.program.outputs_stride
         self._workspace = self._instance.workspace(size)
 

@@ -8,14 +8,16 @@ from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from numbers import Integral, Real
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
-import pandas as pd
 from numpy.typing import ArrayLike, NDArray
 
 from pyjoystick.fmu.description import FmuDescription, Variable
 from pyjoystick.support import ParameterError, UnknownParameterError, UnknownVariableError
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 #: What a variable of an FMU may be set to.
 Value = float | bool | str
@@ -262,6 +264,8 @@ class Varied:
         return named, numbers
 
     def _named(self, table: pd.DataFrame | ArrayLike) -> pd.DataFrame:
+        import pandas as pd  # for tables alone, see `motion.make_table`
+
         if not isinstance(table, pd.DataFrame):
             numbers = self._numbers(table)
             if numbers.ndim != 2 or numbers.shape[1] != len(self.names):
@@ -290,10 +294,10 @@ class Varied:
         hint = "a float is exact up to 2^53; give an integer" if is_inside and number % 1 == 0 else ""
         raise ParameterError(f"{variable.name}{place}", number, allowed, hint)
 
-    def _numbers(self, values: pd.DataFrame | ArrayLike) -> NDArray[Any]:
+    def _numbers(self, values: Any) -> NDArray[Any]:
         numbers: NDArray[Any] | None = None
         with suppress(TypeError, ValueError):
-            given = values.to_numpy(self._type) if isinstance(values, pd.DataFrame) else values
+            given = values.to_numpy(self._type) if hasattr(values, "to_numpy") else values
             numbers = np.ascontiguousarray(given, dtype=self._type)
         if numbers is None or (self._type is object and not all(map(_is_real, numbers.flat))):
             raise ParameterError("values", f"a {type(values).__name__}", "made of numbers in rows")

@@ -13,6 +13,7 @@ from pyjoystick.fmu.description import FmuDescription
 from pyjoystick.fmu.instance import Instance
 from pyjoystick.fmu.library import InstancePool
 from pyjoystick.fmu.linearization import Linearization, linearize
+from pyjoystick.fmu.live import LiveInstance
 from pyjoystick.fmu.model_exchange import run_model_exchange
 from pyjoystick.fmu.own_process.runner import Outcome
 from pyjoystick.fmu.plan import Plan
@@ -29,6 +30,7 @@ class Service:
         self._pool: InstancePool
         self._plan: Plan
         self._instance: Instance
+        self._live: LiveInstance
 
     def open(self, description: FmuDescription, folder: Path) -> None:
         """Load the FMU that is unpacked in the folder."""
@@ -54,6 +56,14 @@ class Service:
     def model_exchange(self, path: Path, settings: Mapping[str, Any]) -> Any:
         """As `model_exchange.run_model_exchange`."""
         return run_model_exchange(path, **settings, own_process=False)
+
+    def start(self, *settings: Any) -> None:
+        """Begin a simulation for `live`."""
+        self._live = LiveInstance(self._pool, *settings)
+
+    def live(self, name: str, *arguments: Any) -> Any:
+        """A method of the live instance."""
+        return getattr(self._live, name)(*arguments)
 
     def instantiate(self) -> None:
         """Take an instance for `call`."""

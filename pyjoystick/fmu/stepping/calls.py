@@ -7,8 +7,8 @@ Run as they stand they go through ctypes; `compiled` gives each a body of machin
 from __future__ import annotations
 
 from collections.abc import Callable
-from ctypes import CFUNCTYPE, c_double, c_int, c_ssize_t
-from functools import cache
+from ctypes import CFUNCTYPE, PYFUNCTYPE, _SimpleCData, c_double, c_int, c_ssize_t
+from functools import cache, partial
 from types import MappingProxyType
 from typing import Any, Final
 
@@ -87,3 +87,21 @@ SIGNATURES: Final = MappingProxyType(
         do_step3: "wddiwwww",
     }
 )
+
+
+def bound(function: Callable[..., int], address: int, *arguments: Any, is_short: bool) -> Callable[[], int]:
+    """A C function with its arguments, for calls in which a microsecond counts.
+
+    Args:
+        function: one of this module
+        address: of the C function
+        arguments: numbers, or objects of ctypes whose value at the time of a call counts
+        is_short: other threads of Python wait for it, which takes less time than letting them run
+    """
+    letters = SIGNATURES[function]
+    given = [
+        one if isinstance(one, _SimpleCData) else _C_TYPES[letter](one)
+        for letter, one in zip(letters, arguments, strict=True)
+    ]
+    kind = PYFUNCTYPE if is_short else CFUNCTYPE
+    return partial(kind(c_int)(address), *given)

@@ -91,7 +91,7 @@ def run_many(
         place[RUN] = run
         status = OK
         if place[POINT] == BETWEEN_RUNS:
-            status = _start(program, workspace, is_new, parameters + run * program.varied_stride)
+            status = start(program, workspace, is_new, parameters + run * program.varied_stride)
             is_new = False
         if not _is_bad(status):
             status = _advance(program, workspace, stop)
@@ -109,7 +109,7 @@ def _is_bad(status: int) -> bool:
     return status != OK and status != WARNING
 
 
-def _start(program: Program, workspace: Workspace, is_new: bool, parameters: int) -> int:
+def start(program: Program, workspace: Workspace, is_new: bool, parameters: int) -> int:
     """From whatever state the instance is in to the first communication point."""
     instance, place, functions = workspace.instance, workspace.place, program.functions
     place[POINT] = place[SAMPLES] = 0
@@ -256,6 +256,6 @@ FUNCTIONS = (
     _set_inputs,
     _step,
     _begin,
-    _start,
+    start,
     _advance,
 )

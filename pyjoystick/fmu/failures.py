@@ -1,0 +1,45 @@
+"""The error of a call that did not go well."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+
+from pyjoystick.fmu.errors import THE_END, FmuEndedError, FmuRunError
+from pyjoystick.fmu.instance import Instance
+from pyjoystick.fmu.interface import CInterface
+from pyjoystick.fmu.stepping.program import DISCARD, EARLY, ENDED, FUNCTION, REACHED, STEP, Workspace
+
+_LABELS: Final = ("ok", "warning", "discard", "error", "fatal", "pending")
+
+
+def failure(
+    instance: Instance, workspace: Workspace, interface: CInterface, status: int, reached: float
+) -> FmuRunError:
+    """What a bad status of the function called last means.
+
+    Args:
+        instance: that was called
+        workspace: its own
+        interface: the functions
+        status: of `stepping.program`
+        reached: the last communication point (s)
+    """
+    function = interface.functions[workspace.place[FUNCTION]]
+    path, messages = instance.description.path, tuple(instance.log.messages())
+    ended = _end_of_run(instance, workspace, status, reached)
+    if ended is not None:
+        return FmuEndedError(ended, THE_END, path, messages)
+    if status == EARLY:
+        return FmuRunError(reached, f"{function} came back before the end of the step", path, messages)
+    label = _LABELS[status] if 0 <= status < len(_LABELS) else "not a status"
+    return FmuRunError(reached, f"{function} failed with status {status} ({label})", path, messages)
+
+
+def _end_of_run(instance: Instance, workspace: Workspace, status: int, begin: float) -> float | None:
+    """When the FMU ended the run in the step from `begin` (s); None where it did not."""
+    if status == ENDED:
+        return max(begin, float(workspace.flags.view(np.float64)[REACHED // 8]))
+    is_discarded = status == DISCARD and workspace.place[FUNCTION] == STEP
+    return instance.end_of_run(begin) if is_discarded else None

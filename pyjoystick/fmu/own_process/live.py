@@ -1,0 +1,49 @@
+"""A live instance in a process of its own."""
+
+from __future__ import annotations
+
+import os
+from functools import partial
+from typing import Any
+
+from pyjoystick.fmu.own_process.pool import ProcessPool, run_error
+from pyjoystick.fmu.own_process.process import ProcessEndedError
+
+
+class RemoteLiveInstance:
+    """As `pyjoystick.fmu.live.LiveInstance`; what is not here is asked in the process."""
+
+    def __init__(self, pool: ProcessPool, time: float, *settings: Any) -> None:
+        self._pool = pool
+        self._user = os.getpid()
+        self._process = pool.take()
+        try:
+            self._ask("start", time, time, *settings)
+        except BaseException:
+            self.abandon()
+            raise
+
+    def stop(self, time: float = 0.0) -> None:
+        """As of `LiveInstance`; in a forked process the parent's is left alone."""
+        if os.getpid() == self._user:
+            try:
+                self._call("stop", time)
+            finally:
+                self._pool.give_back(self._process)
+
+    def abandon(self) -> None:
+        """End the process."""
+        self._process.close()
+        self._pool.give_back(self._process)
+
+    def __getattr__(self, name: str) -> Any:
+        return partial(self._call, name)
+
+    def _call(self, name: str, time: float, *arguments: Any) -> Any:
+        return self._ask("live", time, name, time, *arguments)
+
+    def _ask(self, request: str, time: float, *arguments: Any) -> Any:
+        try:
+            return self._process.ask(request, *arguments, time_limit=self._pool.time_limit)
+        except ProcessEndedError as ended:
+            raise run_error(ended, time, self._pool.description.path) from None

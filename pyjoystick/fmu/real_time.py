@@ -1,0 +1,47 @@
+"""The clock of a loop that keeps pace with real time."""
+
+from __future__ import annotations
+
+import itertools
+import time as clock
+from collections.abc import Iterator
+
+from pyjoystick.support import ParameterError, positive
+
+
+def paced(interval: float, duration: float = float("inf")) -> Iterator[float]:
+    """Wait for the multiples of an interval, counted from the first call, one an iteration.
+
+    An iteration that takes too long delays those after it until they have caught up; none is left out, so
+    that a simulation that makes a step in each stays with the clock.
+
+    >>> for late in paced(1e-3, duration=5e-3):
+    ...     pass  # a step of 1 ms
+
+    Args:
+        interval: between two iterations (s)
+        duration: when to end (s)
+
+    Yields:
+        how late the iteration begins (s)
+
+    Raises:
+        ParameterError: the interval is not above zero, or the duration is negative or not a number
+    """
+    positive("interval", interval, "s")
+    if not duration >= 0.0:
+        raise ParameterError("duration", duration, "must be a number (s), at least 0")
+    return _paced(interval, duration)
+
+
+def _paced(interval: float, duration: float) -> Iterator[float]:
+    begin = clock.perf_counter()
+    for i in itertools.count():
+        # By half an interval, so that rounding does not decide about the last one.
+        if (i + 0.5) * interval > duration:
+            return
+        due = begin + i * interval
+        rest = due - clock.perf_counter()
+        if rest > 0.0:
+            clock.sleep(rest)
+        yield clock.perf_counter() - due

@@ -1,0 +1,55 @@
+"""Machines that run the module of one FMU, kept for later runs."""
+
+from __future__ import annotations
+
+import os
+
+from pyjoystick.fmu.description import FmuDescription
+from pyjoystick.fmu.errors import FmuFileError
+from pyjoystick.fmu.own_process.pool import TIME_LIMIT, checked_limit
+from pyjoystick.fmu.pool import Pool
+from pyjoystick.fmu.sandbox.machine import Machine, MachineError
+from pyjoystick.fmu.sandbox.module import compiled, require_sandbox
+
+
+class SandboxPool(Pool[Machine]):
+    """Machines with the module of an FMU.
+
+    Attributes:
+        time_limit: what a run may take (s)
+    """
+
+    def __init__(self, description: FmuDescription, time_limit: float | None) -> None:
+        """Compile the module and make the first machine, which shows that it can be run.
+
+        Raises:
+            UnsupportedFmuError, MissingPackageError: as `require_sandbox`
+            FmuFileError: the module is broken, too large, asks for imports or fails at once
+        """
+        require_sandbox(description)
+        self.time_limit = TIME_LIMIT if time_limit is None else checked_limit(time_limit)
+        self._code = compiled(description)
+        super().__init__(description)
+
+    def take(self) -> Machine:
+        """As of `Pool`; in a forked process there are no threads for the parent's machines."""
+        if os.getpid() != self._process:
+            self._idle.clear()
+        return super().take()
+
+    def _make(self) -> Machine:
+        try:
+            return Machine(self._code, self.time_limit)
+        except MachineError as error:
+            reason = f"its WebAssembly module cannot be started: {error}"
+            raise FmuFileError(self.description.path, reason) from None
+
+    def is_reusable(self, one: Machine) -> bool:
+        """As of `Pool`."""
+        return one.is_alive
+
+    def _free(self, one: Machine) -> None:
+        one.close()
+
+    def _put_away(self) -> None:
+        pass

@@ -1,0 +1,293 @@
+"""An FMU stepped under the caller's control: for control loops, real time and hardware in the loop."""
+
+from __future__ import annotations
+
+import math
+import threading
+import weakref
+from collections import deque
+from collections.abc import Iterable, Mapping
+from types import TracebackType
+from typing import Any, Final, Self
+
+from pyjoystick.fmu.description import Variable
+from pyjoystick.fmu.errors import FmuRunError, StepperEndedError, UnsupportedFmuError
+from pyjoystick.fmu.inputs import checked_inputs
+from pyjoystick.fmu.library import InstancePool
+from pyjoystick.fmu.live import LiveInstance
+from pyjoystick.fmu.own_process.live import RemoteLiveInstance
+from pyjoystick.fmu.own_process.pool import ProcessPool
+from pyjoystick.fmu.values import (
+    REALS,
+    Value,
+    checked_outputs,
+    checked_parameters,
+    checked_value,
+    default_outputs,
+    limits,
+    require_scalar,
+)
+from pyjoystick.support import ParameterError, UnknownInputError, finite, positive
+
+#: No value: equal to none, so that what it is compared with is set.
+_UNSET: Final = object()
+#: Steps may end this much after the stop time (relative to it, or to a second), where rounding leads.
+_SLACK: Final = 1e-12
+
+
+class SavedState:
+    """What `Stepper.save` returns: a state to go back to, freed when nothing refers to it any more.
+
+    Attributes:
+        time: of the state (s)
+    """
+
+    def __init__(self, owner: Stepper, time: float, given: Mapping[str, Value], address: int) -> None:
+        self.time = time
+        self._owner = weakref.ref(owner)
+        self._given = dict(given)
+        self._address = address
+
+    def __repr__(self) -> str:
+        return f"<SavedState at t = {self.time:.9g} s>"
+
+
+class Stepper:
+    """An FMU at a communication point, made by `Fmu.start`; a context manager that ends the simulation.
+
+    >>> with Fmu("Joystick") as fmu, fmu.start(parameters={"theta_start": 0.1}) as joystick:  # doctest: +SKIP
+    ...     while joystick.time < 1.0:
+    ...         motion = joystick.step(1e-3, T=-0.5 * joystick.outputs["omega"])
+
+    Values are in the units of the FMU, as in `Fmu.run`. Inputs hold until they are given another value. A
+    call that fails raises its error and ends the simulation, and so does Ctrl-C within a call, which may have
+    stopped in the middle of a step; later calls raise `StepperEndedError`. Threads may share a stepper: their
+    calls take turns.
+
+    Attributes:
+        description: the FMU's own description
+        units: units of the outputs by name
+        left_out: names of outputs that have no number or text, where none were chosen
+    """
+
+    def __init__(
+        self,
+        fmu: Any,
+        pool: InstancePool | ProcessPool,
+        time: float,
+        stop_time: float | None,
+        parameters: Mapping[str, Value],
+        inputs: Mapping[str, Value],
+        outputs: Iterable[str] | None,
+        tolerance: float,
+    ) -> None:
+        description = self.description = pool.description
+        if pool.has_one:
+            reason = "can be instantiated only once in a process; to be stepped it needs one of its own"
+            raise UnsupportedFmuError(description.path, f"{reason} (own_process=True)")
+        self._fmu = fmu  # which closes its pool when it is forgotten
+        self._time = finite("time", time, "s")
+        self._last = math.inf if stop_time is None else finite("stop_time", stop_time, "s")
+        if self._last <= self._time:
+            raise ParameterError("stop_time", stop_time, f"later than the start at {self._time:g} s")
+        self.left_out: tuple[str, ...] = ()
+        if outputs is None:
+            recorded, self.left_out = default_outputs(description, texts=True)
+        else:
+            recorded = checked_outputs(description, outputs, texts=True)
+        self._names = tuple(one.name for one in recorded)
+        self.units = {one.name: one.unit for one in recorded}
+        values = checked_parameters(description, parameters)
+        checked_inputs(description, inputs)
+        self._given = {name: checked_value(description.variables[name], one) for name, one in inputs.items()}
+        self._settable: dict[str, tuple[Variable, float, float]] = {}
+        self._lock = threading.RLock()
+        self._end = ""
+        self._values: tuple[Value, ...] | None = None
+        self._forgotten: deque[int] = deque()
+        kind: Any = RemoteLiveInstance if isinstance(pool, ProcessPool) else LiveInstance
+        settings = stop_time, values, self._given, self._names, positive("tolerance", tolerance)
+        self._instance = kind(pool, self._time, *settings)
+        self._stop = weakref.finalize(self, self._instance.stop)
+
+    @property
+    def time(self) -> float:
+        """The communication point (s)."""
+        return self._time
+
+    @property
+    def outputs(self) -> dict[str, Value]:
+        """The outputs by name at the communication point, with the inputs that hold from here on.
+
+        Raises:
+            FmuRunError: as in `step`
+        """
+        with self._lock:
+            self._require_running()
+            if self._values is None:
+                self._values = self._call("get", self._names)
+            return dict(zip(self._names, self._values, strict=True))
+
+    def step(
+        self, length: float, changes: Mapping[str, Value] | None = None, /, **more: Value
+    ) -> dict[str, Value]:
+        """Give inputs their values and go on to the next communication point.
+
+        Args:
+            length: how far (s); the next point is `time` + `length`
+            changes: inputs and tunable parameters that change here, by name
+            more: the same as keywords
+
+        Returns:
+            the outputs at the next point by name, with the inputs of this step
+
+        Raises:
+            UnknownInputError: a name is neither an input nor a tunable parameter
+            ParameterError: a value or the length is not allowed; the simulation can go on
+            FmuEndedError: the FMU ended the simulation by itself
+            FmuTimeLimitError, FmuCrashError: the FMU's process took longer than its `time_limit`, or ended
+            StepperEndedError: the simulation had ended before
+            FmuRunError: the FMU failed
+        """
+        with self._lock:
+            end = self._next(length)
+            new = self._checked(changes, more)
+            self._values = self._call("step", end, new, self._names)
+            self._time = end
+            self._given.update(new)
+            return dict(zip(self._names, self._values, strict=True))
+
+    def set(self, changes: Mapping[str, Value] | None = None, /, **more: Value) -> None:
+        """Give inputs and tunable parameters their values from here on; arguments and errors as in `step`."""
+        with self._lock:
+            new = self._checked(changes, more)
+            self._values = None
+            self._call("set", new)
+            self._given.update(new)
+
+    def get(self, name: str) -> Value:
+        """The value of any variable at the communication point, of an array by element (``x[1]``).
+
+        Raises:
+            UnknownVariableError: the FMU has no such variable
+            ParameterError: it has no single value
+            FmuRunError: as in `step`
+        """
+        checked_outputs(self.description, name, texts=True)
+        with self._lock:
+            value: Value = self._call("get", (name,))[0]
+            return value
+
+    def save(self) -> SavedState:
+        """The present state, for `restore`.
+
+        Raises:
+            UnsupportedFmuError: the FMU cannot save its state
+            FmuRunError: as in `step`
+        """
+        if not self.description.saves_states:
+            raise UnsupportedFmuError(self.description.path, "cannot save its state (canGetAndSetFMUstate)")
+        with self._lock:
+            self._forget()
+            state = SavedState(self, self._time, self._given, self._call("save"))
+            # Whichever thread collects it: only a call of this object may go to the FMU.
+            weakref.finalize(state, self._forgotten.append, state._address).atexit = False
+            return state
+
+    def restore(self, state: SavedState) -> None:
+        """Be again as when `state` was saved, as often as wanted.
+
+        Raises:
+            ParameterError: another stepper saved it
+            FmuRunError: as in `step`
+        """
+        if state._owner() is not self:
+            raise ParameterError("state", state, "saved by this stepper")
+        with self._lock:
+            self._forget()
+            self._values = None
+            self._call("restore", state._address)
+            self._time, self._given = state.time, dict(state._given)
+
+    def close(self) -> None:
+        """End the simulation and give the instance back; closing twice does no harm.
+
+        Raises:
+            FmuRunError: the FMU fails even here
+        """
+        with self._lock:
+            if self._stop.detach() is not None:
+                self._end = "it has been closed"
+                self._instance.stop(self._time)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+    def __repr__(self) -> str:
+        state = f"ended: {self._end}" if self._end else "running"
+        return f"<Stepper of {self.description.path.name} at t = {self._time:.9g} s, {state}>"
+
+    def _require_running(self) -> None:
+        if self._end:
+            raise StepperEndedError(self._time, self._end, self.description.path)
+
+    def _call(self, name: str, *arguments: Any) -> Any:
+        self._require_running()
+        try:
+            return getattr(self._instance, name)(self._time, *arguments)
+        except BaseException as error:
+            self._end = str(error) if isinstance(error, FmuRunError) else f"{type(error).__name__} in a call"
+            if self._stop.detach() is not None:
+                self._instance.abandon()
+            raise
+
+    def _next(self, length: float) -> float:
+        begin = self._time
+        end = begin + (length if type(length) is float else positive("length", length, "s"))
+        latest = self._last + _SLACK * max(1.0, abs(self._last)) if self._last < math.inf else math.inf
+        if not begin < end < math.inf:
+            allowed = f"a number of seconds above 0 that moves t = {begin:.9g} s on"
+            raise ParameterError("length", length, allowed)
+        if end > latest:
+            hint = f"the simulation was started with stop_time = {self._last:g} s"
+            raise ParameterError("length", length, f"at most {self._last - begin:.9g} s here", hint)
+        return end
+
+    def _checked(
+        self, changes: Mapping[str, Value] | None, more: Mapping[str, Value]
+    ) -> list[tuple[str, Value]]:
+        """What differs from what was given before: an FMU may begin its integration anew at each value."""
+        new = []
+        for name, value in (more if changes is None else {**changes, **more}).items():
+            variable, low, high = self._settable.get(name) or self._found(name, value)
+            is_plain = type(value) is float and low <= value <= high  # most values; the check takes longer
+            checked = value if is_plain else checked_value(variable, value)
+            if self._given.get(name, _UNSET) != checked:
+                new.append((name, checked))
+        return new
+
+    def _found(self, name: str, value: Value) -> tuple[Variable, float, float]:
+        """A variable that may be set at a communication point, and the range of a real one."""
+        description = self.description
+        variable = description.variables.get(name)
+        if variable is None:
+            raise UnknownInputError(name, description.names("input"))
+        is_tunable = variable.causality == "parameter" and variable.variability == "tunable"
+        if variable.causality != "input" and not is_tunable:
+            hint = "only inputs and tunable parameters change in a simulation"
+            allowed = "given to Fmu.start" if variable.settable_at_start else "left out"
+            raise ParameterError(name, value, allowed, hint)
+        require_scalar(variable)
+        low, high = limits(variable) if variable.type in REALS else (math.inf, -math.inf)
+        self._settable[name] = variable, low, high
+        return self._settable[name]
+
+    def _forget(self) -> None:
+        """Free the saved states that nothing refers to any more."""
+        while self._forgotten:
+            self._call("forget", self._forgotten.popleft())
