@@ -18,10 +18,13 @@ from .motions import (
     Kinematics as Kinematics,
     Shape as Shape,
 )
+from .predictability import trusted_until as trusted_until
 from .reports import demand_report as demand_report, measures_report as measures_report
 from .samples import Samples as Samples, smooth_spans as smooth_spans
 from .torque import (
+    FRICTION_TORQUES as FRICTION_TORQUES,
     TORQUES as TORQUES,
+    columns_of as columns_of,
     inverse_fmu as inverse_fmu,
     torque_by_fmu as torque_by_fmu,
     torque_by_reference as torque_by_reference,

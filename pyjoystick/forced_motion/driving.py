@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from dataclasses import dataclass
 from itertools import pairwise
 from os import PathLike
@@ -13,8 +14,8 @@ import pandas as pd
 from pyjoystick.fmu import Fmu, Interface, run_model_exchange
 from pyjoystick.forced_motion.motions import ForwardAndReturn, Kinematics
 from pyjoystick.forced_motion.samples import smooth_spans
-from pyjoystick.model import JoystickParameters, inverse_torque
-from pyjoystick.runs import fmu_of_damping
+from pyjoystick.model import Friction, JoystickParameters, inverse_torque, sliding_friction
+from pyjoystick.runs import fmu_of_joystick
 from pyjoystick.support import FloatArray, positive
 
 #: How far the torque may be from the lines between rows (N m); it brings the motion back to 1e-7 rad.
@@ -69,7 +70,7 @@ def round_trip(
         joystick: the parameters of both ways
         motion: the motion
         interface: how the FMU is run
-        fmu: name or path of the FMU; the one with the damping law of `joystick` if not given
+        fmu: name or path of the FMU; the one of `joystick` if not given
         torque: the input table; that of `torque_rows` if not given
         output_interval: time between two recorded instants (s), rounded so that it divides the motion
 
@@ -80,7 +81,7 @@ def round_trip(
     steps = max(1, round(motion.duration / positive("output_interval", output_interval, "s")))
     time = motion.duration * np.arange(steps + 1) / steps
     inputs = torque_rows(joystick, motion) if torque is None else torque
-    path = fmu_of_damping(joystick.damping) if fmu is None else fmu
+    path = fmu_of_joystick(joystick) if fmu is None else fmu
     parameters, outputs = joystick.to_names(), ("theta", "omega")
     if interface == "ModelExchange":
         found = run_model_exchange(path, time, parameters=parameters, inputs=inputs, outputs=outputs)
@@ -109,10 +110,11 @@ def torque_rows(
     allowed = positive("tolerance", tolerance, "N.m")
     times, torques = [], []
     for start, end in pairwise(smooth_spans(joystick, motion)):
-        instants = _rows(joystick, motion, start, end, allowed)
-        inner = _torque(joystick, motion.at(instants))
+        torque = _SpanTorque(joystick, motion, start, end)
+        instants = _rows(torque, start, end, allowed)
+        inner = torque.at(motion.at(instants))
         # The end belongs to this span too, whatever comes after it.
-        inner[-1:] = _torque(joystick, motion.at(instants[-1:], "before"))
+        inner[-1:] = torque.at(motion.at(instants[-1:], "before"))
         times.append(instants)
         torques.append(inner)
     time, values = np.concatenate(times), np.concatenate(torques)
@@ -121,9 +123,7 @@ def torque_rows(
     return pd.DataFrame({"T": values[~repeated]}, index=pd.Index(time[~repeated], name="time"))
 
 
-def _rows(
-    joystick: JoystickParameters, motion: ForwardAndReturn, start: float, end: float, tolerance: float
-) -> FloatArray:
+def _rows(torque: _SpanTorque, start: float, end: float, tolerance: float) -> FloatArray:
     """Instants from `start` to `end` such that chords of the torque are off by `tolerance` at most.
 
     A chord over a step h is off by h^2/8 times the second derivative.
@@ -131,8 +131,8 @@ def _rows(
     unit = np.sin(np.linspace(0.0, 0.5 * np.pi, _POINTS)) ** 2
     time = start + (end - start) * unit
     inside = time[1:-1]
-    torque = _torque(joystick, motion.at(inside))
-    curvature = np.abs(np.gradient(np.gradient(torque, inside), inside))
+    values = torque.at(torque.motion.at(inside))
+    curvature = np.abs(np.gradient(np.gradient(values, inside), inside))
     density = np.sqrt(curvature / (8.0 * tolerance))
     steps = np.concatenate(([0.0], np.cumsum(0.5 * (density[1:] + density[:-1]) * np.diff(inside))))
     count = max(2, int(np.ceil(steps[-1])) + 1)
@@ -141,5 +141,20 @@ def _rows(
     return rows
 
 
-def _torque(joystick: JoystickParameters, motion: Kinematics) -> FloatArray:
-    return inverse_torque(joystick, motion.theta, motion.omega, motion.alpha).T
+class _SpanTorque:
+    """The torque within a span, in which the motion has one direction, also at ends where it rests."""
+
+    def __init__(
+        self, joystick: JoystickParameters, motion: ForwardAndReturn, start: float, end: float
+    ) -> None:
+        self.motion = motion
+        self._joystick = joystick
+        self._without = dataclasses.replace(joystick, friction=Friction())
+        self._direction = np.sign(motion.at(np.array([0.5 * (start + end)])).omega)
+
+    def at(self, motion: Kinematics) -> FloatArray:
+        """Torque (N m) at instants of the span."""
+        torque = inverse_torque(self._without, motion.theta, motion.omega, motion.alpha).T
+        if not self._joystick.friction:
+            return torque
+        return torque + self._direction * sliding_friction(self._joystick, motion.theta, motion.omega)

@@ -43,6 +43,8 @@ def plot_torque(tables: Mapping[LawName, pd.DataFrame], *, size: tuple[float, fl
         else:
             for law, table in tables.items():
                 panel.plot(table.index, table[column], label=f"{law} damping", **LAWS[law])
+            if column == "T_damping" and "T_friction" in table:
+                panel.plot(table.index, table["T_friction"], label="dry friction", **SERIES[2])
         panel.set_title(name, loc="left", fontsize="medium")
         dress(panel, zero=True)
     whole = [panel for panel, (column, _) in zip(panels, _PANELS, strict=True) if column != "T_damping"]

@@ -13,8 +13,13 @@ from pyjoystick.forced_motion.samples import Samples
 from pyjoystick.model import PIVOT_TO_TOP, JoystickParameters, energy
 from pyjoystick.support import FloatArray, positive
 
-#: The parts of eq. (13) by name, and the columns that hold them.
-PARTS: Final = {"stiffness": "T_stiffness", "damping": "T_damping", "inertia": "T_inertia"}
+#: The parts of eq. (13) by name, and the columns that hold them; friction where the joystick has it.
+PARTS: Final = {
+    "stiffness": "T_stiffness",
+    "damping": "T_damping",
+    "inertia": "T_inertia",
+    "friction": "T_friction",
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,7 +32,7 @@ class PartMeasures:
         rms: root mean square over time (N m)
         impulse: integral of the magnitude over time (N m s)
         work: integral of torque times angular velocity (J)
-        share: part of the mean square of the whole torque, mean(part*T)/mean(T^2): the shares of the three
+        share: part of the mean square of the whole torque, mean(part*T)/mean(T^2): the shares of the
             parts add up to 1, and one that works against the others' sum is negative
     """
 
@@ -51,7 +56,7 @@ class TorqueMeasures:
     Attributes:
         duration: length of the motion (s)
         total: of T
-        parts: of its parts: ``stiffness``, ``damping``, ``inertia``
+        parts: of its parts: ``stiffness``, ``damping``, ``inertia``, and ``friction`` where there is any
         positive_work: done by the hand on the joystick (J): the integral of T*omega where that is above 0
         negative_work: done by the joystick on the hand (J), below 0
         energy_change: energy of the joystick at the end, less that at the beginning (J)
@@ -73,8 +78,9 @@ class TorqueMeasures:
 
     @property
     def loss(self) -> float:
-        """Energy that the damping has taken (J), the integral of C*omega^2."""
-        return self.parts["damping"].work
+        """Energy that damping and friction have taken (J), the integral of C*omega^2 + M_f*omega."""
+        friction = self.parts.get("friction")
+        return self.parts["damping"].work + (friction.work if friction else 0.0)
 
     @property
     def peak_force(self) -> float:
@@ -111,7 +117,11 @@ def measure(
     return TorqueMeasures(
         duration=samples.duration,
         total=_part(samples, whole, whole),
-        parts={name: _part(samples, torque[column].to_numpy(), whole) for name, column in PARTS.items()},
+        parts={
+            name: _part(samples, torque[column].to_numpy(), whole)
+            for name, column in PARTS.items()
+            if column in torque
+        },
         positive_work=float(np.sum(np.maximum(power, 0.0) * samples.weights)),
         negative_work=float(np.sum(np.minimum(power, 0.0) * samples.weights)),
         energy_change=float(last - first),

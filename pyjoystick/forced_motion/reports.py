@@ -14,6 +14,8 @@ def measures_report(found: Mapping[LawName, TorqueMeasures]) -> str:
     """Torque and parts, with every damping law where that matters, and the work of the hand."""
     first = next(iter(found.values()))
     parts = {"stiffness": first.parts["stiffness"], "inertia": first.parts["inertia"]}
+    if "friction" in first.parts:
+        parts["friction"] = first.parts["friction"]
     parts |= {f"damping, {law}": measures.parts["damping"] for law, measures in found.items()}
     parts |= {f"total, {law} damping": measures.total for law, measures in found.items()}
     header = ["torque (N m)", "highest", "lowest", "rms", "impulse (N m s)", "work (mJ)", "share"]

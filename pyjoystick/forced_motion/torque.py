@@ -18,6 +18,8 @@ from pyjoystick.support import FloatArray, positive
 
 #: The torque and its parts.
 TORQUES: Final = ("T", "T_inertia", "T_damping", "T_stiffness")
+#: Further columns where the joystick has dry friction.
+FRICTION_TORQUES: Final = ("T_friction", "T_band")
 MOTION: Final = ("theta", "omega", "alpha")
 
 _DEG: Final = float(np.degrees(1.0))
@@ -29,6 +31,8 @@ _QUANTITIES: Final = (
     Quantity("T_inertia", "N.m", None, "Part of it that accelerates the handle"),
     Quantity("T_damping", "N.m", None, "Part of it that overcomes the damping"),
     Quantity("T_stiffness", "N.m", None, "Part of it that holds springs and weight"),
+    Quantity("T_friction", "N.m", None, "Part of it that overcomes dry friction"),
+    Quantity("T_band", "N.m", None, "At rest, how far T may lie to either side, held by friction"),
     Quantity("F", "N", None, "Force at the top of the handle, at right angles to it"),
 )
 
@@ -44,14 +48,14 @@ def torque_by_reference(
         pivot_to_handle: where the hand is (m), the top of Table 2 if not given
 
     Returns:
-        a table indexed by ``time`` (s) with the motion, the torque ``T``, its parts (`TORQUES`) and the force
-        ``F`` at the handle; `make_table` describes the units in its attrs
+        a table indexed by ``time`` (s) with the motion, torque ``T`` and its parts (`columns_of`), and the
+        force ``F`` at the handle; `make_table` describes the units in its attrs
 
     Raises:
         ParameterError: some |theta| >= pi/2, or the distance is not above 0
     """
     torque = inverse_torque(joystick, samples.theta, samples.omega, samples.alpha)
-    return _table(samples, {name: getattr(torque, name) for name in TORQUES}, pivot_to_handle)
+    return _table(samples, {name: getattr(torque, name) for name in columns_of(joystick)}, pivot_to_handle)
 
 
 def torque_by_fmu(
@@ -83,12 +87,18 @@ def torque_by_fmu(
     motion = pd.DataFrame({name: getattr(samples, name) for name in MOTION}, index=count)
     chosen = inverse_fmu(joystick.damping) if fmu is None else fmu
     with nullcontext(chosen) if isinstance(chosen, Fmu) else Fmu(chosen) as opened:
-        missing = {*MOTION, *TORQUES} - set(opened.description.variables)
+        wanted = columns_of(joystick)
+        missing = {*MOTION, *wanted} - set(opened.description.variables)
         if missing:
             reason = f"does not have the interface of JoystickInverse: it lacks {', '.join(sorted(missing))}"
             raise UnsupportedFmuError(opened.description.path, reason)
-        table = opened.run(count, parameters=joystick.to_names(), inputs=motion, outputs=TORQUES)
-    return _table(samples, {name: table[name].to_numpy() for name in TORQUES}, pivot_to_handle)
+        table = opened.run(count, parameters=joystick.to_names(), inputs=motion, outputs=wanted)
+    return _table(samples, {name: table[name].to_numpy() for name in wanted}, pivot_to_handle)
+
+
+def columns_of(joystick: JoystickParameters) -> tuple[str, ...]:
+    """The torques of a joystick's tables: `TORQUES`, and `FRICTION_TORQUES` where it has dry friction."""
+    return (*TORQUES, *(FRICTION_TORQUES if joystick.friction else ()))
 
 
 def inverse_fmu(damping: Damping) -> str:
@@ -99,4 +109,5 @@ def inverse_fmu(damping: Damping) -> str:
 def _table(samples: Samples, torques: Mapping[str, FloatArray], pivot_to_handle: float) -> pd.DataFrame:
     force = torques["T"] / positive("pivot_to_handle", pivot_to_handle, "m")
     motion = {name: getattr(samples, name) for name in MOTION}
-    return make_table(samples.time, {**motion, **torques, "F": force}, _QUANTITIES)
+    columns = {**motion, **torques, "F": force}
+    return make_table(samples.time, columns, [one for one in _QUANTITIES if one.name in columns])

@@ -19,7 +19,7 @@ from pyjoystick.fmu import Fmu
 from pyjoystick.forced_motion.motions import ForwardAndReturn
 from pyjoystick.forced_motion.samples import Samples
 from pyjoystick.forced_motion.torque import MOTION, inverse_fmu
-from pyjoystick.model import PIVOT_TO_TOP, JoystickParameters
+from pyjoystick.model import FRICTION_NAMES, PIVOT_TO_TOP, JoystickParameters
 from pyjoystick.support import FloatArray, ParameterError, angle, not_negative, positive
 
 #: Section 1: moves in a typical operator's shift.
@@ -126,7 +126,7 @@ def faster(moves: Sequence[ForwardAndReturn], factor: float) -> list[ForwardAndR
 
 def scaled(joystick: JoystickParameters, names: Sequence[str], factor: float) -> JoystickParameters:
     """A joystick with some parameters multiplied by a factor."""
-    values = joystick.to_names()
+    values = dict.fromkeys(FRICTION_NAMES, 0.0) | joystick.to_names()
     return joystick.replace({name: factor * values[name] for name in names})
 
 
@@ -163,9 +163,9 @@ def demands(
     # The FMU has no states, so that the moves can follow one another, a sample a second.
     count = np.arange(len(theta), dtype=np.float64)
     inputs = pd.DataFrame({"theta": theta, "omega": omega, "alpha": alpha}, index=count)
-    names = tuple(joysticks[0].to_names())
+    names = tuple({name: None for joystick in joysticks for name in joystick.to_names()})
     plan = fmu.plan(count, varied=names, inputs=inputs, outputs=["T"])
-    runs = ([joystick.to_names()[name] for name in names] for joystick in joysticks)
+    runs = ([joystick.to_names().get(name, 0.0) for name in names] for joystick in joysticks)
     return [_demand(plan.run(values)[:, 0], omega, weights, len(moves), pivot_to_handle) for values in runs]
 
 

@@ -1,6 +1,7 @@
 from .parameter_tables import (
     body_table as body_table,
     damping_table as damping_table,
+    friction_table as friction_table,
     segment_table as segment_table,
     spring_table as spring_table,
 )
@@ -33,8 +34,10 @@ from .parameters.fmu_values import (
     fmu_values as fmu_values,
 )
 from .parameters.joystick import (
+    FRICTION_NAMES as FRICTION_NAMES,
     ConstantDamping as ConstantDamping,
     Damping as Damping,
+    Friction as Friction,
     JoystickParameters as JoystickParameters,
     PowerLawDamping as PowerLawDamping,
 )
@@ -61,8 +64,10 @@ from .reference.moments import (
     damping_coefficient as damping_coefficient,
     energy as energy,
     gravity_moment as gravity_moment,
+    sliding_friction as sliding_friction,
     spring_energy as spring_energy,
     spring_force as spring_force,
+    static_friction as static_friction,
     swing_frequency as swing_frequency,
     table_force as table_force,
 )

@@ -4,7 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from pyjoystick.model.parameters.joystick import ConstantDamping, JoystickParameters, PowerLawDamping
+from pyjoystick.model.parameters.joystick import (
+    ConstantDamping,
+    Friction,
+    JoystickParameters,
+    PowerLawDamping,
+)
 from pyjoystick.model.reference.moments import swing_frequency
 from pyjoystick.support import TextTable
 
@@ -55,6 +60,18 @@ def spring_table(joystick: JoystickParameters) -> TextTable:
 def damping_table(*laws: ConstantDamping | PowerLawDamping) -> TextTable:
     """The numbers of damping laws."""
     return TextTable(("", "value", "unit"), [row for law in laws for row in _damping_rows(law)])
+
+
+def friction_table(friction: Friction) -> TextTable:
+    """The numbers of the dry friction."""
+    rows = [
+        ["T_c, Coulomb friction moment at the pivot", f"{friction.T_c:.6g}", "N m"],
+        ["F_c, Coulomb friction force along the plunger", f"{friction.F_c:.6g}", "N"],
+        ["T_s, static friction moment at the pivot", f"{max(friction.T_s, friction.T_c):.6g}", "N m"],
+    ]
+    if friction.T_s > friction.T_c:
+        rows.append(["omega_s, Stribeck velocity", f"{friction.omega_s:.6g}", "rad/s"])
+    return TextTable(("", "value", "unit"), rows)
 
 
 def _damping_rows(law: ConstantDamping | PowerLawDamping) -> Iterator[list[str]]:

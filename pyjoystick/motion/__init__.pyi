@@ -5,7 +5,7 @@ from .extrema import (
     extrema_of_samples as extrema_of_samples,
     peaks_among as peaks_among,
 )
-from .logs.headings import reading_unit as reading_unit, scale_factor as scale_factor
+from .labelled import to_xarray as to_xarray
 from .logs.layout import Layout as Layout, Scale as Scale
 from .logs.reading import (
     Log as Log,
@@ -14,6 +14,7 @@ from .logs.reading import (
     read_log_table as read_log_table,
     record_of as record_of,
 )
+from .logs.scales import scale_of as scale_of
 from .peaks import find_peaks as find_peaks, periods as periods
 from .record_peaks import MeasuredPeaks as MeasuredPeaks, measured_peaks as measured_peaks
 from .records.errors import RecordError as RecordError, rows_in_words as rows_in_words

@@ -84,21 +84,6 @@ def within_limits(differences: Sequence[Difference]) -> bool:
     return all(difference.within_limit for difference in differences)
 
 
-def difference_table(differences: Sequence[Difference]) -> pd.DataFrame:
-    """The differences as a table, one row a variable."""
-    return pd.DataFrame(
-        {
-            "unit": [one.unit for one in differences],
-            "largest": [one.largest for one in differences],
-            "relative": [one.relative for one in differences],
-            "time": [one.time for one in differences],
-            "limit": [one.limit for one in differences],
-            "parted_at": [one.parted_at for one in differences],
-        },
-        index=pd.Index([one.variable for one in differences], name="variable"),
-    )
-
-
 def _exact(column: pd.Series[Any]) -> NDArray[Any]:
     """The numbers as floats; whole ones as Python's own, of which floats do not have all."""
     return column.to_numpy(dtype=object if is_integer_dtype(column.dtype) else np.float64)

@@ -10,12 +10,15 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
-import pandas as pd
 from numpy.typing import ArrayLike
 
 from pyjoystick.support import replacing
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,6 +44,8 @@ def make_table(
     time: ArrayLike, columns: Mapping[str, ArrayLike], quantities: Iterable[Quantity]
 ) -> pd.DataFrame:
     """A table with the given columns over ``time`` (s), shape (n,) each, and the units in its attrs."""
+    import pandas as pd  # for tables alone: the processes that run FMUs make none
+
     table = pd.DataFrame(dict(columns), index=pd.Index(np.asarray(time, dtype=np.float64), name="time"))
     described = {quantity.name: quantity for quantity in quantities}
     table.attrs["units"] = {"time": "s"} | {name: one.unit for name, one in described.items()}

@@ -4,6 +4,7 @@ from .coupling.figures import (
 )
 from .coupling.joystick import operator_and_joystick as operator_and_joystick
 from .coupling.master import run_coupled as run_coupled
+from .coupling.parameter_sets import ParameterNote as ParameterNote
 from .coupling.schemes import SCHEMES as SCHEMES
 from .coupling.ssp import read_ssp as read_ssp, write_ssp as write_ssp
 from .coupling.step_errors import coupling_errors as coupling_errors, orders as orders
@@ -12,13 +13,13 @@ from .errors import (
     ChangedSweepError as ChangedSweepError,
     ClusterError as ClusterError,
     CouplingError as CouplingError,
-    MissingPackageError as MissingPackageError,
     SensitivityError as SensitivityError,
     SweepFileError as SweepFileError,
 )
 from .experiments import (
-    fmu_of_damping as fmu_of_damping,
+    fmu_of_joystick as fmu_of_joystick,
     free_oscillation as free_oscillation,
+    has_friction as has_friction,
     joystick_of_fmu as joystick_of_fmu,
     reference_free_oscillation as reference_free_oscillation,
     time_grid as time_grid,

@@ -47,20 +47,6 @@ class SweepFileError(InputFileError):
     """A file of a sweep cannot be read."""
 
 
-@dataclass(eq=False)
-class MissingPackageError(PyJoystickError, ImportError):
-    """An optional package is not installed.
-
-    Attributes:
-        what: what needs it
-        extra: the extra of pyjoystick that installs it
-    """
-
-    what: str
-    extra: str
-    _message = "{what} need more packages: pip install 'pyjoystick[{extra}]'"
-
-
 class SensitivityError(PyJoystickError, ValueError):
     """Sensitivity indices cannot be computed from these runs."""
 

@@ -16,15 +16,9 @@ from typing import Final
 import numpy as np
 import pandas as pd
 
+from pyjoystick import model  # whose reference loads SciPy, which runs of FMUs do without
 from pyjoystick.fmu import Fmu, FmuDescription, UnsupportedFmuError
-from pyjoystick.model import (
-    NOMINAL,
-    NOMINAL_POWER_LAW,
-    ConstantDamping,
-    Damping,
-    JoystickParameters,
-    simulate,
-)
+from pyjoystick.model import FRICTION_NAMES, NOMINAL, NOMINAL_POWER_LAW, ConstantDamping, JoystickParameters
 from pyjoystick.motion import DisplayUnit, Quantity, make_table
 from pyjoystick.support import (
     DEFAULT_DURATION,
@@ -51,8 +45,15 @@ _QUANTITIES: Final = (
     Quantity("E", "J", DisplayUnit("mJ", 1e3), "Energy, zero at rest in the middle"),
 )
 
+_FRICTION_QUANTITIES: Final = (
+    Quantity("M_f", "N.m", None, "Friction moment"),
+    Quantity("isStuck", "", None, "The joystick sticks"),
+)
+
 #: The columns of every table of the joystick.
 COLUMNS: Final = tuple(quantity.name for quantity in _QUANTITIES)
+#: Further columns where the joystick has dry friction.
+FRICTION_COLUMNS: Final = tuple(quantity.name for quantity in _FRICTION_QUANTITIES)
 
 
 def free_oscillation(
@@ -69,14 +70,14 @@ def free_oscillation(
     Args:
         release_angle: angle at the start (rad), positive forward, between -pi/2 and pi/2
         fmu: name or path of an FMU with the interface of ``Joystick``, or an open `Fmu`, which is faster for
-            many runs; by default the FMU with the damping law of `parameters`
+            many runs; by default the one that `fmu_of_joystick` names
         parameters: the joystick, or values by the FMU's names (SI units); all others keep the FMU's values
         duration: length of the run (s)
         output_interval: time between two rows (s), see `time_grid`
         tolerance: of the FMU's integrator
 
     Returns:
-        a table with the columns `COLUMNS`
+        a table with the columns `COLUMNS`, and `FRICTION_COLUMNS` where the FMU has dry friction
 
     Raises:
         ParameterError: an angle of pi/2 or more, a duration or a value that is not allowed
@@ -91,12 +92,12 @@ def free_oscillation(
         if name in values:
             raise ParameterError(name, values[name], "left out", "a free oscillation starts at rest")
     if fmu is None:
-        law = parameters.damping if isinstance(parameters, JoystickParameters) else NOMINAL.damping
-        fmu = fmu_of_damping(law)
+        fmu = fmu_of_joystick(parameters if isinstance(parameters, JoystickParameters) else NOMINAL)
     with nullcontext(fmu) if isinstance(fmu, Fmu) else Fmu(fmu) as opened:
         require_joystick(opened.description)
+        extra = FRICTION_COLUMNS if has_friction(opened.description) else ()
         return opened.run(
-            time, parameters=values | {"theta_start": start}, outputs=COLUMNS, tolerance=tolerance
+            time, parameters=values | {"theta_start": start}, outputs=(*COLUMNS, *extra), tolerance=tolerance
         )
 
 
@@ -124,8 +125,9 @@ def reference_free_oscillation(
         output_interval: time between two rows (s), see `time_grid`
 
     Returns:
-        a table with the columns `COLUMNS`; ``attrs["events"]`` lists the passages of kinks and of the middle
-        as dictionaries (time, kind, direction, theta, omega)
+        a table with the columns `COLUMNS`, and `FRICTION_COLUMNS` where `parameters` have dry friction;
+        ``attrs["events"]`` lists the passages of kinks and of the middle, and where the joystick sticks and
+        slips, as dictionaries (time, kind, direction, theta, omega)
 
     Raises:
         ParameterError: an angle of pi/2 or more, or a duration that is not allowed
@@ -133,8 +135,11 @@ def reference_free_oscillation(
     """
     start = angle("release_angle", release_angle)
     time = time_grid(duration, output_interval)
-    motion = simulate(parameters, time=time, theta_start=start)
-    table = make_table(motion.time, {name: getattr(motion, name) for name in COLUMNS}, _QUANTITIES)
+    motion = model.simulate(parameters, time=time, theta_start=start)
+    quantities = _QUANTITIES + (_FRICTION_QUANTITIES if parameters.friction else ())
+    attributes = {"isStuck": "is_stuck"}
+    columns = {one.name: getattr(motion, attributes.get(one.name, one.name)) for one in quantities}
+    table = make_table(motion.time, columns, quantities)
     table.attrs["events"] = [dataclasses.asdict(event) for event in motion.events]
     return table
 
@@ -147,7 +152,7 @@ def joystick_of_fmu(description: FmuDescription) -> JoystickParameters:
     """
     power_law = "damping.alpha" in description.variables
     nominal = NOMINAL_POWER_LAW if power_law else NOMINAL
-    names = nominal.to_names()
+    names = (*nominal.to_names(), *(FRICTION_NAMES if has_friction(description) else ()))
     missing = [name for name in names if name not in description.variables]
     if missing:
         reason = f"does not have the parameters of Joystick: it lacks {', '.join(missing)}"
@@ -158,9 +163,19 @@ def joystick_of_fmu(description: FmuDescription) -> JoystickParameters:
         raise UnsupportedFmuError(description.path, f"is no joystick: {error}") from error
 
 
-def fmu_of_damping(damping: Damping) -> str:
-    """Name of the FMU that has the damping law: ``Joystick`` or ``JoystickPowerLaw``."""
-    return "Joystick" if isinstance(damping, ConstantDamping) else "JoystickPowerLaw"
+def has_friction(description: FmuDescription) -> bool:
+    """It has the parameters and outputs of dry friction, as ``JoystickFriction`` has."""
+    return {*FRICTION_NAMES, *FRICTION_COLUMNS} <= set(description.variables)
+
+
+def fmu_of_joystick(joystick: JoystickParameters) -> str:
+    """Name of the FMU that computes the motion of a joystick with its damping law and friction.
+
+    ``Joystick`` or ``JoystickPowerLaw``; ``JoystickFriction`` or ``JoystickFrictionPowerLaw`` where it has
+    dry friction.
+    """
+    friction = "Friction" if joystick.friction else ""
+    return f"Joystick{friction}" + ("" if isinstance(joystick.damping, ConstantDamping) else "PowerLaw")
 
 
 def time_grid(duration: float, output_interval: float) -> FloatArray:

@@ -17,7 +17,7 @@ from pyjoystick.fmu import (
     find_fmu,
     read_description,
 )
-from pyjoystick.model import LawName, read_parameter_file
+from pyjoystick.model import FRICTION_NAMES, LawName, read_parameter_file
 from pyjoystick.support import ParameterError, Table
 
 _AMOUNT: Final = re.compile(r"\s*(?P<number>[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?)\s*(?P<unit>\S+)\s*")
@@ -54,7 +54,12 @@ def joystick_values(table: Table, fmu: FmuDescription) -> dict[str, Value]:
     values: dict[str, Value] = dict(file.with_law(law).to_names())
     for name in values:
         if name not in fmu.variables:
-            raise table.error("parameters", f"is for joysticks, and {fmu.model_name} has no {name}")
+            hint = (
+                "JoystickFriction and JoystickFrictionPowerLaw have friction"
+                if name in FRICTION_NAMES
+                else ""
+            )
+            raise table.error("parameters", f"is for joysticks, and {fmu.model_name} has no {name}", hint)
     return values
 
 

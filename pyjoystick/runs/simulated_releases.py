@@ -12,7 +12,7 @@ import pandas as pd
 from pyjoystick.fmu import Fmu
 from pyjoystick.model import JoystickParameters
 from pyjoystick.motion import ReleasePeaks, peaks_of_run
-from pyjoystick.runs.experiments import fmu_of_damping, time_grid
+from pyjoystick.runs.experiments import fmu_of_joystick, time_grid
 from pyjoystick.support import FloatArray, angle
 
 #: Length of a run and time between its samples (s); peaks are located between the samples.
@@ -22,7 +22,7 @@ _OUTPUTS: Final = ("theta", "omega", "alpha")
 
 
 class SimulatedReleases:
-    """Releases from rest on the FMUs of both damping laws, each opened when it is first needed.
+    """Releases from rest on the FMUs of both damping laws, with friction or without, each opened when needed.
 
     Use it in a `with` statement, which closes the FMUs. A call returns the peaks of one release:
 
@@ -48,14 +48,14 @@ class SimulatedReleases:
         """The peaks of one release.
 
         Args:
-            joystick: its damping law selects the FMU
+            joystick: its damping law and friction select the FMU
             release_angle: angle of release (rad)
 
         Raises:
             ParameterError: the angle is pi/2 or more
             FmuNotFoundError, FmuRunError: the FMU is not there, or fails
         """
-        law = fmu_of_damping(joystick.damping)
+        law = fmu_of_joystick(joystick)
         values = joystick.to_names() | {"theta_start": angle("release_angle", release_angle)}
         run = self._fmu(law).run(self._time, parameters=values, outputs=_OUTPUTS)
         return peaks_of_run(run, name=f"{law} from {np.degrees(release_angle):g} degrees")
@@ -79,13 +79,15 @@ class SimulatedReleases:
             FmuRunError: a run fails
         """
         checked = [joystick.replace({name: float(value)}) for value in values]
+        # The FMU with friction if one of them has some.
+        fullest = max([joystick, *checked], key=lambda one: bool(one.friction))
         fixed = joystick.to_names() | {"theta_start": angle("release_angle", release_angle)}
-        del fixed[name]
-        plan = self._fmu(fmu_of_damping(joystick.damping)).plan(
+        fixed.pop(name, None)
+        plan = self._fmu(fmu_of_joystick(fullest)).plan(
             self._time, varied=[name], parameters=fixed, outputs=_OUTPUTS
         )
         found = {}
-        for value in (float(one.to_names()[name]) for one in checked):
+        for value in map(float, values):
             run = pd.DataFrame(plan.run([value]), index=self._time, columns=list(_OUTPUTS))
             found[value] = peaks_of_run(run, name=f"{name} = {value:g}")
         return found

@@ -14,6 +14,7 @@ from .checks import (
 )
 from .errors import (
     InputFileError as InputFileError,
+    MissingPackageError as MissingPackageError,
     OutputFileError as OutputFileError,
     ParameterError as ParameterError,
     PyJoystickError as PyJoystickError,
@@ -46,11 +47,18 @@ from .figure_style import (
     legend_above as legend_above,
     line_style as line_style,
 )
+from .notebook import (
+    Drawn as Drawn,
+    Shown as Shown,
+    figure_as_html as figure_as_html,
+    notebook_progress as notebook_progress,
+)
 from .output import (
     FIGURE_SUFFIXES as FIGURE_SUFFIXES,
     check_outputs as check_outputs,
     check_suffix as check_suffix,
     json_text as json_text,
+    remove_unfinished as remove_unfinished,
     replacing as replacing,
     version_of as version_of,
     versions as versions,

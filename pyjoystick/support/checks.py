@@ -82,8 +82,8 @@ def increasing_times(time: ArrayLike) -> FloatArray:
     if instants.ndim != 1 or instants.size < 2:
         given = f"array of shape {instants.shape}"
         raise ParameterError("time", given, "one-dimensional with two or more instants")
-    for i, value in enumerate(instants):
-        finite(f"time[{i}]", value, "s")
+    for i in np.flatnonzero(~np.isfinite(instants))[:1]:
+        finite(f"time[{i}]", instants[i], "s")
     for i in np.flatnonzero(np.diff(instants) <= 0.0)[:1]:
         raise ParameterError(f"time[{i + 1}]", instants[i + 1], f"above time[{i}] = {instants[i]} s")
     return instants

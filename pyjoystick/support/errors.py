@@ -169,6 +169,20 @@ class InputFileError(PyJoystickError):
 
 
 @dataclass(eq=False)
+class MissingPackageError(PyJoystickError, ImportError):
+    """An optional package is not installed.
+
+    Attributes:
+        what: what needs it
+        extra: the extra of pyjoystick that installs it
+    """
+
+    what: str
+    extra: str
+    _message = "{what} need more packages: pip install 'pyjoystick[{extra}]'"
+
+
+@dataclass(eq=False)
 class SettingsError(PyJoystickError, ValueError):
     """An entry of a settings or parameter file (TOML) is not allowed.
 

@@ -14,6 +14,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from pyjoystick.support.errors import ParameterError
+from pyjoystick.support.notebook import show_figures
 
 BLACK: Final = "#000000"
 AMBER: Final = "#E69F00"
@@ -124,3 +125,7 @@ def legend_above(
         title=title or None,
         markerscale=marker_scale,
     )
+
+
+# Whoever draws figures loads this module; they are not made by pyplot, which would do it.
+show_figures()

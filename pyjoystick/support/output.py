@@ -6,6 +6,7 @@ import json
 import math
 import os
 import platform
+import re
 import tempfile
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
@@ -17,6 +18,8 @@ from pyjoystick.support.errors import OutputFileError
 
 #: Formats of figures.
 FIGURE_SUFFIXES: Final = (".png", ".pdf", ".svg")
+#: Names of files that `replacing` is writing.
+_UNFINISHED: Final = re.compile(r"\..+-\d+-[0-9a-f]{8}(\.\w+)?")
 #: Packages that results depend on.
 _PACKAGES: Final = ("pyjoystick", "fmpy", "numpy", "scipy", "pandas")
 
@@ -42,6 +45,16 @@ def replacing(path: Path) -> Iterator[Path]:
         raise OutputFileError(path, error.strerror or str(error)) from error
     finally:
         temporary.unlink(missing_ok=True)
+
+
+def remove_unfinished(folder: Path) -> None:
+    """Delete what processes that were killed left of files that `replacing` was writing.
+
+    Only where no other process writes.
+    """
+    for path in folder.rglob(".*"):
+        if _UNFINISHED.fullmatch(path.name) and path.is_file():
+            path.unlink(missing_ok=True)
 
 
 def check_outputs(*paths: Path | None) -> None:

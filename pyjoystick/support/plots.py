@@ -24,7 +24,7 @@ _PANELS: Final = (
 
 
 def plot_motion(
-    runs: Mapping[str, pd.DataFrame],
+    runs: pd.DataFrame | Mapping[str, pd.DataFrame],
     *,
     styles: Mapping[str, LineStyle] | None = None,
     angle_unit: AngleUnit = "deg",
@@ -34,7 +34,8 @@ def plot_motion(
     """Displacement, velocity and acceleration over time, one above the other, as in Fig. 10 of the paper.
 
     Args:
-        runs: tables with the columns ``theta`` (rad), ``omega`` (rad/s), ``alpha`` (rad/s2), by label
+        runs: a table with the columns ``theta`` (rad), ``omega`` (rad/s), ``alpha`` (rad/s2), or several by
+            label
         styles: how each run is drawn, by label; in the order of `SERIES` where not given
         angle_unit: ``deg`` or ``rad``
         title: a line above the figure
@@ -44,6 +45,8 @@ def plot_motion(
         ParameterError: no run, more runs than there are line styles, or an unknown unit
         UnknownVariableError: a table lacks a column
     """
+    if isinstance(runs, pd.DataFrame):
+        runs = {"": runs}
     if not 1 <= len(runs) <= len(SERIES):
         raise ParameterError("runs", f"{len(runs)} runs", f"1 to {len(SERIES)} runs")
     if angle_unit not in ("deg", "rad"):

@@ -34,13 +34,17 @@ class TextTable:
         rule = ["-" * widths[0], *("-" * (width - 1) + ":" for width in widths[1:])]
         return "\n".join((line(self.header), line(rule), *(line(row) for row in self.rows)))
 
-    def html(self, caption: str, *, prose: bool = False) -> str:
-        """HTML with a caption; the columns after the first are numbers unless `prose`."""
-        head = "".join(f'<th scope="col">{escape(cell)}</th>' for cell in self.header)
-        cell = "<td>" if prose else '<td class="number">'
+    def html(self, caption: str, *, prose: bool = False, texts: int = 0) -> str:
+        """HTML with a caption; but for the first and the last `texts`, columns are numbers unless `prose`."""
+        numbers = 0 if prose else len(self.header) - 1 - texts
+        kinds = [' class="number"'] * numbers + [""] * (len(self.header) - 1 - numbers)
+        head = "".join(
+            f'<th scope="col"{kind}>{escape(cell)}</th>'
+            for cell, kind in zip(self.header, ["", *kinds], strict=True)
+        )
         body = "".join(
             f'<tr><th scope="row">{escape(first)}</th>'
-            + "".join(f"{cell}{escape(text)}</td>" for _, text in zip(self.header[1:], others, strict=True))
+            + "".join(f"<td{kind}>{escape(text)}</td>" for kind, text in zip(kinds, others, strict=True))
             + "</tr>\n"
             for first, *others in self.rows
         )

@@ -15,7 +15,13 @@ from os import PathLike
 from pathlib import Path
 from typing import Final, Literal, get_args
 
-from pyjoystick.model.parameters.joystick import ConstantDamping, Damping, JoystickParameters, PowerLawDamping
+from pyjoystick.model.parameters.joystick import (
+    ConstantDamping,
+    Damping,
+    Friction,
+    JoystickParameters,
+    PowerLawDamping,
+)
 from pyjoystick.model.parameters.plausible import require_plausible
 from pyjoystick.model.parameters.springs import ActuatorAssembly, SegmentTable
 from pyjoystick.support import ParameterError, SettingsError, Table, not_negative, positive, read_toml
@@ -34,7 +40,9 @@ PLAIN_TABLES: Final[Mapping[str, tuple[str, ...]]] = {
     "gravity": ("g",),
     "geometry": ("a", "b", "pivot_to_top"),
 }
-_OPTIONAL: Final = ("pivot_to_top", "eps_theta", "eps_omega")
+#: Keys of the table [friction], which may be left out, as may each of them.
+FRICTION: Final = tuple(field.name for field in dataclasses.fields(Friction))
+_OPTIONAL: Final = ("pivot_to_top", "eps_theta", "eps_omega", *FRICTION)
 #: The key that has a file read whose numbers no joystick has.
 IMPLAUSIBLE: Final = "implausible"
 
@@ -113,6 +121,7 @@ def read_parameter_file(path: str | PathLike[str] | Table) -> ParameterFile:
     laws = {law: found.damping(damping.table(law), LAWS[law]) for law in LAWS if law in damping}
     if chosen not in laws:
         raise SettingsError(root.path, damping.name, "law", chosen, f"needs a table [damping.{chosen}]")
+    friction = found.friction(root.table("friction"))
     title = root.text("title", "")
     root.finish()
     pivot_to_top = numbers["geometry"].pop("pivot_to_top", None)
@@ -122,6 +131,7 @@ def read_parameter_file(path: str | PathLike[str] | Table) -> ParameterFile:
             forward=_assembly(root, "forward", curves["forward"]),
             backward=_assembly(root, "backward", curves["backward"]),
             damping=laws[chosen],
+            friction=friction,
         )
         if pivot_to_top is not None:
             positive("pivot_to_top", pivot_to_top, "m")
@@ -185,14 +195,21 @@ class _Found:
         with table.at():
             return law(**numbers)
 
+    def friction(self, table: Table) -> Friction:
+        """The dry friction; none where the table is left out."""
+        numbers = self.numbers(table, FRICTION)
+        with table.at():
+            return Friction(**numbers)
+
     def _ask(self, table: Table, name: str, key: str, value: object) -> None:
         """Refuse a number that no joystick has."""
         if self.allow_implausible or isinstance(value, bool) or not isinstance(value, int | float):
             return
-        insist = f"{IMPLAUSIBLE} = true above the tables has it taken"
+        insist = f"{IMPLAUSIBLE} = true above the tables accepts it"
         with table.at(key):
-            law = table.name.startswith("damping.")
-            require_plausible(f"damping.{name}" if law else name, value, insist=insist)
+            group = table.name.partition(".")[0]
+            known = f"{group}.{name}" if group in ("damping", "friction") else name
+            require_plausible(known, value, insist=insist)
 
     def _keep(self, table: Table, place: str, key: str, value: object) -> None:
         with table.at(key):

@@ -19,7 +19,7 @@ from pyjoystick.model.parameters.file import (
     law_name,
     read_parameter_file,
 )
-from pyjoystick.model.parameters.joystick import JoystickParameters
+from pyjoystick.model.parameters.joystick import Friction, JoystickParameters
 from pyjoystick.model.parameters.plausible import ImplausibleError, require_plausible
 from pyjoystick.support import SettingsError, UnknownParameterError, not_negative, replacing
 
@@ -113,6 +113,10 @@ def updated_text(
     if law not in before.laws:
         damping[law] = tomlkit.table()
     wanted = _values(joystick, before)
+    rubbing = _friction_values(joystick.friction, document, uncertainties or {})
+    if rubbing and "friction" not in document:
+        document["friction"] = tomlkit.table()
+    wanted |= rubbing
     top = before.pivot_to_top if pivot_to_top is None else float(pivot_to_top)
     if top is not None:
         wanted["geometry", "pivot_to_top"] = top
@@ -151,6 +155,18 @@ def _values(
     return values | {(name, key): value for key, value in dataclasses.asdict(joystick.damping).items()}
 
 
+def _friction_values(
+    friction: Friction, document: TOMLDocument, uncertainties: Mapping[str, float]
+) -> dict[tuple[str, str], float | list[float]]:
+    """What the file will say of the friction: what is there already, what is not 0, what is uncertain."""
+    there = document.get("friction", {})
+    return {
+        ("friction", key): value
+        for key, value in dataclasses.asdict(friction).items()
+        if value != 0.0 or key in there or f"friction.{key}" in uncertainties
+    }
+
+
 def _grouped(uncertainties: Mapping[str, float], values: _Values) -> dict[tuple[str, str], Any]:
     """Uncertainties by table and key, those of a list together."""
     grouped: dict[tuple[str, str], Any] = {}
@@ -175,6 +191,15 @@ def _grouped(uncertainties: Mapping[str, float], values: _Values) -> dict[tuple[
     return grouped
 
 
+#: Comments on values that stand in no older file.
+_COMMENTS: Final = {
+    ("friction", "T_c"): "Coulomb friction moment at the pivot (N m)",
+    ("friction", "F_c"): "Coulomb friction force along the plunger (N)",
+    ("friction", "T_s"): "static friction moment at the pivot (N m)",
+    ("friction", "omega_s"): "Stribeck velocity (rad/s)",
+}
+
+
 def _set_values(
     document: TOMLDocument, values: _Values, uncertain: Mapping[tuple[str, str], Any]
 ) -> set[str]:
@@ -183,7 +208,10 @@ def _set_values(
     for (name, key), value in values.items():
         table = _table(document, name)
         if key not in table or table[key].unwrap() != value:
+            is_new = key not in table
             table[key] = value
+            if is_new and (name, key) in _COMMENTS:
+                table[key].comment(_COMMENTS[name, key])
             changed.add(name)
             if f"u_{key}" in table:
                 del table[f"u_{key}"]

@@ -33,6 +33,9 @@ _UNITS: Final = {
     "x_0": "m",
     **{f"damping.{name}": "N.m.s/rad" for name in ("C", "A_pos", "A_neg", "B")},
     **{f"damping.{name}": "1" for name in ("alpha", "n_pos", "n_neg", "m")},
+    **dict.fromkeys(("friction.T_c", "friction.T_s"), "N.m"),
+    "friction.F_c": "N",
+    "friction.omega_s": "rad/s",
     "damping.eps_theta": "rad",
     "damping.eps_omega": "rad/s",
 }
@@ -108,5 +111,7 @@ def _places(names: tuple[str, ...], law: LawName) -> Iterator[tuple[str, str, st
             yield name, first, _SPRINGS[rest]
         elif first == "damping":
             yield name, f"damping.{law}", rest
+        elif first == "friction":
+            yield name, first, rest
         else:
             yield name, tables[name], name

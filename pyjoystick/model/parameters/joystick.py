@@ -1,11 +1,11 @@
-"""All parameters of one joystick with either damping law, and their names in the FMU."""
+"""All parameters of one joystick with either damping law and dry friction, and their names in the FMU."""
 
 from __future__ import annotations
 
 import dataclasses
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TypeVar
+from typing import Final, TypeVar
 
 from pyjoystick.model.parameters.springs import ActuatorAssembly, RestrainedSpring
 from pyjoystick.support import ParameterError, UnknownParameterError, finite, not_negative, positive
@@ -78,7 +78,46 @@ class PowerLawDamping:
 Damping = ConstantDamping | PowerLawDamping
 
 
-_Record = TypeVar("_Record", bound=RestrainedSpring | ConstantDamping | PowerLawDamping)
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Friction:
+    """Dry friction of the pivot and of the plunger in contact; none where all are 0.
+
+    While the joystick slides, the friction moment against its motion is
+    T_c + (T_s - T_c)*exp(-(omega/omega_s)^2) + F_c*|dx/dtheta|: Coulomb's law, Stribeck's where T_s is above
+    T_c. While it sticks, the moment balances all others, as long as max(T_c, T_s) + F_c*|dx/dtheta| can.
+    The plunger rubs where its return spring is engaged, not within the clearance.
+
+    Attributes:
+        T_c: Coulomb friction moment at the pivot (N m), 0 or more
+        F_c: Coulomb friction force along the plunger (N), 0 or more
+        T_s: static friction moment at the pivot (N m), at least T_c; 0 stands for T_c
+        omega_s: Stribeck velocity (rad/s), 0 or more; above 0 where T_s is above T_c
+
+    Raises:
+        ParameterError: a value is not finite or outside its range
+    """
+
+    T_c: float = 0.0
+    F_c: float = 0.0
+    T_s: float = 0.0
+    omega_s: float = 0.0
+
+    def __post_init__(self) -> None:
+        for name, unit in (("T_c", "N.m"), ("F_c", "N"), ("T_s", "N.m"), ("omega_s", "rad/s")):
+            object.__setattr__(self, name, not_negative(name, getattr(self, name), unit))
+        if 0.0 < self.T_s < self.T_c:
+            raise ParameterError("T_s", self.T_s, f"at least T_c = {self.T_c:.9g} N.m, or 0, which is T_c")
+        if self.T_s > self.T_c and self.omega_s == 0.0:
+            raise ParameterError("omega_s", self.omega_s, "above 0 rad/s, because T_s is above T_c")
+
+    def __bool__(self) -> bool:
+        return self.T_c > 0.0 or self.F_c > 0.0 or self.T_s > 0.0
+
+
+#: FMU names of the parameters of the friction.
+FRICTION_NAMES: Final = tuple(f"friction.{field.name}" for field in dataclasses.fields(Friction))
+
+_Record = TypeVar("_Record", bound=RestrainedSpring | ConstantDamping | PowerLawDamping | Friction)
 _BODY = ("J", "m", "h", "g", "a", "b")
 _SIDES = ("forward", "backward")
 _SPRINGS = {"returnSpring": "return_spring", "balanceSpring": "balance_spring"}
@@ -86,7 +125,7 @@ _SPRINGS = {"returnSpring": "return_spring", "balanceSpring": "balance_spring"}
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class JoystickParameters:
-    """The joystick of eqs. (1)-(5): inertia and geometry (Table 2), both actuators (Table 1) and the damping.
+    """The joystick of eqs. (1)-(5): inertia, geometry (Table 2), actuators (Table 1), damping, dry friction.
 
     Attributes:
         J: moment of inertia about the pivot (kg m2), above 0
@@ -98,6 +137,7 @@ class JoystickParameters:
         forward: actuator that resists theta > 0
         backward: actuator that resists theta < 0
         damping: damping law
+        friction: dry friction, which the paper does not have; none by default
 
     Raises:
         ParameterError: a value is not finite or outside its range
@@ -112,6 +152,7 @@ class JoystickParameters:
     forward: ActuatorAssembly
     backward: ActuatorAssembly
     damping: Damping
+    friction: Friction = Friction()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "J", positive("J", self.J, "kg.m2"))
@@ -124,25 +165,30 @@ class JoystickParameters:
             raise ParameterError("b", self.b, f"below a = {self.a:.9g} m")
 
     def to_names(self) -> dict[str, float]:
-        """Every parameter (SI units) by its FMU name, such as ``forward.returnSpring.k_s``, ``damping.C``."""
+        """Every parameter (SI units) by its FMU name, such as ``forward.returnSpring.k_s``, ``damping.C``.
+
+        Those of the friction, such as ``friction.T_c``, are among them where there is any: only the FMUs with
+        friction have them.
+        """
         names = {name: float(getattr(self, name)) for name in _BODY}
         for side in _SIDES:
             for fmu_name, field in _SPRINGS.items():
                 spring = getattr(getattr(self, side), field)
                 names |= _prefixed(f"{side}.{fmu_name}", spring)
-        return names | _prefixed("damping", self.damping)
+        names |= _prefixed("damping", self.damping)
+        return names | _prefixed("friction", self.friction) if self.friction else names
 
     def replace(self, changes: Mapping[str, float]) -> JoystickParameters:
         """A copy with some parameters changed, given by FMU name; all are checked together.
 
         Args:
-            changes: value (SI units) by FMU name, as in `to_names`
+            changes: value (SI units) by FMU name, as in `to_names`, those of the friction always
 
         Raises:
             UnknownParameterError: no parameter of this joystick with its damping law has that name
             ParameterError: a value is outside its range, or the name is ``damping.beta``, which is 1 - alpha
         """
-        names: dict[str, float] = self.to_names()
+        names: dict[str, float] = self.to_names() | _prefixed("friction", self.friction)
         for name in changes:
             if name == "damping.beta" and isinstance(self.damping, PowerLawDamping):
                 raise ParameterError(name, changes[name], "left out: it is 1 - damping.alpha")
@@ -151,7 +197,7 @@ class JoystickParameters:
         return _from_names(names | dict(changes), type(self.damping))
 
 
-def _prefixed(prefix: str, record: RestrainedSpring | Damping) -> dict[str, float]:
+def _prefixed(prefix: str, record: RestrainedSpring | Damping | Friction) -> dict[str, float]:
     return {f"{prefix}.{field.name}": getattr(record, field.name) for field in dataclasses.fields(record)}
 
 
@@ -179,6 +225,7 @@ def _from_names(
         forward=actuators["forward"],
         backward=actuators["backward"],
         damping=_built(law, "damping", names),
+        friction=_built(Friction, "friction", names),
     )
 
 

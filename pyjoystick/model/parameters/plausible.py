@@ -53,6 +53,9 @@ RANGES: Final[Mapping[str, Range]] = {
     **dict.fromkeys(("damping.n_pos", "damping.n_neg", "damping.m"), Range(0.0, 0.1, 5.0, {"": 1.0})),
     "damping.eps_theta": Range(1e-9, 1e-4, 0.1, UNITS["angle"]),
     "damping.eps_omega": Range(1e-9, 1e-3, 1.0, UNITS["angular velocity"]),
+    **dict.fromkeys(("friction.T_c", "friction.T_s"), Range(1e-7, 0.01, 5.0, UNITS["torque"])),
+    "friction.F_c": Range(1e-5, 0.3, 200.0, UNITS["force"]),
+    "friction.omega_s": Range(1e-6, 0.02, 20.0, UNITS["angular velocity"]),
     "travel_noise": Range(1e-10, 1e-6, 1e-4, UNITS["length"]),
     "force_noise": Range(1e-7, 0.05, 50.0, UNITS["force"]),
 }
@@ -66,7 +69,7 @@ _OTHERS: Final[Mapping[str, Mapping[str, float]]] = {
     "alpha": UNITS["angular acceleration"],
     "x": UNITS["length"],
     "f_x": UNITS["force"],
-    **dict.fromkeys(("T", "M_s", "M_d", "M_g"), UNITS["torque"]),
+    **dict.fromkeys(("T", "M_s", "M_d", "M_g", "M_f"), UNITS["torque"]),
     "C": _DAMPING,
 }
 

@@ -2,9 +2,8 @@
 
 The contact travel grows with |theta|, so each kink x = x_i on either side is one fixed angle, and the
 branches are the intervals between these angles. Inside a branch the spring segment and the sign of theta
-are frozen: its acceleration is smooth and is continued smoothly a little beyond both ends, which lets an
-    integrator step over an
-end and then go back to it.
+are frozen: its acceleration is smooth and is continued smoothly a little beyond both ends, which lets
+an integrator step over an end and then go back to it.
 """
 
 from __future__ import annotations
@@ -22,6 +21,8 @@ from pyjoystick.support import SimulationError, Torque
 
 #: Angular acceleration (rad/s2) from time (s), angle (rad) and angular velocity (rad/s).
 Acceleration = Callable[[float, float, float], float]
+#: What dry friction takes from it (rad/s2), from angle (rad) and angular velocity (rad/s); 0 or more.
+Deceleration = Callable[[float, float], float]
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,19 +40,33 @@ class Branch:
     Attributes:
         lower, upper: ends (rad), infinite for the first and the last branch
         steep: a spring is engaged whose restraint is still in tension
-        acceleration: (T + m*g*h*sin(theta) - M_s - C*omega)/J
+        acceleration: (T + m*g*h*sin(theta) - M_s - C*omega)/J, without dry friction
+        friction: magnitude of the dry friction moment while sliding, over J; at rest, the largest it can be
     """
 
     lower: float
     upper: float
     steep: bool
     acceleration: Acceleration
+    friction: Deceleration
+
+    def sliding(self, direction: int) -> Acceleration:
+        """The acceleration while the joystick slides in a direction, 1 or -1, with dry friction."""
+        others, friction = self.acceleration, self.friction
+
+        def slowed(time: float, theta: float, omega: float) -> float:
+            return others(time, theta, omega) - direction * friction(theta, omega)
+
+        return slowed
 
 
 class PiecewiseEquation:
     """The branches of eq. (1) with the torque of eq. (13), ordered by theta, and the boundaries between."""
 
     def __init__(self, joystick: JoystickParameters, torque: Torque | None) -> None:
+        self.torque = torque
+        law = joystick.friction
+        self.stribeck_velocity = law.omega_s if law.T_s > law.T_c else 0.0
         self.boundaries = _boundaries(joystick)
         self._angles = [boundary.theta for boundary in self.boundaries]
         ends = [-math.inf, *self._angles, math.inf]
@@ -83,7 +98,9 @@ def _branch(joystick: JoystickParameters, torque: Torque | None, lower: float, u
     force = sum(segment[0] for segment in segments), sum(segment[1] for segment in segments)
     side = -1.0 if upper <= 0.0 else 1.0
     steep = any(segment[2] for segment in segments)
-    return Branch(lower, upper, steep, _acceleration(joystick, torque, side, force))
+    in_contact = x > assembly.return_spring.x_0
+    acceleration = _acceleration(joystick, torque, side, force)
+    return Branch(lower, upper, steep, acceleration, _deceleration(joystick, side, in_contact=in_contact))
 
 
 def _segment(spring: RestrainedSpring, x: float) -> tuple[float, float, bool]:
@@ -124,6 +141,20 @@ def _acceleration(
         return free(time, theta, omega) + driving / inertia
 
     return driven
+
+
+def _deceleration(joystick: JoystickParameters, side: float, *, in_contact: bool) -> Deceleration:
+    law, a, b, inertia = joystick.friction, joystick.a, joystick.b, joystick.J
+    force = law.F_c if in_contact else 0.0
+    excess = max(law.T_s - law.T_c, 0.0)
+
+    def deceleration(theta: float, omega: float) -> float:
+        moment = law.T_c + force * (a - b * math.sin(side * theta)) / math.cos(theta) ** 2
+        if excess > 0.0:
+            moment += excess * math.exp(-((omega / law.omega_s) ** 2))
+        return moment / inertia
+
+    return deceleration
 
 
 def _damping(law: Damping, side: float) -> Callable[[float, float], float]:

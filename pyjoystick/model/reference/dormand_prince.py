@@ -37,6 +37,7 @@ class Step(NamedTuple):
         alpha: angular acceleration (rad/s2)
         latest: the acceleration is never asked for a later time (s), so that a torque that jumps at the
             end of a step is seen from the near side only
+        mode: with dry friction, the direction in which the joystick slides: 1 or -1
     """
 
     acceleration: Acceleration
@@ -45,6 +46,7 @@ class Step(NamedTuple):
     omega: float
     alpha: float
     latest: float
+    mode: int = 0
 
     def at(self, length: float) -> tuple[float, float]:
         """Angle (rad) and angular velocity (rad/s) after one step of `length` (s)."""
@@ -63,7 +65,7 @@ class Step(NamedTuple):
         return self.acceleration(min(self.time + length, self.latest), theta, omega)
 
     def _stages(self, length: float) -> tuple[list[float], list[float]]:
-        acceleration, time, theta, omega, alpha, latest = self
+        acceleration, time, theta, omega, alpha, latest, _ = self
         rates, accelerations = [omega], [alpha]
         for node, row in _STAGES:
             rate = omega + length * sum(map(mul, row, accelerations))

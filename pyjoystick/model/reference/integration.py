@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from typing import NamedTuple
 
-from pyjoystick.model.reference.branches import Branch, PiecewiseEquation
+from pyjoystick.model.reference.branches import Acceleration, Branch, PiecewiseEquation
 from pyjoystick.model.reference.dormand_prince import ERROR_ORDER, Step
 from pyjoystick.support import SimulationError
 
@@ -20,13 +21,14 @@ _SHORTEST_DIP = 1e-6
 
 @dataclass(frozen=True, slots=True)
 class Event:
-    """The motion passes a kink of the contact force or the middle.
+    """The motion passes a kink of the contact force or the middle, or begins or ends to stick.
 
     Attributes:
         time: instant (s)
-        kind: ``forward x_0`` .. ``forward x_3``, ``backward x_0`` .. ``backward x_3`` or ``theta = 0``
-        direction: 1 where theta rises, -1 where it falls
-        theta: angle of the kink (rad)
+        kind: ``forward x_0`` .. ``forward x_3``, ``backward x_0`` .. ``backward x_3`` or ``theta = 0``; with
+            dry friction also ``sticks`` and ``slips``
+        direction: 1 where theta rises, -1 where it falls; where the joystick sticks, as it did before
+        theta: angle there (rad)
         omega: angular velocity (rad/s)
     """
 
@@ -45,6 +47,18 @@ class TurningPoint:
     theta: float
 
 
+class Rest(NamedTuple):
+    """A span of a motion in which the joystick does not move, from `time` (s) on, at `theta` (rad)."""
+
+    time: float
+    theta: float
+    mode: int = 0
+
+    def at(self, length: float) -> tuple[float, float]:
+        """Angle (rad) and angular velocity (rad/s) `length` (s) after its beginning."""
+        return self.theta, 0.0
+
+
 class Integration:
     """A motion that is carried forward step by step.
 
@@ -55,6 +69,7 @@ class Integration:
         events: passages so far, in order
         turning_points: sign changes of omega so far, in order
         accepted, rejected: number of steps
+        mode: with dry friction, the direction in which the joystick slides; 0 without, and while it sticks
     """
 
     def __init__(
@@ -68,12 +83,13 @@ class Integration:
         self._tolerance = tolerance
         self._time, self._theta, self._omega = time, theta, omega
         self._length = _FIRST_LENGTH
+        self.mode = 0
         self._switched_at = -math.inf
         self._index = equation.index(theta, omega)
         if omega == 0.0:
             self._index = equation.index(theta, self._branch.acceleration(time, theta, omega))
 
-    def steps(self, end: float) -> Iterator[tuple[Step, float]]:
+    def steps(self, end: float) -> Iterator[tuple[Step | Rest, float]]:
         """Carry the motion to time `end` (s); yields each step with the time (s) it was used up to.
 
         Raises:
@@ -90,11 +106,14 @@ class Integration:
     def _branch(self) -> Branch:
         return self._equation.branches[self._index]
 
-    def _advance(self, end: float, latest: float) -> tuple[Step, float] | None:
+    def _acceleration(self) -> Acceleration:
+        return self._branch.acceleration
+
+    def _advance(self, end: float, latest: float) -> tuple[Step | Rest, float] | None:
         """One step, or none where the motion stands on a boundary and only the branch has to be changed."""
-        time = self._time
-        alpha = self._branch.acceleration(time, self._theta, self._omega)
-        step = Step(self._branch.acceleration, time, self._theta, self._omega, alpha, latest)
+        time, acceleration = self._time, self._acceleration()
+        alpha = acceleration(time, self._theta, self._omega)
+        step = Step(acceleration, time, self._theta, self._omega, alpha, latest, self.mode)
         heading = _sign(step.omega) or _sign(alpha)
         if self._leaves(heading):
             self._switch(heading, recorded=True)
@@ -117,7 +136,7 @@ class Integration:
             length = _until_turn(step, length, omega)
             time, theta, omega = step.time + length, step.at(length)[0], 0.0
         boundary = self._branch.upper if heading > 0 else self._branch.lower
-        passes = (theta - boundary) * heading >= 0.0 and step.theta != boundary
+        passes = heading != 0 and (theta - boundary) * heading >= 0.0 and step.theta != boundary
         if passes:
             length = _until_angle(step, length, theta, boundary)
             # Where the motion only touches the boundary, rounding may give omega the other sign.
@@ -129,7 +148,10 @@ class Integration:
         if passes:
             self._enter_next(heading, recorded=True)
         elif turns:
-            self.turning_points.append(TurningPoint(time, theta))
+            self._turned()
+
+    def _turned(self) -> None:
+        self.turning_points.append(TurningPoint(self._time, self._theta))
 
     def _controlled(self, step: Step, end: float) -> tuple[float, float, float]:
         """Length (s) of a step whose error is within the tolerance, with theta and omega at its end."""

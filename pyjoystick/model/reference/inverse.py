@@ -8,31 +8,42 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pyjoystick.model.parameters.joystick import JoystickParameters
-from pyjoystick.model.reference.moments import contact_moment, damping_coefficient, gravity_moment
+from pyjoystick.model.reference.moments import (
+    contact_moment,
+    damping_coefficient,
+    gravity_moment,
+    sliding_friction,
+    static_friction,
+)
 from pyjoystick.support import FloatArray
 
 
 @dataclass(frozen=True, slots=True)
 class InverseTorque:
-    """The driving torque about the pivot and its parts (N m), arrays of one shape; T is their sum.
+    """The driving torque about the pivot and its parts (N m), arrays of one shape; T is the sum of the parts.
 
     Attributes:
         T: driving torque, eq. (13)
         T_inertia: J*alpha
         T_damping: C(theta, omega)*omega
         T_stiffness: M_s - m*g*h*sin(theta)
+        T_friction: dry friction, sign(omega) times its magnitude; 0 at rest
+        T_band: at rest, how far the torque may lie on either side of T, because the friction balances it;
+            0 in motion
     """
 
     T: FloatArray
     T_inertia: FloatArray
     T_damping: FloatArray
     T_stiffness: FloatArray
+    T_friction: FloatArray
+    T_band: FloatArray
 
 
 def inverse_torque(
     joystick: JoystickParameters, theta: ArrayLike, omega: ArrayLike, alpha: ArrayLike
 ) -> InverseTorque:
-    """Eq. (13): T = J*alpha + C*omega + M_s - m*g*h*sin(theta).
+    """Eq. (13), with dry friction: T = J*alpha + C*omega + M_s - m*g*h*sin(theta) + M_f.
 
     Args:
         joystick: its parameters
@@ -49,4 +60,10 @@ def inverse_torque(
     inertia = joystick.J * acceleration
     damping = damping_coefficient(joystick.damping, angle, rate) * rate
     stiffness = contact_moment(joystick, angle) - gravity_moment(joystick, angle)
-    return InverseTorque(inertia + damping + stiffness, inertia, damping, stiffness)
+    friction = band = np.zeros_like(inertia)
+    whole = inertia + damping + stiffness
+    if joystick.friction:
+        friction = np.sign(rate) * sliding_friction(joystick, angle, rate)
+        band = np.where(rate == 0.0, static_friction(joystick, angle), 0.0)
+        whole = whole + friction
+    return InverseTorque(whole, inertia, damping, stiffness, friction, band)

@@ -11,7 +11,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pyjoystick.model.parameters.joystick import ConstantDamping, Damping, JoystickParameters
+from pyjoystick.model.parameters.joystick import ConstantDamping, Damping, Friction, JoystickParameters
 from pyjoystick.model.parameters.springs import ActuatorAssembly, RestrainedSpring, SegmentTable
 from pyjoystick.support import FloatArray, angle
 
@@ -147,6 +147,37 @@ def damping_coefficient(damping: Damping, theta: ArrayLike, omega: ArrayLike) ->
     of_angle = np.where(position >= 0.0, ahead, behind)
     of_rate = damping.B * squared_rate ** (damping.m / 2.0)
     return np.asarray(damping.alpha * of_angle + damping.beta * of_rate)
+
+
+def sliding_friction(joystick: JoystickParameters, theta: ArrayLike, omega: ArrayLike) -> FloatArray:
+    """Magnitude (N m) of the dry friction moment while sliding, at theta (rad) and omega (rad/s).
+
+    T_c + (T_s - T_c)*exp(-(omega/omega_s)^2) + F_c*|dx/dtheta|: Coulomb, Stribeck, the plunger in contact.
+    """
+    law = joystick.friction
+    rate = np.asarray(omega, dtype=np.float64)
+    return np.asarray(law.T_c + _static_excess(law, rate) + _plunger_friction(joystick, theta))
+
+
+def static_friction(joystick: JoystickParameters, theta: ArrayLike) -> FloatArray:
+    """Largest dry friction moment (N m) while the joystick sticks at theta (rad), same shape."""
+    return sliding_friction(joystick, theta, np.zeros_like(np.asarray(theta, dtype=np.float64)))
+
+
+def _static_excess(law: Friction, omega: FloatArray) -> FloatArray:
+    if law.T_s <= law.T_c:
+        return np.zeros_like(omega)
+    return np.asarray((law.T_s - law.T_c) * np.exp(-((omega / law.omega_s) ** 2)))
+
+
+def _plunger_friction(joystick: JoystickParameters, theta: ArrayLike) -> FloatArray:
+    """F_c times the lever of the plunger in contact; none is within the clearance."""
+    position = np.asarray(theta, dtype=np.float64)
+    x = contact_travel(joystick, position)
+    first = [side.return_spring.x_0 for side in (joystick.forward, joystick.backward)]
+    in_contact = x > np.where(position >= 0.0, *first)
+    lever = np.abs(contact_travel_slope(joystick, position))
+    return np.where(in_contact, joystick.friction.F_c * lever, 0.0)
 
 
 def energy(joystick: JoystickParameters, theta: ArrayLike, omega: ArrayLike) -> FloatArray:

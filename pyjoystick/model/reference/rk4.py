@@ -14,7 +14,7 @@ import numpy as np
 from pyjoystick.model.parameters.joystick import JoystickParameters
 from pyjoystick.model.reference.branches import Acceleration, PiecewiseEquation
 from pyjoystick.model.reference.trajectory import Trajectory, trajectory
-from pyjoystick.support import SimulationError, Torque, angle, finite, positive, whole_number
+from pyjoystick.support import ParameterError, SimulationError, Torque, angle, finite, positive, whole_number
 
 #: Section 4: time step (s), and what it is divided by near the steep slopes.
 PAPER_STEP: Final = 1e-3
@@ -38,7 +38,7 @@ def simulate_rk4(
     (x_0 to x_1 or x_2 to x_3 of either side). Such a step is replaced by `refinement` steps of equal length.
 
     Args:
-        joystick: its parameters
+        joystick: its parameters, without dry friction, which the paper does not have
         duration: length of the run (s), rounded to a whole number of steps, at least one
         theta_start: angle at the start (rad), |theta_start| < pi/2
         omega_start: angular velocity at the start (rad/s)
@@ -53,6 +53,9 @@ def simulate_rk4(
         ParameterError: an argument is not finite or outside its range
         SimulationError: the motion reaches pi/2, or the torque is not finite
     """
+    if joystick.friction:
+        allowed = "none: the paper's integrator has no dry friction"
+        raise ParameterError("friction", joystick.friction, allowed)
     theta, omega = angle("theta_start", theta_start), finite("omega_start", omega_start, "rad/s")
     step = positive("step", step, "s")
     whole_number("refinement", refinement, 1)

@@ -12,7 +12,8 @@ from numpy.typing import ArrayLike
 from pyjoystick.model.parameters.joystick import JoystickParameters
 from pyjoystick.model.reference.branches import PiecewiseEquation
 from pyjoystick.model.reference.dormand_prince import Step
-from pyjoystick.model.reference.integration import Integration
+from pyjoystick.model.reference.integration import Integration, Rest
+from pyjoystick.model.reference.stick_slip import StickSlipIntegration
 from pyjoystick.model.reference.trajectory import Trajectory, trajectory
 from pyjoystick.support import FloatArray, Torque, angle, finite, increasing_times, positive
 
@@ -32,6 +33,8 @@ def simulate(
 ) -> Trajectory:
     """Integrate the equation of motion; every kink and the middle are located and restarted from.
 
+    So are, with dry friction, the instants at which the joystick sticks and slips.
+
     The method is Dormand and Prince's of eighth order. Output points are steps of the method that end
     there, so they are as accurate as the integration, whatever their spacing.
 
@@ -42,7 +45,8 @@ def simulate(
         theta_start: angle at the start (rad), |theta_start| < pi/2
         omega_start: angular velocity at the start (rad/s)
         torque: driving torque (N m) as a function of time (s), smooth but for jumps and kinks at
-            `torque_breakpoints`, where its value is that of the right-hand side; none is free oscillation
+            `torque_breakpoints`, where its value is that of the right-hand side; none is free oscillation.
+            While the joystick sticks, only changes are seen that last 50 ms, or 1e-4 of the wait if more
         torque_breakpoints: instants (s), in any order; those outside the run are ignored
         tolerance: largest estimated error of a step (rad and rad/s); the default gives 1e-10 rad after 1.5 s
 
@@ -51,7 +55,8 @@ def simulate(
         SimulationError: the motion reaches pi/2, or the torque is not finite or jumps between breakpoints
     """
     instants = increasing_times(time)
-    integration = Integration(
+    kind = StickSlipIntegration if joystick.friction else Integration
+    integration = kind(
         PiecewiseEquation(joystick, torque),
         float(instants[0]),
         angle("theta_start", theta_start),
@@ -60,10 +65,13 @@ def simulate(
     )
     theta, omega = np.empty_like(instants), np.empty_like(instants)
     theta[0], omega[0] = theta_start, omega_start
+    mode = np.zeros_like(instants)
+    mode[0] = integration.mode
     position = 1
     for step, reached in _spans(integration, instants, torque_breakpoints):
         while position < len(instants) and instants[position] <= reached:
             theta[position], omega[position] = step.at(float(instants[position]) - step.time)
+            mode[position] = step.mode
             position += 1
     return trajectory(
         joystick,
@@ -71,6 +79,7 @@ def simulate(
         theta,
         omega,
         torque,
+        mode,
         events=tuple(integration.events),
         turning_points=tuple(integration.turning_points),
         accepted=integration.accepted,
@@ -80,7 +89,7 @@ def simulate(
 
 def _spans(
     integration: Integration, instants: FloatArray, breakpoints: Iterable[float]
-) -> Iterator[tuple[Step, float]]:
+) -> Iterator[tuple[Step | Rest, float]]:
     """All steps of the run and the times they reach; the breakpoints of the torque are among these."""
     start, end = float(instants[0]), float(instants[-1])
     inner = {finite("torque_breakpoints", value, "s") for value in breakpoints}

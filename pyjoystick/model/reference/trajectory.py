@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pyjoystick.model.parameters.joystick import JoystickParameters
 from pyjoystick.model.reference.integration import Event, TurningPoint
@@ -15,6 +16,7 @@ from pyjoystick.model.reference.moments import (
     damping_coefficient,
     energy,
     gravity_moment,
+    sliding_friction,
 )
 from pyjoystick.support import FloatArray, Torque
 
@@ -36,6 +38,8 @@ class Trajectory:
         C: damping coefficient (N m s/rad)
         E: energy (J)
         T: driving torque (N m)
+        M_f: dry friction moment (N m)
+        is_stuck: True while dry friction holds the joystick
         events: passages of kinks and of the middle, in order (none where the method does not locate them)
         turning_points: sign changes of omega, in order (likewise)
         accepted, rejected: number of integration steps
@@ -53,6 +57,8 @@ class Trajectory:
     C: FloatArray
     E: FloatArray
     T: FloatArray
+    M_f: FloatArray
+    is_stuck: NDArray[np.bool_]
     events: tuple[Event, ...] = ()
     turning_points: tuple[TurningPoint, ...] = ()
     accepted: int = 0
@@ -65,22 +71,31 @@ def trajectory(
     theta: FloatArray,
     omega: FloatArray,
     torque: Torque | None,
+    mode: FloatArray | None = None,
     *,
     events: tuple[Event, ...] = (),
     turning_points: tuple[TurningPoint, ...] = (),
     accepted: int = 0,
     rejected: int = 0,
 ) -> Trajectory:
-    """The trajectory of a computed motion: time (s), theta (rad) and omega (rad/s) of one shape (n,)."""
+    """The trajectory of a computed motion: time (s), theta (rad) and omega (rad/s) of one shape (n,).
+
+    With dry friction, `mode` is 1 or -1 where the joystick slides forward or backward, 0 where it sticks.
+    """
     driving = np.zeros_like(time) if torque is None else np.array([torque(float(t)) for t in time])
     coefficient = damping_coefficient(joystick.damping, theta, omega)
     contact, weight = contact_moment(joystick, theta), gravity_moment(joystick, theta)
     damping = coefficient * omega
+    others = driving + weight - contact - damping
+    friction, is_stuck = np.zeros_like(others), np.zeros(others.shape, dtype=np.bool_)
+    if joystick.friction and mode is not None:
+        is_stuck = mode == 0.0
+        friction = np.where(is_stuck, others, mode * sliding_friction(joystick, theta, omega))
     return Trajectory(
         time=time,
         theta=theta,
         omega=omega,
-        alpha=(driving + weight - contact - damping) / joystick.J,
+        alpha=(others - friction) / joystick.J,
         x=contact_travel(joystick, theta),
         f_x=contact_force(joystick, theta),
         M_s=contact,
@@ -89,6 +104,8 @@ def trajectory(
         C=coefficient,
         E=energy(joystick, theta, omega),
         T=driving,
+        M_f=friction,
+        is_stuck=is_stuck,
         events=events,
         turning_points=turning_points,
         accepted=accepted,

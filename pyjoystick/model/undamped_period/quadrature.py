@@ -107,10 +107,10 @@ _LARGEST_ANGLE: Final = math.nextafter(0.5 * math.pi, 0.0)
 def undamped_oscillation(
     joystick: JoystickParameters, release_angle: float, *, geometry: Geometry | None = None
 ) -> UndampedOscillation:
-    """The joystick without its damping, released at rest.
+    """The joystick without its damping and its dry friction, released at rest.
 
     Args:
-        joystick: the joystick, whose damping does not count
+        joystick: the joystick, whose damping and dry friction do not count
         release_angle: angle of release (rad), positive forward, not 0
         geometry: that of `joystick`: `CamGeometry`, eq. (3), where not given, or `LinearGeometry`
 

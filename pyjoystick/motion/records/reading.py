@@ -80,14 +80,16 @@ def read_repeats(
     columns: Mapping[str, str] | None = None,
     units: Mapping[str, str] | None = None,
     released: Side | None = None,
+    both_sides: bool = False,
 ) -> tuple[Record, ...]:
-    """Read the records of one experiment that was repeated: free oscillations from the same side.
+    """Read the records of one joystick: free oscillations, from the same side unless it is said otherwise.
 
     Args:
         paths: one file a repeat
         columns: headings of the columns, as for `read_record`
         units: units of columns without one, as for `read_record`
         released: side of release, where it is known
+        both_sides: whether some may be released from the other side
 
     Raises:
         RecordError: a file is refused; two hold the same samples (a repeat counted twice would make every
@@ -98,7 +100,8 @@ def read_repeats(
         record = read_record(path, columns=columns, units=units, released=released)
         for other in records:
             _require_another(record, other)
-            _require_same_side(record, other)
+            if not both_sides:
+                _require_same_side(record, other)
         records.append(record)
     if not records:
         raise RecordError("records", "no file is given", "give one file a repeat")
@@ -118,7 +121,7 @@ def _require_same_side(record: Record, other: Record) -> None:
         raise RecordError(
             record.source,
             f"is released from the other side than {other.source}: wrong sign?",
-            "repeats are of one experiment, with the angle positive forward",
+            "give angles that are positive forward; if both are meant, pyjoystick fit takes --both-sides",
             column="theta",
             rows=[record.rows[furthest]],
             value=f"{math.degrees(record.theta[furthest]):+.2f} degrees",

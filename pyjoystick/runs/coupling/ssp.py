@@ -3,16 +3,26 @@
 from __future__ import annotations
 
 import zipfile
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterator, Mapping
 from os import PathLike
 from pathlib import Path, PurePosixPath
-from typing import Final, Literal
+from typing import Final
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
 
-from fmpy import read_model_description
-
-from pyjoystick.fmu import INTEGERS, REALS, FmuDescription, Value, Variable, find_fmu
+from pyjoystick.fmu import FmuDescription, find_fmu
+from pyjoystick.runs.coupling.parameter_sets import (
+    NAMESPACES,
+    ParameterNote,
+    SspVersion,
+    add_type,
+    add_units,
+    bind,
+    bound_values,
+    parameter_set,
+    parameter_set_xml,
+    tag,
+)
 from pyjoystick.runs.coupling.system import Component, Connection, CoupledSystem
 from pyjoystick.runs.errors import CouplingError
 from pyjoystick.support import (
@@ -26,21 +36,10 @@ from pyjoystick.support import (
     version_of,
 )
 
-SspVersion = Literal["1.0", "2.0"]
-#: The namespaces of both versions of the standard, and OMSimulator's; tools look for these very prefixes.
-_NAMESPACES: Final = {
-    "ssc": "http://ssp-standard.org/SSP1/SystemStructureCommon",
-    "ssd": "http://ssp-standard.org/SSP1/SystemStructureDescription",
-    "ssv": "http://ssp-standard.org/SSP1/SystemStructureParameterValues",
-    "oms": "https://raw.githubusercontent.com/OpenModelica/OMSimulator/master/schema/oms.xsd",
-}
 _FMU_TYPE: Final = "application/x-fmu-sharedlibrary"
-_BASE_UNITS: Final = ("kg", "m", "s", "A", "K", "mol", "cd", "rad", "factor", "offset")
 #: What the schema allows only with something in it.
 _LISTS: Final = ("ssd:Connectors", "ssd:Elements", "ssd:Connections", "ssd:Units")
 
-#: One name for the values of all components: ecos applies the sets of one name, which it is given.
-_PARAMETERS: Final = "parameters"
 #: What an archive may unpack to (bytes).
 _LARGEST: Final = 1_000_000_000
 _STRUCTURE: Final = "SystemStructure.ssd"
@@ -48,13 +47,21 @@ _STRUCTURE: Final = "SystemStructure.ssd"
 _NO_DATE: Final = (1980, 1, 1, 0, 0, 0)
 
 
-def write_ssp(system: CoupledSystem, path: str | PathLike[str], *, version: SspVersion = "1.0") -> None:
+def write_ssp(
+    system: CoupledSystem,
+    path: str | PathLike[str],
+    *,
+    version: SspVersion = "1.0",
+    notes: Mapping[str, Mapping[str, ParameterNote]] | None = None,
+) -> None:
     """Write a system with its FMUs into one SSP archive, whole or not at all.
 
     Args:
         system: what to write
         path: the .ssp file
         version: of the SSP standard; FMPy 0.3 and ecos 0.7 open 1.0 only
+        notes: on values, by component and parameter; the values of such a component are in a file of their
+            own, ``resources/<component>.ssv``
 
     Raises:
         CouplingError, FmuNotFoundError, FmuFileError, ParameterError, UnknownParameterError: as
@@ -67,11 +74,20 @@ def write_ssp(system: CoupledSystem, path: str | PathLike[str], *, version: SspV
         if not files.setdefault(file.name, file).samefile(file):
             reason = f"another FMU of the system is called {file.name} too; rename one of the files"
             raise CouplingError(system.name, component.name, reason)
-    content = structure_xml(system, version)
+    notes = notes or {}
+    described = system.describe()
+    sets = {
+        f"resources/{one.name}.ssv": parameter_set_xml(one, described[one.name], notes[one.name], version)
+        for one in system.components
+        if one.name in notes
+    }
+    content = structure_xml(system, version, notes)
     with replacing(Path(path)) as temporary, zipfile.ZipFile(temporary, "w") as archive:
         _add(archive, _STRUCTURE, content)
         for name, fmu in files.items():
             _add(archive, f"resources/{name}", fmu.read_bytes())
+        for name, values in sets.items():
+            _add(archive, name, values)
 
 
 def _add(archive: zipfile.ZipFile, name: str, content: bytes) -> None:
@@ -90,7 +106,7 @@ def read_ssp(path: str | PathLike[str], folder: str | PathLike[str]) -> CoupledS
 
     Raises:
         InputFileError: the file is no SSP archive, or holds what this reader does not understand (systems
-            within systems, other components than FMUs, parameter files, unit conversions): it is named
+            within systems, other components than FMUs, mappings, unit conversions): it is named
     """
     path, folder = Path(path), Path(folder)
     try:
@@ -98,7 +114,8 @@ def read_ssp(path: str | PathLike[str], folder: str | PathLike[str]) -> CoupledS
             if (size := sum(entry.file_size for entry in archive.infolist())) > _LARGEST:
                 allowed = f"at most {_LARGEST / 1e9:.3g} GB are unpacked"
                 raise InputFileError(path, f"declares {size / 1e9:.3g} GB; {allowed}")
-            system = system_of(path, ElementTree.fromstring(archive.read(_STRUCTURE)), folder)
+            root = ElementTree.fromstring(archive.read(_STRUCTURE))
+            system = system_of(path, root, folder, archive.read)
             for component in system.components:
                 archive.extract(Path(component.fmu).relative_to(folder).as_posix(), folder)
     except KeyError as error:
@@ -110,39 +127,46 @@ def read_ssp(path: str | PathLike[str], folder: str | PathLike[str]) -> CoupledS
     return system
 
 
-def structure_xml(system: CoupledSystem, version: SspVersion) -> bytes:
-    """The content of SystemStructure.ssd; raises as `CoupledSystem.describe`."""
+def structure_xml(system: CoupledSystem, version: SspVersion, in_files: Collection[str] = ()) -> bytes:
+    """The content of SystemStructure.ssd; raises as `CoupledSystem.describe`.
+
+    Args:
+        system: the system
+        version: of the standard
+        in_files: names of the components whose values are in files of their own
+    """
     described = system.describe()
-    for prefix, uri in _NAMESPACES.items():
+    for prefix, uri in NAMESPACES.items():
         ElementTree.register_namespace(prefix, uri)
     root = Element(
-        _tag("ssd:SystemStructureDescription"),
+        tag("ssd:SystemStructureDescription"),
         version=version,
         name=system.name,
         generationTool=f"pyjoystick {version_of('pyjoystick')}",
     )
-    top = SubElement(root, _tag("ssd:System"), name=system.name, description=system.description)
-    elements = SubElement(top, _tag("ssd:Elements"))
+    top = SubElement(root, tag("ssd:System"), name=system.name, description=system.description)
+    elements = SubElement(top, tag("ssd:Elements"))
     fed = {connection.target for connection in system.connections}
     for component in system.components:
-        _add_component(elements, component, described[component.name], version, fed)
-    connections = SubElement(top, _tag("ssd:Connections"))
+        inside = described[component.name]
+        _add_component(elements, component, inside, version, fed, in_file=component.name in in_files)
+    connections = SubElement(top, tag("ssd:Connections"))
     for connection in system.connections:
         (start, output), (end, target) = (
             path.split(".", 1) for path in (connection.source, connection.target)
         )
         SubElement(
             connections,
-            _tag("ssd:Connection"),
+            tag("ssd:Connection"),
             startElement=start,
             startConnector=output,
             endElement=end,
             endConnector=target,
         )
     _add_omsimulator(top)
-    _add_units(root, described.values())
-    SubElement(root, _tag("ssd:DefaultExperiment"), startTime="0.0", stopTime=repr(float(system.stop_time)))
-    lists = [_tag(name) for name in _LISTS]
+    add_units(root, "ssd:Units", described.values())
+    SubElement(root, tag("ssd:DefaultExperiment"), startTime="0.0", stopTime=repr(float(system.stop_time)))
+    lists = [tag(name) for name in _LISTS]
     for parent in list(root.iter()):
         for empty in [child for child in parent if child.tag in lists and not len(child)]:
             parent.remove(empty)
@@ -153,14 +177,12 @@ def structure_xml(system: CoupledSystem, version: SspVersion) -> bytes:
 
 def _add_omsimulator(top: Element) -> None:
     """Without this annotation OMSimulator takes the system for none that it can run."""
-    annotations = SubElement(top, _tag("ssd:Annotations"))
-    annotation = SubElement(annotations, _tag("ssc:Annotation"), type="org.openmodelica")
-    information = SubElement(
-        SubElement(annotation, _tag("oms:Annotations")), _tag("oms:SimulationInformation")
-    )
+    annotations = SubElement(top, tag("ssd:Annotations"))
+    annotation = SubElement(annotations, tag("ssc:Annotation"), type="org.openmodelica")
+    information = SubElement(SubElement(annotation, tag("oms:Annotations")), tag("oms:SimulationInformation"))
     SubElement(
         information,
-        _tag("oms:FixedStepMaster"),
+        tag("oms:FixedStepMaster"),
         description="oms-ma",
         stepSize=str(DEFAULT_OUTPUT_INTERVAL),
         absoluteTolerance=str(DEFAULT_TOLERANCE),
@@ -174,18 +196,20 @@ def _add_component(
     description: FmuDescription,
     version: SspVersion,
     fed: Collection[str],
+    *,
+    in_file: bool,
 ) -> None:
     """An FMU with connectors for its outputs and the inputs that are `fed`; FMPy cannot open any others."""
     element = SubElement(
         elements,
-        _tag("ssd:Component"),
+        tag("ssd:Component"),
         name=component.name,
         description=description.description,
         type=_FMU_TYPE,
         source=f"resources/{find_fmu(component.fmu).name}",
         implementation="CoSimulation",
     )
-    connectors = SubElement(element, _tag("ssd:Connectors"))
+    connectors = SubElement(element, tag("ssd:Connectors"))
     for kind in ("input", "output"):
         for name in description.names(kind):
             variable = description.variables[name]
@@ -193,63 +217,30 @@ def _add_component(
                 continue  # SSP has no connectors for them
             if kind == "input" and f"{component.name}.{name}" not in fed:
                 continue
-            connector = SubElement(connectors, _tag("ssd:Connector"), name=name, kind=kind)
-            _add_type(connector, "ssc", variable)
+            connector = SubElement(connectors, tag("ssd:Connector"), name=name, kind=kind)
+            add_type(connector, "ssc", variable)
     if component.parameters:
-        bindings = SubElement(element, _tag("ssd:ParameterBindings"))
-        values = SubElement(SubElement(bindings, _tag("ssd:ParameterBinding")), _tag("ssd:ParameterValues"))
-        parameters = SubElement(values, _tag("ssv:ParameterSet"), version=version, name=_PARAMETERS)
-        parameters = SubElement(parameters, _tag("ssv:Parameters"))
-        for name, value in component.parameters.items():
-            parameter = SubElement(parameters, _tag("ssv:Parameter"), name=name)
-            _add_type(parameter, "ssv", description.variables[name]).set("value", _text(value))
+        inside = parameter_set(component, description, version)
+        bind(element, f"resources/{component.name}.ssv" if in_file else inside)
 
 
-def _add_type(parent: Element, prefix: str, variable: Variable) -> Element:
-    kind = "Real" if variable.type in REALS else "Integer" if variable.type in INTEGERS else variable.type
-    element = SubElement(parent, _tag(f"{prefix}:{kind}"))
-    if kind == "Real" and variable.unit:
-        element.set("unit", variable.unit)
-    return element
-
-
-def _text(value: Value) -> str:
-    return str(value).lower() if isinstance(value, bool) else str(value)
-
-
-def _add_units(root: Element, descriptions: Iterable[FmuDescription]) -> None:
-    """Every unit that an FMU declares, by its exponents of the SI base units."""
-    declared = {
-        unit.name: unit.baseUnit
-        for description in descriptions
-        for unit in read_model_description(str(description.path), validate=False).unitDefinitions
-    }
-    units = SubElement(root, _tag("ssd:Units"))
-    for name, base in sorted(declared.items()):
-        unit = SubElement(units, _tag("ssc:Unit"), name=name)
-        exponents = {key: str(getattr(base, key)) for key in _BASE_UNITS if base is not None}
-        SubElement(
-            unit, _tag("ssc:BaseUnit"), {k: v for k, v in exponents.items() if float(v) != (k == "factor")}
-        )
-
-
-def system_of(path: Path, root: Element, folder: Path) -> CoupledSystem:
-    """The system of a SystemStructure.ssd, its FMUs as files under `folder`.
+def system_of(path: Path, root: Element, folder: Path, read: Callable[[str], bytes]) -> CoupledSystem:
+    """The system of a SystemStructure.ssd, its FMUs as files under `folder`; `read` reads other files.
 
     Raises:
         InputFileError: the XML of the archive `path` has something that is not supported
     """
-    top = root.find("ssd:System", _NAMESPACES)
+    top = root.find("ssd:System", NAMESPACES)
     if top is None:
         raise InputFileError(path, f"there is no system in its {root.tag.rpartition('}')[2]}")
     _refuse(path, top, "ssd:ParameterBindings", "ssd:SignalDictionaries")
-    elements = top.findall("ssd:Elements/*", _NAMESPACES)
-    experiment = root.find("ssd:DefaultExperiment", _NAMESPACES)
+    elements = top.findall("ssd:Elements/*", NAMESPACES)
+    experiment = root.find("ssd:DefaultExperiment", NAMESPACES)
     return CoupledSystem(
         name=top.get("name", root.get("name", path.stem)),
         description=top.get("description", ""),
         components=tuple(
-            _component(path, element, folder) for element in ([] if elements is None else elements)
+            _component(path, element, folder, read) for element in ([] if elements is None else elements)
         ),
         connections=tuple(_connections(path, top)),
         stop_time=_stop_time(path, experiment),
@@ -265,47 +256,21 @@ def _stop_time(path: Path, experiment: Element | None) -> float:
         raise InputFileError(path, f"DefaultExperiment: stopTime = {text!r}: {allowed}") from error
 
 
-def _component(path: Path, element: Element, folder: Path) -> Component:
+def _component(path: Path, element: Element, folder: Path, read: Callable[[str], bytes]) -> Component:
     name = element.get("name", "")
     kind = element.get("type", _FMU_TYPE)
     source = PurePosixPath(element.get("source", ""))
-    if element.tag != _tag("ssd:Component") or kind != _FMU_TYPE:
+    if element.tag != tag("ssd:Component") or kind != _FMU_TYPE:
         raise InputFileError(path, f"element {name!r} is not an FMU; other elements are not supported")
     if source.is_absolute() or ".." in source.parts or source.suffix != ".fmu" or ":" in str(source):
         raise InputFileError(
             path, f"component {name!r}: its source {str(source)!r} is not an FMU in the archive"
         )
-    return Component(name, folder / source, dict(_parameters(path, element)))
-
-
-def _parameters(path: Path, element: Element) -> Iterator[tuple[str, Value]]:
-    for binding in element.iterfind("ssd:ParameterBindings/ssd:ParameterBinding", _NAMESPACES):
-        if binding.get("source") or binding.get("prefix") or len(binding) != 1:
-            reason = "parameters from a file, with a prefix or a mapping are not supported"
-            raise InputFileError(path, f"component {element.get('name')!r}: {reason}")
-        for parameter in binding.iterfind(".//ssv:Parameter", _NAMESPACES):
-            yield parameter.get("name", ""), _value(path, parameter)
-
-
-def _value(path: Path, parameter: Element) -> Value:
-    typed = next(iter(parameter), Element("}no type"))
-    kind, text = typed.tag.rpartition("}")[2], typed.get("value", "")
-    try:
-        if kind in ("Real", "Float64", "Float32"):
-            return float(text)
-        if kind in INTEGERS:
-            return int(text)
-        if kind == "Boolean":
-            return {"true": True, "1": True, "false": False, "0": False}[text]
-    except (KeyError, ValueError):
-        kind = f"{kind} {text!r}"
-    if kind == "String":
-        return text
-    raise InputFileError(path, f"parameter {parameter.get('name')!r}: a value of {kind} is not supported")
+    return Component(name, folder / source, dict(bound_values(path, element, read)))
 
 
 def _connections(path: Path, top: Element) -> Iterator[Connection]:
-    for element in top.iterfind("ssd:Connections/ssd:Connection", _NAMESPACES):
+    for element in top.iterfind("ssd:Connections/ssd:Connection", NAMESPACES):
         ends = [element.get(key) for key in ("startElement", "startConnector", "endElement", "endConnector")]
         if None in ends:
             raise InputFileError(
@@ -318,11 +283,6 @@ def _connections(path: Path, top: Element) -> Iterator[Connection]:
 
 
 def _refuse(path: Path, element: Element, *tags: str) -> None:
-    for tag in tags:
-        if element.find(tag, _NAMESPACES) is not None:
-            raise InputFileError(path, f"{tag.partition(':')[2]} of a system are not supported")
-
-
-def _tag(name: str) -> str:
-    prefix, _, local = name.partition(":")
-    return f"{{{_NAMESPACES[prefix]}}}{local}"
+    for name in tags:
+        if element.find(name, NAMESPACES) is not None:
+            raise InputFileError(path, f"{name.partition(':')[2]} of a system are not supported")

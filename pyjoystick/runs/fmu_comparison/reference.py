@@ -9,7 +9,7 @@ from os import PathLike
 from pyjoystick.fmu import Interface, find_fmu, read_description
 from pyjoystick.model import ConstantDamping, JoystickParameters
 from pyjoystick.motion import compare
-from pyjoystick.runs.experiments import COLUMNS, reference_free_oscillation, require_joystick
+from pyjoystick.runs.experiments import reference_free_oscillation, require_joystick
 from pyjoystick.runs.fmu_comparison.compare import RunComparison
 from pyjoystick.runs.fmu_comparison.experiments import Experiment, Tolerances, run
 from pyjoystick.runs.fmu_comparison.limits import (
@@ -64,7 +64,7 @@ def compare_with_reference(
         )
         values = {**joystick.to_names(), "theta_start": angle}
         experiment = Experiment(label, expected.index.to_numpy(), values)
-        table = run(description.path, interface, experiment, COLUMNS, tolerances)
+        table = run(description.path, interface, experiment, [*map(str, expected.columns)], tolerances)
         tolerance, factor = _accuracy(interface, joystick, tolerances)
         allowed = {"theta": angle_limit(expected["theta"], tolerance, factor)} | dict(limits or {})
         differences = compare(table, expected, limits=allowed)

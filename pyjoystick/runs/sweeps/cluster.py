@@ -14,10 +14,10 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from pyjoystick.runs.errors import ClusterError, MissingPackageError
+from pyjoystick.runs.errors import ClusterError
 from pyjoystick.runs.sweeps.chunks import Chunks
 from pyjoystick.runs.sweeps.sweep import Part, Sweep
-from pyjoystick.support import PyJoystickError
+from pyjoystick.support import MissingPackageError, PyJoystickError
 
 try:
     from dask import config as dask_config

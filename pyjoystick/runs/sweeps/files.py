@@ -12,9 +12,9 @@ from typing import Any, Final
 import numpy as np
 import pandas as pd
 
-from pyjoystick.runs.errors import MissingPackageError, SweepFileError
+from pyjoystick.runs.errors import SweepFileError
 from pyjoystick.runs.sweeps.sweep import ATTRIBUTE
-from pyjoystick.support import OutputFileError, replacing
+from pyjoystick.support import MissingPackageError, OutputFileError, replacing
 
 _SUFFIXES: Final = (".parquet", ".csv")
 

@@ -1,0 +1,152 @@
+"""Integration with dry friction: the motion slides either way or sticks, and every change is located."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Final
+
+import numpy as np
+from numpy.polynomial import chebyshev
+
+from pyjoystick.model.reference.branches import Acceleration, PiecewiseEquation
+from pyjoystick.model.reference.dormand_prince import Step
+from pyjoystick.model.reference.integration import Event, Integration, Rest, TurningPoint
+
+
+class StickSlipIntegration(Integration):
+    """A motion that friction opposes while it slides, and ends where it can hold against everything else.
+
+    Attributes:
+        mode: 1 and -1 while the joystick slides forward and backward, 0 while it sticks
+    """
+
+    def __init__(
+        self, equation: PiecewiseEquation, time: float, theta: float, omega: float, tolerance: float
+    ) -> None:
+        super().__init__(equation, time, theta, omega, tolerance)
+        self._stribeck = equation.stribeck_velocity
+        self.mode = (omega > 0.0) - (omega < 0.0) or self._mode_at_rest()
+
+    def _acceleration(self) -> Acceleration:
+        return self._branch.sliding(self.mode)
+
+    def _advance(self, end: float, latest: float) -> tuple[Step | Rest, float] | None:
+        if self._omega == 0.0:
+            self._settle()
+        return super()._advance(end, latest) if self.mode else self._rest(end, latest)
+
+    def _mode_at_rest(self) -> int:
+        """Where all but the friction pushes the joystick that is at rest, 0 where friction holds it."""
+        push = self._branch.acceleration(self._time, self._theta, 0.0)
+        hold = self._branch.friction(self._theta, 0.0)
+        return (push > hold) - (push < -hold)
+
+    def _settle(self) -> None:
+        before, self.mode = self.mode, self._mode_at_rest()
+        if before and self.mode == -before:
+            self.turning_points.append(TurningPoint(self._time, self._theta))
+        elif before != self.mode:
+            kind = "slips" if self.mode else "sticks"
+            self.events.append(Event(self._time, kind, before or self.mode, self._theta, 0.0))
+
+    def _turned(self) -> None:
+        """Nothing: the next step settles whether it turns or sticks."""
+
+    def _take(self, step: Step, heading: int, length: float, theta: float, omega: float, end: float) -> None:
+        if heading == self.mode:
+            super()._take(step, heading, length, theta, omega, end)
+        else:  # a push that exceeds the friction by rounding errors does not move it
+            self._time = end if step.time + length >= end else step.time + length
+
+    def _controlled(self, step: Step, end: float) -> tuple[float, float, float]:
+        """As without friction, with steps so short where omega falls that none leaps over Stribeck's peak."""
+        speed, rate = abs(step.omega), abs(step.alpha)
+        if self._stribeck > 0.0 and rate > 0.0:
+            way = max(0.5 * (speed - _PEAK * self._stribeck), 0.25 * self._stribeck)
+            self._length = min(self._length, way / rate)
+        return super()._controlled(step, end)
+
+    def _rest(self, end: float, latest: float) -> tuple[Rest, float]:
+        rest = Rest(self._time, self._theta)
+        if self._equation.torque is None:
+            self._time = end
+            return rest, end
+        others, theta = self._branch.acceleration, self._theta
+        hold = self._branch.friction(theta, 0.0)
+        longest = max(_LONGEST, _LONGEST_PART * (end - self._time))
+
+        def push(time: float) -> float:
+            return others(min(time, latest), theta, 0.0)
+
+        found = first_excess(push, hold, self._time, end, longest)
+        self._time = end if found is None else found
+        return rest, self._time
+
+
+#: Stribeck's share of the friction is less than rounding beyond this multiple of its velocity.
+_PEAK: Final = 6.0
+#: A torque is looked at in spans (s) of this length first, and at most of this one or this part of the wait.
+_FIRST: Final = 1e-3
+_LONGEST: Final = 0.05
+_LONGEST_PART: Final = 1e-4
+#: Spans this short (s) are taken as they are, though the torque is not smooth in them.
+_SHORTEST: Final = 1e-6
+#: A span is resolved where the last coefficients of its Chebyshev series are this part of the largest.
+_RESOLVED: Final = 1e-9
+_DEGREE: Final = 16
+_NODES: Final = chebyshev.chebpts2(_DEGREE + 1)
+_TO_COEFFICIENTS: Final = np.linalg.inv(chebyshev.chebvander(_NODES, _DEGREE))
+
+
+def first_excess(
+    function: Callable[[float], float], bound: float, start: float, end: float, longest: float
+) -> float | None:
+    """The first instant at which the magnitude of a function of time exceeds a bound.
+
+    Args:
+        function: smooth, at most `bound` in magnitude at `start`
+        bound: 0 or more
+        start: where to begin (s)
+        end: where to end (s)
+        longest: changes within a span this long (s) are seen
+
+    Returns:
+        the earliest floating-point number beyond the crossing; None where there is none
+    """
+    length = _FIRST
+    while start < end:
+        length = min(length, longest, end - start)
+        middle, half = start + 0.5 * length, 0.5 * length
+        values = np.array([function(middle + half * float(node)) for node in _NODES])
+        coefficients = _TO_COEFFICIENTS @ values
+        size = np.max(np.abs(coefficients))
+        if np.max(np.abs(coefficients[-3:])) > _RESOLVED * size and length > _SHORTEST:
+            length *= 0.5
+            continue
+        before = start
+        for node in sorted({*_NODES, *_extremes(coefficients)}):
+            time = middle + half * float(node)
+            if abs(function(time)) > bound:
+                return _crossing(function, bound, before, time)
+            before = time
+        start = end if start + length >= end else start + length
+        length *= 2.0
+    return None
+
+
+def _extremes(coefficients: np.ndarray[tuple[int], np.dtype[np.float64]]) -> list[float]:
+    """Where the slope of a Chebyshev series is zero, within -1 and 1."""
+    slope = chebyshev.chebtrim(chebyshev.chebder(coefficients), 1e-14 * float(np.max(np.abs(coefficients))))
+    return [
+        float(root.real) for root in chebyshev.chebroots(slope) if abs(root.imag) < 1e-3 and abs(root) < 1.0
+    ]
+
+
+def _crossing(function: Callable[[float], float], bound: float, inside: float, outside: float) -> float:
+    """The first floating-point number whose value is beyond the bound, by bisection."""
+    while inside < (middle := 0.5 * (inside + outside)) < outside:
+        if abs(function(middle)) > bound:
+            outside = middle
+        else:
+            inside = middle
+    return outside

@@ -1,0 +1,185 @@
+"""Values of the parameters of a component, within a system's description or in a file of their own (SSV)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path, PurePosixPath
+from typing import Final, Literal
+from xml.etree import ElementTree
+from xml.etree.ElementTree import Element, SubElement
+
+from fmpy import read_model_description
+
+from pyjoystick.fmu import INTEGERS, REALS, FmuDescription, Value, Variable
+from pyjoystick.runs.coupling.system import Component
+from pyjoystick.support import InputFileError
+
+SspVersion = Literal["1.0", "2.0"]
+#: The namespaces of both versions of the standard, and OMSimulator's; tools look for these very prefixes.
+NAMESPACES: Final = {
+    "ssc": "http://ssp-standard.org/SSP1/SystemStructureCommon",
+    "ssd": "http://ssp-standard.org/SSP1/SystemStructureDescription",
+    "ssv": "http://ssp-standard.org/SSP1/SystemStructureParameterValues",
+    "pj": "urn:pyjoystick:measured",
+    "oms": "https://raw.githubusercontent.com/OpenModelica/OMSimulator/master/schema/oms.xsd",
+}
+_BASE_UNITS: Final = ("kg", "m", "s", "A", "K", "mol", "cd", "rad", "factor", "offset")
+#: One name for the values of all components: ecos applies the sets of one name, which it is given.
+_PARAMETERS: Final = "parameters"
+_SET_TYPE: Final = "application/x-ssp-parameter-set"
+#: Of the annotation that says how sure a value is.
+_MEASURED: Final = "pyjoystick.measured"
+
+
+@dataclass(frozen=True, slots=True)
+class ParameterNote:
+    """What is known of a value beside itself.
+
+    Attributes:
+        uncertainty: its standard uncertainty, in its unit; None where it is not known
+        source: where it is from; may be empty
+    """
+
+    uncertainty: float | None
+    source: str
+
+
+def parameter_set_xml(
+    component: Component,
+    description: FmuDescription,
+    notes: Mapping[str, ParameterNote],
+    version: SspVersion,
+) -> bytes:
+    """The values of a component as an SSV file.
+
+    The standard has no place for uncertainties: they stand in the description of a parameter, for people, and
+    in an annotation, ``<pj:Measured standardUncertainty="..." source="..."/>``.
+    """
+    for prefix, uri in NAMESPACES.items():
+        ElementTree.register_namespace(prefix, uri)
+    root = parameter_set(component, description, version)
+    for parameter in root.iter(tag("ssv:Parameter")):
+        note = notes.get(parameter.get("name", ""))
+        if note is not None:
+            _annotate(parameter, note)
+    add_units(root, "ssv:Units", [description])
+    ElementTree.indent(root)
+    content: bytes = ElementTree.tostring(root, encoding="UTF-8", xml_declaration=True)
+    return content + b"\n"
+
+
+def _annotate(parameter: Element, note: ParameterNote) -> None:
+    error = "" if note.uncertainty is None else f"{note.uncertainty:.2g}"
+    unit = parameter[0].get("unit", "")
+    text = "; ".join(filter(None, (error and f"standard uncertainty {error} {unit}".rstrip(), note.source)))
+    if not text:
+        return
+    parameter.set("description", text)
+    annotation = SubElement(
+        SubElement(parameter, tag("ssv:Annotations")), tag("ssc:Annotation"), type=_MEASURED
+    )
+    known = {"standardUncertainty": "" if note.uncertainty is None else repr(note.uncertainty)}
+    known["source"] = note.source
+    SubElement(annotation, tag("pj:Measured"), {key: one for key, one in known.items() if one})
+
+
+def parameter_set(component: Component, description: FmuDescription, version: SspVersion) -> Element:
+    """The values of a component as a set."""
+    found = Element(tag("ssv:ParameterSet"), version=version, name=_PARAMETERS)
+    parameters = SubElement(found, tag("ssv:Parameters"))
+    for name, value in component.parameters.items():
+        parameter = SubElement(parameters, tag("ssv:Parameter"), name=name)
+        add_type(parameter, "ssv", description.variables[name]).set("value", _text(value))
+    return found
+
+
+def bind(element: Element, source: str | Element) -> None:
+    """Bind values to a component: a set, or the name of the file that has it."""
+    bindings = SubElement(element, tag("ssd:ParameterBindings"))
+    if isinstance(source, str):
+        SubElement(bindings, tag("ssd:ParameterBinding"), type=_SET_TYPE, source=source)
+        return
+    binding = SubElement(bindings, tag("ssd:ParameterBinding"))
+    SubElement(binding, tag("ssd:ParameterValues")).append(source)
+
+
+def add_type(parent: Element, prefix: str, variable: Variable) -> Element:
+    """Add the type of a variable, with its unit."""
+    kind = "Real" if variable.type in REALS else "Integer" if variable.type in INTEGERS else variable.type
+    element = SubElement(parent, tag(f"{prefix}:{kind}"))
+    if kind == "Real" and variable.unit:
+        element.set("unit", variable.unit)
+    return element
+
+
+def _text(value: Value) -> str:
+    return str(value).lower() if isinstance(value, bool) else str(value)
+
+
+def add_units(root: Element, name: str, descriptions: Iterable[FmuDescription]) -> None:
+    """Every unit that an FMU declares, by its exponents of the SI base units."""
+    declared = {
+        unit.name: unit.baseUnit
+        for description in descriptions
+        for unit in read_model_description(str(description.path), validate=False).unitDefinitions
+    }
+    units = SubElement(root, tag(name))
+    for name, base in sorted(declared.items()):
+        unit = SubElement(units, tag("ssc:Unit"), name=name)
+        exponents = {key: str(getattr(base, key)) for key in _BASE_UNITS if base is not None}
+        SubElement(
+            unit, tag("ssc:BaseUnit"), {k: v for k, v in exponents.items() if float(v) != (k == "factor")}
+        )
+
+
+def bound_values(path: Path, element: Element, read: Callable[[str], bytes]) -> Iterator[tuple[str, Value]]:
+    """The values that are bound to a component.
+
+    Args:
+        path: the archive
+        element: the component
+        read: reads a file of the archive; raises KeyError where there is none
+
+    Raises:
+        InputFileError: something in the binding is not supported, or not allowed
+    """
+    for binding in element.iterfind("ssd:ParameterBindings/ssd:ParameterBinding", NAMESPACES):
+        source = PurePosixPath(binding.get("source", ""))
+        content = binding
+        if source.name:
+            if source.suffix != ".ssv" or source.is_absolute() or ".." in source.parts or ":" in str(source):
+                reason = f"parameters from {str(source)!r}, which is no .ssv file of the archive"
+                raise InputFileError(path, f"component {element.get('name')!r}: {reason}")
+            try:
+                content = ElementTree.fromstring(read(str(source)))
+            except ElementTree.ParseError as error:
+                raise InputFileError(path, f"{source} cannot be read: {error}") from error
+        if binding.get("prefix") or binding.get("sourceBase") or len(binding) != (not source.name):
+            reason = "parameters with a prefix, a base or a mapping are not supported"
+            raise InputFileError(path, f"component {element.get('name')!r}: {reason}")
+        for parameter in content.iterfind(".//ssv:Parameter", NAMESPACES):
+            yield parameter.get("name", ""), _value(path, parameter)
+
+
+def _value(path: Path, parameter: Element) -> Value:
+    typed = next(iter(parameter), Element("}no type"))
+    kind, text = typed.tag.rpartition("}")[2], typed.get("value", "")
+    try:
+        if kind in ("Real", "Float64", "Float32"):
+            return float(text)
+        if kind in INTEGERS:
+            return int(text)
+        if kind == "Boolean":
+            return {"true": True, "1": True, "false": False, "0": False}[text]
+    except (KeyError, ValueError):
+        kind = f"{kind} {text!r}"
+    if kind == "String":
+        return text
+    raise InputFileError(path, f"parameter {parameter.get('name')!r}: a value of {kind} is not supported")
+
+
+def tag(name: str) -> str:
+    """A name with its namespace."""
+    prefix, _, local = name.partition(":")
+    return f"{{{NAMESPACES[prefix]}}}{local}"
