@@ -1,3 +1,26 @@
+from .design.choice import Design as Design, best_design as best_design
+from .design.experiment import (
+    HOLD as HOLD,
+    Experiment as Experiment,
+    Information as Information,
+    PlannedFit as PlannedFit,
+)
+from .design.report import (
+    chosen_experiments as chosen_experiments,
+    design_json as design_json,
+    design_table as design_table,
+    plot_design as plot_design,
+)
+from .design.trial import Trial as Trial, trial_sentence as trial_sentence, try_design as try_design
+from .documents import (
+    BudgetDocument as BudgetDocument,
+    FitDocument as FitDocument,
+    FittedSeries as FittedSeries,
+    FittedValue as FittedValue,
+    fit_document as fit_document,
+    read_budget as read_budget,
+    read_fit as read_fit,
+)
 from .errors import (
     DampingEstimateError as DampingEstimateError,
     FitError as FitError,
@@ -12,8 +35,20 @@ from .fitting.figures import (
     save_figures as save_figures,
 )
 from .fitting.fit import OnProgress as OnProgress, fit as fit
+from .fitting.instrument import (
+    ANGLE_SCALE as ANGLE_SCALE,
+    DELAY as DELAY,
+    RELEASE_TIME as RELEASE_TIME,
+    TIME_BASE as TIME_BASE,
+    ZERO_OFFSET as ZERO_OFFSET,
+)
 from .fitting.json_report import as_json as as_json
-from .fitting.measurement import Measurement as Measurement, read_table_record as read_table_record
+from .fitting.measurement import (
+    Measurement as Measurement,
+    Release as Release,
+    guess_release as guess_release,
+    read_table_record as read_table_record,
+)
 from .fitting.result import Fit as Fit
 from .fitting.selection import (
     Candidate as Candidate,
@@ -23,14 +58,19 @@ from .fitting.selection import (
 from .fitting.settings import (
     CONSTANT_DAMPING as CONSTANT_DAMPING,
     DISPLACEMENT_DAMPING as DISPLACEMENT_DAMPING,
+    PIVOT_FRICTION as PIVOT_FRICTION,
+    PLUNGER_FRICTION as PLUNGER_FRICTION,
     POWER_LAW_DAMPING as POWER_LAW_DAMPING,
     RELEASE as RELEASE,
-    RELEASE_TIME as RELEASE_TIME,
+    WITH_FRICTION as WITH_FRICTION,
     FitSettings as FitSettings,
     Free as Free,
     Noise as Noise,
     Search as Search,
     Uncertainty as Uncertainty,
+    driven as driven,
+    with_friction as with_friction,
+    with_known as with_known,
     with_values as with_values,
 )
 from .fitting.settings_file import read_fit_settings as read_fit_settings, reads_releases as reads_releases
@@ -44,6 +84,7 @@ from .laboratory_errors import (
     contribution_csv as contribution_csv,
     contribution_json as contribution_json,
     contribution_table as contribution_table,
+    curve_axes as curve_axes,
     fit_contributions as fit_contributions,
 )
 from .peak_method.bias import (

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
@@ -13,6 +14,7 @@ from pyjoystick.identification.errors import FitError
 from pyjoystick.identification.fitting.result import Fit
 from pyjoystick.identification.fitting.settings import FitSettings
 from pyjoystick.model import (
+    FRICTION_NAMES,
     NOMINAL,
     NOMINAL_POWER_LAW,
     PLAIN_TABLES,
@@ -25,7 +27,7 @@ from pyjoystick.model import (
 from pyjoystick.support import FloatArray, ParameterError
 
 #: Every parameter that a joystick may have.
-_NAMES: Final = frozenset((*NOMINAL.to_names(), *NOMINAL_POWER_LAW.to_names()))
+_NAMES: Final = frozenset((*NOMINAL.to_names(), *NOMINAL_POWER_LAW.to_names(), *FRICTION_NAMES))
 #: Relative change of a parameter for the derivatives of the file's numbers, sums and quotients of parameters.
 _STEP: Final = 1e-6
 
@@ -144,7 +146,7 @@ def _uncertainties(fit: Fit, joystick: JoystickParameters) -> dict[str, float]:
 
 def _derivatives(joystick: JoystickParameters, name: str) -> dict[str, float]:
     """Derivatives of the file's numbers with respect to a parameter, one-sided at the edge of its range."""
-    value = joystick.to_names()[name]
+    value = _values_of(joystick)[name]
     step = _STEP * (abs(value) or 1.0)
     ends = []
     for moved in (value - step, value + step, value):
@@ -156,9 +158,15 @@ def _derivatives(joystick: JoystickParameters, name: str) -> dict[str, float]:
     return {place: (above[place] - below[place]) / (high - low) for place in below}
 
 
+def _values_of(joystick: JoystickParameters) -> dict[str, float]:
+    """Its parameters by name, those of the friction too where there is none."""
+    friction = dataclasses.asdict(joystick.friction)
+    return joystick.to_names() | {f"friction.{name}": float(value) for name, value in friction.items()}
+
+
 def _numbers(joystick: JoystickParameters) -> dict[str, float]:
     """What a parameter file says of a joystick, by place."""
-    names = joystick.to_names()
+    names = _values_of(joystick)
     law = f"damping.{law_name(joystick.damping)}"
     found = {
         f"{table}.{key}": names[key] for table, keys in PLAIN_TABLES.items() for key in keys if key in names
@@ -168,6 +176,7 @@ def _numbers(joystick: JoystickParameters) -> dict[str, float]:
         for name, value in names.items()
         if name.startswith("damping.")
     }
+    found |= {name: names[name] for name in FRICTION_NAMES}
     for side in SIDES:
         curve = getattr(joystick, side).to_table()
         for key, values in (("x", curve.x), ("k", curve.k)):

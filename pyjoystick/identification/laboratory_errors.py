@@ -16,12 +16,20 @@ import numpy as np
 import pandas as pd
 
 from pyjoystick.fmu import Fmu
-from pyjoystick.identification.fitting.fit import fit
+from pyjoystick.identification.fitting.fit import fit, fitted_values
 from pyjoystick.identification.fitting.result import Fit
-from pyjoystick.identification.fitting.settings import RELEASE, FitSettings, Free, Uncertainty, with_values
+from pyjoystick.identification.fitting.settings import (
+    RELEASE,
+    FitSettings,
+    Free,
+    Noise,
+    Uncertainty,
+    with_values,
+)
 from pyjoystick.laboratory import REST_TIME, LoadCurveFit, mean_period
 from pyjoystick.model import ActuatorAssembly, JoystickParameters, Side, simulate
 from pyjoystick.motion import Record
+from pyjoystick.runs import fmu_of_joystick
 from pyjoystick.support import TextTable, json_text
 
 #: What `refit` finds.
@@ -40,12 +48,14 @@ class Bench:
         curves: fits of the load-deflection curves, as far as there are any
         uncertainties: of the names in `BODY`, in SI units
         scale: of the angle's scale, in parts of it: that of the radius of the top marker
+        time_base: of the clock of the records, in parts of their duration
     """
 
     joystick: JoystickParameters
     curves: Mapping[Side, LoadCurveFit]
     uncertainties: Mapping[str, float]
     scale: float = 0.0
+    time_base: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,15 +125,16 @@ def run_contribution(
     return Contribution(stage, *map(float, np.sqrt(np.sum(squares, axis=0))))
 
 
-def refit(records: Sequence[Record], joystick: JoystickParameters, fmu: Fmu) -> Fit:
-    """J and C fitted to records with all else as a joystick has it.
+#: Every sample counts alike, so that what is moved acts on the fit linearly.
+_PLAIN: Final = Noise(colored=False, robust=False)
 
-    Raises:
-        FitError: as `fit` does
-    """
+
+def settings_of_refit(joystick: JoystickParameters, noise: Noise = _PLAIN) -> FitSettings:
+    """Of a fit of J and C with all else as a joystick has it."""
     free = (*map(Free, FITTED), *RELEASE)
-    settings = FitSettings(fmu="Joystick", free=free, uncertainty=Uncertainty(profiles=()))
-    return fit(records, with_values(settings, joystick.to_names()), fmu=fmu)
+    name, wanted = fmu_of_joystick(joystick), Uncertainty(profiles=())
+    settings = FitSettings(fmu=name, free=free, noise=noise, uncertainty=wanted)
+    return with_values(settings, joystick.to_names())
 
 
 def noise_contribution(
@@ -160,39 +171,47 @@ def fit_contributions(
         FitError: as `fit` does
         ParameterError, SimulationError: a quantity is so uncertain that there is no such joystick
     """
-    found = refit(records, bench.joystick, fmu)
+    found = fit(records, settings_of_refit(bench.joystick, Noise()), fmu=fmu)
     joystick = bench.joystick.replace(found.shared())
+
+    def refit(moved: Sequence[Record], one: JoystickParameters) -> dict[str, float]:
+        return fitted_values(moved, settings_of_refit(one), fmu)
+
+    plain = refit(records, joystick)
     contributions = [
-        _with_fitted(stage, found, [refit(moved, joystick, fmu) for moved in several])
-        for stage, several in _moved_records(joystick, records, found, bench.scale, release_angle)
+        _with_fitted(stage, plain, [refit(moved, joystick) for moved in several]) if several else stage
+        for stage, several in _moved_records(joystick, records, found, bench, release_angle)
     ]
     for name, joysticks in _moved_joysticks(joystick, bench).items():
         run = run_contribution(name, joystick, joysticks, release_angle=release_angle)
         # J is fitted, so that what was measured of it before counts for runs only.
-        refits = [] if name.startswith("J ") else [refit(records, one, fmu) for one in joysticks]
-        contributions.append(_with_fitted(run, found, refits) if refits else run)
+        refits = [] if name.startswith("J ") else [refit(records, one) for one in joysticks]
+        contributions.append(_with_fitted(run, plain, refits) if refits else run)
     noise = noise_contribution("fit, noise of the records", joystick, found, release_angle=release_angle)
     return found, [*contributions, noise]
 
 
 def _moved_records(
-    joystick: JoystickParameters, records: Sequence[Record], found: Fit, scale: float, release_angle: float
+    joystick: JoystickParameters, records: Sequence[Record], found: Fit, bench: Bench, release_angle: float
 ) -> Iterator[tuple[Contribution, list[list[Record]]]]:
-    """The records with another scale of the angle, and with the zero of one of them moved."""
-    if scale > 0.0:
-        run = simulate(joystick, time=_TIME, theta_start=release_angle)
-        theta, omega = (scale * float(np.sqrt(np.mean(one**2))) for one in (run.theta, run.omega))
-        scaled = [dataclasses.replace(one, theta=one.theta * (1.0 + scale)) for one in records]
-        yield Contribution(f"scale of the angle, {100.0 * scale:.2g} %", theta, omega, 0.0), [scaled]
+    """The records with another scale of the angle and another clock; their zeros are fitted."""
+    run = simulate(joystick, time=_TIME, theta_start=release_angle)
+    if bench.scale > 0.0:
+        theta, omega = (bench.scale * float(np.sqrt(np.mean(one**2))) for one in (run.theta, run.omega))
+        scaled = [dataclasses.replace(one, theta=one.theta * (1.0 + bench.scale)) for one in records]
+        stage = Contribution(f"scale of the angle, {100.0 * bench.scale:.2g} %", theta, omega, 0.0)
+        yield stage, [scaled]
+    if bench.time_base > 0.0:
+        late = bench.time_base * _TIME
+        theta, omega = (float(np.sqrt(np.mean((late * one) ** 2))) for one in (run.omega, run.alpha))
+        slower = [dataclasses.replace(one, time=one.time * (1.0 + bench.time_base)) for one in records]
+        title = f"time base, {100.0 * bench.time_base:.2g} %"
+        yield Contribution(title, theta, omega, bench.time_base), [slower]
     zeros = [
         fitted.sigma["theta"] / math.sqrt(REST_TIME / float(np.median(np.diff(record.time))))
         for fitted, record in zip(found.records, records, strict=True)
     ]
-    moved = [
-        [dataclasses.replace(one, theta=one.theta + zero * (i == j)) for j, one in enumerate(records)]
-        for i, zero in enumerate(zeros)
-    ]
-    yield Contribution("zero, noise at rest", float(np.sqrt(np.mean(np.square(zeros))))), moved
+    yield Contribution("zero, noise at rest", float(np.sqrt(np.mean(np.square(zeros))))), []
 
 
 def _moved_joysticks(joystick: JoystickParameters, bench: Bench) -> dict[str, list[JoystickParameters]]:
@@ -206,11 +225,11 @@ def _moved_joysticks(joystick: JoystickParameters, bench: Bench) -> dict[str, li
     return moved
 
 
-def _with_fitted(contribution: Contribution, before: Fit, moved: Sequence[Fit]) -> Contribution:
+def _with_fitted(
+    contribution: Contribution, before: Mapping[str, float], moved: Sequence[Mapping[str, float]]
+) -> Contribution:
     """The contribution with what J and C differ by, as the root of the sum of squares."""
-    parts = [
-        math.sqrt(sum((one.value(name) / before.value(name) - 1.0) ** 2 for one in moved)) for name in FITTED
-    ]
+    parts = [math.sqrt(sum((one[name] / before[name] - 1.0) ** 2 for one in moved)) for name in FITTED]
     return dataclasses.replace(contribution, J=parts[0], C=parts[1])
 
 

@@ -7,14 +7,20 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from pyjoystick.identification.fitting import trust
+from pyjoystick.identification.fitting import residual_checks, trust
+from pyjoystick.identification.fitting.instrument import ZERO_OFFSET
+from pyjoystick.identification.fitting.noise_color import Memory
 from pyjoystick.identification.fitting.noise_model import relative_sizes
 from pyjoystick.identification.fitting.peak_prediction import missing_peaks
 from pyjoystick.identification.fitting.prediction import TrajectoryPredictor
 from pyjoystick.identification.fitting.problem import Problem
+from pyjoystick.identification.fitting.residual_view import ResidualView
 from pyjoystick.identification.fitting.result import Criteria, Derived, RecordFit, criteria
+from pyjoystick.identification.fitting.rivals import Make, tried
+from pyjoystick.identification.fitting.score_test import Finding, score_test, significant
 from pyjoystick.identification.fitting.search import Minimum
 from pyjoystick.identification.fitting.settings import FitSettings
+from pyjoystick.identification.fitting.suspects import Suspect, suspects
 from pyjoystick.identification.fitting.uncertainty import Identifiability, StandardErrors
 from pyjoystick.identification.fitting.variables import Variables
 from pyjoystick.support import FloatArray
@@ -40,7 +46,7 @@ def record_fits(problem: Problem, x: FloatArray) -> tuple[RecordFit, ...]:
                 predictor.data,
                 predicted,
                 sigma,
-                predictor.curve(problem.variables.row(x, number), problem.variables.release_time(x, number))
+                predictor.curve(problem.variables.row(x, number), problem.variables.instrument(x, number))
                 if isinstance(predictor, TrajectoryPredictor)
                 else None,
             )
@@ -55,7 +61,8 @@ def all_checks(
     known: Identifiability,
     errors: StandardErrors,
     records: Sequence[RecordFit],
-    numerical_noise: float,
+    least: float,
+    make: Make,
 ) -> list[trust.Check]:
     """Every check of trust that applies.
 
@@ -66,15 +73,18 @@ def all_checks(
         known: rank of the Jacobian there
         errors: standard errors there
         records: each record beside its fit
-        numerical_noise: scatter of the FMU's results, in the unit of the data
+        least: residuals no larger than this, in the unit of the data, are no noise
+        make: makes the problem of other settings, for what the model may lack
     """
     variables = problem.variables
     found = [
         trust.check_convergence(best),
         trust.check_bounds(variables, best.x),
         trust.check_rank(known),
-        trust.check_precision(variables.labels, best.x, errors.errors),
+        trust.check_precision(variables.free, best.x, errors.errors),
     ]
+    if any(one.uncertainty is not None for one in variables.free):
+        found.append(trust.check_known(variables.free, best.x, errors.errors))
     residuals = [one.residuals() for one in records]
     if settings.comparison == "peaks":
         relative = [r / relative_sizes(p) for r, p in zip(residuals, problem.predictors, strict=True)]
@@ -86,15 +96,79 @@ def all_checks(
     if settings.noise.sigma:
         found.append(trust.check_chi_squared(best.cost, errors.degrees_of_freedom))
     else:
-        found.append(trust.check_size(residuals, [one.data for one in records]))
-    series, names = [], []
-    for one in records:
-        for label in dict.fromkeys(one.labels):
-            series.append(one.residuals()[np.array(one.labels) == label])
-            names.append(one.name if len(settings.outputs) == 1 else f"{label} of {one.name}")
-    # Exact data leave the error of the integration, which is no noise.
-    least = max(100.0 * numerical_noise, settings.tolerance)
-    return [*found, trust.check_whiteness(names, series, least)]
+        counted = [one * share for one, share in zip(residuals, problem.shares, strict=True)]
+        found.append(trust.check_size(counted, [one.data for one in records]))
+    offsets = [
+        (one, value, error)
+        for one, value, error in zip(variables.free, best.x, errors.errors, strict=True)
+        if one.name == ZERO_OFFSET
+    ]
+    if offsets:
+        found.append(trust.check_zero(offsets))
+    return [*found, *_residual_checks(problem, settings, best.x, records, least, make)]
+
+
+def _residual_checks(
+    problem: Problem,
+    settings: FitSettings,
+    x: FloatArray,
+    records: Sequence[RecordFit],
+    least: float,
+    make: Make,
+) -> Iterator[trust.Check]:
+    """Whether what the fit leaves over is noise; exact data are not judged."""
+    names = [one.name for one in records]
+    data, levels, titles = [], [], []
+    for k, one in enumerate(records):
+        late = one.times > problem.variables.instrument(x, k).origin  # it is held until then
+        for label, sigma in one.sigma.items():
+            data.append(one.data[late & (np.array(one.labels) == label)])
+            levels.append(sigma)
+            titles.append(one.name if len(one.sigma) == 1 else f"{label} of {one.name}")
+    yield residual_checks.check_clipping(titles, data, levels)
+    if all(float(np.max(np.abs(one.residuals()))) <= least for one in records):
+        return
+    view = ResidualView(problem, x)
+    times = [one.times for one in records]
+    yield residual_checks.check_outliers(view.outliers(), names, times, robust=settings.noise.robust)
+    guilty, tried_ones = _guilty(problem, settings, x, view, make)
+    yield _whiteness(problem, x, view, explained=bool(guilty))
+    own = sum(one.per_record for one in settings.free)
+    shared = len(settings.free) - own
+    if not settings.inputs:
+        lack = residual_checks.check_repeats(view.repeats, view.innovations, shared, own)
+        if lack is not None:
+            yield lack
+    yield residual_checks.check_suspects(guilty, tried_ones)
+
+
+def _guilty(
+    problem: Problem, settings: FitSettings, x: FloatArray, view: ResidualView, make: Make
+) -> tuple[list[Finding], int]:
+    """What would explain the residuals better than noise, most likely first, and of how many suspects."""
+    known: dict[str, list[Suspect]] = {}
+    for suspect in suspects(problem, x):
+        known.setdefault(suspect.name, []).append(suspect)
+    every = [one for several in known.values() for one in several]
+    findings = score_test(problem, np.concatenate(view.innovations), view.jacobian, every)
+    guilty = significant(findings, 2.0 * residual_checks.CHANCE)
+    if guilty:
+        first = {name: several[0] for name, several in known.items()}
+        guilty = tried(guilty, first, problem, settings, x, make)
+    return guilty, len(known)
+
+
+def _whiteness(problem: Problem, x: FloatArray, view: ResidualView, *, explained: bool) -> trust.Check:
+    """Whether the residuals are white; what something explains is not put down to colored noise."""
+    if not explained or problem.correlation == 0.0:
+        return residual_checks.check_whiteness(residual_checks.whiteness(view.series()), problem.correlation)
+    memories = problem.memories
+    problem.memories = [Memory(np.zeros_like(one.previous)) for one in memories]
+    try:
+        found = residual_checks.whiteness(ResidualView(problem, x).series())
+    finally:
+        problem.memories = memories
+    return residual_checks.check_whiteness(found, 0.0)
 
 
 def derived_parameters(
@@ -131,9 +205,13 @@ def _tied_slopes(variables: Variables, x: FloatArray, record: int) -> FloatArray
 
 
 def criteria_of(
-    settings: FitSettings, records: Sequence[RecordFit], rank: int, cost: float
+    settings: FitSettings, records: Sequence[RecordFit], rank: int, cost: float, memories: Sequence[Memory]
 ) -> Criteria | None:
-    """AICc and BIC of white normal noise; None where peaks are compared, whose errors have no such model."""
+    """AICc and BIC of normal noise, white or with a memory.
+
+    None where peaks are compared, whose errors have no such model. Where outliers count less, they do so in
+    each model by itself, and models are hardly comparable.
+    """
     if settings.comparison == "peaks":
         return None
     samples = sum(len(one.data) for one in records)
@@ -147,4 +225,7 @@ def criteria_of(
     spare = max(samples - rank, 1) / samples if estimated else 1.0
     logs += 0.5 * samples * math.log(spare)
     likelihood = -0.5 * cost / spare - logs - 0.5 * samples * math.log(2.0 * math.pi)
-    return criteria(likelihood, rank + estimated, samples)
+    squares = [one.previous**2 for one in memories]
+    likelihood -= 0.5 * sum(float(np.sum(np.log1p(-one))) for one in squares)
+    is_colored = any(one.any() for one in squares)
+    return criteria(likelihood, rank + estimated + is_colored, samples)

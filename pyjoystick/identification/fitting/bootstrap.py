@@ -63,15 +63,18 @@ def bootstrap(
 
     Whole records are drawn with replacement: this asks how far the answer depends on which repeats were
     measured, and trusts no noise model; few records allow few draws (four: 35). Residuals are drawn within
-    each record and added to the prediction: this trusts that they are white.
+    each series of a record, in standard deviations of its noise, and added to the prediction: this trusts
+    what is assumed of the noise. In either way, what was measured beforehand is drawn anew too.
     """
     random = np.random.default_rng(seed)
-    weights, data = problem.weights, problem.data
+    weights, data, measured = problem.weights, problem.data, problem.measured
+    errors = np.array([one.uncertainty or 0.0 for one in problem.variables.free])
     predicted = problem.predictions(x)
     fits, failed = [], 0
     owners = [one.record for one in problem.variables.free]
     try:
         for number in range(count):
+            problem.measured = x + errors * random.standard_normal(len(x))
             # The release of a record that was not drawn has nothing to go by.
             idle: list[int] = []
             if resampling == "records":
@@ -80,7 +83,8 @@ def bootstrap(
                 idle = [j for j, owner in enumerate(owners) if owner is not None and not counts[owner]]
             else:
                 problem.data = [
-                    _drawn_anew(random, one, values) for one, values in zip(data, predicted, strict=True)
+                    _drawn_anew(random, problem, k, *one)
+                    for k, one in enumerate(zip(data, predicted, strict=True))
                 ]
             minimum = search(problem, x, evaluations=_EVALUATIONS, held={j: float(x[j]) for j in idle})
             if minimum.converged:
@@ -91,10 +95,20 @@ def bootstrap(
             if on_fit is not None:
                 on_fit(number + 1, count)
     finally:
-        problem.weights, problem.data = weights, data
+        problem.weights, problem.data, problem.measured = weights, data, measured
     return Bootstrap(resampling, np.array(fits).reshape(len(fits), len(x)), failed)
 
 
-def _drawn_anew(random: np.random.Generator, data: FloatArray, predicted: FloatArray) -> FloatArray:
-    residuals = data - predicted
-    return np.asarray(predicted + random.choice(residuals - np.mean(residuals), size=len(data)))
+def _drawn_anew(
+    random: np.random.Generator, problem: Problem, record: int, data: FloatArray, predicted: FloatArray
+) -> FloatArray:
+    """Data of a record with other noise, drawn from what is new in each residual; outliers are not drawn."""
+    memory, weights = problem.memories[record], problem.weights[record]
+    innovations = memory.innovations((data - predicted) * weights)
+    full = problem.shares[record] == 1.0
+    labels = np.array(problem.predictors[record].labels)
+    drawn = np.empty_like(innovations)
+    for label in dict.fromkeys(problem.predictors[record].labels):
+        own = innovations[full & (labels == label)]
+        drawn[labels == label] = random.choice(own - np.mean(own), size=np.count_nonzero(labels == label))
+    return np.asarray(predicted + memory.noise(drawn) / weights)

@@ -18,17 +18,21 @@ from pyjoystick.identification.fitting.assessment import (
     record_fits,
 )
 from pyjoystick.identification.fitting.bootstrap import Bootstrap, bootstrap
+from pyjoystick.identification.fitting.instrument import CLOCK, INSTRUMENT
 from pyjoystick.identification.fitting.measurement import Measurement, measurements
-from pyjoystick.identification.fitting.noise_model import estimated_sigmas, first_weights, weights_of
+from pyjoystick.identification.fitting.noise_model import first_weights
+from pyjoystick.identification.fitting.noise_shape import first_shape, shaped
 from pyjoystick.identification.fitting.order import as_given, ordered_records, ordered_settings
 from pyjoystick.identification.fitting.peak_prediction import PeakPredictor
 from pyjoystick.identification.fitting.prediction import FmuSettings, Predictor, TrajectoryPredictor
 from pyjoystick.identification.fitting.problem import Problem, StepChoice, choose_steps
 from pyjoystick.identification.fitting.profile import Profile, profile
 from pyjoystick.identification.fitting.result import Fit
-from pyjoystick.identification.fitting.search import REFINED, Minimum, multi_start, search
-from pyjoystick.identification.fitting.settings import RELEASE_TIME, FitSettings
-from pyjoystick.identification.fitting.trust import check_profiles
+from pyjoystick.identification.fitting.rivals import Make
+from pyjoystick.identification.fitting.scan import scan
+from pyjoystick.identification.fitting.search import REFINED, Minimum, merge, multi_start, search
+from pyjoystick.identification.fitting.settings import FitSettings
+from pyjoystick.identification.fitting.trust import Check, check_profiles
 from pyjoystick.identification.fitting.uncertainty import (
     SCATTER,
     StandardErrors,
@@ -37,7 +41,7 @@ from pyjoystick.identification.fitting.uncertainty import (
 )
 from pyjoystick.identification.fitting.variables import Variables
 from pyjoystick.motion import Record
-from pyjoystick.support import FloatArray, ParameterError, UnknownVariableError
+from pyjoystick.support import FloatArray, ParameterError, UnknownVariableError, notebook_progress
 
 
 def make_problem(records: Iterable[Record | Measurement], settings: FitSettings, fmu: Fmu) -> Problem:
@@ -48,22 +52,20 @@ def make_problem(records: Iterable[Record | Measurement], settings: FitSettings,
     if settings.noise.per_record and len(measured) < 2:
         raise ParameterError("noise.per_record", True, "left out for a single record")
     variables = Variables(settings, fmu.description, measured)
-    constants = {name: value for name, value in settings.fixed.items() if name != RELEASE_TIME}
+    constants = {name: value for name, value in settings.fixed.items() if name not in INSTRUMENT}
     shared = FmuSettings(fmu, variables.varied, constants, settings.tolerance)
-    predictors = [
-        _predictor(shared, settings, record, variables.release_variable(k) is not None)
-        for k, record in enumerate(measured)
-    ]
+    free_clock = any(one.name in CLOCK for one in settings.free)
+    predictors = [_predictor(shared, settings, record, free_clock) for record in measured]
     problem = Problem(variables, predictors, first_weights(predictors, settings.noise), settings.tolerance)
     problem.predictions(variables.start)
     return problem
 
 
 def _predictor(
-    shared: FmuSettings, settings: FitSettings, record: Measurement, free_release: bool
+    shared: FmuSettings, settings: FitSettings, record: Measurement, free_clock: bool
 ) -> Predictor:
     known = shared.fmu.description.variables
-    needed = settings.outputs if free_release or settings.comparison == "peaks" else ()
+    needed = settings.outputs if free_clock or settings.comparison == "peaks" else ()
     derivatives = {}
     for name in needed:
         if settings.derivatives.get(name) not in known:
@@ -78,8 +80,7 @@ def _predictor(
 #: Called with the stage, what is done of it and of how much.
 OnProgress = Callable[[str, int, int], None]
 
-#: The estimates of several noise levels are repeated until they change by less than this part.
-_NOISE_CHANGE = 1e-4
+#: Noise and minimum are estimated in turn until they agree, but no more often than this.
 _MOST_ROUNDS = 10
 #: Tolerance of the FMU at the solution: its results then scatter by rounding errors alone, and differences
 #: tell a weak influence from none.
@@ -99,7 +100,7 @@ def fit(
         records: what was measured
         settings: what to fit and how
         fmu: the FMU of the settings, if already open
-        on_progress: called while the fit goes on
+        on_progress: called while the fit goes on; where not given, a notebook shows a bar
 
     Raises:
         FitError: a record or the FMU does not go with the settings, or the first run fails
@@ -107,16 +108,37 @@ def fit(
         ParameterError, UnknownParameterError, UnknownVariableError: a name or value is not allowed
     """
     begun = time.perf_counter()
-    tell = on_progress or (lambda stage, done, total: None)
     given = measurements(records)
     ordered, measured = ordered_settings(settings), ordered_records(given)
-    with nullcontext(fmu) if fmu is not None else Fmu(settings.fmu) as opened:
+    progress = notebook_progress("fit") if on_progress is None else nullcontext(on_progress)
+    with nullcontext(fmu) if fmu is not None else Fmu(settings.fmu) as opened, progress as tell:
         problem = make_problem(measured, ordered, opened)
         solution = _at_solution(problem, measured, ordered, opened)
-        found = _judged(solution, ordered, *_search(problem, solution, ordered, tell), tell)
+        minima, steps = _search(problem, solution, ordered, tell)
+
+        def make(other: FitSettings, fmu: Fmu | None) -> Problem:
+            return make_problem(measured, other, fmu or opened)
+
+        found = _judged(solution, ordered, minima, steps, make, tell)
     found = as_given(found, settings, [one.name for one in given])
     runs = found.runs + (problem.runs if problem is not solution else 0)
     return replace(found, runs=runs, seconds=time.perf_counter() - begun)
+
+
+def fitted_values(
+    records: Iterable[Record | Measurement], settings: FitSettings, fmu: Fmu
+) -> dict[str, float]:
+    """The parameters that all records share, as `fit` finds them, without errors and checks.
+
+    Raises:
+        as `fit`
+    """
+    ordered, measured = ordered_settings(settings), ordered_records(measurements(records))
+    problem = make_problem(measured, ordered, fmu)
+    solution = _at_solution(problem, measured, ordered, fmu)
+    minima, _ = _search(problem, solution, ordered, lambda stage, done, total: None)
+    found = zip(solution.variables.free, minima[0].x, strict=True)
+    return {one.name: float(value) for one, value in found if one.record is None}
 
 
 def _at_solution(
@@ -138,34 +160,30 @@ def _search(
     problem.steps = choose_steps(problem, problem.variables.start, central=False).steps
     starts = settings.search.starts
     tell("searching", 0, starts)
-    best, *others = multi_start(
+    minima = multi_start(
         problem,
         problem.variables.start,
         settings.search,
         lambda done, total: tell("searching", done, total),
     )
+    for one in scan(problem, minima[0], settings.scanned, settings.search.evaluations):
+        merge(minima, one, problem)
+    best, *others = sorted(minima, key=lambda one: one.cost)
     steps = choose_steps(solution, best.x)
     solution.steps = steps.steps
     best = _refined(solution, best, settings)
-    if settings.noise.sigma:
-        return [best, *others], steps
-    peaks = settings.comparison == "peaks"
-    several = settings.noise.per_record or (len(settings.outputs) > 1 and not peaks)
-    before: FloatArray | None = None
+    shape = first_shape(solution, settings)
     for _ in range(_MOST_ROUNDS):
-        sigmas = estimated_sigmas(solution, best.x, per_record=settings.noise.per_record, combined=peaks)
-        old = solution.weights
-        solution.weights = weights_of(solution, sigmas)
-        if not several:
-            # The same weights but for a factor: the minima stay where they are.
-            factor = float(solution.weights[0][0] / old[0][0])
-            return [replace(one, cost=one.cost * factor**2) for one in (best, *others)], steps
-        best = _refined(solution, best, settings)
-        levels = np.array([value for one in sigmas for value in one.values()])
-        if before is not None and np.allclose(levels, before, rtol=_NOISE_CHANGE, atol=0.0):
+        before, shape = shape, shaped(solution, best.x, settings, steps.least(settings.tolerance))
+        if shape.settled(before):
             break
-        before = levels
-    return [best, *others], steps
+        best = _refined(solution, best, settings)
+    return [_recosted(solution, one) for one in (best, *others)], steps
+
+
+def _recosted(solution: Problem, minimum: Minimum) -> Minimum:
+    """The minimum with its sum of squares under the noise that was found."""
+    return replace(minimum, cost=float(np.sum(solution.residuals(minimum.x) ** 2)))
 
 
 def _refined(solution: Problem, minimum: Minimum, settings: FitSettings) -> Minimum:
@@ -176,22 +194,40 @@ def _refined(solution: Problem, minimum: Minimum, settings: FitSettings) -> Mini
 
 
 def _judged(
-    problem: Problem, settings: FitSettings, minima: Sequence[Minimum], steps: StepChoice, tell: OnProgress
+    problem: Problem,
+    settings: FitSettings,
+    minima: Sequence[Minimum],
+    steps: StepChoice,
+    make: Make,
+    tell: OnProgress,
 ) -> Fit:
     """The result of a search: uncertainties, checks, profiles, bootstrap."""
     variables, best = problem.variables, minima[0]
     labels = variables.labels
     scales = np.array([one.scale for one in variables.free])
-    jacobian = np.where(steps.errors < SCATTER, problem.jacobian(best.x), 0.0)
+    blocks = [np.where(steps.errors < SCATTER, block, 0.0) for block in problem.jacobians(best.x)]
+    counted = (problem.counted(block, k) for k, block in enumerate(blocks))
+    jacobian = np.concatenate((*counted, problem.prior))
     known = identifiability(jacobian, best.x, scales, labels, steps.errors)
     sigma_known = bool(settings.noise.sigma)
     errors = standard_errors(
-        jacobian, known, problem.size, settings.uncertainty.level, sigma_known=sigma_known
+        jacobian, known, problem.terms, settings.uncertainty.level, sigma_known=sigma_known
     )
-    records = record_fits(problem, best.x)
-    checks = all_checks(problem, settings, best, known, errors, records, steps.noise)
+    records = tuple(
+        replace(one, errors=_errors_of(block, errors.covariance))
+        for one, block in zip(record_fits(problem, best.x), blocks, strict=True)
+    )
+    least = steps.least(settings.tolerance)
+    stopped = False
+    try:
+        checks = all_checks(problem, settings, best, known, errors, records, least, make)
+    except FitInterruptedError:
+        checks, stopped = [Check("complete", False, "stopped before the residuals were judged")], True
     derived = tuple(derived_parameters(variables, best.x, errors, [one.name for one in records]))
-    profiles, drawn, interrupted = _optional(problem, settings, best, errors, tell)
+    profiles: dict[int, Profile] = {}
+    drawn, interrupted = None, stopped
+    if not stopped:
+        profiles, drawn, interrupted = _optional(problem, settings, best, errors, tell)
     if profiles:
         checks.append(check_profiles(labels, profiles))
     return Fit(
@@ -204,16 +240,29 @@ def _judged(
         derived=derived,
         minima=tuple(minima),
         identifiability=known,
-        criteria=criteria_of(settings, records, known.rank, best.cost),
+        criteria=criteria_of(settings, records, known.rank, best.cost, problem.memories),
         records=records,
         checks=tuple(checks),
         steps=steps,
+        correlation=problem.correlation,
         runs=problem.runs,
         seconds=0.0,
         profiles=profiles,
         bootstrap=drawn,
         interrupted=interrupted,
     )
+
+
+def _errors_of(block: FloatArray, covariance: FloatArray) -> FloatArray | None:
+    """Standard errors of the predictions of one record; None where a variable is undetermined.
+
+    Args:
+        block: derivatives of the predictions, in the unit of the data, shape (n, variables)
+        covariance: of the variables, shape (variables, variables)
+    """
+    if not np.all(np.isfinite(covariance)):
+        return None
+    return np.asarray(np.sqrt(np.einsum("ij,jk,ik->i", block, covariance, block)))
 
 
 def _optional(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 from typing import Any
 
-from pyjoystick.identification.fitting.result import Fit
+from pyjoystick.identification.fitting.result import Fit, RecordFit
 from pyjoystick.identification.fitting.settings_file import as_document
 from pyjoystick.support import json_text
 
@@ -36,16 +36,27 @@ def as_json(fit: Fit) -> str:
             for one in fit.minima
         ],
         "checks": [{"name": c.name, "passed": c.passed, "message": c.message} for c in fit.checks],
-        "records": [
-            {"name": one.name, "noise": one.sigma, "times": one.times, "data": one.data, "fit": one.predicted}
-            for one in fit.records
-        ],
+        "records": [_record(one) for one in fit.records],
+        "noise_correlation": fit.correlation,
         "derivatives": dataclasses.asdict(fit.steps),
         "runs": fit.runs,
         "seconds": fit.seconds,
         "settings": as_document(fit.settings),
     }
     return json_text(document)
+
+
+def _record(one: RecordFit) -> dict[str, Any]:
+    return {
+        "name": one.name,
+        "noise": one.sigma,
+        "labels": one.labels,
+        "times": one.times,
+        "data": one.data,
+        "fit": one.predicted,
+        "fit_error": one.errors,
+        "curve": None if one.curve is None else {"time": one.curve.index, **one.curve.to_dict("list")},
+    }
 
 
 def _parameter(fit: Fit, place: int) -> dict[str, Any]:

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 import numpy as np
 import pandas as pd
@@ -88,48 +88,77 @@ def measurements(records: Iterable[Record | Measurement]) -> tuple[Measurement, 
     return tuple(found)
 
 
-_HELD = 0.95
-_BEGUN = 0.9
-_HALF = 0.5
+#: Parts of the angle of release: the fall has reached the half where a sample is below it, and has begun
+#: where one is below the first, or below what `_CLEAR` standard deviations of the noise may reach.
+_HALF: Final = 0.5
+_BEGUN: Final = 0.9
+_CLEAR: Final = 4.0
+_LEAST_BEGUN: Final = 0.7
+#: Samples of the hold lie above this part of the largest.
+_HELD: Final = 0.8
+#: Samples that show how far they scatter.
+_FEWEST: Final = 5
+#: Samples that show whether a record begins with the hold.
+_BEGINNING: Final = 3
 
 
 class Release(NamedTuple):
-    """Angle (rad) before the release, and the instant (s) of the release on the clock of the record."""
+    """How a record begins.
+
+    Attributes:
+        angle: before the release (rad)
+        time: instant of the release on the clock of the record (s)
+        spread: how far off the angle may be (rad); 0 where that follows from the angle
+    """
 
     angle: float
     time: float
+    spread: float = 0.0
 
 
 def guess_release(time: FloatArray, theta: FloatArray) -> Release:
     """The release of a free oscillation.
 
     The angle is the median of the samples before the fall. A motion that begins at rest falls as the square
-    of time at first; the instants at which the angle has fallen to 0.9 and to 0.5 of it give the beginning.
+    of time at first; the instants at which the angle has fallen to half of it, and before that to 0.9 of it
+    or to what the noise leaves clear of the hold, give the beginning. Single outliers have no influence.
 
     Args:
         time: instants (s), shape (n,)
         theta: angle (rad), shape (n,), with the release at the largest or at the first sample
     """
-    largest = float(theta[np.argmax(np.abs(theta))])
-    ratio = theta / largest
-    fallen = int(np.argmax(ratio < _BEGUN)) if (ratio[0] >= _BEGUN) else 0
-    if fallen == 0:
+    padded = np.concatenate((theta[:1], theta, theta[-1:]))
+    smooth = np.median([padded[:-2], theta, padded[2:]], axis=0)
+    largest = float(smooth[np.argmax(np.abs(smooth))])
+    ratio = smooth / largest
+    fallen = int(np.argmax(ratio < _HALF)) if np.any(ratio < _HALF) else len(ratio)
+    before = theta[:fallen][ratio[:fallen] >= _HELD]
+    if fallen == 0 or not before.size:
         return Release(float(theta[0]), float(time[0]))
-    held = theta[:fallen][ratio[:fallen] >= _HELD]
-    angle = float(np.median(held)) if held.size else largest
-    begun = _crossing(time, theta / angle, _BEGUN)
-    half = _crossing(time, theta / angle, _HALF)
-    part = math.sqrt(1.0 - _BEGUN) / (math.sqrt(1.0 - _HALF) - math.sqrt(1.0 - _BEGUN))
+    angle = float(np.median(before))
+    clear = _CLEAR * _scatter(before) / abs(angle)
+    level = float(np.clip(1.0 - clear, _LEAST_BEGUN, _BEGUN))
+    if np.median(theta[: min(fallen, _BEGINNING)]) / angle < level:
+        return Release(float(theta[0]), float(time[0]))
+    angle = float(np.median(before[before / angle >= 0.5 * (1.0 + level)]))
+    half = _last_crossing(time, smooth / angle, _HALF, fallen)
+    begun = _last_crossing(time, smooth / angle, level, fallen)
+    part = math.sqrt(1.0 - level) / (math.sqrt(1.0 - _HALF) - math.sqrt(1.0 - level))
     return Release(angle, begun - (half - begun) * part)
 
 
-def _crossing(time: FloatArray, ratio: FloatArray, level: float) -> float:
-    """The first instant at which the series has fallen to `level`, on a straight line between samples."""
-    below = np.flatnonzero(ratio < level)
-    if not below.size:
-        return float(time[-1])
-    i = int(below[0])
-    if i == 0:
-        return float(time[0])
+def _scatter(series: FloatArray) -> float:
+    """Standard deviation of the noise of a series that hardly changes from sample to sample."""
+    if len(series) < _FEWEST:
+        return 0.0
+    return 1.4826 * float(np.median(np.abs(np.diff(series, 2)))) / math.sqrt(6.0)
+
+
+def _last_crossing(time: FloatArray, ratio: FloatArray, level: float, fallen: int) -> float:
+    """Where the series falls to `level` for the last time before index `fallen`, straight between samples."""
+    above = np.flatnonzero(ratio[:fallen] >= level)
+    i = int(above[-1]) + 1 if above.size else 0
+    if i in (0, len(time)):
+        return float(time[min(i, len(time) - 1)])
     part = (ratio[i - 1] - level) / (ratio[i - 1] - ratio[i])
     return float(time[i - 1] + part * (time[i] - time[i - 1]))

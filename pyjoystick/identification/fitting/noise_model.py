@@ -54,14 +54,18 @@ def estimated_sigmas(
     sums: dict[tuple[int, str], list[float]] = {}
     for k, predicted in enumerate(problem.predictions(x)):
         predictor = problem.predictors[k]
-        scaled = (predicted - predictor.data) / relative_sizes(predictor)
+        shares = problem.shares[k]
+        scaled = problem.memories[k].innovations(
+            shares * (predicted - predictor.data) / relative_sizes(predictor)
+        )
         labels = np.array(predictor.labels)
         for label in dict.fromkeys(predictor.labels):
             group = sums.setdefault((k if per_record else -1, "" if combined else label), [0.0, 0.0])
             group[0] += float(np.sum(scaled[labels == label] ** 2))
-            group[1] += float(np.count_nonzero(labels == label))
+            group[1] += float(np.sum(shares[labels == label] ** 2))
     samples = sum(group[1] for group in sums.values())
-    freedom = max(samples - len(x), 1.0) / samples
+    # What is known beforehand is no freedom that the samples give.
+    freedom = max(samples - (len(x) - len(problem.prior)), 1.0) / samples
     sigma = {key: float(np.sqrt(total / (count * freedom))) for key, (total, count) in sums.items()}
     return [
         {

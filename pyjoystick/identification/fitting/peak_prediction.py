@@ -8,6 +8,7 @@ import numpy as np
 
 from pyjoystick.fmu import Peaks
 from pyjoystick.identification.errors import FitError
+from pyjoystick.identification.fitting.instrument import RELEASE_TIME, TIME_BASE, ZERO_OFFSET, Instrument
 from pyjoystick.identification.fitting.measurement import Measurement
 from pyjoystick.identification.fitting.prediction import FmuSettings, Prediction, run_rows
 from pyjoystick.motion import Record, measured_peaks
@@ -56,21 +57,28 @@ class PeakPredictor:
             tolerance=settings.tolerance,
         )
 
-    def predict(self, rows: FloatArray, release_time: float) -> Prediction:
+    def predict(self, rows: FloatArray, instrument: Instrument) -> Prediction:
         """See `Predictor`. A peak that does not come counts as one of no height, a whole spacing late."""
         runs = run_rows(self._plan, rows, self._settings, self._reduction)
         self.runs += len(rows)
         cells = runs.numbers
-        heights, times = cells[:, 0::2], cells[:, 1::2] + release_time
+        late = cells[:, 1::2] / (1.0 + instrument.time_base)
+        heights, times = cells[:, 0::2] + instrument.zero_offset, late + instrument.origin
         count = heights.shape[1]
         # Pairs of different signs are no pairs either.
         absent = ~(np.sign(heights) == np.sign(self.data[:count]))
-        late = self.data[count:] + self.normalization[count:]
-        found = np.hstack((np.where(absent, 0.0, heights), np.where(absent, late, times)))
+        latest = self.data[count:] + self.normalization[count:]
+        found = np.hstack((np.where(absent, 0.0, heights), np.where(absent, latest, times)))
         # A run whose every peak is missing has failed, or does not swing at all.
         found[np.all(np.isnan(cells), axis=1)] = np.nan
-        slope = np.concatenate((np.zeros(count), np.where(absent[0], 0.0, 1.0)))
-        return Prediction(found, slope, runs.message)
+        there, none = np.where(absent[0], 0.0, 1.0), np.zeros(count)
+        slower = np.where(absent[0], 0.0, -late[0] / (1.0 + instrument.time_base))
+        slopes = {
+            RELEASE_TIME: np.concatenate((none, there)),
+            TIME_BASE: np.concatenate((none, slower)),
+            ZERO_OFFSET: np.concatenate((there, none)),
+        }
+        return Prediction(found, slopes, runs.message)
 
 
 def missing_peaks(predicted: FloatArray) -> int:

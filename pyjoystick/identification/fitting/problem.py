@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
 
 from pyjoystick.identification.errors import FitError
+from pyjoystick.identification.fitting.noise_color import Memory
 from pyjoystick.identification.fitting.prediction import Prediction, Predictor
 from pyjoystick.identification.fitting.variables import Variables
 from pyjoystick.support import FloatArray
@@ -19,12 +20,18 @@ _FAILED = 1e3
 
 
 class Problem:
-    """Residuals r(x) = weight*(prediction - data), one block after the other for the records.
+    """Residuals r(x) = weight*share*(prediction - data), one block after the other for the records.
+
+    Where the noise has a memory, a residual is what is new in it. What is known of variables beforehand
+    follows at the end: (x - measured)/uncertainty.
 
     Attributes:
         variables: what x means
         predictors: one for each record
         weights: of each residual by record; the reciprocal of the noise's standard deviation where known
+        shares: how much each residual counts, by record: 1, and less for outliers
+        memories: of the noise, by record
+        correlation: of the noise from sample to sample
         steps: relative step of the differences by variable, shape (variables,)
         tolerance: of the FMU's integrator
     """
@@ -39,10 +46,16 @@ class Problem:
         self.variables = variables
         self.predictors = tuple(predictors)
         self.weights = list(weights)
+        self.shares: list[FloatArray] = [np.ones(len(weight)) for weight in weights]
+        self.correlation = 0.0
+        self.memories = [Memory(np.zeros(len(weight))) for weight in weights]
         self.data = [predictor.data for predictor in self.predictors]
+        #: What was measured beforehand, by variable; only those with an uncertainty count.
+        self.measured: FloatArray = np.array(variables.start)
         self.steps: FloatArray = np.full(len(variables.free), 1e-4)
         self.tolerance = tolerance
         self.evaluations = 0
+        self._known = [j for j, one in enumerate(variables.free) if one.uncertainty is not None]
         self._last: list[tuple[FloatArray | None, Prediction | None]] = [(None, None)] * len(self.predictors)
 
     @property
@@ -53,7 +66,15 @@ class Problem:
     @property
     def size(self) -> int:
         """Number of residuals that count."""
-        return sum(int(np.count_nonzero(weight)) for weight in self.weights)
+        return sum(
+            int(np.count_nonzero(weight * share))
+            for weight, share in zip(self.weights, self.shares, strict=True)
+        )
+
+    @property
+    def terms(self) -> int:
+        """Number of residuals that count, with those of what is known beforehand."""
+        return self.size + len(self._known)
 
     def residuals_by_record(self, x: FloatArray) -> list[FloatArray]:
         """Weighted residuals, one array a record.
@@ -63,14 +84,34 @@ class Problem:
         self.evaluations += 1
         found = []
         for k, data in enumerate(self.data):
-            residuals = self.weights[k] * (self._base(x, k).values[0] - data)
-            failed = self.weights[k] * _FAILED * float(np.max(np.abs(data)))
-            found.append(np.where(np.isfinite(residuals), residuals, failed))
+            residuals = self._base(x, k).values[0] - data
+            failed = _FAILED * float(np.max(np.abs(data)))
+            found.append(self.counted(np.where(np.isfinite(residuals), residuals, failed), k))
         return found
 
+    def counted(self, values: FloatArray, record: int) -> FloatArray:
+        """Values in the unit of the data as they count in the sum of squares.
+
+        Args:
+            values: of one record, shape (n,) or (n, columns)
+            record: which one
+        """
+        weights = self.weights[record] * self.shares[record]
+        return self.memories[record].innovations(values * weights.reshape(-1, *(1,) * (values.ndim - 1)))
+
     def residuals(self, x: FloatArray) -> FloatArray:
-        """All weighted residuals, shape (samples of all records,)."""
-        return np.concatenate(self.residuals_by_record(x))
+        """All weighted residuals, shape (samples of all records + variables known beforehand,)."""
+        known = self.prior @ (x - self.measured)
+        return np.concatenate((*self.residuals_by_record(x), known))
+
+    @property
+    def prior(self) -> FloatArray:
+        """Derivatives of the residuals of what is known beforehand, shape (known, variables)."""
+        free = self.variables.free
+        rows = np.zeros((len(self._known), len(free)))
+        for row, j in zip(rows, self._known, strict=True):
+            row[j] = 1.0 / (free[j].uncertainty or math.inf)
+        return rows
 
     def predictions(self, x: FloatArray) -> list[FloatArray]:
         """What is predicted, in the units of the data, by record; raises FitError where a run fails."""
@@ -83,21 +124,22 @@ class Problem:
         return found
 
     def jacobian(self, x: FloatArray, *, central: bool = True) -> FloatArray:
-        """Derivatives of all residuals, shape (samples of all records, variables).
+        """Derivatives of all residuals, shape (samples of all records + what is known beforehand, variables).
 
         Each is the slope, at x, of the polynomial through the predictions at x and at the points of
-        `_moves` that are within the bounds and whose run does not fail; the release time is exact.
+        `_moves` that are within the bounds and whose run does not fail; those of the instrument are exact.
 
         Args:
             x: the point
             central: two points, for an error of the second order in the steps; without, one point, for an
                 error of the first order at half the runs
         """
-        blocks = [
-            self._jacobian_of(x, k, central=central) * self.weights[k][:, np.newaxis]
-            for k in range(len(self.predictors))
-        ]
-        return np.concatenate(blocks)
+        blocks = self.jacobians(x, central=central)
+        return np.concatenate((*(self.counted(block, k) for k, block in enumerate(blocks)), self.prior))
+
+    def jacobians(self, x: FloatArray, *, central: bool = True) -> list[FloatArray]:
+        """Derivatives of the predictions in the unit of the data, one array a record."""
+        return [self._jacobian_of(x, k, central=central) for k in range(len(self.predictors))]
 
     def moved(self, x: FloatArray, variable: int, moves: Sequence[float], record: int) -> FloatArray:
         """Predictions of one record with one variable changed by each move, and at x itself.
@@ -113,14 +155,18 @@ class Problem:
         """
         return self._predict([_moved(x, variable, move) for move in (*moves, 0.0)], record).values
 
+    def instrument_slopes(self, x: FloatArray) -> list[Mapping[str, FloatArray]]:
+        """Derivatives of the predictions with respect to the numbers of the instrument, by record."""
+        return [self._base(x, k).slopes for k in range(len(self.predictors))]
+
     def count_records(self, counts: Sequence[float], weights: Sequence[FloatArray]) -> None:
         """Have each record count as often as `counts` says, 0 included."""
         self.weights = [np.sqrt(count) * weight for count, weight in zip(counts, weights, strict=True)]
 
     def _predict(self, points: Sequence[FloatArray], record: int) -> Prediction:
-        """The prediction at points that share their release time."""
+        """The prediction at points that share their instrument."""
         rows = np.array([self.variables.row(point, record) for point in points])
-        return self.predictors[record].predict(rows, self.variables.release_time(points[0], record))
+        return self.predictors[record].predict(rows, self.variables.instrument(points[0], record))
 
     def _base(self, x: FloatArray, record: int) -> Prediction:
         """The prediction at x, kept: a Jacobian is asked for where the residuals have just been."""
@@ -132,13 +178,15 @@ class Problem:
         return prediction
 
     def _jacobian_of(self, x: FloatArray, record: int, *, central: bool) -> FloatArray:
-        """The block of one record, without its weights, all its runs in one batch."""
+        """The block of one record, all its runs in one batch."""
         base = self._base(x, record)
-        time_place = self.variables.release_variable(record)
-        block = np.zeros((len(base.time_slope), len(x)))
-        if time_place is not None:
-            block[:, time_place] = base.time_slope
-        concerned = [j for j in range(len(x)) if self.variables.concerns(j, record) and j != time_place]
+        places = self.variables.instrument_places(record)
+        block = np.zeros((base.values.shape[1], len(x)))
+        for name, place in places.items():
+            block[:, place] = base.slopes[name]
+        concerned = [
+            j for j in range(len(x)) if self.variables.concerns(j, record) and j not in places.values()
+        ]
         moves = [(j, move) for j in concerned for move in self._moves(x, j, central=central)]
         if moves:
             values = self._predict([_moved(x, j, move) for j, move in moves], record).values
@@ -202,6 +250,10 @@ class StepChoice:
     noise: float
     tolerance: float
 
+    def least(self, tolerance: float) -> float:
+        """Residuals up to this size are the error of the integration and no noise."""
+        return max(100.0 * self.noise, tolerance)
+
 
 def choose_steps(problem: Problem, x: FloatArray, *, central: bool = True) -> StepChoice:
     """Measure the best steps at x, on one record for each kind of variable; the problem keeps its own.
@@ -223,7 +275,7 @@ def choose_steps(problem: Problem, x: FloatArray, *, central: bool = True) -> St
     measured: dict[str, tuple[float, float]] = {}
     for j, variable in enumerate(variables.free):
         record = variable.record or 0
-        if variables.release_variable(record) == j:
+        if variable.of_instrument:
             continue
         if variable.name not in measured:
             step, error, scatter = _of_variable(problem, x, j, record, central=central)

@@ -17,7 +17,7 @@ from pyjoystick.identification.fitting.settings import FitSettings
 from pyjoystick.identification.fitting.trust import Check
 from pyjoystick.identification.fitting.uncertainty import Identifiability, StandardErrors
 from pyjoystick.identification.fitting.variables import Variable
-from pyjoystick.support import FloatArray
+from pyjoystick.support import Drawn, FloatArray
 
 
 class Criteria(NamedTuple):
@@ -81,6 +81,8 @@ class RecordFit:
         sigma: standard deviation of the noise by series, given or estimated
         curve: the fitted motion, a table of the series over each millisecond (s), NaN where samples lack;
             None where peaks were compared
+        errors: standard errors of the fitted numbers, which follow from those of the fitted values, shape
+            (n,); None where they are not known
     """
 
     name: str
@@ -90,6 +92,7 @@ class RecordFit:
     predicted: FloatArray
     sigma: dict[str, float]
     curve: pd.DataFrame | None = None
+    errors: FloatArray | None = None
 
     def residuals(self) -> FloatArray:
         """Data less prediction, shape (n,)."""
@@ -97,7 +100,7 @@ class RecordFit:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Fit:
+class Fit(Drawn):
     """A fit and all that was asked of it.
 
     Attributes:
@@ -116,10 +119,13 @@ class Fit:
         records: each record beside its fit
         checks: what decides whether the fit can be trusted
         steps: how the derivatives were taken and how exact they are
+        correlation: of the noise from sample to sample, 0 for white noise
         runs: FMU runs
         seconds: duration (s)
         interrupted: the fit was stopped after the search; what follows it is missing in part
     """
+
+    _shown_by = "pyjoystick.identification.fitting.notebook"
 
     settings: FitSettings
     variables: tuple[Variable, ...]
@@ -136,6 +142,7 @@ class Fit:
     steps: StepChoice
     runs: int
     seconds: float
+    correlation: float = 0.0
     profiles: dict[int, Profile] = field(default_factory=dict)
     bootstrap: Bootstrap | None = None
     interrupted: bool = False

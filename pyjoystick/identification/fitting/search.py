@@ -127,7 +127,7 @@ def staged_search(problem: Problem, x: FloatArray, *, evaluations: int, stages: 
     try:
         for stage in stages:
             problem.weights = [
-                weight * _begins(predictor.times, problem.variables.release_time(x, k), stage)
+                weight * _begins(predictor.times, problem.variables.instrument(x, k).origin, stage)
                 for k, (weight, predictor) in enumerate(zip(weights, problem.predictors, strict=True))
             ]
             x = search(problem, x, evaluations=max(evaluations // 5, 2)).x
@@ -167,13 +167,13 @@ def multi_start(
     minima: list[Minimum] = []
     for number, start in enumerate(start_points(problem, x, wanted.starts, wanted.seed)):
         found = staged_search(problem, start, evaluations=wanted.evaluations, stages=wanted.stages)
-        _merge(minima, found, problem)
+        merge(minima, found, problem)
         if on_start is not None:
             on_start(number + 1, wanted.starts)
     if wanted.exchanges:
         best = min(minima, key=lambda one: one.cost)
         begun = _exchanged(problem, best.x, wanted.exchanges)
-        _merge(minima, search(problem, begun, evaluations=wanted.evaluations), problem)
+        merge(minima, search(problem, begun, evaluations=wanted.evaluations), problem)
     return sorted(minima, key=lambda one: one.cost)
 
 
@@ -206,7 +206,7 @@ def start_points(problem: Problem, x: FloatArray, starts: int, seed: int) -> lis
     return points
 
 
-def _merge(minima: list[Minimum], found: Minimum, problem: Problem) -> None:
+def merge(minima: list[Minimum], found: Minimum, problem: Problem) -> None:
     """Count a search with the minimum that it ended in, or add it as another."""
     scales = np.array([variable.scale for variable in problem.variables.free])
     for i, known in enumerate(minima):

@@ -12,9 +12,10 @@ import numpy as np
 
 from pyjoystick.fmu import Fmu
 from pyjoystick.identification.fitting.fit import fit
+from pyjoystick.identification.fitting.instrument import INSTRUMENT
 from pyjoystick.identification.fitting.measurement import Measurement, measurements
 from pyjoystick.identification.fitting.result import Fit
-from pyjoystick.identification.fitting.settings import FitSettings, Noise, Uncertainty
+from pyjoystick.identification.fitting.settings import FitSettings, Uncertainty
 from pyjoystick.motion import Record
 from pyjoystick.support import ParameterError, TextTable
 
@@ -95,9 +96,10 @@ def _prediction_error(
         raise ParameterError(
             "ties", ", ".join(quick.ties), "between shared parameters where models are compared"
         )
-    shared = {name: value for name, value in trained.shared().items() if name in fmu.description.variables}
+    known = {*fmu.description.variables, *INSTRUMENT}
+    shared = {name: value for name, value in trained.shared().items() if name in known}
     fixed = {**quick.fixed, **shared, **{one.name: one.value for one in trained.derived}}
-    noise = quick.noise if quick.noise.sigma else Noise()
+    noise = quick.noise if quick.noise.sigma else dataclasses.replace(quick.noise, per_record=False)
     alone = dataclasses.replace(quick, free=own, fixed=fixed, ties={}, noise=noise)
     predicted = fit([records[left_out]], alone, fmu=fmu).records[0]
     return float(np.sqrt(np.mean(predicted.residuals() ** 2)))

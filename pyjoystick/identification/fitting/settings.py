@@ -4,15 +4,20 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Set
 from dataclasses import dataclass, field
 from typing import Final, Literal, get_args
 
 from pyjoystick.fmu import Value
+from pyjoystick.identification.fitting.instrument import (
+    ANGLE_SCALE,
+    DELAY,
+    INSTRUMENT,
+    RELEASE_TIME,
+    TIME_BASE,
+    ZERO_OFFSET,
+)
 from pyjoystick.support import ParameterError, finite, positive, whole_number
-
-#: The instant of a record's clock at which the FMU starts; until then the record shows the start values.
-RELEASE_TIME: Final = "release_time"
 
 Comparison = Literal["trajectory", "peaks"]
 Resampling = Literal["records", "residuals"]
@@ -23,14 +28,17 @@ class Free:
     """A parameter that is fitted.
 
     Attributes:
-        name: a parameter or start value of the FMU, or `RELEASE_TIME`
+        name: a parameter or start value of the FMU, or a number of the `Instrument`
         start: where the search begins, in the unit of the FMU; where None, the FMU's own value, or for the
             release of a free oscillation a guess from each record
         minimum, maximum: bounds; where None those of the FMU, or a range about the guess for the release
         per_record: one value for each record, as the release has, instead of one for all
+        uncertainty: standard uncertainty of `start`, where that was measured independently of the records;
+            it then counts as one more measurement, of normal distribution
 
     Raises:
-        ParameterError: a value is not finite, or the start is not within the bounds
+        ParameterError: a value is not finite, the start is not within the bounds, or an uncertainty is not
+            above 0 or has no start
     """
 
     name: str
@@ -38,6 +46,7 @@ class Free:
     minimum: float | None = None
     maximum: float | None = None
     per_record: bool = False
+    uncertainty: float | None = None
 
     def __post_init__(self) -> None:
         for what in ("start", "minimum", "maximum"):
@@ -50,20 +59,30 @@ class Free:
             raise ParameterError(f"{self.name}.minimum", low, f"below the maximum, {high:g}")
         if self.start is not None and not low <= self.start <= high:
             raise ParameterError(f"{self.name}.start", self.start, f"from {low:g} to {high:g}")
+        if self.uncertainty is not None:
+            positive(f"{self.name}.uncertainty", self.uncertainty)
+            if self.start is None or self.per_record:
+                allowed = "left out without a start that all records share"
+                raise ParameterError(f"{self.name}.uncertainty", self.uncertainty, allowed)
 
 
 @dataclass(frozen=True, slots=True)
 class Noise:
-    """What is known of the noise; it is taken to be white, the samples independent of each other.
+    """What is known of the noise.
 
     Attributes:
         sigma: standard deviation by output, in the unit of the output; where empty it is estimated from what
             the fit leaves over
         per_record: whether it is estimated for each record separately, so that a noisy record counts less
+        colored: whether samples may depend on each other: where they do, as first-order autoregressive noise
+            whose correlation is estimated; without, the noise is taken to be white
+        robust: whether outliers, where there are any, count less (Hampel's weights)
     """
 
     sigma: Mapping[str, float] = field(default_factory=dict)
     per_record: bool = False
+    colored: bool = True
+    robust: bool = True
 
     def __post_init__(self) -> None:
         for name, value in self.sigma.items():
@@ -84,6 +103,9 @@ class Search:
         stages: parts of the records on which each search begins, see `staged_search`; increasing, below 1
         exchanges: pairs of free parameters, those of the two sides of a mechanism for one, that a last search
             begins with exchanged
+        scan: parameters that are tried at other values after the search, all multiplied by one factor, where
+            a motion comes to rest within its record, see `scan`; where None, the dry friction of the joystick
+            as far as it is fitted
     """
 
     starts: int = 1
@@ -91,6 +113,7 @@ class Search:
     evaluations: int = 200
     stages: tuple[float, ...] = (0.3, 0.6)
     exchanges: tuple[tuple[str, str], ...] = ()
+    scan: tuple[str, ...] | None = None
 
     def __post_init__(self) -> None:
         whole_number("search.starts", self.starts, 1)
@@ -104,6 +127,8 @@ class Search:
         for pair in self.exchanges:
             if not _names(pair) or len(pair) != 2:
                 raise ParameterError("search.exchanges", pair, "pairs of names")
+        if not _names(self.scan or ()):
+            raise ParameterError("search.scan", self.scan, "names of parameters")
 
 
 @dataclass(frozen=True, slots=True)
@@ -188,10 +213,17 @@ class FitSettings:
             if name not in self.outputs:
                 raise ParameterError("noise.sigma", name, f"one of the outputs, {', '.join(self.outputs)}")
         self._check_names()
-        if RELEASE_TIME in given and self.inputs:
-            raise ParameterError(RELEASE_TIME, "given", "left out where inputs drive the FMU")
+        self._check_instrument(given)
         whole_number("peaks", self.peaks, 2)
         positive("tolerance", self.tolerance)
+
+    @property
+    def scanned(self) -> tuple[str, ...]:
+        """The parameters of `Search.scan`, or what stands for them."""
+        if self.search.scan is not None:
+            return self.search.scan
+        rubbing = (PIVOT_FRICTION.name, PLUNGER_FRICTION.name)
+        return tuple(one.name for one in self.free if one.name in rubbing and not one.per_record)
 
     def _check_peaks(self) -> None:
         if len(self.outputs) != 1:
@@ -199,6 +231,19 @@ class FitSettings:
         if self.noise.sigma:
             allowed = "left out where peaks are compared, whose relative errors are estimated"
             raise ParameterError("noise.sigma", dict(self.noise.sigma), allowed)
+
+    def _check_instrument(self, given: Set[str]) -> None:
+        """The numbers of the instrument go with what is compared."""
+        for name in (RELEASE_TIME, TIME_BASE) if self.inputs else ():
+            if name in given:
+                raise ParameterError(name, "given", "left out where inputs drive the FMU")
+        if DELAY in given and not self.inputs:
+            raise ParameterError(DELAY, "given", "left out where no input drives the FMU")
+        if ANGLE_SCALE in given and self.comparison == "peaks":
+            raise ParameterError(ANGLE_SCALE, "given", "left out where peaks are compared")
+        for name in self.ties:
+            if name in INSTRUMENT:
+                raise ParameterError(f"ties.{name}", self.ties[name], "fixed or free, not tied")
 
     def _check_names(self) -> None:
         """The parameters that are exchanged and profiled are free ones."""
@@ -208,10 +253,14 @@ class FitSettings:
                 allowed = f"among the free parameters, {', '.join(free)}"
                 raise ParameterError("search.exchanges", name, allowed)
         shared = [one.name for one in self.free if not one.per_record]
-        for name in self.uncertainty.profiles or ():
+        named = {
+            "search.scan": self.search.scan or (),
+            "uncertainty.profiles": self.uncertainty.profiles or (),
+        }
+        for field_name, name in ((where, name) for where, names in named.items() for name in names):
             if name not in shared:
                 allowed = f"among the parameters that all records share, {', '.join(shared)}"
-                raise ParameterError("uncertainty.profiles", name, allowed)
+                raise ParameterError(field_name, name, allowed)
 
 
 def _names(given: object) -> bool:
@@ -246,8 +295,40 @@ def with_values(
     return dataclasses.replace(settings, free=free, fixed=fixed | dict(settings.fixed))
 
 
-#: The release of each record: its angle and its instant.
-RELEASE: Final = (Free("theta_start", per_record=True), Free(RELEASE_TIME, per_record=True))
+def with_known(
+    settings: FitSettings, values: Mapping[str, float], uncertainties: Mapping[str, float]
+) -> FitSettings:
+    """The settings with parameters that are fitted although they were measured: each counts as a measurement.
+
+    Args:
+        settings: what they fix or do not mention becomes free
+        values: of the parameters, in the units of the FMU
+        uncertainties: their standard uncertainties, by the same names
+
+    Raises:
+        ParameterError: an uncertainty is not above 0, or the parameter is tied or fitted for each record
+    """
+    given = {one.name: one for one in settings.free}
+    known = {
+        name: dataclasses.replace(given.get(name, Free(name)), start=value, uncertainty=uncertainties[name])
+        for name, value in values.items()
+    }
+    return dataclasses.replace(
+        settings,
+        free=(
+            *(known.get(one.name, one) for one in settings.free),
+            *(one for name, one in known.items() if name not in given),
+        ),
+        fixed={name: value for name, value in settings.fixed.items() if name not in known},
+    )
+
+
+#: What belongs to each record of a release: its angle, its instant, and what the record shows in the middle.
+RELEASE: Final = (
+    Free("theta_start", per_record=True),
+    Free(RELEASE_TIME, per_record=True),
+    Free(ZERO_OFFSET, per_record=True),
+)
 
 #: A constant damping coefficient.
 CONSTANT_DAMPING: Final = FitSettings(
@@ -280,3 +361,47 @@ DISPLACEMENT_DAMPING: Final = dataclasses.replace(
     fixed={"damping.alpha": 1.0},
     free=tuple(one for one in POWER_LAW_DAMPING.free if one.name not in ("damping.B", "damping.m")),
 )
+
+#: What belongs to each record of a driven motion: where it begins, at rest, and what it shows in the middle.
+DRIVEN: Final = (Free("theta_start", per_record=True), Free(ZERO_OFFSET, per_record=True))
+_DRIVEN_STAGES: Final = (0.1, 0.2, 0.4, 0.7)
+
+
+def driven(settings: FitSettings) -> FitSettings:
+    """Settings for releases as settings for records with the torque that drove the joystick, column ``T``.
+
+    The torque says how large moments are, so that the moment of inertia is fitted too; and so is the delay of
+    the angle behind the torque, which all records share. Records begin at rest, unless `omega_start` is made
+    free as well.
+    """
+    own = tuple(one for one in settings.free if not one.per_record)
+    delay = Free(DELAY, start=0.0, minimum=-0.05, maximum=0.05)
+    return dataclasses.replace(
+        settings,
+        free=(*own, Free("J"), delay, *DRIVEN),
+        inputs=("T",),
+        # A drive passes the middle again and again, at instants on which all that follows depends.
+        search=dataclasses.replace(settings.search, stages=_DRIVEN_STAGES),
+    )
+
+
+#: FMUs of the same joystick with dry friction.
+WITH_FRICTION: Final[Mapping[str, str]] = {
+    "Joystick": "JoystickFriction",
+    "JoystickPowerLaw": "JoystickFrictionPowerLaw",
+}
+#: Dry friction at the pivot (N m) and along the plungers in contact (N).
+PIVOT_FRICTION: Final = Free("friction.T_c", start=5e-3, minimum=0.0, maximum=1.0)
+PLUNGER_FRICTION: Final = Free("friction.F_c", start=0.2, minimum=0.0, maximum=50.0)
+
+
+def with_friction(settings: FitSettings, *friction: Free) -> FitSettings:
+    """The same fit with dry friction: that at the pivot where nothing is said.
+
+    Raises:
+        ParameterError: the FMU has no counterpart with friction
+    """
+    if settings.fmu not in WITH_FRICTION:
+        raise ParameterError("fmu", settings.fmu, f"one of {', '.join(WITH_FRICTION)}")
+    free = (*settings.free, *(friction or (PIVOT_FRICTION,)))
+    return dataclasses.replace(settings, fmu=WITH_FRICTION[settings.fmu], free=free)

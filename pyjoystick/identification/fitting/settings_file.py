@@ -6,11 +6,11 @@ import dataclasses
 from collections.abc import Callable, Mapping
 from os import PathLike
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from pyjoystick.fmu import MODELS, FmuDescription, Value, Variable, find_fmu
+from pyjoystick.identification.fitting.instrument import INSTRUMENT, RELEASE_TIME, ZERO_OFFSET
 from pyjoystick.identification.fitting.settings import (
-    RELEASE_TIME,
     FitSettings,
     Free,
     Noise,
@@ -40,18 +40,22 @@ def read_fit_settings(
     table = root.table("fmu", required=True)
     fmu = fmu_of(table, find)
     name = table.text("path")
+    compared = _compared(root.table("compare"))
+    measured = _Measured(fmu, compared.get("outputs", ("theta",))[0])
     given: dict[str, Any] = {
         "fmu": name if name in MODELS else str(fmu.path),
-        "fixed": _fixed(root.table("parameters"), fmu),
-        "free": _free(root.table("free", required=True), fmu),
+        "fixed": _fixed(root.table("parameters"), measured),
+        "free": _free(root.table("free", required=True), measured),
         "ties": _texts(root.table("ties")),
         "noise": _noise(root.table("noise"), fmu),
-        **_compared(root.table("compare")),
+        **compared,
     }
+    if RELEASE_TIME in {one.name for one in given["free"]} and ZERO_OFFSET not in given["fixed"]:
+        given["free"] = _with_zero_offset(given["free"])
     if "tolerance" in table:
         given["tolerance"] = table.number("tolerance")
     values = joystick_values(table, fmu)
-    given["search"] = _made(root.table("search"), Search, tuples=("stages", "exchanges"))
+    given["search"] = _made(root.table("search"), Search, tuples=("stages", "exchanges", "scan"))
     given["uncertainty"] = _made(root.table("uncertainty"), Uncertainty, tuples=("profiles",))
     root.finish()
     try:
@@ -60,33 +64,59 @@ def read_fit_settings(
         raise SettingsError(root.path, "", "", None, str(error)) from None
 
 
-def _fixed(table: Table, fmu: FmuDescription) -> dict[str, Value]:
+class _Measured(NamedTuple):
+    """The FMU, and the output that the zero and the scale of an instrument belong to."""
+
+    fmu: FmuDescription
+    output: str
+
+    def amount(self, table: Table, key: str, name: str) -> float:
+        """A number in the unit of a parameter, or where it has one, text with a unit."""
+        if name == ZERO_OFFSET:
+            with table.at(key):
+                return number_of(_variable(self.fmu, self.output), table.value(key))
+        if name not in self.fmu.variables:
+            return table.number(key)
+        with table.at(key):
+            return number_of(self.fmu.variables[name], table.value(key))
+
+    def difference(self, table: Table, key: str, name: str) -> float:
+        """As `amount`, of a difference: a temperature would have another zero."""
+        if name not in self.fmu.variables:
+            return self.amount(table, key, name)
+        with table.at(key):
+            return difference_of(self.fmu.variables[name], table.value(key))
+
+
+def _fixed(table: Table, measured: _Measured) -> dict[str, Value]:
     values: dict[str, Value] = {}
     for name, given in table.items():
         with table.at(name):
             values[name] = (
-                table.number(name) if name == RELEASE_TIME else value_of(_variable(fmu, name), given)
+                measured.amount(table, name, name)
+                if name in INSTRUMENT
+                else value_of(_variable(measured.fmu, name), given)
             )
     return values
 
 
-def _free(table: Table, fmu: FmuDescription) -> tuple[Free, ...]:
+def _free(table: Table, measured: _Measured) -> tuple[Free, ...]:
     found = []
     for name, inner in table.subtables():
         numbers = {
-            key: _amount(inner, key, name, fmu) for key in ("start", "minimum", "maximum") if key in inner
+            key: measured.amount(inner, key, name) for key in ("start", "minimum", "maximum") if key in inner
         }
+        if "uncertainty" in inner:
+            numbers["uncertainty"] = measured.difference(inner, "uncertainty", name)
         with inner.at():
             found.append(Free(name, **numbers, per_record=inner.flag("per_record")))
     return tuple(found)
 
 
-def _amount(table: Table, key: str, name: str, fmu: FmuDescription) -> float:
-    """A number, or for a parameter of the FMU text with a unit."""
-    if name not in fmu.variables:
-        return table.number(key)
-    with table.at(key):
-        return number_of(fmu.variables[name], table.value(key))
+def _with_zero_offset(free: tuple[Free, ...]) -> tuple[Free, ...]:
+    """The free parameters of a release with a zero of each record, unless they say something of it."""
+    named = any(one.name == ZERO_OFFSET for one in free)
+    return free if named else (*free, Free(ZERO_OFFSET, per_record=True))
 
 
 def _texts(table: Table) -> dict[str, str]:
@@ -100,7 +130,8 @@ def _noise(table: Table, fmu: FmuDescription) -> Noise:
         with inner.at(name):
             sigma[name] = difference_of(_variable(fmu, name), given)
     with table.at():
-        return Noise(sigma, table.flag("per_record"))
+        colored, robust = (table.flag(key, default=True) for key in ("colored", "robust"))
+        return Noise(sigma, table.flag("per_record"), colored, robust)
 
 
 def _compared(table: Table) -> dict[str, Any]:

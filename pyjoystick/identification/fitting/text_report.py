@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from pyjoystick.identification.fitting import trust
 from pyjoystick.identification.fitting.result import Fit
 from pyjoystick.support import TextTable
 
@@ -20,6 +21,7 @@ def summary(fit: Fit) -> str:
         _verdict(fit),
         _parameters(fit),
         _derived(fit),
+        _known(fit),
         _strong_correlations(fit),
         _noise(fit),
         _criteria(fit),
@@ -96,6 +98,21 @@ def _strong_correlations(fit: Fit) -> str:
     return "\n".join(part for part in (strong, weakest) if part)
 
 
+def _known(fit: Fit) -> str:
+    """What was measured beforehand of the fitted parameters, and how far the records alone are from it."""
+    parts = []
+    for one, x, error in zip(fit.variables, fit.x, fit.standard_errors.errors, strict=True):
+        if one.uncertainty is not None:
+            away = trust.away_from_known(one, x, error)
+            says = (
+                "the records say nothing of it"
+                if away is None
+                else f"the records lie {away:+.1f} standard errors away"
+            )
+            parts.append(f"{one.name} {one.start:.6g} +- {one.uncertainty:.2g} ({says})")
+    return f"Counted as measured beforehand: {'; '.join(parts)}." if parts else ""
+
+
 def _noise(fit: Fit) -> str:
     kind = "given" if fit.settings.noise.sigma else "estimated"
     unit = "relative" if fit.settings.comparison == "peaks" else "in the units of the outputs"
@@ -103,7 +120,12 @@ def _noise(fit: Fit) -> str:
     for one in fit.records:
         levels = ", ".join(f"{label} {sigma:.4g}" for label, sigma in one.sigma.items())
         texts.append(f"{one.name}: {levels}")
-    return f"Standard deviation of the noise ({kind}, {unit}): {'; '.join(texts)}."
+    text = f"Standard deviation of the noise ({kind}, {unit}): {'; '.join(texts)}."
+    if fit.correlation:
+        text += (
+            f" Correlation from sample to sample {fit.correlation:.3f}; the intervals take it into account."
+        )
+    return text
 
 
 def _criteria(fit: Fit) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -13,14 +13,17 @@ from scipy import stats
 from pyjoystick.identification.fitting.profile import Profile
 from pyjoystick.identification.fitting.search import Minimum
 from pyjoystick.identification.fitting.uncertainty import Identifiability
-from pyjoystick.identification.fitting.variables import Variables
+from pyjoystick.identification.fitting.variables import Variable, Variables
 from pyjoystick.support import FloatArray
 
 #: A sound fit of white noise fails a test of the residuals once in this many.
 _CHANCE: Final = 1e-3
-_LAGS: Final = 5
-#: A mean of so many of its standard errors is not chance.
-_OFFSET: Final = 5.0
+#: An offset of so many of its standard errors is not chance.
+_OFFSET: Final = 4.0
+#: Standard errors between records and what was measured beforehand: by chance once in a hundred fits.
+_FAR: Final = 2.576
+#: Records that take less than this part off the variance of what was measured say nothing of it.
+_SAYING: Final = 1e-3
 #: Residuals of more than this part of the largest value measured are no noise.
 _LARGE: Final = 0.05
 #: Average error of peaks that no longer counts as agreement.
@@ -72,17 +75,49 @@ def check_rank(known: Identifiability) -> Check:
     return Check("rank", True, f"full rank, {known.rank}; condition {known.condition:.3g}")
 
 
-def check_precision(labels: Sequence[str], x: FloatArray, errors: FloatArray) -> Check:
-    """Whether every standard error is below the value itself, beyond full rank."""
+def check_precision(variables: Sequence[Variable], x: FloatArray, errors: FloatArray) -> Check:
+    """Whether every standard error is below the value itself, beyond full rank.
+
+    What belongs to a record or an instrument may well be zero.
+    """
     poor = [
-        f"{label} = {value:.4g} +- {error:.2g}"
-        for label, value, error in zip(labels, x, errors, strict=True)
-        if math.isfinite(error) and error > abs(value)
+        f"{one.label} = {value:.4g} +- {error:.2g}"
+        for one, value, error in zip(variables, x, errors, strict=True)
+        if math.isfinite(error) and error > abs(value) and one.record is None and not one.of_instrument
     ]
     if poor:
         message = f"practically undetermined at this noise: {', '.join(poor)}; fix them or measure more"
         return Check("precision", False, message)
     return Check("precision", True, "every standard error is below the value itself")
+
+
+def check_known(variables: Sequence[Variable], x: FloatArray, errors: FloatArray) -> Check:
+    """Whether the records agree with what was measured beforehand.
+
+    Where it is measured well it pulls the fit to itself; only the difference to the records alone shows.
+    """
+    found = [
+        (one.label, away_from_known(one, value, error))
+        for one, value, error in zip(variables, x, errors, strict=True)
+        if one.uncertainty is not None
+    ]
+    far = [f"{name} by {away:+.1f}" for name, away in found if away is not None and abs(away) > _FAR]
+    if far:
+        message = f"the records alone differ from it, in standard errors: {', '.join(far)}"
+        return Check("known values", False, message)
+    return Check("known values", True, "the records agree with what was measured beforehand")
+
+
+def away_from_known(one: Variable, x: float, error: float) -> float | None:
+    """How far the records alone are from what was measured beforehand, in standard errors of the difference.
+
+    The fit is the weighted mean of both, so x - measured has the variance u^2 - error^2. None where the
+    records say next to nothing of the parameter, or it is not known beforehand.
+    """
+    if one.uncertainty is None:
+        return None
+    rest = one.uncertainty**2 - error**2
+    return (x - one.start) / math.sqrt(rest) if rest > _SAYING * one.uncertainty**2 else None
 
 
 def check_chi_squared(cost: float, freedom: int) -> Check:
@@ -125,47 +160,26 @@ def check_peak_errors(relative: Sequence[FloatArray]) -> Check:
     return Check("size of residuals", worst < _LARGE_PEAK_ERROR, message)
 
 
-def check_whiteness(names: Sequence[str], series: Sequence[FloatArray], least: float) -> Check:
-    """Whether the residuals of every record look like independent samples (Ljung and Box).
+def check_zero(offsets: Sequence[tuple[Variable, float, float]]) -> Check:
+    """Records whose zero is off; the fit corrects them.
 
-    Residuals of no more than `least`, the integrator's own error, are not judged.
+    Args:
+        offsets: each variable with its value and its standard error
     """
-    bad = list(_not_white(names, series, least))
-    if bad:
-        message = (
-            "not white in " + "; ".join(bad) + ": the model lacks something, or the data were filtered; "
-            "standard errors and intervals are then too small"
-        )
-        return Check("whiteness", False, message)
-    offset = "".join(_offsets(names, series, least))
-    return Check("whiteness", True, f"no correlation over {_LAGS} samples{offset}")
+    angle = [f"{one.label} = {_amount(one, value)} +- {_amount(one, error)}" for one, value, error in offsets]
+    off = [
+        text
+        for text, (_, value, error) in zip(angle, offsets, strict=True)
+        if error < math.inf and abs(value) > _OFFSET * error
+    ]
+    if off:
+        return Check("zero offset", True, f"{', '.join(off)}: the zero of the record is off; corrected")
+    return Check("zero offset", True, "no record has a zero that is off")
 
 
-def _offsets(names: Sequence[str], series: Sequence[FloatArray], least: float) -> Iterator[str]:
-    """Records whose residuals have a significant mean."""
-    for name, residuals in zip(names, series, strict=True):
-        if float(np.max(np.abs(residuals))) <= least:
-            continue
-        mean, deviation = float(np.mean(residuals)), float(np.std(residuals))
-        if abs(mean) * math.sqrt(len(residuals)) > _OFFSET * deviation > 0.0:
-            yield (
-                f"; those of {name} have a mean of {mean / deviation:+.2f} standard deviations, as a zero "
-                "offset of the record makes, which no parameter can correct"
-            )
-
-
-def _not_white(names: Sequence[str], series: Sequence[FloatArray], least: float) -> Iterator[str]:
-    for name, residuals in zip(names, series, strict=True):
-        n = len(residuals)
-        if n <= 2 * _LAGS or float(np.max(np.abs(residuals))) <= least:
-            continue
-        centered = residuals - np.mean(residuals)
-        power = float(centered @ centered)
-        lags = np.array([centered[k:] @ centered[:-k] / power for k in range(1, _LAGS + 1)])
-        statistic = n * (n + 2) * float(np.sum(lags**2 / (n - np.arange(1, _LAGS + 1))))
-        chance = float(stats.chi2.sf(statistic, _LAGS))
-        if chance < _CHANCE / len(series):
-            yield f"{name} (correlation {lags[0]:+.2f} from sample to sample)"
+def _amount(one: Variable, value: float) -> str:
+    """A value with its unit, angles in degrees."""
+    return f"{math.degrees(value):.3g} deg" if one.unit == "rad" else f"{value:.3g} {one.unit}".rstrip()
 
 
 def check_profiles(labels: Sequence[str], profiles: Mapping[int, Profile]) -> Check:

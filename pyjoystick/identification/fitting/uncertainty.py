@@ -17,6 +17,8 @@ _MARGIN: Final = 10.0
 _LEAST: Final = 1e-6
 #: A column this much smaller than the largest, each for a change by the variable's own size, is no influence.
 _NO_INFLUENCE: Final = 1e-10
+#: A value below this part of its scale may be zero.
+_ROUNDING: Final = 1e-6
 #: A column with this relative error shows the scatter of the FMU's results and no influence.
 SCATTER: Final = 0.1
 #: Shares of a combination below this are left out of the sentence.
@@ -65,7 +67,8 @@ def identifiability(
         labels: names of the variables
         errors: relative error of each column, shape (variables,)
     """
-    sizes = np.where(x != 0.0, np.abs(x), scales)
+    # What is zero but for rounding has the size of its scale.
+    sizes = np.where(np.abs(x) > _ROUNDING * scales, np.abs(x), scales)
     lengths = np.linalg.norm(jacobian, axis=0)
     seen = lengths * sizes > _NO_INFLUENCE * max(float(np.max(lengths * sizes)), 1e-300)
     safe = np.where(seen, lengths, 1.0)

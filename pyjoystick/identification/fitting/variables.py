@@ -8,14 +8,22 @@ import math
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import asteval
 import numpy as np
 
 from pyjoystick.fmu import FmuDescription, checked_value
+from pyjoystick.identification.fitting.instrument import (
+    DELAY,
+    INSTRUMENT,
+    RELEASE_TIME,
+    ZERO_OFFSET,
+    Instrument,
+)
 from pyjoystick.identification.fitting.measurement import Measurement, Release, guess_release
-from pyjoystick.identification.fitting.settings import RELEASE_TIME, FitSettings, Free
-from pyjoystick.support import FloatArray, ParameterError, UnknownParameterError
+from pyjoystick.identification.fitting.settings import FitSettings, Free
+from pyjoystick.support import FloatArray, ParameterError, UnknownParameterError, UnknownVariableError
 
 _NAME = re.compile(r"[A-Za-z_][\w.\[\]]*")
 
@@ -92,6 +100,9 @@ def _identifier(name: str) -> str:
 #: The release time may differ from its guess by this much (s), the angle by these factors.
 _TIME_RANGE = 0.15
 _ANGLE_RANGE = (0.7, 1.6)
+#: The zero may differ from 0 by this part of the largest value measured; parts and seconds by this.
+_ZERO_RANGE = 0.25
+_INSTRUMENT_RANGE = 0.2
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,11 +110,12 @@ class Variable:
     """One number that the search changes.
 
     Attributes:
-        name: parameter of the FMU, or `RELEASE_TIME`
+        name: parameter of the FMU, or number of the `Instrument`
         record: index of the record that it belongs to; None where all records share it
         label: its name in reports
         unit: its unit, empty for a pure number
         start, minimum, maximum: where the search begins, and its bounds, perhaps infinite
+        uncertainty: standard uncertainty of the start, where that was measured; else None
     """
 
     name: str
@@ -113,6 +125,7 @@ class Variable:
     start: float
     minimum: float
     maximum: float
+    uncertainty: float | None = None
 
     @property
     def scale(self) -> float:
@@ -123,6 +136,11 @@ class Variable:
             return abs(self.start)
         width = self.maximum - self.minimum
         return 0.1 * width if math.isfinite(width) else 1.0
+
+    @property
+    def of_instrument(self) -> bool:
+        """Whether it says how a record shows the motion, and nothing of the FMU."""
+        return self.name in INSTRUMENT
 
 
 class Variables:
@@ -139,29 +157,39 @@ class Variables:
     ) -> None:
         """Raises ParameterError, UnknownParameterError where a name, bound or expression is not allowed."""
         self._count = len(records)
-        self._release_fixed = settings.fixed.get(RELEASE_TIME)
+        for name in (*(one.name for one in settings.free), *settings.fixed):
+            if name in INSTRUMENT and name in description.variables:
+                raise ParameterError(name, "given", "left out: the FMU has a variable of this name itself")
+        self._instrument = {
+            name: float(value) for name, value in settings.fixed.items() if name in INSTRUMENT
+        }
         guesses = [_release_of(settings, record) for record in records]
         free: list[Variable] = []
-        own = [one.name for one in settings.free if one.name != RELEASE_TIME]
+        own = [one.name for one in settings.free if one.name not in INSTRUMENT]
         used = names_in(settings.ties.values())
         for one in settings.free:
-            auxiliary = one.name not in description.variables and one.name != RELEASE_TIME
+            auxiliary = one.name not in description.variables and one.name not in INSTRUMENT
             if auxiliary and one.name not in used:
-                raise UnknownParameterError(one.name, [RELEASE_TIME, *description.settable_names()])
+                raise UnknownParameterError(one.name, [*INSTRUMENT, *description.settable_names()])
+            first = settings.outputs[0]
+            largest = [_largest(record, first) for record in records]
             if one.per_record:
                 free += [
-                    _variable(one, description, guess, i, record.name)
-                    for i, (guess, record) in enumerate(zip(guesses, records, strict=True))
+                    _variable(one, description, first, _Seen(guess, size), i, record.name)
+                    for i, (guess, size, record) in enumerate(zip(guesses, largest, records, strict=True))
                 ]
             else:
-                free.append(_variable(one, description, guesses[0], None, ""))
+                free.append(_variable(one, description, first, _Seen(guesses[0], max(largest)), None, ""))
         self.free = tuple(free)
         self.tied = tuple(settings.ties)
         self._settable = [k for k, name in enumerate(own) if name in description.variables]
         self.varied = (*(own[k] for k in self._settable), *self.tied)
         self._starts = [float(record.time[0]) for record in records]
         self._places = [[self._place(name, record) for name in own] for record in range(self._count)]
-        self._time_places = [self._place(RELEASE_TIME, record) for record in range(self._count)]
+        self._instrument_places = [
+            {name: place for name in INSTRUMENT if (place := self._place(name, record)) is not None}
+            for record in range(self._count)
+        ]
         self._ties = Ties(own, settings.ties, description)
 
     @property
@@ -193,16 +221,14 @@ class Variables:
         """The values of `tied` for one record, shape (len(tied),)."""
         return self.row(x, record)[len(self.varied) - len(self.tied) :]
 
-    def release_time(self, x: FloatArray, record: int) -> float:
-        """The instant of the record's clock (s) at which the FMU starts."""
-        place = self._time_places[record]
-        if place is not None:
-            return float(x[place])
-        return self._starts[record] if self._release_fixed is None else float(self._release_fixed)
+    def instrument(self, x: FloatArray, record: int) -> Instrument:
+        """How a record shows the motion; without a release time, the FMU starts with the record."""
+        free = {name: float(x[place]) for name, place in self._instrument_places[record].items()}
+        return Instrument(**({RELEASE_TIME: self._starts[record]} | self._instrument | free))
 
-    def release_variable(self, record: int) -> int | None:
-        """Place of the release time of a record among the variables; None where it is fixed."""
-        return self._time_places[record]
+    def instrument_places(self, record: int) -> Mapping[str, int]:
+        """Places of the free numbers of a record's instrument among the variables, by name."""
+        return self._instrument_places[record]
 
     def concerns(self, variable: int, record: int) -> bool:
         """Whether a variable has an influence on a record."""
@@ -217,17 +243,43 @@ class Variables:
 def _release_of(settings: FitSettings, record: Measurement) -> Release | None:
     """The guess, where the release is among what is fitted."""
     wanted = {one.name for one in settings.free} & {RELEASE_TIME, "theta_start"}
-    return (
-        guess_release(record.time, record.series("theta")) if wanted and "theta" in record.columns else None
-    )
+    if not wanted or "theta" not in record.columns:
+        return None
+    theta = record.series("theta")
+    if settings.inputs:
+        # Driven, it begins anywhere.
+        return Release(float(theta[0]), float(record.time[0]), _ZERO_RANGE * float(np.max(np.abs(theta))))
+    return guess_release(record.time, theta)
+
+
+def _largest(record: Measurement, output: str) -> float:
+    """The largest value of an output, 1 where the record does not have it."""
+    return float(np.max(np.abs(record.series(output)))) if output in record.columns else 1.0
+
+
+class _Seen(NamedTuple):
+    """What a record shows: its release, if that is wanted, and its largest value."""
+
+    release: Release | None
+    largest: float
 
 
 def _variable(
-    one: Free, description: FmuDescription, guess: Release | None, record: int | None, record_name: str
+    one: Free, description: FmuDescription, output: str, seen: _Seen, record: int | None, record_name: str
 ) -> Variable:
     label = f"{one.name} [{record_name}]" if record is not None else one.name
+    guess = seen.release
     if one.name == RELEASE_TIME:
         start, low, high, unit = _release_time(one, guess)
+    elif one.name == ZERO_OFFSET:
+        if output not in description.variables:
+            raise UnknownVariableError(output, description.variables)
+        start, unit = 0.0, description.variables[output].unit or ""
+        high = _ZERO_RANGE * (seen.largest or 1.0)
+        low = -high
+    elif one.name in INSTRUMENT:
+        start, low, high = 0.0, -_INSTRUMENT_RANGE, _INSTRUMENT_RANGE
+        unit = "s" if one.name == DELAY else ""
     elif one.name not in description.variables:
         start, low, high, unit = _auxiliary(one)
     else:
@@ -238,7 +290,7 @@ def _variable(
     start = start if one.start is None else one.start
     if not low < high or not low <= start <= high:
         raise ParameterError(f"{one.name}.start", start, f"within the bounds, {low:g} to {high:g}")
-    return Variable(one.name, record, label, unit, start, low, high)
+    return Variable(one.name, record, label, unit, start, low, high, one.uncertainty)
 
 
 def _release_time(one: Free, guess: Release | None) -> tuple[float, float, float, str]:
@@ -267,5 +319,7 @@ def _fmu_parameter(
     high = math.inf if known.maximum is None else float(known.maximum)
     if one.name == "theta_start" and guess is not None:
         ends = sorted(factor * guess.angle for factor in _ANGLE_RANGE)
+        if guess.spread:
+            ends = [guess.angle - guess.spread, guess.angle + guess.spread]
         return guess.angle, max(low, ends[0]), min(high, ends[1])
     return float(known.start or 0.0), low, high

@@ -1,0 +1,1 @@
+"""Which experiment determines the parameters best."""

@@ -1,0 +1,250 @@
+"""Results of a fit and of an error budget, read back from the JSON files that the commands write."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, TypeVar
+
+import numpy as np
+from scipy.stats import t as student
+
+from pyjoystick.identification.fitting.json_report import as_json
+from pyjoystick.identification.fitting.result import Fit
+from pyjoystick.identification.laboratory_errors import Contribution
+from pyjoystick.support import FloatArray, InputFileError
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FittedValue:
+    """One number that a fit found.
+
+    Attributes:
+        name: of the parameter
+        record: the record that it belongs to; empty where all share it
+        unit: of the value
+        value: as fitted
+        error: standard error, of the noise of the records alone; infinite where it is not determined
+        interval: of the fit's level: by profile where there is one, else linear
+        is_determined: the records determine it
+    """
+
+    name: str
+    record: str
+    unit: str
+    value: float
+    error: float
+    interval: tuple[float, float]
+    is_determined: bool
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class FittedSeries:
+    """One measured series beside its fit.
+
+    Attributes:
+        record: name of the record
+        label: what was measured: ``theta``
+        times: of the samples (s), shape (n,)
+        data, fit: measured and fitted numbers, shape (n,)
+        errors: standard errors of `fit`; None where they are not known
+        sigma: standard deviation of the noise
+        curve: times (s) and numbers of the fitted motion every millisecond, shape (2, m); NaN in gaps
+    """
+
+    record: str
+    label: str
+    times: FloatArray
+    data: FloatArray
+    fit: FloatArray
+    errors: FloatArray | None
+    sigma: float
+    curve: FloatArray
+
+    @property
+    def residuals(self) -> FloatArray:
+        """Data less fit, shape (n,)."""
+        return self.data - self.fit
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class FitDocument:
+    """What ``fit.json`` says of a fit.
+
+    Attributes:
+        source: the file, or what else it is from
+        is_trusted: every check passed
+        is_complete: it was not stopped
+        compares_peaks: peaks were compared and not samples; there are then no series
+        level: of the intervals, such as 0.95
+        quantile: half-width of an interval in standard errors
+        values: what was fitted
+        tied: values that follow from it, by name
+        fixed: what was taken as known, by name
+        open: what the records cannot determine, a sentence each
+        checks: name, passed, message
+        series: measured and fitted, record by record
+    """
+
+    source: str
+    is_trusted: bool
+    is_complete: bool
+    compares_peaks: bool
+    level: float
+    quantile: float
+    values: tuple[FittedValue, ...]
+    tied: Mapping[str, float]
+    fixed: Mapping[str, float]
+    open: tuple[str, ...]
+    checks: tuple[tuple[str, bool, str], ...]
+    series: tuple[FittedSeries, ...]
+
+    @property
+    def records(self) -> tuple[str, ...]:
+        """Names of the records."""
+        return tuple(dict.fromkeys(one.record for one in self.series))
+
+    def shared(self) -> dict[str, FittedValue]:
+        """The fitted values that all records share, by name."""
+        return {one.name: one for one in self.values if not one.record}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BudgetDocument:
+    """What the JSON file of ``pyjoystick budget`` says.
+
+    Attributes:
+        source: the file
+        fitted: values and combined standard uncertainties by name
+        contributions: of each quantity
+    """
+
+    source: str
+    fitted: Mapping[str, tuple[float, float]]
+    contributions: tuple[Contribution, ...]
+
+
+def read_fit(path: Path) -> FitDocument:
+    """Read the ``fit.json`` that ``pyjoystick fit --output`` has written.
+
+    Raises:
+        InputFileError: the file cannot be read or is not such a file
+    """
+    return _read(path, "fit.json of pyjoystick fit", _fit)
+
+
+def fit_document(found: Fit) -> FitDocument:
+    """The same of a fit that was made here."""
+    return _fit(json.loads(as_json(found)), "this fit")
+
+
+def read_budget(path: Path) -> BudgetDocument:
+    """Read the JSON file that ``pyjoystick budget --json`` has written.
+
+    Raises:
+        InputFileError: the file cannot be read or is not such a file
+    """
+    return _read(path, "JSON file of pyjoystick budget", _budget)
+
+
+_T = TypeVar("_T")
+
+
+def _read(path: Path, kind: str, make: Callable[[Mapping[str, Any], str], _T]) -> _T:
+    try:
+        content = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        reason = error.strerror if isinstance(error, OSError) else f"is not JSON: {error}"
+        raise InputFileError(path, str(reason)) from error
+    try:
+        return make(content, path.name)
+    except KeyError as error:
+        raise InputFileError(path, f"is no {kind}, or one of another version: {error} is missing") from error
+    except (TypeError, ValueError, AttributeError, IndexError) as error:
+        raise InputFileError(path, f"is no {kind}, or one of another version: {error}") from error
+
+
+def _fit(content: Mapping[str, Any], source: str) -> FitDocument:
+    settings = content["settings"]
+    level = float(settings["uncertainty"]["level"])
+    is_given = bool(settings["noise"]["sigma"])
+    freedom = math.inf if is_given else float(content["degrees_of_freedom"])
+    peaks = settings["comparison"] == "peaks"
+    return FitDocument(
+        source=source,
+        is_trusted=bool(content["trusted"]),
+        is_complete=not content["interrupted"],
+        compares_peaks=peaks,
+        level=level,
+        quantile=float(student.ppf(0.5 + level / 2.0, freedom)),
+        values=tuple(_value(one) for one in content["parameters"]),
+        tied={one["name"]: float(one["value"]) for one in content["tied"]},
+        fixed={
+            name: float(value)
+            for name, value in settings["fixed"].items()
+            if isinstance(value, int | float) and not isinstance(value, bool)
+        },
+        open=tuple(map(str, content["identifiability"]["open"])),
+        checks=tuple((one["name"], bool(one["passed"]), one["message"]) for one in content["checks"]),
+        series=() if peaks else tuple(part for one in content["records"] for part in _series(one)),
+    )
+
+
+def _value(content: Mapping[str, Any]) -> FittedValue:
+    profile = content.get("profile")
+    interval = _numbers(content["interval"] if profile is None else profile["interval"])
+    error = content["standard_error"]
+    return FittedValue(
+        name=content["name"],
+        record=content["record"] or "",
+        unit=content["unit"],
+        value=float(content["value"]),
+        error=math.inf if error is None else float(error),
+        interval=(float(interval[0]), float(interval[1])),
+        is_determined=bool(content["determined"]) and error is not None,
+    )
+
+
+def _series(content: Mapping[str, Any]) -> list[FittedSeries]:
+    labels = np.array(content["labels"])
+    columns = {key: _numbers(content[key]) for key in ("times", "data", "fit")}
+    errors = None if content["fit_error"] is None else _numbers(content["fit_error"])
+    found = []
+    for label, sigma in content["noise"].items():
+        own = labels == label
+        found.append(
+            FittedSeries(
+                record=content["name"],
+                label=label,
+                **{key: column[own] for key, column in columns.items()},
+                errors=None if errors is None else errors[own],
+                sigma=float(sigma),
+                curve=np.array([_numbers(content["curve"][key]) for key in ("time", label)]),
+            )
+        )
+    return found
+
+
+def _budget(content: Mapping[str, Any], source: str) -> BudgetDocument:
+    return BudgetDocument(
+        source=source,
+        fitted={
+            name: (float(one["value"]), float(one["standard_uncertainty"]))
+            for name, one in content["fitted"].items()
+        },
+        contributions=tuple(
+            Contribution(
+                one["stage"],
+                *(float(_numbers(one[key])) for key in ("theta", "omega", "period", "J", "C")),
+            )
+            for one in content["contributions"]
+        ),
+    )
+
+
+def _numbers(content: Any) -> Any:
+    """Numbers, NaN for null."""
+    return np.array(content, dtype=np.float64)
