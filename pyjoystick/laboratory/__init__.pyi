@@ -1,13 +1,22 @@
+from .conclusions import (
+    measured_friction as measured_friction,
+    measured_parts as measured_parts,
+    measured_springs as measured_springs,
+    measured_swing as measured_swing,
+)
 from .inertia.budget import Estimate as Estimate, Measured as Measured, combined as combined
+from .inertia.decay import Decay as Decay
 from .inertia.parts import (
     Part as Part,
     PartsResult as PartsResult,
     from_parts as from_parts,
     read_parts as read_parts,
 )
+from .inertia.report import estimates_report as estimates_report, swing_report as swing_report
 from .inertia.swing import (
     REACTION_TIME as REACTION_TIME,
     SwingPeriod as SwingPeriod,
+    friction_of_swing as friction_of_swing,
     inertia_of_swing as inertia_of_swing,
     period_of_readings as period_of_readings,
 )
@@ -21,6 +30,7 @@ from .load_curve.figures import (
 )
 from .load_curve.fit import LoadCurveFit as LoadCurveFit, fit_load_curve as fit_load_curve
 from .load_curve.report import load_curve_report as load_curve_report
+from .measured_values import PLACES as PLACES, MeasuredValues as MeasuredValues
 from .measurement_errors import (
     ChainEffect as ChainEffect,
     StageError as StageError,
@@ -42,6 +52,10 @@ from .measurements.angle import (
     rest_angle as rest_angle,
 )
 from .measurements.chain import Chain as Chain, Motion as Motion, derivative as derivative
+from .measurements.comparison import (
+    AccelerometerComparison as AccelerometerComparison,
+    compare_accelerometer as compare_accelerometer,
+)
 from .measurements.low_pass import LowPass as LowPass
 from .measurements.marker_files import read_markers as read_markers
 from .measurements.markers import Markers as Markers
@@ -57,6 +71,8 @@ from .measurements.results import (
     write_motion as write_motion,
     write_record as write_record,
 )
+from .measurements.setups import AccelerometerSetup as AccelerometerSetup, MarkerSetup as MarkerSetup
+from .measurements.trial import Trial as Trial, read_trial as read_trial
 from .synthetic_laboratory.cameras import (
     ANGLE_NOISE as ANGLE_NOISE,
     BASE as BASE,
@@ -67,6 +83,10 @@ from .synthetic_laboratory.cameras import (
     synthetic_markers as synthetic_markers,
     synthetic_record as synthetic_record,
     synthetic_swing as synthetic_swing,
+)
+from .synthetic_laboratory.files import (
+    true_joystick as true_joystick,
+    write_synthetic_laboratory as write_synthetic_laboratory,
 )
 from .synthetic_laboratory.testing_machine import (
     MachineErrors as MachineErrors,

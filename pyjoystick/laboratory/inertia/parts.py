@@ -74,6 +74,10 @@ class PartsResult:
     J: Estimate
     notes: tuple[str, ...]
 
+    def estimates(self) -> dict[str, Estimate]:
+        """The three by name and unit, for a report."""
+        return {"m (kg)": self.m, "h (m)": self.h, "J (kg m2)": self.J}
+
 
 def from_parts(parts: Sequence[Part]) -> PartsResult:
     """M = sum m_i, h = sum m_i z_i / m, J = sum J_i + m_i (z_i^2 + y_i^2).

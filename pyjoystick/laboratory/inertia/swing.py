@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 from scipy.special import ellipk
 
 from pyjoystick.laboratory.inertia.budget import Estimate, Measured, combined
+from pyjoystick.laboratory.inertia.decay import Decay
 from pyjoystick.support import FloatArray, ParameterError, angle, not_negative, positive, whole_number
 
 #: Standard uncertainty of the difference of the reactions at start and stop of a stopwatch (s).
@@ -28,13 +29,13 @@ class SwingPeriod:
         period: with its uncertainty (s)
         measured: mean period as measured (s)
         amplitude_factor: by how much the amplitude lengthens the measured period
-        damping_ratio: from the decay, with its standard error; None where the decay was not recorded
+        decay: viscous damping and dry friction from the decay; None where that was not recorded
     """
 
     period: Estimate
     measured: float
     amplitude_factor: float
-    damping_ratio: Measured | None = None
+    decay: Decay | None = None
 
 
 def amplitude_factor(amplitude: ArrayLike) -> FloatArray:
@@ -128,3 +129,17 @@ def inertia_of_swing(period: Estimate, m: Measured, h: Measured, g: Measured) ->
 
     measured = Measured(period.value, period.uncertainty, period.freedom)
     return combined(inertia, {"T": measured, "m": m, "h": h, "g": g})
+
+
+def friction_of_swing(decay: Decay, m: Measured, h: Measured, g: Measured) -> Estimate:
+    """Dry friction of the pivot T_c = m*g*h*f (N m), f the angle of friction.
+
+    Args:
+        decay: as `period_of_record` finds it
+        m: mass (kg)
+        h: pivot to center of mass (m)
+        g: acceleration of gravity (m/s2); its sign does not matter
+    """
+    return combined(
+        lambda f, m, h, g: m * abs(g) * h * f, {"f": decay.friction_angle, "m": m, "h": h, "g": g}
+    )

@@ -11,6 +11,7 @@ from numpy.polynomial import Polynomial
 from scipy.stats import linregress
 
 from pyjoystick.laboratory.inertia.budget import Measured, combined
+from pyjoystick.laboratory.inertia.decay import fitted_decay
 from pyjoystick.laboratory.inertia.swing import SwingPeriod, amplitude_factor
 from pyjoystick.motion import Record, RecordError, find_swings
 from pyjoystick.support import FloatArray
@@ -28,8 +29,10 @@ def period_of_record(record: Record) -> SwingPeriod:
 
     Tops of the half swings and passages of the middle come from polynomials through the samples around them.
     The instants of the passages are a straight line over the sum of the amplitude factors of the half swings
-    between them, whose slope is half the period; the logarithm of the heights falls along a straight line
-    over their number, which gives the damping ratio z of viscous damping and the factor sqrt(1 - z^2).
+    between them, whose slope is half the period. The heights give the damping ratio z of viscous damping,
+    hence the factor sqrt(1 - z^2), and dry friction. That leaves the time from turn to turn as it is, but the
+    joystick passes the middle late, by asin(f/(A - f)) of its phase for the amplitude A and the angle
+    f = T_c/(m*g*h): the later, the smaller the swing.
 
     Args:
         record: the joystick as a pendulum, five half swings or more above a fifth of the largest angle
@@ -43,27 +46,31 @@ def period_of_record(record: Record) -> SwingPeriod:
     heights = np.abs(tops)
     inner = amplitude_factor(heights[1:-1])
     phase = np.concatenate(([0.0], np.cumsum(inner))) / 2.0
-    line = linregress(phase, passages)
-    decay = linregress(np.arange(len(heights)) / 2.0, np.log(heights))
-    decrement = Measured(-float(decay.slope), float(decay.stderr), len(heights) - 2.0)
+    decay = fitted_decay(heights)
 
-    def undamped(period: float, decrement: float) -> float:
-        return period * math.sqrt(1.0 - _ratio(decrement) ** 2)
+    def line(friction: float) -> tuple[float, float]:
+        late = np.arcsin(np.clip(friction / (heights[:-1] - friction), -1.0, 1.0)) / (2.0 * math.pi)
+        found = linregress(phase + late, passages)
+        return float(found.slope), float(found.stderr)
 
-    slope = Measured(float(line.slope), float(line.stderr), len(passages) - 2.0)
-    estimate = combined(undamped, {"period": slope, "decrement": decrement})
-    ratio = combined(_ratio, {"decrement": decrement})
+    def undamped(passages: float, ratio: float, friction: float) -> float:
+        return (line(friction)[0] + passages) * math.sqrt(1.0 - ratio**2)
+
+    scatter = line(decay.friction_angle.value)[1]
+    estimate = combined(
+        undamped,
+        {
+            "passages": Measured(0.0, scatter, len(passages) - 2.0),
+            "ratio": decay.damping_ratio,
+            "friction": decay.friction_angle,
+        },
+    )
     return SwingPeriod(
         estimate,
         2.0 * float(passages[-1] - passages[0]) / (len(passages) - 1),
         float(np.mean(inner)),
-        Measured(ratio.value, ratio.uncertainty),
+        decay,
     )
-
-
-def _ratio(decrement: float) -> float:
-    """Damping ratio of a logarithmic decrement a period."""
-    return decrement / math.hypot(2.0 * math.pi, decrement)
 
 
 def _middle(record: Record, centered: FloatArray, theta: FloatArray) -> float:

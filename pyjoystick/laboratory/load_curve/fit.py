@@ -26,7 +26,7 @@ from pyjoystick.laboratory.load_curve.doubts import (
 from pyjoystick.laboratory.load_curve.polyline import corners, signed_distances
 from pyjoystick.model import ActuatorAssembly, SegmentTable
 from pyjoystick.motion import RecordError
-from pyjoystick.support import FloatArray, positive
+from pyjoystick.support import Drawn, FloatArray, positive
 
 #: Least noise in parts of the range, for records that have none.
 _LEAST_NOISE: Final = 1e-6
@@ -34,7 +34,7 @@ _MEDIAN_TO_DEVIATION: Final = 1.4826
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class LoadCurveFit:
+class LoadCurveFit(Drawn):
     """The fit of a load-deflection curve.
 
     Attributes:
@@ -47,6 +47,8 @@ class LoadCurveFit:
         misfit: root mean square of the distances in units of the noise; 1 where the model holds
         notes: what is doubtful, a sentence each
     """
+
+    _shown_by = "pyjoystick.laboratory.load_curve.notebook"
 
     curve: LoadCurve
     table: SegmentTable

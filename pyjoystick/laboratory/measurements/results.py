@@ -40,11 +40,17 @@ def write_record(record: Record, path: Path, comments: Iterable[str]) -> None:
     _write(path, {"time (s)": record.time, "theta (rad)": record.theta}, comments)
 
 
-def write_log(log: Log, path: Path, comments: Iterable[str]) -> None:
-    """Write the samples of a laboratory's table as a record, in SI units; raises OutputFileError."""
+def write_log(log: Log, path: Path) -> None:
+    """Write the samples of a laboratory's table as a record, in SI units; raises OutputFileError.
+
+    A comment says which column of the table each quantity is from.
+    """
+    read = ", ".join(
+        f"{name} from {match.heading.text!r} in {match.unit}" for name, match in log.found.items()
+    )
     units = {"time": "s", "theta": "rad", "omega": "rad/s", "T": "N.m", "F": "N"}
     columns = {f"{name} ({unit})": log.series[name] for name, unit in units.items() if name in log.series}
-    _write(path, columns, comments)
+    _write(path, columns, [f"from {log.path.name}: {read}"])
 
 
 def write_motion(motion: Motion, path: Path, comments: Iterable[str]) -> None:

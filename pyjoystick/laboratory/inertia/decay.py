@@ -1,0 +1,129 @@
+"""How a pendulum's amplitude falls: in equal parts by viscous damping, by equal amounts by dry friction.
+
+From one turn to the next the energy J*omega^2/2 + W*(1 - cos(theta)), W = m*g*h, falls by the work of both:
+
+    2*W*sin(M)*sin(D/2) = 8*C*sqrt(W/J)*G(M) + 2*T_c*M
+
+M is the mean of the two amplitudes, D their difference, and 8*sqrt(W/J)*G(M) the integral of the velocity
+over the angle in an undamped half swing: G = E(k) - (1 - k^2)*K(k), k = sin(M/2), K and E the complete
+elliptic integrals. For small angles D = pi*z*M + 2*T_c/W with the damping ratio z = C/(2*sqrt(W*J)).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from scipy.optimize import least_squares
+from scipy.special import ellipe, ellipk
+
+from pyjoystick.laboratory.inertia.budget import Measured
+from pyjoystick.support import FloatArray
+
+#: What the fits may leave at zero, by the name of the model.
+_MODELS: Final = {
+    "viscous damping alone": (True, False),
+    "dry friction alone": (False, True),
+    "viscous damping and dry friction": (True, True),
+}
+_BOTH: Final = "viscous damping and dry friction"
+_ITERATIONS: Final = 5
+#: Of the normalized derivatives; beyond this, two parameters do the same to the heights.
+_CONDITION: Final = 1e4
+#: Least variance of a height, relative to the largest squared, for records without noise.
+_ROUNDING: Final = 1e-24
+
+
+@dataclass(frozen=True, slots=True)
+class Decay:
+    """What the heights of the turns say; viscous damping and dry friction are fitted together.
+
+    Attributes:
+        damping_ratio: of viscous damping
+        friction_angle: T_c/(m*g*h), the angle (rad) that dry friction can hold against the weight; half of
+            what it takes off the amplitude in half a swing
+        preferred: the model with the least information criterion (BIC)
+        margins: by how much the criteria of all models exceed that, by name; 6 and more is clear
+    """
+
+    damping_ratio: Measured
+    friction_angle: Measured
+    preferred: str
+    margins: dict[str, float]
+
+
+def fitted_decay(heights: FloatArray) -> Decay:
+    """Fit both contributions to the heights of successive turns.
+
+    Args:
+        heights: amplitudes (rad), above 0, shape (n,), n of 5 or more
+    """
+    fits = {name: _fitted(heights, free) for name, free in _MODELS.items()}
+    criteria = {name: one[2] for name, one in fits.items()}
+    least = min(criteria.values())
+    preferred = min(criteria, key=lambda name: criteria[name])
+    # Amplitudes that hardly differ do not tell the two apart.
+    told_apart = bool(np.all(np.isfinite(fits[_BOTH][1])))
+    values, errors, _ = fits[_BOTH if told_apart else preferred]
+    freedom = len(heights) - 3.0
+    return Decay(
+        Measured(float(values[1]), float(errors[1]), freedom),
+        Measured(float(values[2]), float(errors[2]), freedom),
+        preferred,
+        {name: one - least for name, one in criteria.items()},
+    )
+
+
+def decaying_heights(first: float, damping_ratio: float, friction_angle: float, count: int) -> FloatArray:
+    """Amplitudes (rad) of successive turns, shape (count,)."""
+    found = np.empty(count)
+    found[0] = first
+    for i in range(1, count):
+        before = found[i - 1]
+        fall = 0.0
+        for _ in range(_ITERATIONS):
+            mean = max(before - 0.5 * fall, _ROUNDING)
+            k = math.sin(0.5 * mean) ** 2
+            viscous = 8.0 * damping_ratio * float(ellipe(k) - (1.0 - k) * ellipk(k))
+            # A trial step of a fit may ask for more than all of the energy.
+            part = (viscous + friction_angle * mean) / math.sin(mean)
+            fall = 2.0 * math.asin(min(1.0, max(-1.0, part)))
+        found[i] = before - fall
+    return found
+
+
+def _fitted(heights: FloatArray, free: Sequence[bool]) -> tuple[FloatArray, FloatArray, float]:
+    """First height, damping ratio and angle of friction; their standard errors, NaN where tied; BIC."""
+    count, scale = len(heights), float(np.max(heights))
+    places = [0, *(i + 1 for i, one in enumerate(free) if one)]
+    rate = math.log(heights[0] / heights[-1]) / (math.pi * (count - 1))
+    start = np.array([heights[0], rate, (heights[0] - heights[-1]) / (2.0 * (count - 1))])
+    start[1:] *= np.array(free) / sum(free)
+    sizes = np.array([scale, 1e-2, 1e-2 * scale])
+
+    def full(own: FloatArray) -> FloatArray:
+        values = np.zeros(3)
+        values[places] = own * sizes[places]
+        return values
+
+    def residuals(own: FloatArray) -> FloatArray:
+        first, ratio, friction = full(own)
+        return decaying_heights(first, ratio, friction, count) - heights
+
+    solution = least_squares(
+        residuals, start[places] / sizes[places], jac="3-point", xtol=1e-10, ftol=1e-10, gtol=None
+    )
+    total = max(float(solution.fun @ solution.fun), count * _ROUNDING * scale**2)
+    used = len(places)
+    jacobian = np.asarray(solution.jac, dtype=np.float64)
+    errors = np.zeros(3)
+    norms = np.linalg.norm(jacobian, axis=0)
+    if np.all(norms > 0.0) and np.linalg.cond(jacobian / norms) < _CONDITION:
+        covariance = np.linalg.inv(jacobian.T @ jacobian) * total / max(count - used, 1)
+        errors[places] = np.sqrt(np.diag(covariance)) * sizes[places]
+    else:
+        errors[places] = math.nan
+    return full(solution.x), errors, count * math.log(total / count) + used * math.log(count)

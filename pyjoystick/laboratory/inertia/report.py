@@ -1,0 +1,53 @@
+"""Results for mass and inertia as text."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Final
+
+from pyjoystick.laboratory.inertia.budget import Estimate
+from pyjoystick.laboratory.inertia.decay import Decay
+from pyjoystick.laboratory.inertia.swing import SwingPeriod
+from pyjoystick.support import TextTable
+
+#: Standard errors from which a value counts as seen.
+_CLEAR: Final = 2.0
+
+
+def swing_report(found: SwingPeriod) -> str:
+    """The period of a swing test, and what was taken out of it."""
+    return (
+        f"Period {found.measured:.6g} s as measured; the amplitude lengthens it by "
+        f"{100.0 * (found.amplitude_factor - 1.0):.3g} %.\n"
+        f"Period T of small undamped swings {found.period.value:.6g} s."
+        f"{'' if found.decay is None else _decay(found.decay)}"
+    )
+
+
+def _decay(decay: Decay) -> str:
+    ratio, friction = decay.damping_ratio, decay.friction_angle
+    others = ", ".join(f"{name} {one:.1f} above" for name, one in decay.margins.items() if one > 0.0)
+    off, error = math.degrees(2.0 * friction.value), math.degrees(2.0 * friction.uncertainty)
+    dry = f"dry friction takes {off:.4f} degrees off every half swing (standard error {error:.1g})"
+    if off < _CLEAR * error:
+        most = max(off, 0.0) + _CLEAR * error
+        dry = f"no dry friction is seen (below {most:.1g} degrees off every half swing)"
+    return (
+        f"\nDecay: damping ratio {ratio.value:.5f} (standard error {ratio.uncertainty:.1g}); {dry}.\n"
+        f"The heights prefer {decay.preferred} (BIC: {others})."
+    )
+
+
+def estimates_report(estimates: Mapping[str, Estimate]) -> str:
+    """Estimates by name as a table in Markdown, each with the parts of its uncertainty."""
+    rows = []
+    for name, one in estimates.items():
+        low, high = one.interval
+        rows.append([name, f"{one.value:.6g}", f"{one.uncertainty:.2g}", f"{low:.6g} to {high:.6g}"])
+        rows += [
+            [f"  from {quantity}", "", f"{part:.2g}", ""]
+            for quantity, part in one.budget.items()
+            if part > 0.0
+        ]
+    return TextTable(["", "value", "standard uncertainty", "95 % interval"], rows).markdown()

@@ -1,0 +1,6 @@
+"""How a notebook shows a fitted load-deflection curve."""
+
+from pyjoystick.laboratory.load_curve.figures import plot_load_curve as plot
+from pyjoystick.laboratory.load_curve.report import load_curve_report as summary
+
+__all__ = ["plot", "summary"]

@@ -1,0 +1,54 @@
+"""A new project."""
+
+from __future__ import annotations
+
+from os import PathLike
+from pathlib import Path
+from typing import Final
+
+from pyjoystick import laboratory
+from pyjoystick.project.errors import ProjectExistsError
+from pyjoystick.project.laboratory import FILE
+from pyjoystick.project.schemas import write_schemas
+from pyjoystick.support import OutputFileError, check_outputs, write_text
+
+_README: Final = "README.md"
+#: Where editors find the schemas, relative to the project.
+SCHEMAS: Final = ".pyjoystick/schemas"
+_TEMPLATE: Final = Path(__file__).with_name("template")
+#: The ``laboratory.toml`` of the synthetic laboratory.
+EXAMPLE: Final = _TEMPLATE / "example.toml"
+
+
+def new_project(folder: str | PathLike[str], *, example: bool = False) -> None:
+    """Write a project: ``laboratory.toml`` with comments, a README, and a place for data.
+
+    Args:
+        folder: of the project; made where it is missing; nothing in it is replaced
+        example: whether it gets the files of a synthetic laboratory, so that it can be run as it is
+
+    Raises:
+        ProjectExistsError: a file of the project is there already
+        OutputFileError: a file cannot be written
+    """
+    root = Path(folder)
+    for name in (FILE, "data", "truth") if example else (FILE,):
+        if (root / name).exists():
+            raise ProjectExistsError(root / name)
+    check_outputs(root / FILE)
+    if example:
+        laboratory.write_synthetic_laboratory(root / "data", root / "truth")
+    for name in () if example else ("markers", "records"):
+        _make_folder(root / "data" / name)
+    write_schemas(root / SCHEMAS)
+    if not (root / _README).exists():
+        write_text(root / _README, (_TEMPLATE / _README).read_text(encoding="utf-8"))
+    source = EXAMPLE if example else _TEMPLATE / FILE
+    write_text(root / FILE, source.read_text(encoding="utf-8"))
+
+
+def _make_folder(path: Path) -> None:
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise OutputFileError(path, f"the folder cannot be made: {error.strerror}") from error

@@ -1,0 +1,296 @@
+"""The steps from records to the fitted joystick and the errors of its parameters."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import Final
+
+import numpy as np
+
+from pyjoystick import fmu, identification, laboratory, model, motion, runs, support
+from pyjoystick.project.laboratory import Laboratory, plain
+from pyjoystick.project.measuring import MEASURED, fitted_curve
+from pyjoystick.project.sources import table_of, table_sources
+from pyjoystick.project.steps import FMUS, RESULTS, Done, Find, Step, Tell, content_of, with_error
+from pyjoystick.support import PyJoystickError, read_toml, write_text
+
+PEAKS: Final = f"{RESULTS}/peaks"
+FIT: Final = f"{RESULTS}/fit"
+BUDGET: Final = f"{RESULTS}/budget"
+BUDGET_JSON: Final = f"{BUDGET}/budget.json"
+#: The joystick of a fit that passed its checks.
+FIT_JSON: Final = f"{FIT}/fit.json"
+FITTED: Final = f"{FIT}/joystick.toml"
+#: The result.
+JOYSTICK: Final = f"{RESULTS}/joystick.toml"
+
+#: Places of what the budget is made for.
+_BUDGETED: Final = {"J": "body.J", "damping.C": "damping.constant.C"}
+
+
+def peaks(lab: Laboratory, records: tuple[str, ...], find: Find) -> Step:
+    """The damping from the peaks of the releases, with its bias."""
+    report, table, figure = (f"{PEAKS}/peaks{suffix}" for suffix in (".md", ".json", ".png"))
+
+    def work(tell: Tell) -> Done:
+        joystick = model.read_parameter_file(lab.root / MEASURED).joystick
+        read = motion.read_repeats([lab.root / one for one in records])
+        releases = [motion.measured_peaks(record) for record in read]
+        estimate = identification.estimate_damping(releases, joystick.J)
+        angle = float(np.mean([release.release_angle for release in releases]))
+        with runs.SimulatedReleases() as simulate:
+            tell("simulating")
+            constants = identification.constant_bias(estimate, joystick, angle, simulate)
+            lines = identification.line_bias(estimate, joystick, angle, simulate)
+        text = "\n\n".join(
+            (
+                "# Damping from the peaks",
+                identification.releases_report(releases),
+                identification.damping_report(estimate, constants, lines),
+            )
+        )
+        write_text(lab.root / report, f"{text}\n")
+        write_text(lab.root / table, identification.damping_json(releases, estimate, constants, lines))
+        constant = constants["both"].corrected
+        support.save_figure(
+            identification.plot_damping_estimate(estimate, constant=constant), lab.root / figure
+        )
+        return Done(files=(report, table, figure), remark=f"C = {constant:.4g} N m s/rad")
+
+    # The bias of the method is that of simulated releases with either law.
+    contents = {name: content_of(name, find) for name in standard_fmus(lab)}
+    return Step(name="peaks", inputs=(*records, MEASURED), outputs=(), settings={"FMUs": contents}, work=work)
+
+
+def fit(lab: Laboratory, records: tuple[str, ...], sources: Mapping[str, str], find: Find) -> Step:
+    """The fit of the joystick to the records."""
+    choice = lab.fit
+
+    def work(tell: Tell) -> Done:
+        given = model.read_parameter_file(lab.root / MEASURED)
+        settings = _settings(lab, find)
+        with fmu.Fmu(find(settings.fmu)) as opened:
+            joystick = given.with_law(_law_of(opened))
+            settings = identification.with_values(
+                settings, joystick.to_names(), replace_starts=not choice.file
+            )
+            identification.require_joystick_in(settings)
+            paths = [lab.root / one for one in records]
+            if identification.reads_releases(settings):
+                read: list[motion.Record | identification.Measurement] = list(motion.read_repeats(paths))
+            else:
+                names = (*settings.outputs, *settings.inputs)
+                read = [identification.read_table_record(one, names, opened.description) for one in paths]
+            found = _fitted(read, settings, opened, tell)
+        return _saved_fit(lab, found, given, joystick, records, sources)
+
+    return Step(
+        name="fit",
+        inputs=tuple(filter(None, (*records, MEASURED, choice.file))),
+        outputs=(FITTED, FIT_JSON),
+        settings={**plain(choice), "sources": dict(sources), "FMU": _fmu_content(lab, find)},
+        work=work,
+    )
+
+
+def _fmu_content(lab: Laboratory, find: Find) -> str:
+    """The content of the FMU of the fit, which another build changes."""
+    if not lab.fit.file:
+        return content_of(_standard(lab).fmu, find)
+    try:
+        name = str(read_toml(lab.root / lab.fit.file).table("fmu").text("path"))
+    except PyJoystickError:  # the step itself will say what is wrong
+        return ""
+    return content_of(name if name in fmu.MODELS else str((lab.root / lab.fit.file).parent / name), find)
+
+
+def standard_fmus(lab: Laboratory) -> tuple[str, str]:
+    """The FMUs that run the joystick of the laboratory with constant damping and with eq. (11)."""
+    constant, power_law = FMUS["constant"], FMUS["power-law"]
+    rubs = bool(lab.base.joystick.friction)
+    with_friction = identification.WITH_FRICTION
+    return (with_friction[constant], with_friction[power_law]) if rubs else (constant, power_law)
+
+
+def _standard(lab: Laboratory) -> identification.FitSettings:
+    """Moment of inertia and damping coefficient, which releases determine together; or eq. (11)."""
+    constant, power_law = standard_fmus(lab)
+    settings = replace(identification.POWER_LAW_DAMPING, fmu=power_law)
+    if lab.fit.law == "constant":
+        free = (identification.Free("J"), identification.Free("damping.C", minimum=0.0))
+        settings = identification.FitSettings(fmu=constant, free=(*free, *identification.RELEASE))
+    return settings
+
+
+def _settings(lab: Laboratory, find: Find) -> identification.FitSettings:
+    if not lab.fit.file:
+        return _standard(lab)
+    root = read_toml(lab.root / lab.fit.file)
+    if "parameters" in root.table("fmu"):
+        allowed = "must be left out in a project: the fit takes what was measured"
+        raise root.table("fmu").error("parameters", allowed)
+    return identification.read_fit_settings(root, find)
+
+
+def _law_of(opened: fmu.Fmu) -> model.LawName:
+    return "power-law" if "damping.alpha" in opened.description.variables else "constant"
+
+
+def _fitted(
+    records: list[motion.Record | identification.Measurement],
+    settings: identification.FitSettings,
+    opened: fmu.Fmu,
+    tell: Tell,
+) -> identification.Fit:
+    """The whole fit; one that was interrupted is Ctrl-C."""
+
+    def progress(stage: str, done: int, total: int) -> None:
+        tell(f"{stage} {done}/{total}" if total > 1 else stage)
+
+    found = identification.fit(records, settings, fmu=opened, on_progress=progress)
+    if found.interrupted:
+        raise KeyboardInterrupt
+    return found
+
+
+def _saved_fit(
+    lab: Laboratory,
+    found: identification.Fit,
+    given: model.ParameterFile,
+    joystick: model.JoystickParameters,
+    records: tuple[str, ...],
+    sources: Mapping[str, str],
+) -> Done:
+    """Write the report and, if it can be trusted, the joystick of a fit."""
+    names = ", ".join(Path(one).name for one in records)
+    folder = lab.root / FIT
+    write_text(folder / "fit.md", identification.report(found, f"Fit to {names}"))
+    write_text(folder / "fit.json", identification.as_json(found))
+    files = ["fit.md", "fit.json", *(path.name for path in identification.save_figures(found, folder))]
+    failed = ", ".join(check.name for check in found.checks if not check.passed)
+    if failed and not lab.fit.even_if_doubtful:
+        (lab.root / FITTED).unlink(missing_ok=True)
+        note = (
+            f"do not trust this fit: it failed the checks {failed}; {FIT}/fit.md says why. "
+            "set [fit] even_if_doubtful = true to continue anyway"
+        )
+        return Done(files=tuple(f"{FIT}/{one}" for one in files), remark=f"failed {failed}", notes=(note,))
+    fitted = identification.fitted_joystick(found, joystick, given.uncertainties)
+    source = f"fit to {names}" + (f"; doubtful: {failed}" if failed else "")
+    before, after = joystick.to_names(), fitted.joystick
+    changed = [name for name, value in after.to_names().items() if value != before.get(name, 0.0)]
+    new = {
+        name: source if table_of(name, after) in fitted.tables else f"as fixed in the {source}"
+        for name in changed
+    }
+    text = model.updated_text(
+        given,
+        after,
+        uncertainties={place: model.rounded_error(error) for place, error in fitted.uncertainties.items()},
+        sources=table_sources({**sources, **new}, after, lab.base),
+    )
+    write_text(lab.root / FITTED, text)
+    values = ", ".join(
+        f"{name} = {model.rounded(value, found.error(name)):.9g}" for name, value in found.shared().items()
+    )
+    notes = (f"doubtful: it failed {failed}",) if failed else ()
+    return Done(files=tuple(f"{FIT}/{one}" for one in (*files, "joystick.toml")), remark=values, notes=notes)
+
+
+def budget(lab: Laboratory, records: tuple[str, ...], curves: tuple[model.Side, ...], find: Find) -> Step:
+    """What each measured quantity adds to the errors of J and C."""
+    report, csv, result = f"{BUDGET}/budget.md", f"{BUDGET}/budget.csv", BUDGET_JSON
+    scale = lab.angle_scale()
+
+    def work(tell: Tell) -> Done:
+        file = model.read_parameter_file(lab.root / MEASURED)
+        tell("load curves")
+        bench = identification.Bench(
+            joystick=file.with_law("constant"),
+            curves={side: fitted_curve(lab.root, lab.curves[side]) for side in curves},
+            uncertainties={
+                name: file.uncertainties.get(place, 0.0) for name, place in laboratory.PLACES.items()
+            },
+            scale=scale,
+            time_base=lab.time_base,
+        )
+        read = motion.read_repeats([lab.root / one for one in records])
+        tell("fitting")
+        with fmu.Fmu(find(runs.fmu_of_joystick(bench.joystick))) as opened:
+            found, contributions = identification.fit_contributions(
+                read, bench, opened, release_angle=lab.release_angle
+            )
+        table = identification.contribution_table(contributions)
+        write_text(lab.root / report, f"# Error budget of J and C\n\n{table}\n")
+        write_text(lab.root / csv, identification.contribution_csv(contributions))
+        write_text(lab.root / result, identification.contribution_json(found, contributions))
+        parts = zip(identification.FITTED, identification.combined(contributions), strict=True)
+        exact = [name for name in ("m", "h", "a") if bench.uncertainties[name] == 0.0]
+        exact += [f"springs {side}" for side in model.SIDES if side not in curves]
+        exact += [] if scale > 0.0 else ["scale of the angle"]
+        return Done(
+            files=(report, csv, result),
+            remark=", ".join(f"{name} to {100.0 * part:.2g} %" for name, part in parts),
+            notes=(f"taken as exact: {', '.join(exact)}",) if exact else (),
+        )
+
+    return Step(
+        name="error budget",
+        inputs=(*records, MEASURED, FITTED, *(lab.curves[side].file for side in curves)),
+        outputs=(result,),
+        settings={
+            "curves": {side: plain(lab.curves[side]) for side in curves},
+            "u_scale": scale,
+            "u_time_base": lab.time_base,
+            "release_angle": lab.release_angle,
+            "FMU": content_of(standard_fmus(lab)[0], find),
+        },
+        work=work,
+    )
+
+
+def joystick(lab: Laboratory, *, with_fit: bool, with_budget: bool) -> Step:
+    """The parameter file of the joystick, the result of the project."""
+    before, result = FITTED if with_fit else MEASURED, BUDGET_JSON
+
+    def work(tell: Tell) -> Done:
+        file = model.read_parameter_file(lab.root / before)
+        values: dict[str, float] = {}
+        errors: dict[str, float] = {}
+        if with_budget:
+            fitted = json.loads((lab.root / result).read_text(encoding="utf-8"))["fitted"]
+            for name, place in _BUDGETED.items():
+                errors[place] = model.rounded_error(fitted[name]["standard_uncertainty"])
+                values[name] = model.rounded(fitted[name]["value"], errors[place])
+        found = file.joystick.replace(values)
+        tables = {table: file.sources[table] for table in map(_table_of, errors)}
+        budgeted = {table: f"{source}; uncertainty from the budget" for table, source in tables.items()}
+        title = lab.title or lab.root.resolve().name
+        text = model.updated_text(file, found, title=title, uncertainties=errors, sources=budgeted)
+        write_text(lab.root / JOYSTICK, text)
+        return Done(files=(JOYSTICK,), remark=_remark(found, {**file.uncertainties, **errors}))
+
+    return Step(
+        name="joystick",
+        inputs=(before, *((result,) if with_budget else ())),
+        outputs=(JOYSTICK,),
+        settings={"title": lab.title},
+        work=work,
+    )
+
+
+def _table_of(place: str) -> str:
+    return place.rpartition(".")[0]
+
+
+def _remark(found: model.JoystickParameters, uncertainties: Mapping[str, float]) -> str:
+    """J and, where it is constant, C, as far as they are known."""
+    values = found.to_names()
+    return ", ".join(
+        f"{name.removeprefix('damping.')} = {with_error(values[name], uncertainties.get(place, 0.0))} {unit}"
+        for (name, place), unit in zip(_BUDGETED.items(), ("kg m2", "N m s/rad"), strict=True)
+        if name in values
+    )

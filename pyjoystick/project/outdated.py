@@ -1,0 +1,91 @@
+"""Results that no longer hold: set aside after a run, and put back before the next, which may need them.
+
+A step that fails or cannot be done leaves the results of an earlier run, and so does one that the project no
+longer has. Beside those of this run they would pass for its own.
+"""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+
+from pyjoystick.project.state import OUTDATED, Memory, aside_of, digest, standing
+from pyjoystick.project.steps import RESULTS
+from pyjoystick.support import OutputFileError
+
+
+def put_back(root: Path, memory: Memory) -> None:
+    """Put back what is as its step left it; raises OutputFileError."""
+    for files in memory.files().values():
+        for name, content in files.items():
+            found = standing(root, name)
+            if found != root / name and digest(found) == content:
+                _move(root, found, root / name)
+
+
+def set_aside(root: Path, memory: Memory, current: Iterable[str]) -> tuple[str, ...]:
+    """Set aside what the steps left that are not among the current ones; what someone changed stays.
+
+    Args:
+        root: the project
+        memory: what every step left
+        current: names of the tasks whose results hold
+
+    Returns:
+        the files, relative to the project
+
+    Raises:
+        OutputFileError: one cannot be moved
+    """
+    remembered = memory.files()
+    names = set(current)
+    held = {name for task in names for name in remembered.get(task, {})}
+    moved: list[str] = []
+    for task, files in remembered.items():
+        for name, content in files.items() if task not in names else ():
+            place, aside = root / name, aside_of(root, name)
+            if name not in held and aside is not None and _is(place, content):
+                _move(root, place, aside)
+                moved.append(name)
+    _remove_forgotten(root, remembered.values())
+    return tuple(sorted(moved))
+
+
+def remove_superseded(root: Path, before: Mapping[str, str], after: Iterable[str]) -> None:
+    """Delete what a step left the last time and does not make any more; what someone changed stays."""
+    for name in set(before) - set(after):
+        if _is(root / name, before[name]):
+            (root / name).unlink(missing_ok=True)
+            _remove_empty((root / name).parent, root / RESULTS)
+
+
+def _is(path: Path, content: str) -> bool:
+    return path.is_file() and digest(path) == content
+
+
+def _move(root: Path, source: Path, target: Path) -> None:
+    try:
+        target.parent.mkdir(parents=True, exist_ok=True)
+        source.replace(target)
+    except OSError as error:
+        raise OutputFileError(target, str(error.strerror)) from error
+    _remove_empty(source.parent, root / RESULTS)
+
+
+def _remove_forgotten(root: Path, remembered: Iterable[Mapping[str, str]]) -> None:
+    """Delete outdated results that no step would take back."""
+    files = (item for one in remembered for item in one.items())
+    wanted = {(aside_of(root, name), content) for name, content in files if not (root / name).is_file()}
+    for path in sorted((root / OUTDATED).rglob("*"), reverse=True):
+        if path.is_file() and (path, digest(path)) not in wanted:
+            path.unlink(missing_ok=True)
+            _remove_empty(path.parent, root / RESULTS)
+
+
+def _remove_empty(folder: Path, top: Path) -> None:
+    """Remove a folder and those above it, below `top`, that hold nothing."""
+    with contextlib.suppress(OSError):
+        while folder != top and folder.is_relative_to(top):
+            folder.rmdir()
+            folder = folder.parent

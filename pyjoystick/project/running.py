@@ -1,0 +1,109 @@
+"""Carrying out a project: what has changed since the last time, and what depends on it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from os import PathLike
+from pathlib import Path
+from typing import Final
+
+from doit.control import TaskControl
+from doit.runner import Runner
+from doit.task import Stream
+from filelock import FileLock, Timeout
+
+from pyjoystick import fmu
+from pyjoystick.project.assembling import Assembly, assemble
+from pyjoystick.project.errors import ProjectBusyError, ProjectFileError
+from pyjoystick.project.laboratory import FILE, Laboratory
+from pyjoystick.project.laboratory_file import read_laboratory
+from pyjoystick.project.outdated import put_back, set_aside
+from pyjoystick.project.reporting import Reporter
+from pyjoystick.project.state import OUTDATED, Memory
+from pyjoystick.project.states import OnChange, ProjectRun
+from pyjoystick.project.steps import RESULTS, Find
+from pyjoystick.project.tasks import task
+from pyjoystick.support import OutputFileError, remove_unfinished
+
+_LOCK: Final = ".pyjoystick/lock"
+
+
+def run_project(
+    folder: str | PathLike[str] = ".", *, find: Find = fmu.find_fmu, on_change: OnChange = lambda steps: None
+) -> ProjectRun:
+    """Do what has changed in a project since it was last run, and what depends on it.
+
+    A step is done if the content of a file that it reads, a setting or the version of pyjoystick is another
+    than when it was last done, or if a file that it wrote is not as it left it. A step that fails does not
+    keep others from being done; the results of an earlier run that it or the steps after it left are moved to
+    results/outdated. Files are written whole, and a run that is ended anyhow is continued by the next.
+
+    Args:
+        folder: the project
+        find: from the name of an FMU to its file
+        on_change: called with the states of all steps whenever one changes
+
+    Raises:
+        ProjectFileError: the folder has no laboratory.toml
+        InputFileError, SettingsError: laboratory.toml cannot be used
+        ProjectBusyError: another process is running the project
+        OutputFileError: the memory of the project cannot be written
+    """
+    lab = laboratory_of(Path(folder))
+    with _locked(lab.root):
+        return run_assembly(lab.root, assemble(lab, find), on_change)
+
+
+def run_assembly(root: Path, assembly: Assembly, on_change: OnChange) -> ProjectRun:
+    """Do what is to be done of the steps of a project, which no other process runs meanwhile."""
+    remove_unfinished(root / RESULTS)
+    memory = Memory(root)
+    put_back(root, memory)
+    reporter = Reporter(root, memory, assembly, on_change)
+    control = TaskControl([task(step, root, reporter.tell) for step in assembly.steps])
+    control.process(None)
+    interrupted = False
+    try:
+        Runner(memory, reporter, continue_=True, stream=Stream(0)).run_all(control.task_dispatcher())
+    except KeyboardInterrupt:
+        interrupted = True
+        reporter.stop()
+    notes = assembly.notes
+    if not interrupted:
+        outdated = set_aside(root, memory, reporter.current)
+        notes += (
+            (f"results that no longer hold are now in {OUTDATED}: {_named(outdated)}",) if outdated else ()
+        )
+    return ProjectRun(reporter.states, notes, interrupted)
+
+
+def _named(files: tuple[str, ...]) -> str:
+    names = [name.removeprefix(f"{RESULTS}/") for name in files]
+    return ", ".join(names if len(names) < 6 else [*names[:4], f"{len(names) - 4} more"])
+
+
+def laboratory_of(folder: Path) -> Laboratory:
+    """The file of a project; raises as `run_project` does."""
+    path = folder / FILE
+    if not path.is_file():
+        raise ProjectFileError(folder)
+    return read_laboratory(path)
+
+
+@contextmanager
+def _locked(root: Path) -> Iterator[None]:
+    """No other process runs the project meanwhile."""
+    path = root / _LOCK
+    lock = FileLock(path, timeout=0)
+    try:
+        path.parent.mkdir(exist_ok=True)
+        lock.acquire()
+    except Timeout:
+        raise ProjectBusyError(root) from None
+    except OSError as error:
+        raise OutputFileError(path, str(error.strerror)) from error
+    try:
+        yield
+    finally:
+        lock.release()

@@ -1,0 +1,45 @@
+"""Where the numbers of a joystick are from, gathered for the tables of its parameter file."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from pyjoystick import laboratory, model
+
+
+def table_of(name: str, joystick: model.JoystickParameters) -> str:
+    """The table of a parameter file that a parameter stands in, by its FMU name."""
+    first, _, rest = name.partition(".")
+    if first == "damping":
+        return f"damping.{model.law_name(joystick.damping)}"
+    return first if rest else laboratory.PLACES[name].partition(".")[0]
+
+
+def spring_names(joystick: model.JoystickParameters, side: str) -> tuple[str, ...]:
+    """The parameters of the springs of a side."""
+    return tuple(name for name in joystick.to_names() if name.startswith(f"{side}."))
+
+
+def table_sources(
+    sources: Mapping[str, str], joystick: model.JoystickParameters, base: model.ParameterFile
+) -> dict[str, str]:
+    """The sources by table: ``m, h: parts.csv; J: fit to trial.csv``.
+
+    Args:
+        sources: by FMU name
+        joystick: with these parameters
+        base: has all others
+    """
+    grouped: dict[str, dict[str, list[str]]] = {}
+    for name in dict.fromkeys((*joystick.to_names(), *sources)):
+        table = table_of(name, joystick)
+        source = sources.get(name, base.sources.get(table, "not stated"))
+        grouped.setdefault(table, {}).setdefault(source, []).append(name.removeprefix(f"{table}."))
+    touched = {table_of(name, joystick) for name in sources}
+    return {
+        table: next(iter(found))
+        if len(found) == 1
+        else "; ".join(f"{', '.join(names)}: {source}" for source, names in found.items())
+        for table, found in grouped.items()
+        if table in touched
+    }

@@ -1,0 +1,110 @@
+"""Steps as tasks of doit: which of them are to be done, why, and doing them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any, Final
+from urllib.parse import quote
+
+from doit.exceptions import TaskFailed
+from doit.task import Task
+
+from pyjoystick import identification
+from pyjoystick.project.state import digest, standing
+from pyjoystick.project.steps import Step
+from pyjoystick.support import PyJoystickError, version_of
+
+_VERSION: Final = "pyjoystick"
+
+
+class Same:
+    """Whether settings and version are those with which a step was done before."""
+
+    def __init__(self, step: Step) -> None:
+        self._now = {**_flat(step.settings), _VERSION: version_of("pyjoystick")}
+
+    def configure_task(self, task: Task) -> None:
+        """Have them remembered when the step is done."""
+        task.value_savers.append(lambda: {"settings": self._now})
+
+    def __call__(self, task: Task, values: Mapping[str, Any]) -> bool:
+        """Whether nothing is different; doit asks."""
+        return values.get("settings") == self._now
+
+    def why(self, values: Mapping[str, Any]) -> list[str]:
+        """What is different, a phrase each."""
+        before = values.get("settings", {})
+        names = dict.fromkeys((*before, *self._now))
+        return [
+            f"{name} was {_shown(before.get(name))} and is {_shown(self._now.get(name))}"
+            for name in names
+            if before.get(name) != self._now.get(name)
+        ]
+
+
+class Kept:
+    """Whether the files that a step wrote are as it left them."""
+
+    def __init__(self, root: Path) -> None:
+        self._root = root
+
+    def __call__(self, task: Task, values: Mapping[str, Any]) -> bool:
+        """Whether they are; doit asks."""
+        return not self.why(values)
+
+    def why(self, values: Mapping[str, Any]) -> list[str]:
+        """Which are not, a phrase each."""
+        found = []
+        for name, content in values.get("files", {}).items():
+            path = standing(self._root, name)
+            if not path.is_file():
+                found.append(f"{name} is missing")
+            elif digest(path) != content:
+                found.append(f"{name} was changed")
+        return found
+
+
+def task_name(step: Step | str) -> str:
+    """The name of a step as doit allows it."""
+    return quote(step if isinstance(step, str) else step.name, safe=" ")
+
+
+def task(step: Step, root: Path, tell: Callable[[Step, str], None]) -> Task:
+    """A step as a task."""
+
+    def act() -> dict[str, Any] | TaskFailed:
+        try:
+            done = step.work(lambda text: tell(step, text))
+            files = {name: digest(root / name) for name in done.files}
+        except identification.FitInterruptedError:
+            raise KeyboardInterrupt from None
+        except PyJoystickError as error:
+            return TaskFailed(str(error), report=False)
+        except Exception as error:  # one step's fault must not keep others from being done
+            return TaskFailed(f"internal error: {type(error).__name__}: {error}", error)
+        return {"remark": done.remark, "notes": list(done.notes), "files": files}
+
+    return Task(
+        task_name(step),
+        [act],
+        file_dep=list(step.inputs),
+        targets=list(step.outputs),
+        uptodate=[Same(step), Kept(root)],
+        io={"capture": False},
+    )
+
+
+def _flat(settings: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
+    """Settings by dotted name."""
+    found: dict[str, Any] = {}
+    for name, value in settings.items():
+        found |= (
+            _flat(value, f"{prefix}{name}.") if isinstance(value, Mapping) else {f"{prefix}{name}": value}
+        )
+    return found
+
+
+def _shown(value: Any) -> str:
+    text = "not given" if value is None else str(value)
+    return f"{text[:12]}..." if len(text) > 40 else text
