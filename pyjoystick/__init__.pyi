@@ -22,6 +22,7 @@ from .model import (
     STOP_ANGLE as STOP_ANGLE,
     ActuatorAssembly as ActuatorAssembly,
     ConstantDamping as ConstantDamping,
+    Friction as Friction,
     JoystickParameters as JoystickParameters,
     PowerLawDamping as PowerLawDamping,
     RestrainedSpring as RestrainedSpring,

@@ -23,12 +23,15 @@ __all__ = ["app", "main"]
 
 #: The commands in the order of work: the joystick, what was measured, what is simulated, what is judged.
 _COMMANDS: Final = {
+    "new": "Start a project: a folder for a laboratory's files.",
+    "run": "Make the joystick of a project from its files.",
     "info": "Show the interfaces, platforms and variables of an FMU.",
     "parameters": "Check, change and print a parameter file.",
-    "check": "List everything wrong in parameter and settings files.",
+    "check": "List everything wrong in TOML files.",
     "import": "Make records and parameters from laboratory files.",
     "peaks": "Estimate the damping from the peaks of free oscillations.",
     "fit": "Fit parameters to measured motion, with uncertainties.",
+    "design": "Find the measurements that determine parameters best.",
     "budget": "Show what each measured quantity adds to the errors.",
     "free-oscillation": "Release the joystick from rest and print its peaks.",
     "torque": "Compute the torque that a motion requires (eq. 13).",
@@ -36,6 +39,7 @@ _COMMANDS: Final = {
     "compare": "Compare an FMU with the reference or another FMU.",
     "export": "Write a joystick as FMUs of its own.",
     "ssp": "Write a system of coupled FMUs as one SSP file.",
+    "explore": "Write a page in which the joystick runs live.",
     "report": "Write a report on a joystick as one HTML file.",
 }
 _IMPORTS: Final = {

@@ -7,7 +7,7 @@ from typing import Annotated, Final
 
 import typer
 
-from pyjoystick import fmu, identification, laboratory, model, motion
+from pyjoystick import fmu, identification, laboratory, model, motion, runs
 from pyjoystick.cli import options
 from pyjoystick.cli.console import messages, output, print_error, print_note, write
 from pyjoystick.cli.fit import DOUBTFUL, failed_checks
@@ -20,7 +20,8 @@ EXAMPLES: Final = """
 Examples:
 
     pyjoystick budget trial1.csv trial2.csv -p joystick.toml --curve forward=forward.csv \\
-        --curve backward=backward.csv --uncertainty a=1e-5 --uncertainty scale=0.002 --update
+        --curve backward=backward.csv --uncertainty a=1e-5 --uncertainty scale=0.002 \\
+        --uncertainty time_base=1e-4 --update
 
 The parameter file must come from the same curves (`pyjoystick import load-curve`).
 """
@@ -33,6 +34,8 @@ _PLACES: Final = {
     "a": "geometry.a",
     "b": "geometry.b",
 }
+#: Relative uncertainties of the records, which no residual shows.
+_RELATIVE: Final = ("scale", "time_base")
 
 
 def run(
@@ -56,7 +59,9 @@ def run(
     ] = None,
     uncertainties: Annotated[
         list[str] | None,
-        options.uncertainty("m, h, J, g, a or b (SI units), or scale, the relative one of the angle"),
+        options.uncertainty(
+            "m, h, J, g, a or b (SI units), or scale and time_base, the relative ones of angle and clock"
+        ),
     ] = None,
     release_angle: options.ReleaseAngle = options.DEFAULT_RELEASE_ANGLE,
     update: Annotated[
@@ -75,11 +80,10 @@ def run(
     angle = options.parse_angle(release_angle)
     before = model.read_parameter_file(parameters)
     errors = options.parse_assignments(uncertainties, "--uncertainty")
-    files = {side: Path(file) for side, file in options.parse_names(curves, "--curve").items()}
-    bench = _bench(before, files, errors)
+    bench = _bench(before, options.parse_curves(curves), errors)
     releases = motion.read_repeats(records)
     with (
-        fmu.Fmu(found_or_built("Joystick")) as opened,
+        fmu.Fmu(found_or_built(runs.fmu_of_joystick(bench.joystick))) as opened,
         messages().status("fitting"),
     ):
         found, contributions = identification.fit_contributions(releases, bench, opened, release_angle=angle)
@@ -105,37 +109,36 @@ def run(
 
 
 def _bench(
-    file: model.ParameterFile, curves: dict[str, Path], errors: dict[str, float]
+    file: model.ParameterFile, curves: dict[model.Side, Path], errors: dict[str, float]
 ) -> identification.Bench:
     """The measurements of the file and the options; quantities without an uncertainty are reported."""
     for name, value in errors.items():
-        if name not in (*_PLACES, "scale"):
-            raise ParameterError(name, value, f"one of {', '.join(_PLACES)}, scale")
-    require_uncertainties(errors, file.joystick.to_names() | {"scale": 1.0})
+        if name not in (*_PLACES, *_RELATIVE):
+            raise ParameterError(name, value, f"one of {', '.join((*_PLACES, *_RELATIVE))}")
+    require_uncertainties(errors, file.joystick.to_names() | dict.fromkeys(_RELATIVE, 1.0))
     if file.law != "constant":
         raise typer.BadParameter("the file must choose constant damping", param_hint="--parameters")
     stated = {name: file.uncertainties.get(place, 0.0) for name, place in _PLACES.items()}
     exact = [name for name in ("m", "h", "a") if not errors.get(name, stated[name]) > 0.0]
     exact += [f"load curve {side}" for side in model.SIDES if side not in curves]
-    if not errors.get("scale", 0.0) > 0.0:
-        exact.append("scale")
+    exact += [name for name in _RELATIVE if not errors.get(name, 0.0) > 0.0]
     if exact:
         print_note(f"taken as exact: {', '.join(exact)}")
     return identification.Bench(
         joystick=file.joystick,
         curves=_fitted(file, curves),
-        uncertainties={**stated, **{name: value for name, value in errors.items() if name != "scale"}},
+        uncertainties={**stated, **{name: value for name, value in errors.items() if name in _PLACES}},
         scale=errors.get("scale", 0.0),
+        time_base=errors.get("time_base", 0.0),
     )
 
 
-def _fitted(file: model.ParameterFile, curves: dict[str, Path]) -> dict[model.Side, laboratory.LoadCurveFit]:
+def _fitted(
+    file: model.ParameterFile, curves: dict[model.Side, Path]
+) -> dict[model.Side, laboratory.LoadCurveFit]:
     """Fits of the curves, which must be those that the file was made from."""
     found: dict[model.Side, laboratory.LoadCurveFit] = {}
-    for name, path in curves.items():
-        side = next((one for one in model.SIDES if one == name), None)
-        if side is None:
-            raise typer.BadParameter(f"{name!r} must be forward or backward", param_hint="--curve")
+    for side, path in curves.items():
         found[side] = fit = laboratory.fit_load_curve(laboratory.read_load_curve(path))
         known = file.curves[side]
         errors = (*fit.x_errors, *fit.k_errors)

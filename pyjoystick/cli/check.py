@@ -9,15 +9,17 @@ from typing import Annotated, Any, Final
 
 import typer
 
-from pyjoystick import identification, model, runs, support
-from pyjoystick.cli.console import output, print_error
+from pyjoystick import identification, model, project, runs, support
+from pyjoystick.cli.console import output, print_error, print_note
 from pyjoystick.cli.fmus import found_or_built
 from pyjoystick.support import InputFileError, PyJoystickError, Table
 
 EXAMPLES: Final = """
 Examples:
 
+    pyjoystick check laboratory.toml
     pyjoystick check joystick.toml fit.toml
+    pyjoystick check --schemas schemas
     pyjoystick check scenarios/sweeps/*.toml
 """
 
@@ -54,6 +56,12 @@ def _kinds() -> tuple[_Kind, ...]:
             model.read_parameter_file,
         ),
         _Kind(
+            "project",
+            ("body", "gravity", "geometry", *project.TABLES),
+            support.read_toml(project.EXAMPLE).content,
+            project.read_laboratory,
+        ),
+        _Kind(
             "settings of a sweep",
             ("vary", "sampling", "results", "experiment"),
             sweep,
@@ -70,15 +78,25 @@ def _kinds() -> tuple[_Kind, ...]:
 
 def run(
     files: Annotated[
-        list[Path], typer.Argument(metavar="FILE", help="Parameter file, or settings of a sweep or a fit.")
-    ],
+        list[Path] | None,
+        typer.Argument(metavar="FILE", help="Project, parameter file, or settings of a sweep or a fit."),
+    ] = None,
+    schemas: Annotated[
+        Path | None,
+        typer.Option("--schemas", metavar="FOLDER", help="Write JSON schemas of these files, for editors."),
+    ] = None,
 ) -> None:
-    """List everything that is wrong in parameter files and in settings of sweeps and fits.
+    """List everything that is wrong in projects, parameter files and settings of sweeps and fits.
 
-    The exit code is 1 if anything is wrong.
+    The exit code is 1 if anything is wrong. Editors that know JSON schemas find the same while you type, by a
+    first line such as `#:schema schemas/joystick.schema.json`.
     """
+    if not files and schemas is None:
+        raise typer.BadParameter("give a FILE, or --schemas")
+    for path in [] if schemas is None else project.write_schemas(schemas):
+        print_note(f"wrote {path}")
     wrong = False
-    for file in files:
+    for file in files or []:
         try:
             kind, found = _checked(file)
         except PyJoystickError as error:

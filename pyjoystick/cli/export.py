@@ -17,6 +17,7 @@ EXAMPLES = """
 Examples:
 
     pyjoystick export -p joystick.toml -o fmus
+    pyjoystick export -p joystick.toml -o fmus --fit fit/fit.json
     pyjoystick export -p joystick.toml -o fmus --name LeftStick --fmi 3 --platform all
     pyjoystick export -p joystick.toml -o model --no-fmu --modelica --json
 """
@@ -52,9 +53,23 @@ def run(
             show_default=False,
         ),
     ] = None,
+    fit: Annotated[
+        Path | None,
+        typer.Option(
+            "--fit",
+            metavar="FILE",
+            help="fit.json of the fit that the values come from, for the documentation of the FMUs.",
+        ),
+    ] = None,
     fmus: Annotated[bool, typer.Option("--fmu/--no-fmu", help="Build the FMUs.")] = True,
     modelica: Annotated[
         bool, typer.Option("--modelica", help="Write a Modelica class that extends the library's joystick.")
+    ] = False,
+    ssp: Annotated[
+        bool,
+        typer.Option(
+            "--ssp", help="Write an SSP archive of the FMU, with its values and uncertainties (SSV)."
+        ),
     ] = False,
     json: Annotated[
         bool, typer.Option("--json", help="Write the parameters by FMU name, with units and uncertainties.")
@@ -64,14 +79,17 @@ def run(
 
     FMU NAME computes the motion from the torque, NAMEInverse the torque from the motion.
     """
+    if ssp and not fmus:
+        raise typer.BadParameter("needs the FMU, which --no-fmu leaves out", param_hint="--ssp")
     if not (fmus or modelica or json):
         raise typer.BadParameter("leaves nothing to write; add --modelica or --json", param_hint="--no-fmu")
     file = options.parameter_file(parameters)
     own = reports.check_name(name or reports.default_name(file))
     law = damping or file.law
     values = model.fmu_values(file, law)
+    more = "" if fit is None else reports.fit_page(fit, values)
     if modelica:
-        text = reports.modelica_class(own, values, law=law, title=file.title)
+        text = reports.modelica_class(own, values, law=law, title=file.title, more=more)
         write(folder / f"{own}.mo", lambda path: write_text(path, text))
     if json:
         write(folder / f"{own}.json", lambda path: write_text(path, reports.values_json(file, law)))
@@ -84,7 +102,12 @@ def run(
                 law=law,
                 fmi_version="3.0" if fmi is Version.V3 else "2.0",
                 platforms=platforms or (),
+                fit=fit,
                 on_stage=status.update,
             )
         for path in built:
             print_note(f"wrote {path}")
+        write(
+            folder / f"{own}.ssp" if ssp else None,
+            lambda path: reports.export_ssp(file, built[0], path, law=law),
+        )

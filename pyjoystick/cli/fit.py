@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, Final
 
@@ -23,6 +24,9 @@ Examples:
     pyjoystick fit trial1.csv trial2.csv trial3.csv trial4.csv
     pyjoystick fit trial*.csv --damping power-law --output results/fit
     pyjoystick fit trial*.csv --settings fit.toml --output results/fit
+    pyjoystick fit trial*.csv --friction --output results/fit
+    pyjoystick fit trial*.csv --parameters joystick.toml --friction --known friction.F_c
+    pyjoystick fit hand*.csv --driven --output results/fit
     pyjoystick fit trial*.csv --parameters joystick.toml --update
 
 Settings that fit J and C to releases, each with an angle and a time of its own:
@@ -52,7 +56,29 @@ def run(
         model.LawName | None,
         typer.Option("--damping", help="Damping law to fit. Default: that of --parameters, else constant."),
     ] = None,
+    is_driven: Annotated[
+        bool,
+        typer.Option(
+            "--driven",
+            help="The records have a column T, the torque that drove the joystick: fit J, the damping and "
+            "the delay between the channels.",
+        ),
+    ] = False,
+    friction: Annotated[
+        bool,
+        typer.Option("--friction", help="Fit dry friction at the pivot too (T_c), beside the damping."),
+    ] = False,
     parameters: options.Parameters = None,
+    known: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--known",
+            metavar="NAME",
+            help="A parameter that --parameters gives with an uncertainty: fit it too, and count its value "
+            "as one more measurement; repeatable. It must have been measured without these records; "
+            "a value saved by `fit --update` is refused.",
+        ),
+    ] = None,
     update: Annotated[
         bool,
         typer.Option(
@@ -70,6 +96,9 @@ def run(
             "--output", "-o", metavar="FOLDER", help="Write fit.md, fit.json and the figures to this folder."
         ),
     ] = None,
+    both_sides: Annotated[
+        bool, typer.Option("--both-sides", help="Take records that are released from either side.")
+    ] = False,
     columns: options.Columns = None,
     units: options.Units = None,
 ) -> None:
@@ -78,24 +107,27 @@ def run(
     The exit code is 3 if the result failed a check; the reasons are printed. It is 130 after Ctrl-C, 143
     after SIGTERM; what was found by then is printed and written.
     """
-    if settings_file is not None and damping is not None:
-        raise typer.BadParameter("give --settings or --damping: the settings name the FMU")
-    if update and parameters is None:
-        raise typer.BadParameter("needs --parameters, the file to update", param_hint="--update")
-    if even_if_doubtful and not update:
-        raise typer.BadParameter("is for --update", param_hint="--even-if-doubtful")
+    _check_choice(settings_file, damping, is_driven=is_driven, friction=friction)
+    _check_file(parameters, known, update=update, even_if_doubtful=even_if_doubtful)
     headings = options.parse_headings(columns, units)
     check_outputs(parameters if update else None, None if folder is None else folder / "fit.md")
     given = file_to_update(parameters) if update else options.parameter_file(parameters)
-    settings = _settings(settings_file, damping or given.law)
+    settings = settings_of(settings_file, damping or given.law, is_driven=is_driven, friction=friction)
+    if settings_file is None and given.joystick.friction and not friction:
+        settings = replace(settings, fmu=identification.WITH_FRICTION[settings.fmu])
+    if not identification.reads_releases(settings):
+        _refuse_for_tables(
+            settings, {"--both-sides": both_sides or None, "--column": columns, "--unit": units}
+        )
     with fmu.Fmu(found_or_built(settings.fmu)) as opened:
         joystick = given.with_law(law_of(opened.description)) if parameters is not None else None
         if joystick is not None:
             values = joystick.to_names()
             settings = identification.with_values(settings, values, replace_starts=settings_file is None)
+            settings = identification.with_known(settings, *_known(given, joystick, known or ()))
         if update:
             identification.require_joystick_in(settings)
-        records = _records(paths, settings, opened.description, headings)
+        records = _records(paths, settings, opened.description, headings, both_sides=both_sides)
         try:
             with _progress() as tell:
                 found = identification.fit(records, settings, fmu=opened, on_progress=tell)
@@ -114,15 +146,67 @@ def run(
         raise typer.Exit(INTERRUPTED if found.interrupted else DOUBTFUL)
 
 
+def _known(
+    file: model.ParameterFile, joystick: model.JoystickParameters, names: Sequence[str]
+) -> tuple[Mapping[str, float], Mapping[str, float]]:
+    """Values and standard uncertainties of parameters, by name."""
+    values = joystick.to_names()
+    stated_values = model.fmu_values(file, model.law_name(joystick.damping))
+    errors = {one.name: one.uncertainty for one in stated_values}
+    tables = {one.name: one.table for one in stated_values}
+    for name in names:
+        source = file.sources.get(tables.get(name, ""), "")
+        if "fit to " in source:
+            reason = f"{file.path} has it from a {source}; records must not count twice"
+            raise typer.BadParameter(f"{name} must be measured without a fit: {reason}", param_hint="--known")
+        if name not in values or not errors.get(name):
+            stated = [one for one in values if errors.get(one)]
+            allowed = f"one that {file.path} gives with an uncertainty: {', '.join(stated) or 'none'}"
+            raise typer.BadParameter(f"{name} must be {allowed}", param_hint="--known")
+    return {name: values[name] for name in names}, {name: errors[name] or 0.0 for name in names}
+
+
 def failed_checks(found: identification.Fit) -> str:
     """The names of the checks that a fit failed; empty if it passed all of them."""
     return ", ".join(check.name for check in found.checks if not check.passed)
 
 
-def _settings(file: Path | None, law: model.LawName) -> identification.FitSettings:
+def _check_choice(file: Path | None, law: model.LawName | None, *, is_driven: bool, friction: bool) -> None:
+    """The file of the settings says itself what the options choose."""
+    if file is not None and law is not None:
+        raise typer.BadParameter("give --settings or --damping: the settings name the FMU")
+    if file is not None and is_driven:
+        raise typer.BadParameter('give --settings or --driven: the settings say inputs = ["T"]')
+    if file is not None and friction:
+        raise typer.BadParameter("give --settings or --friction: the settings name the FMU")
+
+
+def _check_file(
+    parameters: Path | None, known: Sequence[str] | None, *, update: bool, even_if_doubtful: bool
+) -> None:
+    """What is read from the file of --parameters or saved there needs one."""
+    if parameters is None:
+        options.refuse_given("needs --parameters", {"--update": update or None, "--known": known})
+    if even_if_doubtful and not update:
+        raise typer.BadParameter("is for --update", param_hint="--even-if-doubtful")
+
+
+def settings_of(
+    file: Path | None, law: model.LawName, *, is_driven: bool = False, friction: bool = False
+) -> identification.FitSettings:
+    """The settings of a file, or without one those of a damping law."""
     if file is not None:
         return identification.read_fit_settings(file, found_or_built)
-    return identification.POWER_LAW_DAMPING if law == "power-law" else identification.CONSTANT_DAMPING
+    power_law = law == "power-law"
+    settings = identification.POWER_LAW_DAMPING if power_law else identification.CONSTANT_DAMPING
+    settings = identification.driven(settings) if is_driven else settings
+    return identification.with_friction(settings) if friction else settings
+
+
+def _refuse_for_tables(settings: identification.FitSettings, given: Mapping[str, object]) -> None:
+    """Records that are no releases have the names of the FMU for headings, and no side."""
+    names = ", ".join(("time", *settings.outputs, *settings.inputs))
+    options.refuse_given(f"is for releases; these records are tables of {names}", given)
 
 
 def _records(
@@ -130,11 +214,14 @@ def _records(
     settings: identification.FitSettings,
     description: fmu.FmuDescription,
     headings: Mapping[str, Mapping[str, str]],
+    *,
+    both_sides: bool,
 ) -> Sequence[motion.Record | identification.Measurement]:
     if not identification.reads_releases(settings):
         names = (*settings.outputs, *settings.inputs)
         return [identification.read_table_record(path, names, description) for path in paths]
-    records = motion.read_repeats(paths, columns=headings["columns"], units=headings["units"])
+    columns, units = headings["columns"], headings["units"]
+    records = motion.read_repeats(paths, columns=columns, units=units, both_sides=both_sides)
     for record in records:
         print_notes(record.name, record.notes)
     return records

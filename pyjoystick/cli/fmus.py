@@ -41,7 +41,7 @@ def opened(
         raise typer.BadParameter("give --damping or --fmu: an FMU has its own damping law")
     if name is None:
         joystick = joystick_of(law, changes, file)
-        with fmu.Fmu(found_or_built(runs.fmu_of_damping(joystick.damping))) as one:
+        with fmu.Fmu(found_or_built(runs.fmu_of_joystick(joystick))) as one:
             yield one, joystick
     else:
         with fmu.Fmu(found_or_built(name)) as one:

@@ -9,7 +9,7 @@ import typer
 
 from pyjoystick import laboratory, motion
 from pyjoystick.cli import options
-from pyjoystick.cli.console import output, print_note, print_notes, write
+from pyjoystick.cli.console import output, print_notes, write
 from pyjoystick.cli.plausibility import require_length
 from pyjoystick.support import check_outputs
 
@@ -94,33 +94,20 @@ def run(
     )
     require_length("--distance", distance)
     check_outputs(result)
-    measured = motion.read_record(angle, free_oscillation=False)
-    filtered = chain.run(measured.time, measured.theta)
-    start, end = float(filtered.time[0]), float(filtered.time[-1])
-    record = laboratory.read_accelerometer(
-        file,
-        window=(start, end),
+    setup = laboratory.AccelerometerSetup(
+        distance=distance,
         column=column,
         unit=unit,
         rate=samples_per_second,
         sensitivity=sensitivity,
         full_scale=full_scale,
         delay=delay,
-    )
-    print_notes(file, record.notes)
-    found = laboratory.angular_acceleration(
-        record,
-        filtered,
-        distance=distance,
-        rest=rest or (end - laboratory.REST_TIME, end),
-        low_pass=chain.low_pass,
         backward=backward,
+        rest=rest,
+        chain=chain,
     )
-    if abs(found.lag) > 0.99 * laboratory.LARGEST_LAG:
-        largest = f"{laboratory.LARGEST_LAG:g} s"
-        print_note(f"{file}: the clocks may differ by more than {largest}: give --delay")
-    if found.correlation < 0.0:
-        print_note(f"{file}: opposes the angle: if its positive direction is backward, add --backward")
-    comment = f"angular acceleration from {file.name}, less gravity, over {distance:g} m"
-    write(result, lambda path: laboratory.write_acceleration(found, path, [comment]))
-    output().print(laboratory.acceleration_report(record, found))
+    measured = motion.read_record(angle, free_oscillation=False)
+    found = laboratory.compare_accelerometer(file, measured, setup)
+    print_notes(file, found.notes)
+    write(result, found.write)
+    output().print(found.report())

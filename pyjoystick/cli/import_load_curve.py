@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 from pathlib import Path
 from typing import Annotated, Final
 
@@ -10,10 +9,10 @@ import typer
 
 from pyjoystick import laboratory, model, support
 from pyjoystick.cli import options
-from pyjoystick.cli.console import output, print_notes, write
-from pyjoystick.cli.parameter_updates import file_to_update, write_update
+from pyjoystick.cli.console import output, print_note, print_notes, write
+from pyjoystick.cli.parameter_updates import file_to_update, write_measured
 from pyjoystick.cli.plausibility import require_plausible
-from pyjoystick.support import ParameterError, check_outputs
+from pyjoystick.support import check_outputs
 
 EXAMPLES: Final = """
 Examples:
@@ -34,6 +33,14 @@ def run(
     ],
     side: Annotated[model.Side | None, typer.Option("--side", help="Side of --parameters to update.")] = None,
     parameters: options.ParametersToUpdate = None,
+    friction: Annotated[
+        bool,
+        typer.Option(
+            "--friction",
+            help="Save half the hysteresis in --parameters as well, as the dry friction along the plungers "
+            "(F_c). The testing machine must have none of its own.",
+        ),
+    ] = False,
     segments: Annotated[int, typer.Option(min=1, max=12, help="Number of straight segments.")] = 4,
     columns: Annotated[list[str] | None, options.column("travel or force")] = None,
     units: options.Units = None,
@@ -58,6 +65,8 @@ def run(
     """Fit straight segments to a load-deflection curve to find the springs of one side (Table 1)."""
     if (side is None) != (parameters is None):
         raise typer.BadParameter("give --side and --parameters together")
+    if friction and parameters is None:
+        raise typer.BadParameter("needs --parameters, the file to save it in", param_hint="--friction")
     if parameters is not None and segments != 4:
         raise typer.BadParameter("a parameter file has four segments per side", param_hint="--segments")
     require_plausible(
@@ -73,27 +82,18 @@ def run(
     title = f"Load-deflection curve, {file.name}"
     write(plot, lambda path: support.save_figure(laboratory.plot_load_curve(fit, title=title), path))
     if parameters is not None and side is not None:
-        joystick = _with_side(before.joystick, side, fit)
-        write_update(parameters, joystick, _errors(side, fit), {side: f"load-deflection curve {file.name}"})
+        found = laboratory.measured_springs(fit, side, f"load-deflection curve {file.name}")
+        if friction:
+            source = f"hysteresis of the load-deflection curve {file.name}"
+            rubbing = laboratory.measured_friction(fit, source)
+            _tell_of_replaced(before, rubbing)
+            found = found.with_more(rubbing)
+        write_measured(parameters, before, found)
 
 
-def _with_side(
-    joystick: model.JoystickParameters, side: model.Side, fit: laboratory.LoadCurveFit
-) -> model.JoystickParameters:
-    x = [model.rounded(value, error) for value, error in zip(fit.table.x, fit.x_errors, strict=True)]
-    k = [model.rounded(value, error) for value, error in zip(fit.table.k, fit.k_errors, strict=True)]
-    try:
-        assembly = model.ActuatorAssembly.from_table(x, k)
-    except ParameterError as error:
-        raise error.within(side) from None
-    if side == "forward":
-        return dataclasses.replace(joystick, forward=assembly)
-    return dataclasses.replace(joystick, backward=assembly)
-
-
-def _errors(side: str, fit: laboratory.LoadCurveFit) -> dict[str, float]:
-    return {
-        f"{side}.{key}[{i}]": float(error)
-        for key, errors in (("x", fit.x_errors), ("k", fit.k_errors))
-        for i, error in enumerate(errors)
-    }
+def _tell_of_replaced(before: model.ParameterFile, found: laboratory.MeasuredValues) -> None:
+    """Both sides have one F_c: that of the other side is replaced."""
+    old, place = before.joystick.friction.F_c, "friction.F_c"
+    if old:
+        origin = before.sources.get("friction") or "an unknown source"
+        print_note(f"F_c = {found.values[place]:.4g} N replaces {old:.4g} N ({origin})")

@@ -7,9 +7,9 @@ from typing import Annotated, Final
 
 import typer
 
-from pyjoystick import laboratory, model, motion
+from pyjoystick import laboratory, model
 from pyjoystick.cli import options
-from pyjoystick.cli.console import output, print_notes, write
+from pyjoystick.cli.console import output, print_note, print_notes
 from pyjoystick.cli.plausibility import require_length
 from pyjoystick.support import check_outputs
 
@@ -106,32 +106,24 @@ def run(
         raise typer.BadParameter("give --middle or --radius: the pivot is one or the other")
     require_length("--radius", radius)
     check_outputs(record_file, motion_file)
-    at_rest = 0.0
-    if rests is not None:
-        at_rest = laboratory.rest_angle(options.parameter_file(parameters).joystick, rests)
-    markers = laboratory.read_markers(file, unit=unit)
-    measured = laboratory.measure_angle(
-        markers,
+    setup = laboratory.MarkerSetup(
         top=top,
         base=base,
         forward=forward,
         up=up,
-        origin="middle" if middle else "arc",
+        middle=middle,
         radius=radius,
-        base_motion="moving" if moving_base else "still",
+        moving_base=moving_base,
         rest=rest,
-        rest_angle=at_rest,
+        rests=rests,
+        released=released,
+        unit=unit,
+        chain=chain,
     )
-    record = measured.record(record_file.stem)
-    if released is not None:
-        record = motion.check_free_oscillation(record, released=released)
-    print_notes(file, record.notes)
-    filtered = chain.run(measured.time, measured.theta)
-    origin = f"angle from {file.name}: top {top}, base {base[0]} and {base[1]}, forward {forward}"
-    write(record_file, lambda path: laboratory.write_record(record, path, [origin]))
-    how = f"filtered at {cutoff:g} Hz, order {order}, forward and reverse, {rate:g} Hz"
-    write(motion_file, lambda path: laboratory.write_motion(filtered, path, [origin, how]))
-    console = output()
-    console.print(laboratory.markers_report(markers, (top, *base), measured))
-    console.print()
-    console.print(laboratory.chain_report(chain, filtered))
+    joystick = None if rests is None else options.parameter_file(parameters).joystick
+    trial = laboratory.read_trial(file, setup, name=record_file.stem, joystick=joystick)
+    print_notes(file, trial.record.notes)
+    trial.write(record_file, motion_file)
+    for path in filter(None, (record_file, motion_file)):
+        print_note(f"wrote {path}")
+    output().print(trial.report())

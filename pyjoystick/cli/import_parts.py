@@ -7,11 +7,10 @@ from typing import Annotated, Final
 
 import typer
 
-from pyjoystick import laboratory, model
+from pyjoystick import laboratory
 from pyjoystick.cli import options
-from pyjoystick.cli.console import print_notes
-from pyjoystick.cli.import_swing import print_estimates
-from pyjoystick.cli.parameter_updates import file_to_update, write_update
+from pyjoystick.cli.console import output, print_notes
+from pyjoystick.cli.parameter_updates import file_to_update, write_measured
 from pyjoystick.cli.plausibility import require_plausible
 from pyjoystick.support import check_outputs
 
@@ -34,10 +33,8 @@ def run(
     found = laboratory.from_parts(laboratory.read_parts(file))
     require_plausible({"m": found.m.value, "h": found.h.value, "J": found.J.value})
     print_notes(file, found.notes)
-    estimates = {"m (kg)": found.m, "h (m)": found.h, "J (kg m2)": found.J}
-    print_estimates(estimates)
+    console = output()
+    console.print()
+    console.print(laboratory.estimates_report(found.estimates()), markup=False)
     if parameters is not None:
-        by_name = {name.split()[0]: one for name, one in estimates.items()}
-        values = {name: model.rounded(one.value, one.uncertainty) for name, one in by_name.items()}
-        errors = {f"body.{name}": one.uncertainty for name, one in by_name.items() if one.uncertainty > 0.0}
-        write_update(parameters, before.joystick.replace(values), errors, {"body": f"parts {file.name}"})
+        write_measured(parameters, before, laboratory.measured_parts(found, f"parts {file.name}"))

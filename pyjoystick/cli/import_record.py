@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated, Final
@@ -13,6 +12,7 @@ import typer
 from pyjoystick import laboratory, motion, support
 from pyjoystick.cli import options
 from pyjoystick.cli.console import output, print_notes, write
+from pyjoystick.support import ParameterError
 
 EXAMPLES: Final = """
 Examples:
@@ -28,7 +28,6 @@ Examples:
 The quantities are time, theta, omega, T (torque) and F (force). `pyjoystick peaks`, `pyjoystick fit` and
 `pyjoystick torque` read the record.
 """
-_SCALE: Final = re.compile(r"(?P<number>[-+0-9.eE]+?)\s*(?P<unit>[a-zA-Z°].*)/(?P<reading>[^/]+)")
 
 
 def run(
@@ -108,10 +107,7 @@ def run(
     print_notes(file, log.notes)
     output().print(laboratory.log_report(log), markup=False)
     write(preview, lambda path: support.save_figure(laboratory.plot_log(log), path))
-    read = ", ".join(
-        f"{name} from {match.heading.text!r} in {match.unit}" for name, match in log.found.items()
-    )
-    write(record_file, lambda path: laboratory.write_log(log, path, [f"from {file.name}: {read}"]))
+    write(record_file, lambda path: laboratory.write_log(log, path))
 
 
 def _scales(texts: Sequence[str] | None, zeros: Sequence[str] | None) -> dict[str, motion.Scale]:
@@ -122,17 +118,12 @@ def _scales(texts: Sequence[str] | None, zeros: Sequence[str] | None) -> dict[st
     """
     at_zero, found = options.parse_assignments(zeros, "--zero"), {}
     for name, text in options.parse_names(texts, "--scale").items():
-        match = _SCALE.fullmatch(text)
-        factor = motion.scale_factor(name, match["unit"]) if match else None
-        reading = motion.reading_unit(match["reading"]) if match else ""
         try:
-            number = float(match["number"]) if match else math.nan
-        except ValueError:
-            number = math.nan
-        if factor is None or not reading or not math.isfinite(number) or number == 0.0:
-            example = "such as theta=0.0879deg/count or T=2.5N.m/V; readings are in V, mV or count"
-            raise typer.BadParameter(f"{name}={text} must be NAME=FACTOR, {example}", param_hint="--scale")
-        found[name] = motion.Scale(number * factor, reading, at_zero.pop(name, 0.0))
+            found[name] = motion.scale_of(name, text, at_zero.pop(name, 0.0))
+        except ParameterError as error:
+            raise typer.BadParameter(
+                f"{name}={text} must be NAME=FACTOR, {error.allowed}", param_hint="--scale"
+            ) from None
     for name in at_zero:
         raise typer.BadParameter(f"{name} has no --scale", param_hint="--zero")
     return found

@@ -11,9 +11,9 @@ import typer
 from pyjoystick import laboratory, model, motion
 from pyjoystick.cli.console import output, print_note
 from pyjoystick.cli.options import ParametersToUpdate, Set, parse_angle, parse_assignments, uncertainty
-from pyjoystick.cli.parameter_updates import file_to_update, write_update
+from pyjoystick.cli.parameter_updates import file_to_update, write_measured
 from pyjoystick.cli.plausibility import require_plausible, require_uncertainties
-from pyjoystick.support import ParameterError, TextTable, check_outputs
+from pyjoystick.support import ParameterError, check_outputs
 
 EXAMPLES: Final = """
 Examples:
@@ -70,16 +70,18 @@ def run(
         )
     found = laboratory.inertia_of_swing(period.period, values["m"], values["h"], values["g"])
     require_plausible({"J": found.value})
-    output().print(_period_text(period), markup=False)
-    print_estimates({"T (s)": period.period, "J (kg m2)": found})
+    console = output()
+    console.print(laboratory.swing_report(period), markup=False)
+    console.print()
+    estimates = {"T (s)": period.period, "J (kg m2)": found}
+    if period.decay is not None:
+        friction = laboratory.friction_of_swing(period.decay, values["m"], values["h"], values["g"])
+        estimates["T_c (N m)"] = friction
+    console.print(laboratory.estimates_report(estimates), markup=False)
     if parameters is not None:
-        source = (
-            f"swing test {record.name}" if record is not None else f"swing test, {len(times or [])} readings"
-        )
-        changed = {name: one.value for name, one in values.items()}
-        joystick = before.joystick.replace(changed | {"J": model.rounded(found.value, found.uncertainty)})
-        errors = {_PLACES[name]: one.uncertainty for name, one in values.items() if one.uncertainty > 0.0}
-        write_update(parameters, joystick, errors | {"body.J": found.uncertainty}, {"body": source})
+        readings = f"swing test, {len(times or [])} readings"
+        source = readings if record is None else f"swing test {record.name}"
+        write_measured(parameters, before, laboratory.measured_swing(found, values, source))
 
 
 def _known(
@@ -122,37 +124,4 @@ def _of_readings(
         laboratory.Measured(parse_angle(first, "--amplitude"), error),
         None if last is None else laboratory.Measured(parse_angle(last, "--end-amplitude"), error),
         reaction_time=laboratory.REACTION_TIME if reaction_time is None else reaction_time,
-    )
-
-
-def _period_text(found: laboratory.SwingPeriod) -> str:
-    small = found.period
-    damping = found.damping_ratio
-    decay = (
-        ""
-        if damping is None
-        else f", damping ratio {damping.value:.5f} (standard error {damping.uncertainty:.1g})"
-    )
-    return (
-        f"Period {found.measured:.6g} s as measured; the amplitude lengthens it by "
-        f"{100.0 * (found.amplitude_factor - 1.0):.3g} %{decay}.\n"
-        f"Period T of small undamped swings {small.value:.6g} s."
-    )
-
-
-def print_estimates(estimates: Mapping[str, laboratory.Estimate]) -> None:
-    """Print estimates by name as a table, each with the parts of its uncertainty."""
-    rows = []
-    for name, one in estimates.items():
-        low, high = one.interval
-        rows.append([name, f"{one.value:.6g}", f"{one.uncertainty:.2g}", f"{low:.6g} to {high:.6g}"])
-        rows += [
-            [f"  from {quantity}", "", f"{part:.2g}", ""]
-            for quantity, part in one.budget.items()
-            if part > 0.0
-        ]
-    console = output()
-    console.print()
-    console.print(
-        TextTable(["", "value", "standard uncertainty", "95 % interval"], rows).markdown(), markup=False
     )

@@ -34,8 +34,8 @@ def run(
         str,
         typer.Argument(
             metavar="FMU",
-            help="Path of any .fmu file, or Joystick, JoystickPowerLaw, JoystickInverse or "
-            "JoystickInversePowerLaw.",
+            help="Path of any .fmu file, or Joystick, JoystickPowerLaw, JoystickFriction, "
+            "JoystickFrictionPowerLaw, JoystickInverse or JoystickInversePowerLaw.",
         ),
     ],
     everything: Annotated[bool, typer.Option("--all", help="Show local variables too.")] = False,

@@ -117,6 +117,17 @@ def parse_headings(columns: Sequence[str] | None, units: Sequence[str] | None) -
     return {"columns": parse_names(columns, "--column"), "units": parse_names(units, "--unit")}
 
 
+def parse_curves(texts: Sequence[str] | None) -> dict[model.Side, Path]:
+    """The files of --curve by side; raises BadParameter as `parse_names`, or for another side."""
+    found: dict[model.Side, Path] = {}
+    for name, file in parse_names(texts, "--curve").items():
+        side = next((one for one in model.SIDES if one == name), None)
+        if side is None:
+            raise typer.BadParameter(f"{name!r} must be forward or backward", param_hint="--curve")
+        found[side] = Path(file)
+    return found
+
+
 def refuse_given(reason: str, values: Mapping[str, object]) -> None:
     """Raise BadParameter for the first option that was given.
 
@@ -324,3 +335,5 @@ AccelerationPoints = Annotated[
     int,
     typer.Option("--acceleration-points", metavar="N", help="Points of the second derivative: 3, 5 or 7."),
 ]
+
+HtmlFile = Annotated[Path, file("--output", "-o", text="HTML file to write.", suffixes=(".html", ".htm"))]

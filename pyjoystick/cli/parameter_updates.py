@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
-from pyjoystick import model
+from pyjoystick import laboratory, model
 from pyjoystick.cli.console import print_note
 from pyjoystick.cli.plausibility import require_plausible
 
@@ -40,3 +40,8 @@ def write_update(
     print_note(f"wrote {tables} of {path}")
     if new:
         print_note(f"{path} is new: all other values are the paper's")
+
+
+def write_measured(path: Path, before: model.ParameterFile, found: laboratory.MeasuredValues) -> None:
+    """As `write_update`, what a measurement says; `before` is what `file_to_update` gave."""
+    write_update(path, before.joystick.replace(found.values), found.uncertainties, found.sources)

@@ -36,13 +36,16 @@ def run(
     support.check_outputs(csv, json, plot)
     changes = options.parse_assignments(assignments, "--set")
     joystick = options.joystick_of(None, changes, options.parameter_file(parameters))
-    read = motion.read_repeats(records, **options.parse_headings(columns, units), released=released)
+    headings = options.parse_headings(columns, units)
+    read = motion.read_repeats(
+        records, columns=headings["columns"], units=headings["units"], released=released
+    )
     for record in read:
         print_notes(record.name, record.notes)
     releases = [motion.measured_peaks(record) for record in read]
     estimate = identification.estimate_damping(releases, joystick.J)
     for law in (model.NOMINAL, model.NOMINAL_POWER_LAW):
-        found_or_built(runs.fmu_of_damping(law.damping))
+        found_or_built(runs.fmu_of_joystick(law))
     angle = float(np.mean([release.release_angle for release in releases]))
     with runs.SimulatedReleases() as simulate, messages().status("simulating"):
         constants = identification.constant_bias(estimate, joystick, angle, simulate)

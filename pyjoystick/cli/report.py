@@ -7,7 +7,7 @@ from typing import Annotated, Final
 
 import typer
 
-from pyjoystick import reports
+from pyjoystick import model, reports
 from pyjoystick.cli import options
 from pyjoystick.cli.console import messages, write
 from pyjoystick.cli.fmus import found_or_built, opened
@@ -19,17 +19,33 @@ Examples:
     pyjoystick report --output joystick.html
     pyjoystick report --damping power-law --set damping.alpha=0.8 -o joystick.html
     pyjoystick report --parameters joystick.toml --release-angle -15 -o joystick.html
+    pyjoystick report -p joystick.toml --fit fit/fit.json --curve forward=forward.csv \\
+        --curve backward=backward.csv --swing swing.csv --budget budget.json -o joystick.html
 """
 
 
 def run(
-    target: Annotated[
-        Path, options.file("--output", "-o", text="HTML file to write.", suffixes=(".html", ".htm"))
-    ],
+    target: options.HtmlFile,
     parameters_file: options.Parameters = None,
     damping: options.Law = None,
     assignments: options.Set = None,
     release_angle: options.ReleaseAngle = options.DEFAULT_RELEASE_ANGLE,
+    fit: Annotated[
+        Path | None,
+        typer.Option("--fit", metavar="fit.json", help="The fit, and the records that it was made to."),
+    ] = None,
+    curves: Annotated[
+        list[str] | None,
+        typer.Option("--curve", metavar="SIDE=FILE.csv", help="Load-deflection curve; repeatable."),
+    ] = None,
+    swing: Annotated[
+        Path | None, typer.Option("--swing", metavar="FILE.csv", help="Recorded swing test.")
+    ] = None,
+    parts: Annotated[Path | None, typer.Option("--parts", metavar="FILE.csv", help="Table of parts.")] = None,
+    budget: Annotated[
+        Path | None,
+        typer.Option("--budget", metavar="FILE.json", help="Error budget: `pyjoystick budget --json`."),
+    ] = None,
     title: Annotated[
         str, typer.Option("--title", help="Heading. Default: the title of --parameters.", show_default=False)
     ] = "",
@@ -41,6 +57,7 @@ def run(
     start = options.parse_angle(release_angle)
     check_outputs(target)
     file = options.parameter_file(parameters_file)
+    measurements = _measurements(file, parameters_file, fit, curves, swing, parts, budget)
     found_or_built("Joystick")  # for the table of the paper's statements
     with (
         opened(damping, None, assignments, parameters_file) as (fmu, joystick),
@@ -48,6 +65,28 @@ def run(
     ):
         study = reports.Study(joystick, fmu, start, file.pivot_to_top)
         text = reports.joystick_report(
-            study, title=title or file.title, on_section=lambda name: status.update(f"report: {name}")
+            study,
+            measurements=measurements,
+            title=title or file.title,
+            on_section=lambda name: status.update(f"report: {name}"),
         )
     write(target, lambda path: write_text(path, text), f", {len(text.encode()) / 1e6:.1f} MB")
+
+
+def _measurements(
+    file: model.ParameterFile,
+    parameters_file: Path | None,
+    fit: Path | None,
+    curves: list[str] | None,
+    swing: Path | None,
+    parts: Path | None,
+    budget: Path | None,
+) -> reports.Measurements | None:
+    """The measurements that the parameter file came from."""
+    if parameters_file is None:
+        given = {"--fit": fit, "--curve": curves, "--swing": swing, "--parts": parts, "--budget": budget}
+        options.refuse_given("needs --parameters, the file that was measured", given)
+        return None
+    return reports.read_measurements(
+        file, fit=fit, curves=options.parse_curves(curves), swing=swing, parts=parts, budget=budget
+    )

@@ -10,7 +10,7 @@ import numpy as np
 import pandas as pd
 from matplotlib.figure import Figure
 
-from pyjoystick.model import Trajectory
+from pyjoystick.model import PAPER_STEP, JoystickParameters, Trajectory, simulate
 from pyjoystick.support import BLACK, GRAY, LAWS, SKY, SOLID, dress, legend_above
 
 #: The energy rests where it falls less than this part of as fast as it does at most in the swings beside it.
@@ -19,18 +19,46 @@ REST: Final = 0.05
 _COLUMNS: Final = ["time", "theta", "energy", "start", "end", "lost", "swing_lost"]
 
 
+#: Time between samples away from events (s), and how near to each event the samples begin and end (s).
+_INTERVAL: Final = 0.1e-3
+_NEAREST: Final = 1e-9
+
+
+def sampled_closely(joystick: JoystickParameters, *, release_angle: float, duration: float) -> Trajectory:
+    """A free oscillation by the reference, sampled ever more closely toward its events and turning points.
+
+    There eq. (11) has jumps and spikes that last microseconds, which evenly spaced samples meet by chance.
+
+    Args:
+        joystick: the joystick
+        release_angle: angle of release (rad)
+        duration: length of the run (s)
+
+    Raises:
+        ParameterError, SimulationError: as `simulate` does
+    """
+    even = np.linspace(0.0, duration, round(duration / _INTERVAL) + 1)
+    found = simulate(joystick, time=even, theta_start=release_angle)
+    events = [event.time for event in found.events]
+    instants = np.array([*events, *(point.time for point in found.turning_points)])
+    steps = np.geomspace(_NEAREST, 2.0 * PAPER_STEP, 120)
+    around = instants[:, np.newaxis] + np.concatenate([-steps[::-1], [0.0], steps])
+    time = np.unique(np.concatenate([even, around[(around > 0.0) & (around < duration)]]))
+    return simulate(joystick, time=time, theta_start=release_angle)
+
+
 def plateaus(run: Trajectory) -> pd.DataFrame:
     """The plateau around each turning point of a free oscillation that starts at rest.
 
     Args:
-        run: a motion without torque, sampled finely: the ends of plateaus lie on its instants
+        run: a motion without torque, as `sampled_closely` gives it: the ends of plateaus lie on its instants
 
     Returns:
         one row a turning point with a swing before and after it: ``time`` (s), ``theta`` (rad), ``energy``
         (J) there, ``start`` and ``end`` of the plateau (s), ``lost`` on it (J), and ``swing_lost`` (J), what
         the swing before the turning point takes from the energy; empty where no energy is taken
     """
-    power = np.abs(run.M_d * run.omega)
+    power = np.abs((run.M_d + run.M_f) * run.omega)
     if not power.any():
         return pd.DataFrame(columns=_COLUMNS, dtype=np.float64)
     turns = np.array([run.time[0], *(point.time for point in run.turning_points)])
@@ -54,33 +82,29 @@ def plateaus(run: Trajectory) -> pd.DataFrame:
     return pd.DataFrame(rows, columns=_COLUMNS, dtype=np.float64)
 
 
-#: Samples to either side of an instant that count as its neighborhood.
-_NEAR: Final = 2
+def damping_jumps(run: Trajectory, *, within: float = PAPER_STEP) -> pd.DataFrame:
+    """How far C changes around each zero of the angle and of the velocity.
 
-
-def damping_jumps(run: Trajectory) -> pd.DataFrame:
-    """The largest change of C between neighboring samples around each zero of the angle and of the velocity.
-
-    Eq. (11) jumps, or with negative exponents grows without bound, where theta = 0 and where omega = 0, so
-    that a figure shows what its samples happen to meet: the paper's are 1 ms apart.
+    Eq. (11) jumps where theta = 0, from one side to the other, and has a peak where omega = 0. With negative
+    exponents only eps_theta and eps_omega keep either finite, so that the sizes depend on them.
 
     Args:
-        run: a motion without torque, sampled evenly
+        run: a motion without torque, as `sampled_closely` gives it
+        within: time to either side of the zero (s); the paper's time step unless given
 
     Returns:
         one row a zero in order of time: ``time`` (s), ``zero`` (``theta`` or ``omega``), ``amplitude``
-        (rad; of the turning point that comes before, or is there) and ``jump`` (N m s/rad)
+        (rad; of the turning point that comes before, or is there) and ``jump``, the largest less the smallest
+        C (N m s/rad)
     """
-    changes = np.abs(np.diff(run.C))
     middles = [(event.time, "theta", math.nan) for event in run.events if event.kind == "theta = 0"]
     turns = [(point.time, "omega", abs(point.theta)) for point in run.turning_points]
     amplitude = abs(float(run.theta[0]))
     rows = []
     for time, zero, height in sorted(middles + turns):
         amplitude = amplitude if math.isnan(height) else height
-        at = int(np.searchsorted(run.time, time))
-        near = changes[max(at - 1 - _NEAR, 0) : at + _NEAR]
-        rows.append({"time": time, "zero": zero, "amplitude": amplitude, "jump": float(np.max(near))})
+        near = run.C[np.abs(run.time - time) <= within]
+        rows.append({"time": time, "zero": zero, "amplitude": amplitude, "jump": float(np.ptp(near))})
     return pd.DataFrame(rows)
 
 
@@ -92,7 +116,8 @@ def mean_damping(run: Trajectory) -> float:
 def equivalent_damping(run: Trajectory) -> float:
     """The constant that takes as much energy along the same motion (N m s/rad).
 
-    As dE/dt = -C*omega^2, it is what the energy falls by over the integral of omega^2.
+    As dE/dt = -C*omega^2, it is what the energy falls by over the integral of omega^2; what dry friction
+    takes counts as damping.
     """
     return float((run.E[0] - run.E[-1]) / np.trapezoid(run.omega**2, run.time))
 
@@ -104,7 +129,7 @@ _MJ: Final = 1e3
 def plot_energy(
     run: Trajectory, rests: pd.DataFrame, *, title: str = "", size: tuple[float, float] = (7.0, 5.4)
 ) -> Figure:
-    """Energy over time with its plateaus shaded, and below it the power that the damping takes.
+    """Energy over time with its plateaus shaded, and below it the power that damping and dry friction take.
 
     Args:
         run: a free oscillation
@@ -115,7 +140,7 @@ def plot_energy(
     figure = Figure(figsize=size, layout="constrained")
     above, below = figure.subplots(2, 1, sharex=True, height_ratios=[3, 2])
     above.plot(run.time, run.E * _MJ, color=BLACK, linewidth=1.3, label="energy")
-    below.plot(run.time, run.M_d * run.omega, color=BLACK, linewidth=1.1)
+    below.plot(run.time, (run.M_d + run.M_f) * run.omega, color=BLACK, linewidth=1.1)
     for axes in (above, below):
         for i, (start, end) in enumerate(zip(rests["start"], rests["end"], strict=True)):
             label = "plateau, around a turning point" if i == 0 and axes is above else None

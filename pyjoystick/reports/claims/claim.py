@@ -7,13 +7,14 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
 from functools import cached_property
-from typing import Final
+from typing import Final, cast
 
 import numpy as np
 import pandas as pd
 
-from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW, STOP_ANGLE, Trajectory, period_table, simulate
+from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW, STOP_ANGLE, PowerLawDamping, Trajectory, period_table
 from pyjoystick.motion import ReleasePeaks, find_peaks, peaks_of_run
+from pyjoystick.reports.dissipation import sampled_closely
 from pyjoystick.runs import reference_free_oscillation
 
 #: Released backward, as the paper's joystick was.
@@ -27,6 +28,9 @@ _DURATION: Final = 1.5
 class Workbench:
     """Free oscillations of the paper's joystick with both damping laws, by the reference."""
 
+    def __init__(self) -> None:
+        self._smoothed: dict[float, Trajectory] = {}
+
     @cached_property
     def constant(self) -> pd.DataFrame:
         """The table of the run with the constant C."""
@@ -39,9 +43,21 @@ class Workbench:
 
     @cached_property
     def trajectory(self) -> Trajectory:
-        """The run with eq. (11) with its events and turning points."""
-        time = np.linspace(0.0, _DURATION, round(_DURATION / _INTERVAL) + 1)
-        return simulate(NOMINAL_POWER_LAW, time=time, theta_start=RELEASE)
+        """The run with eq. (11) with its events and turning points, and samples close to them."""
+        return self.smoothed(1.0)
+
+    def smoothed(self, factor: float) -> Trajectory:
+        """As `trajectory`, with `factor` times the smoothing of eq. (11) at zero angle and zero velocity."""
+        if factor not in self._smoothed:
+            law = cast("PowerLawDamping", NOMINAL_POWER_LAW.damping)
+            joystick = NOMINAL_POWER_LAW.replace(
+                {
+                    "damping.eps_theta": factor * law.eps_theta,
+                    "damping.eps_omega": factor * law.eps_omega,
+                }
+            )
+            self._smoothed[factor] = sampled_closely(joystick, release_angle=RELEASE, duration=_DURATION)
+        return self._smoothed[factor]
 
     @cached_property
     def constant_release(self) -> ReleasePeaks:
@@ -60,8 +76,12 @@ class Workbench:
 
     @cached_property
     def periods(self) -> pd.DataFrame:
-        """Undamped periods from 20 degrees down to 0.2 degrees (backward releases), amplitudes rising."""
-        return period_table(NOMINAL, -np.radians(np.geomspace(0.2, math.degrees(STOP_ANGLE), 400)))
+        """Undamped periods from 20 degrees down to 0.2 degrees (backward releases), amplitudes rising.
+
+        They are close together where the balance springs engage.
+        """
+        angles = np.geomspace(0.2, math.degrees(STOP_ANGLE), 400), np.linspace(6.8, 7.6, 161)
+        return period_table(NOMINAL, -np.radians(np.unique(np.concatenate(angles))))
 
 
 class Verdict(StrEnum):

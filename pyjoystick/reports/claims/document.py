@@ -9,6 +9,7 @@ from typing import Final
 
 from pyjoystick.reports.claims import damping, energy, oscillation, springs, torque
 from pyjoystick.reports.claims.claim import Claim, Finding, Verdict, Workbench
+from pyjoystick.support import Shown
 
 CHAPTERS: Final[Mapping[str, Sequence[Claim]]] = {
     "Free oscillation": oscillation.CLAIMS,
@@ -31,10 +32,18 @@ alpha = 0.9, and the constant is C = 0.045 N m s/rad.
 """
 
 
-def findings(bench: Workbench | None = None) -> dict[str, list[tuple[Claim, Finding]]]:
+class Findings(dict[str, list[tuple[Claim, Finding]]], Shown):
+    """Claims and what came of them, by chapter, in order."""
+
+    _shown_by = "pyjoystick.reports.claims.notebook"
+
+
+def findings(bench: Workbench | None = None) -> Findings:
     """Check every claim; by chapter, in order."""
     used = Workbench() if bench is None else bench
-    return {chapter: [(one, one.check(used)) for one in claims] for chapter, claims in CHAPTERS.items()}
+    return Findings(
+        {chapter: [(one, one.check(used)) for one in claims] for chapter, claims in CHAPTERS.items()}
+    )
 
 
 def claims_page(found: Mapping[str, Sequence[tuple[Claim, Finding]]]) -> str:

@@ -13,6 +13,7 @@ from typing import Final
 
 from fmu_build import BuildError, FmiVersion, build_fmu
 from pyjoystick.model import JoystickParameters, LawName, ParameterFile, fmu_values, inverse_torque
+from pyjoystick.reports.export.fit_page import fit_page
 from pyjoystick.reports.export.modelica_class import BASES, Direction, check_name, modelica_class
 from pyjoystick.support import PyJoystickError, json_text, write_text
 
@@ -54,6 +55,7 @@ def export_fmus(
     directions: Sequence[Direction] = ("forward", "inverse"),
     fmi_version: FmiVersion = "2.0",
     platforms: Sequence[str] = (),
+    fit: str | PathLike[str] | None = None,
     on_stage: Callable[[str], None] = lambda stage: None,
 ) -> list[Path]:
     """Build FMUs that are this joystick: an importer that sets nothing gets its motion.
@@ -69,6 +71,7 @@ def export_fmus(
         directions: ``forward`` from torque to motion, ``inverse`` from motion to torque
         fmi_version: "2.0" or "3.0"
         platforms: as for `fmu_build.build_fmu`: this machine's by default, ``("all",)`` for all
+        fit: ``fit.json`` of the fit that the values come from, for the page
         on_stage: called with what is being done
 
     Returns:
@@ -77,11 +80,13 @@ def export_fmus(
     Raises:
         ParameterError: the name cannot be that of an FMU
         SettingsError: the file has no numbers of that law
+        InputFileError: the fit cannot be read, or is that of another joystick
         FmuExportError: there is no compiler, or it failed
     """
     name = check_name(name or default_name(file))
     values = fmu_values(file, law)
     law = law or file.law
+    more = "" if fit is None else fit_page(fit, values)
     if not all(find_spec(tool) for tool in _TOOLS):
         raise FmuExportError(name, "no compiler is installed; pip install 'pyjoystick[build]' brings one")
     paths = []
@@ -89,7 +94,7 @@ def export_fmus(
         for direction in directions:
             own = name + _SUFFIXES[direction]
             source = Path(temporary) / own / f"{own}.mo"
-            text = modelica_class(own, values, direction=direction, law=law, title=file.title)
+            text = modelica_class(own, values, direction=direction, law=law, title=file.title, more=more)
             write_text(source, text)
             inputs = _default_inputs(file.with_law(law), direction)
             write_text(source.parent / "Resources" / "Inputs" / f"{own}.csv", inputs)

@@ -7,17 +7,22 @@ from collections.abc import Mapping, Sequence
 from html import escape
 from typing import Final, Literal
 
-from pyjoystick.model import FmuValue, LawName
+from pyjoystick.model import FRICTION_NAMES, FmuValue, LawName
 from pyjoystick.support import ParameterError, TextTable, version_of
 
 Direction = Literal["forward", "inverse"]
 
-#: The library's class by what goes in and the damping law.
-BASES: Final[Mapping[tuple[Direction, LawName], str]] = {
-    ("forward", "constant"): "Joystick",
-    ("forward", "power-law"): "JoystickPowerLaw",
-    ("inverse", "constant"): "JoystickInverse",
-    ("inverse", "power-law"): "JoystickInversePowerLaw",
+#: The library's class by what goes in, the damping law, and whether there is dry friction; the inverse ones
+#: have it as a parameter.
+BASES: Final[Mapping[tuple[Direction, LawName, bool], str]] = {
+    ("forward", "constant", False): "Joystick",
+    ("forward", "power-law", False): "JoystickPowerLaw",
+    ("forward", "constant", True): "JoystickFriction",
+    ("forward", "power-law", True): "JoystickFrictionPowerLaw",
+    **dict.fromkeys((("inverse", "constant", False), ("inverse", "constant", True)), "JoystickInverse"),
+    **dict.fromkeys(
+        (("inverse", "power-law", False), ("inverse", "power-law", True)), "JoystickInversePowerLaw"
+    ),
 }
 _INPUTS: Final[Mapping[Direction, str]] = {
     "forward": "torque in, motion out (eq. 1)",
@@ -34,7 +39,13 @@ def check_name(name: str) -> str:
 
 
 def modelica_class(
-    name: str, values: Sequence[FmuValue], *, direction: Direction = "forward", law: LawName, title: str = ""
+    name: str,
+    values: Sequence[FmuValue],
+    *,
+    direction: Direction = "forward",
+    law: LawName,
+    title: str = "",
+    more: str = "",
 ) -> str:
     """Return a Modelica class that is this joystick.
 
@@ -47,19 +58,21 @@ def modelica_class(
         direction: from torque to motion, or from motion to torque
         law: the damping law
         title: what the joystick is called; may be empty
+        more: HTML that the documentation ends with
 
     Raises:
         ParameterError: the name cannot be that of a class
     """
     check_name(name)
     description = f"{title or name}: {_INPUTS[direction]}"
+    base = BASES[direction, law, any(v.name in FRICTION_NAMES for v in values)]
     modifiers = _modifiers({tuple(v.name.split(".")): f"{v.value!r}" for v in values}, "    ")
     return (
         f"model {name} {_string(description)}\n"
-        f"  extends PreloadedSprings.Joystick.{BASES[direction, law]}(\n{modifiers});\n"
+        f"  extends PreloadedSprings.Joystick.{base}(\n{modifiers});\n"
         "  annotation (\n"
         "    experiment(StartTime = 0, StopTime = 1.5, Tolerance = 1e-8, Interval = 1e-3),\n"
-        f"    Documentation(info = {_string(_page(title or name, values))}));\n"
+        f"    Documentation(info = {_string(_page(title or name, values, more))}));\n"
         f"end {name};\n"
     )
 
@@ -78,7 +91,7 @@ def _modifiers(values: Mapping[tuple[str, ...], str], indent: str) -> str:
     return ",\n".join(lines)
 
 
-def _page(title: str, values: Sequence[FmuValue]) -> str:
+def _page(title: str, values: Sequence[FmuValue], more: str) -> str:
     """The documentation: every value with its uncertainty and its source."""
     rows = [
         [
@@ -93,7 +106,7 @@ def _page(title: str, values: Sequence[FmuValue]) -> str:
     header = ("parameter", "value", "standard uncertainty", "unit", "source")
     table = TextTable(header, rows).html("Parameters", prose=True)
     made = f"Written by pyjoystick {version_of('pyjoystick')} from a parameter file."
-    return f"<html>\n<p>{escape(title)}. {made}</p>\n{table}\n</html>"
+    return f"<html>\n<p>{escape(title)}. {made}</p>\n{table}\n{more}\n</html>"
 
 
 def _string(text: str) -> str:

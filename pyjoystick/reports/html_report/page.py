@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import base64
-import io
 from collections.abc import Sequence
 from dataclasses import dataclass
 from html import escape
 from importlib import resources
 
-import matplotlib as mpl
 from matplotlib.figure import Figure
+
+from pyjoystick.support import figure_as_html
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,15 +38,7 @@ def figure(content: Figure, caption: str, *, alt: str) -> str:
         caption: stands below it
         alt: what it shows, for those who cannot see it
     """
-    buffer = io.BytesIO()
-    # Without a date and with a fixed salt the same figure is the same text.
-    with mpl.rc_context({"svg.hashsalt": "pyjoystick"}):
-        content.savefig(buffer, format="svg", metadata={"Date": None})
-    data = base64.b64encode(buffer.getvalue()).decode("ascii")
-    return (
-        f'<figure><img src="data:image/svg+xml;base64,{data}" alt="{escape(alt)}">\n'
-        f"<figcaption>{escape(caption)}</figcaption></figure>"
-    )
+    return f"<figure>{figure_as_html(content, alt=alt)}\n<figcaption>{escape(caption)}</figcaption></figure>"
 
 
 def page(title: str, introduction: str, sections: Sequence[Section], *, footer: str) -> str:

@@ -4,14 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from functools import cached_property
 from typing import Final
 
 import numpy as np
 import pandas as pd
 
-from pyjoystick.fmu import Fmu
 from pyjoystick.forced_motion import ForwardAndReturn, Samples, measure, plot_torque, torque_by_reference
 from pyjoystick.laboratory import cubic_fits, plot_load_deflection
 from pyjoystick.model import (
@@ -19,22 +16,19 @@ from pyjoystick.model import (
     PIVOT_TO_TOP,
     STOP_ANGLE,
     JoystickParameters,
-    LawName,
     NoOscillationError,
     PowerLawDamping,
-    Trajectory,
     body_table,
     damping_table,
     decaying_periods,
     exponent,
-    law_name,
+    friction_table,
     period_table,
     plot_periods,
     segment_table,
-    simulate,
     spring_table,
 )
-from pyjoystick.motion import find_peaks, periods
+from pyjoystick.motion import periods
 from pyjoystick.reports.dissipation import (
     damping_jumps,
     equivalent_damping,
@@ -43,52 +37,10 @@ from pyjoystick.reports.dissipation import (
     plot_damping_function,
     plot_energy,
 )
+from pyjoystick.reports.html_report.known_digits import row_cells
 from pyjoystick.reports.html_report.page import Section, figure, paragraph
-from pyjoystick.runs import free_oscillation
-from pyjoystick.support import DEFAULT_DURATION, LAWS, TextTable, plot_motion
-
-_INTERVAL: Final = 0.5e-3
-
-
-@dataclass(frozen=True)
-class Study:
-    """A joystick, the FMU that runs it, and the release that the report shows.
-
-    Attributes:
-        joystick: its parameters
-        fmu: the FMU with its damping law, open
-        release_angle: angle of release from rest (rad)
-        pivot_to_top: pivot to the top of the handle (m), where it is known
-    """
-
-    joystick: JoystickParameters
-    fmu: Fmu
-    release_angle: float
-    pivot_to_top: float | None
-
-    @property
-    def law(self) -> LawName:
-        """The name of the damping law."""
-        return law_name(self.joystick.damping)
-
-    @cached_property
-    def run(self) -> pd.DataFrame:
-        """The free oscillation, by the FMU."""
-        return free_oscillation(
-            self.release_angle, fmu=self.fmu, parameters=self.joystick, output_interval=_INTERVAL
-        )
-
-    @cached_property
-    def peaks(self) -> pd.DataFrame:
-        """The peaks of its angle."""
-        return find_peaks(self.run.index, self.run["theta"], self.run["omega"])
-
-    @cached_property
-    def trajectory(self) -> Trajectory:
-        """The same oscillation by the reference, with its turning points."""
-        time = np.linspace(0.0, DEFAULT_DURATION, round(DEFAULT_DURATION / _INTERVAL) + 1)
-        return simulate(self.joystick, time=time, theta_start=self.release_angle)
-
+from pyjoystick.reports.html_report.study import Study
+from pyjoystick.support import LAWS, FloatArray, TextTable, plot_motion
 
 _DEG: Final = math.degrees(1.0)
 _PEAKS: Final = 10
@@ -107,6 +59,7 @@ def parameter_section(study: Study) -> Section:
             segment_table(joystick).html("Load-deflection curves: stiffness k_i from travel x_i on."),
             spring_table(joystick).html("The restrained preloaded springs that give these curves."),
             damping_table(joystick.damping).html(f"Damping law: {study.law}."),
+            *([friction_table(joystick.friction).html("Dry friction.")] if joystick.friction else []),
         ],
     )
 
@@ -127,10 +80,13 @@ def oscillation_section(study: Study) -> Section:
     """The free oscillation and its peaks."""
     angle = math.degrees(study.release_angle)
     shown = study.peaks.head(_PEAKS)
-    spans = periods(study.peaks, release_time=0.0)["period"]
+    table, known = _peak_table(study), study.uncertainties(_peak_table)
     rows = [
-        [str(i + 1), f"{time:.4f}", f"{value * _DEG:+.3f}", f"{1e3 * spans[i]:.1f}" if i < len(spans) else ""]
-        for i, (time, value) in enumerate(zip(shown["time"], shown["value"], strict=True))
+        [
+            str(i + 1),
+            *row_cells(table, known, i, (".4f", 1.0), ("+.3f", _DEG), (".1f", 1e3)),
+        ]
+        for i in range(len(shown))
     ]
     off = float(np.max(np.abs(study.run["theta"].to_numpy() - study.trajectory.theta)))
     label = f"{study.law} damping"
@@ -147,7 +103,7 @@ def oscillation_section(study: Study) -> Section:
             paragraph(
                 f"Simulated by the FMU; the reference in plain Python differs by at most {off:.0e} rad."
             ),
-            TextTable(header, rows).html("The first peaks of the displacement."),
+            TextTable(header, rows).html(f"The first peaks of the displacement{_digits(study)}."),
         ],
     )
 
@@ -156,20 +112,25 @@ def period_section(study: Study) -> Section:
     """Undamped periods over amplitudes, beside those of the free oscillation."""
     side = math.copysign(1.0, study.release_angle)
     numbers = _periods(study.joystick, side * np.radians(_SHOWN))
+
+    def lengths(of: Study) -> FloatArray:
+        return _periods(of.joystick, side * np.radians(_SHOWN))[["period"]].to_numpy(dtype=np.float64)
+
     curve = _periods(study.joystick, side * np.radians(_DRAWN))
     if len(curve) < 3:
         return Section(
             "Period and amplitude", [paragraph("This joystick does not oscillate through the middle.")]
         )
+    table, known = lengths(study), study.uncertainties(lengths)
     rows = [
         [
             f"{release * _DEG:g}",
-            f"{1e3 * period:.2f}",
+            *row_cells(table, known, i, (".2f", 1e3)),
             *(f"{100.0 * part:.0f}" for part in parts),
             f"{np.interp(amplitude, curve['amplitude'], exponent(curve)):+.2f}",
         ]
-        for release, amplitude, period, *parts in _rows(
-            numbers, "release", "amplitude", "period", "clearance", "steep", "soft"
+        for i, (release, amplitude, *parts) in enumerate(
+            _rows(numbers, "release", "amplitude", "clearance", "steep", "soft")
         )
     ]
     header = ("release (deg)", "period (ms)", "in clearance (%)", "in steep (%)", "in soft (%)", "power")
@@ -190,7 +151,9 @@ def period_section(study: Study) -> Section:
         [
             paragraph(words),
             figure(plot_periods(curve, decaying), "Undamped period, and where its time goes.", alt=alt),
-            TextTable(header, rows).html("Undamped periods, and parts of the period by kind of segment."),
+            TextTable(header, rows).html(
+                f"Undamped periods, and parts of the period by kind of segment{_digits(study)}."
+            ),
         ],
     )
 
@@ -199,10 +162,10 @@ def energy_section(study: Study) -> Section:
     """Energy over time with its plateaus."""
     run = study.trajectory
     rests = plateaus(run).head(_PEAKS)
-    rows = [
-        [f"{time:.4f}", f"{theta * _DEG:+.2f}", f"{1e3 * energy:.1f}", f"{1e3 * lost:.1f}"]
-        for time, theta, energy, lost in _rows(rests, "time", "theta", "energy", "swing_lost")
-    ]
+    table = np.array(_rows(rests, "time", "theta", "energy", "swing_lost"))
+    known = study.uncertainties(_energy_table)
+    shown = (".4f", 1.0), ("+.2f", _DEG), (".1f", 1e3), (".1f", 1e3)
+    rows = [row_cells(table, known, i, *shown) for i in range(len(table))]
     header = ("turns at (s)", "angle (deg)", "energy (mJ)", "lost in the swing before (mJ)")
     alt = (
         f"The energy falls in steps from {1e3 * run.E[0]:.0f} mJ to {1e3 * run.E[-1]:.1f} mJ; "
@@ -213,7 +176,7 @@ def energy_section(study: Study) -> Section:
         "Energy",
         [
             figure(plot_energy(run, rests), caption, alt=alt),
-            TextTable(header, rows).html("The steps of the energy."),
+            TextTable(header, rows).html(f"The steps of the energy{_digits(study)}."),
         ],
     )
 
@@ -222,7 +185,10 @@ def damping_section(study: Study) -> Section:
     """The damping coefficient over time, and the constants that stand for it."""
     run = study.trajectory
     if not isinstance(study.joystick.damping, PowerLawDamping):
-        return Section("Damping over time", [paragraph(f"Constant: {run.C[0]:g} N m s/rad.")])
+        words = (
+            "The damping coefficient is constant." if study.moved else f"Constant: {run.C[0]:g} N m s/rad."
+        )
+        return Section("Damping over time", [paragraph(words)])
     mean, equivalent = mean_damping(run), equivalent_damping(run)
     largest = damping_jumps(run)["jump"].max()
     constant = NOMINAL.to_names()["damping.C"]
@@ -285,6 +251,29 @@ SECTIONS: Final[Mapping[str, Callable[[Study], Section]]] = {
     "damping": damping_section,
     "torque": torque_section,
 }
+
+
+def _digits(study: Study) -> str:
+    return ", to the digits that the uncertainties of the parameters leave" if study.moved else ""
+
+
+def _peak_table(study: Study) -> FloatArray:
+    """Time (s), angle (rad) and period (s) of the first peaks, shape (peaks, 3); NaN where there is none."""
+    table = np.full((_PEAKS, 3), np.nan)
+    shown = study.peaks.head(_PEAKS)
+    spans = periods(study.peaks, release_time=0.0)["period"].to_numpy()[: len(shown)]
+    table[: len(shown), :2] = shown[["time", "value"]]
+    table[: len(spans), 2] = spans
+    return table
+
+
+def _energy_table(study: Study) -> FloatArray:
+    """Time (s), angle (rad), energy (J) and what the swing before lost (J) by peak, shape (peaks, 4)."""
+    times, angles, _ = _peak_table(study).T
+    time = study.run.index.to_numpy(dtype=np.float64)
+    energy = np.interp(times, time, study.run["E"].to_numpy(dtype=np.float64))
+    lost = -np.diff(energy, prepend=float(study.run["E"].iloc[0]))
+    return np.column_stack((times, angles, energy, lost))
 
 
 def _periods(joystick: JoystickParameters, releases: np.ndarray) -> pd.DataFrame:

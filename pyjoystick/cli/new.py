@@ -1,0 +1,35 @@
+"""``pyjoystick new``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Final
+
+import typer
+
+from pyjoystick import project
+from pyjoystick.cli.console import print_note
+
+EXAMPLES: Final = """
+Examples:
+
+    pyjoystick new left_stick
+    pyjoystick new laboratory --example
+"""
+
+
+def run(
+    folder: Annotated[Path, typer.Argument(metavar="FOLDER", help="Folder of the project.")],
+    example: Annotated[
+        bool, typer.Option("--example", help="With the files of a synthetic laboratory, to try it out.")
+    ] = False,
+) -> None:
+    """Start a project: a folder with a commented laboratory.toml, a README and a place for data.
+
+    Put the files into `data`, say in laboratory.toml what they are, and type `pyjoystick run`. Nothing that
+    is in the folder is replaced.
+    """
+    project.new_project(folder, example=example)
+    print_note(f"wrote {folder / project.FILE}")
+    ready = "cd into the folder" if example else f"put files into {folder / 'data'}, edit {project.FILE}"
+    print_note(f"next: {ready}, and pyjoystick run")

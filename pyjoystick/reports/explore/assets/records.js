@@ -1,0 +1,104 @@
+// Measured records over the simulated motion: samples as dots, and the difference between both.
+
+import { make } from "./elements.js";
+import { MOST_ROWS } from "./experiment.js";
+import { numberText } from "./format.js";
+import { drawPlot } from "./plot.js";
+
+const DEGREES = 180 / Math.PI;
+const HEIGHT = 210;
+
+export class Records {
+  constructor(records) {
+    this.records = records;
+    this.chosen = null;
+  }
+
+  get isEmpty() {
+    return this.records.length === 0;
+  }
+
+  mount(app) {
+    this.app = app;
+    const options = this.records.map((record, i) => make("option", { value: i }, record.name));
+    this.select = make("select", { id: "record" }, make("option", { value: "" }, "none"), ...options);
+    this.select.addEventListener("change", () => this.choose(this.select.value));
+    this.text = make("span", { class: "difference" });
+    const start = make("button", { type: "button", onclick: () => this.release() }, "Release from its angle");
+    const box = make(
+      "div",
+      { class: "record" },
+      make("label", { for: "record" }, "Record"),
+      this.select,
+      start,
+      this.text,
+    );
+    app.controlsPlace.prepend(box);
+    this.canvas = make("canvas", { role: "img" });
+    const legend = make("figcaption", {}, make("span", { class: "entry c1" }, make("i"), "simulated − measured theta"));
+    this.figure = make("figure", { class: "panel difference", hidden: true }, legend, this.canvas);
+    this.select.value = "0";
+    this.choose("0");
+    if (location.hash === "") this.release();
+  }
+
+  choose(index) {
+    this.chosen = index === "" ? null : this.records[Number(index)];
+    this.figure.hidden = !this.chosen;
+    if (!this.chosen) this.text.textContent = "";
+    this.app.draw();
+  }
+
+  // The run starts where the record does and is as long.
+  release() {
+    if (!this.chosen) return;
+    const { time, start } = this.chosen;
+    const { experiment } = this.app.state;
+    const length = time[time.length - 1];
+    const step = Math.max(experiment.step, length / MOST_ROWS);
+    this.app.state.setExperiment({ stop: experiment.start + length, step }, "record");
+    this.app.state.set("theta_start", start, "record");
+  }
+
+  curves(panel, theme) {
+    if (!this.chosen || !panel.isOverTime || panel.choice.y[0] !== "theta") return [];
+    const y = this.chosen.theta.map((angle) => angle * DEGREES);
+    return [{ x: this.chosen.time, y, color: theme.text, dots: true }];
+  }
+
+  show(run, theme) {
+    if (!this.chosen || run.rows < 2 || !run.has("theta")) return;
+    const [x, y] = this.difference(run);
+    const squares = y.reduce((sum, one) => sum + one * one, 0);
+    const rms = Math.sqrt(squares / y.length);
+    const largest = y.reduce((most, one) => Math.max(most, Math.abs(one)), 0);
+    const first = this.app.plots.element.querySelector(".plot");
+    if (first?.nextSibling !== this.figure)
+      this.app.plots.element.insertBefore(this.figure, first?.nextSibling ?? null);
+    this.text.textContent = `difference ${numberText(rms, 3)}° rms, ${numberText(largest, 3)}° at most`;
+    this.canvas.setAttribute("aria-label", `Simulated minus measured angle over time: ${this.text.textContent}`);
+    const [width, ratio] = [this.canvas.clientWidth, window.devicePixelRatio || 1];
+    if (width === 0) return;
+    this.canvas.width = Math.round(width * ratio);
+    this.canvas.height = Math.round(HEIGHT * ratio);
+    const context = this.canvas.getContext("2d");
+    context.scale(ratio, ratio);
+    const curves = [{ x, y, color: theme.colors[1] }];
+    drawPlot(context, width, HEIGHT, { curves, xRange: [run.times[0], run.times[0] + run.span], xLabel: "s" }, theme);
+  }
+
+  // At the samples within the run, straight between its rows (deg).
+  difference(run) {
+    const [theta, first, step] = [run.column("theta"), run.times[0], run.times[1] - run.times[0]];
+    const [x, y] = [[], []];
+    this.chosen.time.forEach((time, i) => {
+      const place = (time - first) / step;
+      const row = Math.min(run.rows - 2, Math.floor(place));
+      if (place < 0 || place > run.rows - 1 + 1e-9) return;
+      const simulated = theta[row] + (place - row) * (theta[row + 1] - theta[row]);
+      x.push(time);
+      y.push((simulated - this.chosen.theta[i]) * DEGREES);
+    });
+    return [x, y];
+  }
+}

@@ -1,0 +1,131 @@
+// The joystick to scale: the whole of it, and its mechanism enlarged. Every position is one of the model or a
+// parameter; only lengths that the model does not have (of springs, rods, the plate) are the drawing's own.
+
+import { Actuator, SIDES, SPRINGS } from "./actuator.js";
+import { make, makeSvg } from "./elements.js";
+import { numberText } from "./format.js";
+
+const MM = 1000;
+const DEGREES = 180 / Math.PI;
+
+export class Scene {
+  constructor({ top, stop }) {
+    this.top = top * MM;
+    this.stop = stop;
+    this.whole = makeSvg("svg", { class: "whole", role: "img", "aria-label": "The joystick to scale" });
+    this.detail = makeSvg("svg", {
+      class: "detail",
+      role: "img",
+      "aria-label": "Cam plate, plungers and springs to scale",
+    });
+    this.angle = make("span", { class: "angle" });
+    this.states = new Map(SPRINGS.map((name) => [name, make("span", { class: "state" })]));
+    const list = [...this.states].map(([name, state]) => make("li", {}, words(name), state));
+    const caption = make("figcaption", {}, make("strong", {}, "Mechanism"), this.angle);
+    const drawings = make("div", { class: "drawings" }, this.whole, this.detail);
+    this.element = make(
+      "figure",
+      { class: "panel scene" },
+      caption,
+      drawings,
+      make("ul", { class: "springs" }, ...list),
+    );
+  }
+
+  get names() {
+    const ends = ["delta", "isEngaged", "isReleased"];
+    return ["theta", "x", "f_x", ...SPRINGS.flatMap((name) => ends.map((end) => `${name}.${end}`))];
+  }
+
+  show(run, row, state) {
+    if (run.rows === 0 || !run.has("x")) return;
+    const value = (name) => run.value(name, row);
+    const sizes = JSON.stringify(
+      ["a", "b", "h", ...SPRINGS.map((name) => `${name}.x_0`)].map((name) => state.value(name)),
+    );
+    if (sizes !== this.sizes) this.build(state);
+    this.sizes = sizes;
+    const theta = value("theta");
+    const turned = `rotate(${(theta * DEGREES).toFixed(4)})`;
+    this.handle.setAttribute("transform", turned);
+    this.plate.setAttribute("transform", turned);
+    for (const side of SIDES) {
+      const isActive = side === "forward" ? theta > 0 : theta < 0;
+      this.actuators[side].show(isActive ? value("x") * MM : 0, isActive ? value("f_x") : 0, value);
+    }
+    this.angle.textContent = `${numberText(theta * DEGREES, 4)}°`;
+    for (const [name, place] of this.states) {
+      const kind = value(`${name}.isReleased`) ? "released" : value(`${name}.isEngaged`) ? "held" : "free";
+      place.className = `state ${kind}`;
+      place.textContent = kind === "free" ? "lifted off" : kind === "held" ? "restrained" : "released";
+    }
+  }
+
+  // Anew where a length has changed.
+  build(state) {
+    const [a, b, h] = ["a", "b", "h"].map((name) => state.value(name) * MM);
+    this.buildWhole(a, b, h);
+    this.buildDetail(a, b, state);
+  }
+
+  buildWhole(a, b, h) {
+    const top = Math.max(this.top, 1.2 * h);
+    const reach = top * Math.sin(this.stop) + 0.12 * top;
+    this.whole.setAttribute("viewBox", `${-reach} ${-1.08 * top} ${2 * reach} ${1.2 * top}`);
+    const grip = 0.045 * top;
+    const outline = [
+      [-0.4 * grip, -b],
+      [-0.4 * grip, -0.45 * top],
+      [-grip, -0.55 * top],
+      [-grip, -0.96 * top],
+      [-0.5 * grip, -top],
+      [0.5 * grip, -top],
+      [grip, -0.96 * top],
+      [grip, -0.55 * top],
+      [0.4 * grip, -0.45 * top],
+      [0.4 * grip, -b],
+    ]; // prettier-ignore
+    const limits = [-1, 1].map((side) =>
+      makeSvg("line", { class: "guide", x2: side * top * Math.sin(this.stop), y2: -top * Math.cos(this.stop) }),
+    );
+    this.handle = makeSvg(
+      "g",
+      {},
+      makeSvg("rect", { class: "part", x: -1.35 * a, y: -b - 0.13 * a, width: 2.7 * a, height: 0.13 * a }),
+      makeSvg("polygon", { class: "part", points: outline.join(" ") }),
+      makeSvg("circle", { class: "mass", cy: -h, r: 0.018 * top }),
+    );
+    const middle = makeSvg("line", { class: "guide", y2: -top });
+    this.whole.replaceChildren(middle, ...limits, this.handle, makeSvg("circle", { class: "pivot", r: 0.014 * top }));
+  }
+
+  buildDetail(a, b, state) {
+    const unit = a / 24; // the drawing's own lengths, in proportion to the paper's joystick
+    const plate = 3 * unit;
+    const half = a + 15 * unit;
+    this.detail.setAttribute("viewBox", `${-half} ${-b - 20 * unit} ${2 * half} ${76 * unit}`);
+    this.plate = makeSvg(
+      "g",
+      {},
+      makeSvg("rect", { class: "part", x: -3 * unit, y: -b - 40 * unit, width: 6 * unit, height: 38 * unit }),
+      makeSvg("rect", { class: "part", x: -1.35 * a, y: -b - plate, width: 2.7 * a, height: plate }),
+      makeSvg("line", { class: "guide", y1: 0, y2: -b }),
+    );
+    this.actuators = Object.fromEntries(SIDES.map((side) => [side, new Actuator(side, a, b, unit, state)]));
+    const parts = SIDES.map((side) => this.actuators[side].element);
+    const pivot = makeSvg("circle", { class: "pivot", r: 1.1 * unit });
+    const support = makeSvg("path", { class: "guide", d: `M 0 0 L ${-4 * unit} ${9 * unit} H ${4 * unit} Z` });
+    this.detail.replaceChildren(
+      support,
+      ...parts,
+      this.plate,
+      pivot,
+      ...SIDES.map((side) => this.actuators[side].force),
+    );
+  }
+}
+
+function words(name) {
+  const [side, spring] = name.split(".");
+  return `${side} ${spring.replace("Spring", "")} `;
+}

@@ -1,0 +1,170 @@
+"""The page: what it shows of a joystick, and what it carries beside the FMU."""
+
+from __future__ import annotations
+
+import math
+import re
+import tomllib
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Final
+
+from pyjoystick import model
+from pyjoystick.identification import guess_release
+from pyjoystick.motion import Record
+
+if TYPE_CHECKING:
+    from fmu_build.explore import Settings
+
+_ASSETS: Final = Path(__file__).with_name("assets")
+_MOST_SAMPLES: Final = 2000
+#: A number that no file has.
+_MARK: Final = -12345.5
+#: Drawn where the parameter file does not say how long the handle is: in proportion to the paper's joystick.
+_TOP_TO_CENTER: Final = model.PIVOT_TO_TOP / model.NOMINAL.h
+_STOP: Final = model.STOP_ANGLE
+#: Ends of sliders (SI units) where a fifth to five times the start value is not what a user wants to try.
+_RANGES: Final = {
+    "theta_start": (-_STOP, _STOP),
+    "omega_start": (-10.0, 10.0),
+    "T": (-3.0, 3.0),
+    "damping.C": (0.0, 0.2),
+    "damping.alpha": (0.0, 1.0),
+    "friction.T_c": (0.0, 0.3),
+    "friction.T_s": (0.0, 0.3),
+    "friction.F_c": (0.0, 5.0),
+    "friction.omega_s": (0.0, 2.0),
+}
+_FIRST: Final = ("theta_start", "damping.C", "damping.alpha", "friction.T_c", "friction.F_c", "T")
+_SPRINGS: Final = tuple(f"{side}.{kind}Spring" for side in model.SIDES for kind in ("return", "balance"))
+
+
+def joystick_page(
+    fmu: Path,
+    file: model.ParameterFile,
+    joystick: model.JoystickParameters,
+    start: float,
+    *,
+    records: Sequence[Record] = (),
+    title: str = "",
+) -> str:
+    """Return the page of a joystick as HTML.
+
+    Args:
+        fmu: the FMU of its damping law, of FMI 2
+        file: the parameter file that it comes from; the page offers it with the values set there
+        joystick: the values that the page starts with
+        start: angle of release (rad)
+        records: measured free oscillations, drawn over the simulated ones
+        title: heading; that of the file by default
+
+    Raises:
+        BuildError: the FMU cannot be used, see `fmu_build.explore.explore_page`
+    """
+    from fmu_build.explore import Addition, explore_page  # needs packages that only builds need
+
+    places = _places(file, joystick)
+    data = {
+        "top": file.pivot_to_top or _TOP_TO_CENTER * joystick.h,
+        "stop": _STOP,
+        "toml": _editable_text(file, joystick, places),
+        "places": places,
+        "records": [_record(record) for record in records],
+    }
+    settings = _settings(joystick, start, title or file.title)
+    return explore_page(fmu, settings, Addition(_ASSETS, "joystick", data))
+
+
+def _settings(joystick: model.JoystickParameters, start: float, title: str) -> Settings:
+    from fmu_build.explore import Preset, Settings
+    from fmu_build.explore.ranges import Range
+    from fmu_build.explore.settings import PlotChoice
+
+    values = joystick.to_names()
+    known = {**values, "theta_start": start, "omega_start": 0.0, "T": 0.0}
+    half = {f"{spring}.F_0": 0.5 * values[f"{spring}.F_0"] for spring in _SPRINGS}
+    presets = [
+        Preset("20° release", {"theta_start": -_STOP}),
+        Preset("5° release", {"theta_start": -math.radians(5.0)}),
+        Preset("Half the preload", half),
+        Preset("No preload", dict.fromkeys(half, 0.0)),
+    ]
+    if "damping.C" in values:
+        presets.append(Preset("Undamped", {"damping.C": 0.0}))
+    moments = ("M_s", "M_d", "M_g", *(["M_f"] if "friction.T_c" in values else []), "T")
+    return Settings(
+        title=title,
+        first=tuple(name for name in _FIRST if name in known),
+        ranges={name: Range(*ends) for name, ends in _RANGES.items() if name in known},
+        values={**values, "theta_start": start},
+        input_tables=False,
+        plots=(
+            PlotChoice(("theta",)),
+            PlotChoice(("omega",), "theta"),
+            PlotChoice(("f_x",), "x"),
+            PlotChoice(("M_s",), "theta"),
+            PlotChoice(("E",)),
+            PlotChoice(moments),
+        ),
+        presets=tuple(presets),
+    )
+
+
+def _places(file: model.ParameterFile, joystick: model.JoystickParameters) -> Mapping[str, str]:
+    """FMU names by place in the parameter file, of the values that stand there as they are."""
+    values = model.fmu_values(file, model.law_name(joystick.damping))
+    return {f"{value.table}.{value.place}": value.name for value in values if value.place.isidentifier()}
+
+
+def _editable_text(
+    file: model.ParameterFile, joystick: model.JoystickParameters, places: Mapping[str, str]
+) -> str:
+    """The file with the joystick's values, in a form that the page can edit line by line.
+
+    TOML has others too (indented keys, inline tables, lists over several lines): of such a file the page gets
+    the values as this package writes them, without its comments.
+    """
+    text = model.updated_text(file, joystick)
+    wanted = [*places, *(f"{side}.{key}" for side in model.SIDES for key in ("x", "k"))]
+    if _is_editable(text, wanted):
+        return text
+    return model.updated_text(model.PAPER, joystick, title=file.title)
+
+
+def _is_editable(text: str, places: Sequence[str]) -> bool:
+    """Whether assets/toml.js would change these values, and nothing else."""
+    table, lines, changed = "", [], set()
+    for line in text.split("\n"):
+        head = re.match(r"\[([^\]]+)\]", line)
+        table = head[1] if head else table
+        key = re.match(r"(\w+)(\s*=\s*)", line, re.ASCII)
+        if key and f"{table}.{key[1]}" in places:
+            changed.add(f"{table}.{key[1]}")
+            line = f"{key[0]}{_MARK}"
+        lines.append(line)
+    try:
+        found, before = tomllib.loads("\n".join(lines)), tomllib.loads(text)
+    except tomllib.TOMLDecodeError:
+        return False
+    return all(_value(found, one) == _MARK for one in places if _value(before, one) is not None) and all(
+        _value(before, one) is not None for one in changed
+    )
+
+
+def _value(content: Any, place: str) -> Any:
+    for key in place.split("."):
+        content = content.get(key) if isinstance(content, dict) else None
+    return content
+
+
+def _record(record: Record) -> dict[str, Any]:
+    """Time and angle from the release on, which may be late; of a long record every so many samples."""
+    release = guess_release(record.time, record.theta)
+    late = record.time >= release.time
+    every = math.ceil(int(late.sum()) / _MOST_SAMPLES)
+    return {
+        "name": record.name,
+        "start": round(release.angle, 7),
+        "time": [round(float(time - release.time), 7) for time in record.time[late][::every]],
+        "theta": [round(float(angle), 7) for angle in record.theta[late][::every]],
+    }
