@@ -29,6 +29,7 @@ from pyjoystick.identification import (
     Free,
     Uncertainty,
     fit,
+    with_friction,
 )
 from pyjoystick.laboratory import synthetic_record
 from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW, JoystickParameters
@@ -46,6 +47,7 @@ _SPRINGS: Final = dataclasses.replace(
 )
 CASES: Final[dict[str, tuple[FitSettings, JoystickParameters, tuple[str, ...]]]] = {
     "constant": (CONSTANT_DAMPING, NOMINAL, ("damping.C",)),
+    "friction": (with_friction(CONSTANT_DAMPING), NOMINAL.replace({"friction.T_c": 0.0072}), ()),
     "springs": (_SPRINGS, NOMINAL, _PRELOADS),
     # The profile of one parameter, the most curved: four would take most of the time.
     "displacement": (
@@ -129,6 +131,7 @@ def _data_set(
         )
         known[f"theta_start [{name}]"] = angle
         known[f"release_time [{name}]"] = release
+        known[f"zero_offset [{name}]"] = 0.0
     return records, known
 
 
