@@ -13,9 +13,9 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from pyjoystick import NOMINAL_POWER_LAW, Chain, TextTable, save_results, simulate
+from pyjoystick import NOMINAL_POWER_LAW, Chain, TextTable, save_results
 from pyjoystick.laboratory import LowPass, chain_effect, error_budget, error_budget_report, plot_chain_effect
-from pyjoystick.reports import plateaus, plot_energy
+from pyjoystick.reports import plateaus, plot_energy, sampled_closely
 
 JOYSTICK = NOMINAL_POWER_LAW
 RELEASE = math.radians(-20.0)
@@ -49,7 +49,7 @@ def main(results: Path = RESULTS) -> int:
     lost = TextTable(["lost (%)", *(f"peak {i + 1}" for i in PEAKS), "energy rises by"], rows).markdown()
     budget = error_budget(JOYSTICK, Chain(), release_angle=RELEASE, random=np.random.default_rng(1))
     title = "A simulated release through the paper's measuring chain, 60 Hz camera"
-    run = simulate(JOYSTICK, time=np.arange(6001) * 0.25e-3, theta_start=RELEASE)
+    run = sampled_closely(JOYSTICK, release_angle=RELEASE, duration=1.5)
     rests = plateaus(run)
     summary = "\n\n".join(
         (

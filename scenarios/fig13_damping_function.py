@@ -1,18 +1,21 @@
 """Fig. 13: the damping function of eq. (11) over time, with its jumps, and the constant that stands for it.
 
-Prints how far the function jumps where the angle and where the velocity is zero, as samples 1 ms apart show
-it, and its means; saves the figure in results/fig13_damping_function/.
+Prints how far the function changes within 1 ms of the zeros of the angle and of the velocity, and its
+means; saves the figure in results/fig13_damping_function/.
 """
 
 import math
 import sys
 from pathlib import Path
 
-import numpy as np
-
-from pyjoystick import NOMINAL, NOMINAL_POWER_LAW, TextTable, save_results, simulate
-from pyjoystick.model import PAPER_STEP
-from pyjoystick.reports import damping_jumps, equivalent_damping, mean_damping, plot_damping_function
+from pyjoystick import NOMINAL, NOMINAL_POWER_LAW, TextTable, save_results
+from pyjoystick.reports import (
+    damping_jumps,
+    equivalent_damping,
+    mean_damping,
+    plot_damping_function,
+    sampled_closely,
+)
 
 JOYSTICK = NOMINAL_POWER_LAW
 CONSTANT = NOMINAL.to_names()["damping.C"]
@@ -24,8 +27,7 @@ RESULTS = Path(__file__).parents[1] / "results" / "fig13_damping_function"
 
 def main(results: Path = RESULTS) -> int:
     """Run the scenario."""
-    time = np.arange(round(DURATION / PAPER_STEP) + 1) * PAPER_STEP
-    run = simulate(JOYSTICK, time=time, theta_start=RELEASE)
+    run = sampled_closely(JOYSTICK, release_angle=RELEASE, duration=DURATION)
     jumps, equivalent = damping_jumps(run), equivalent_damping(run)
     rows = [
         [f"{row.time:.4f}", str(row.zero), f"{math.degrees(row.amplitude):.2f}", f"{row.jump:.4f}"]
@@ -36,9 +38,9 @@ def main(results: Path = RESULTS) -> int:
         (
             f"## The damping function, alpha = {JOYSTICK.to_names()['damping.alpha']:g}, {DURATION:g} s",
             "",
-            TextTable(["time (s)", "zero of", "amplitude (deg)", "jump of C (N m s/rad)"], rows).markdown(),
+            TextTable(["time (s)", "zero of", "amplitude (deg)", "change of C (N m s/rad)"], rows).markdown(),
             "",
-            f"Largest jump: {largest['theta']:.3f} where theta is zero, {largest['omega']:.3f} where omega "
+            f"Largest change: {largest['theta']:.3f} where theta is zero, {largest['omega']:.3f} where omega "
             "is.",
             f"Mean over time {mean_damping(run):.4f}; a constant {equivalent:.4f} takes as much energy along "
             f"this motion; the paper's constant is {CONSTANT:g} N m s/rad.",
