@@ -2,11 +2,19 @@
 
 from __future__ import annotations
 
+import importlib
 import sys
 from importlib import metadata
 from pathlib import Path
 
+import pandas as pd
+
 sys.path.insert(0, str(Path(__file__).parent))
+
+# These name pandas in annotations, which autodoc resolves, and load it no sooner than they make a table.
+_FMU = ("batch", "cosimulation", "inputs", "linearization", "model_exchange", "plan", "values")
+for _module in ("motion.tables", "runs.sweeps.settings", *(f"fmu.{name}" for name in _FMU)):
+    vars(importlib.import_module(f"pyjoystick.{_module}"))["pd"] = pd
 
 project = "pyjoystick"
 author = "the pyjoystick authors"
@@ -56,9 +64,14 @@ autodoc_type_aliases = {
 }
 nitpick_ignore = [
     ("py:class", "ArrayLike"),  # of numpy.typing
+    # Imported for annotations alone.
+    ("py:class", "Figure"),
+    ("py:class", "pd.DataFrame"),
     # Handed from one function to the next, not made by users.
+    ("py:class", "pyjoystick.fmu.inputs.InputTable"),
     ("py:class", "pyjoystick.fmu.instance.Instance"),
     ("py:class", "pyjoystick.fmu.library.InstancePool"),
+    ("py:class", "pyjoystick.fmu.sandbox.pool.SandboxPool"),
     ("py:class", "pyjoystick.fmu.own_process.pool.ProcessPool"),
     ("py:class", "pyjoystick.fmu.own_process.runner.Outcome"),
     ("py:class", "pyjoystick.fmu.stepping.reducing.Operation"),
@@ -69,7 +82,7 @@ nitpick_ignore = [
 ]
 # Other projects' lists of names are on the network, which a build does without.
 nitpick_ignore_regex = [
-    (r"py:.*", r"(collections|matplotlib|numpy|os|pandas|pathlib)\..*"),
+    (r"py:.*", r"(collections|matplotlib|numpy|os|pandas|pathlib|xarray)\..*"),
 ]
 
 html_theme = "furo"

@@ -5,7 +5,18 @@ from __future__ import annotations
 from pathlib import Path
 from types import MappingProxyType
 
-from figures import actuator, cam, free_body, load_deflection, opposing_springs, restrained_spring, secants
+from figures import (
+    actuator,
+    cam,
+    decay,
+    excitation,
+    free_body,
+    live_page,
+    load_deflection,
+    opposing_springs,
+    restrained_spring,
+    secants,
+)
 
 FOLDER = Path(__file__).parent
 #: Each figure by the name of its file.
@@ -18,5 +29,8 @@ DRAWINGS = MappingProxyType(
         "actuator": actuator.draw,
         "load_deflection": load_deflection.draw,
         "secants": secants.draw,
+        "decay": decay.draw,
+        "live_page": live_page.draw,
+        "excitation": excitation.draw,
     }
 )
