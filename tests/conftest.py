@@ -9,9 +9,11 @@ from pathlib import Path
 
 import fmpy
 import pytest
+from playwright.sync_api import Browser
 
 from fmu_build import FmiVersion
 from pyjoystick.fmu import MODELS
+from tests import browser as browsers
 from tests.omc import Omc, opened, why_not
 from tests.shared_fmus import SharedFmus
 
@@ -21,7 +23,7 @@ ROOT = Path(__file__).parents[1]
 SLOW = (
     *("benchmarks", "docs", "fmu_build", "fuzz", "joystick_fmu", "modelica", "other_tools", "scenarios"),
     *("test_your_joystick.py", "pyjoystick/reports", "pyjoystick/fmu/test_interruption.py"),
-    "pyjoystick/fmu/test_own_process.py",
+    *("pyjoystick/fmu/test_own_process.py", "pyjoystick/fmu/test_stepper.py", "pyjoystick/test_shown.py"),
     *("pyjoystick/runs/sweeps/test_cluster.py", "pyjoystick/runs/sweeps/test_interruption.py"),
     *("pyjoystick/cli", "pyjoystick/runs/coupling", "pyjoystick/runs/fmu_comparison"),
     *("pyjoystick/identification/fitting", "pyjoystick/fmu/stepping", "pyjoystick/fmu/test_batch.py"),
@@ -36,6 +38,7 @@ SLOW = (
     *(
         "pyjoystick/laboratory/measurements",
         "pyjoystick/identification",
+        "pyjoystick/project",
         "pyjoystick/runs/sweeps/test_parts.py",
     ),
     *("pyjoystick/support/test_plots.py", "pyjoystick/model/reference/test_integration.py"),
@@ -145,6 +148,17 @@ def omc(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Omc]:
         pytest.skip(reason)
     with opened(tmp_path_factory.mktemp("omc")) as session:
         yield session
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    """A headless Chromium for the tests of a file, which belong to the group ``browser``.
+
+    Not for the whole session: Playwright's event loop runs as long as the browser does, and no other test of
+    that process could start one.
+    """
+    with browsers.opened() as one:
+        yield one
 
 
 @pytest.fixture

@@ -10,8 +10,10 @@ from typing import Any
 
 import rumoca
 
+from fmu_build.explore import read_settings as read_page_settings
 from pyjoystick.identification import read_fit_settings
 from pyjoystick.model import NOMINAL, read_parameter_file, write_parameters
+from pyjoystick.project import read_laboratory
 from pyjoystick.runs import Sweep, read_settings
 from tests.docs import commands
 from tests.docs.pages import ROOT, Block
@@ -64,6 +66,10 @@ def accept_toml(text: str, folder: Path) -> None:
         Sweep(read_settings(file))
     elif "free" in tables:
         read_fit_settings(file)
+    elif "load_curve" in tables:
+        read_laboratory(file)
+    elif "explore" in tables:
+        read_page_settings(file)
     elif "body" in tables:
         read_parameter_file(file)
     else:

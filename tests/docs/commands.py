@@ -12,6 +12,7 @@ from typing import Any
 import typer
 
 from fmu_build.__main__ import app as fmu_build_app
+from fmu_build.explore.command import app as explore_app
 from pyjoystick.cli import app, main
 from tests.docs.pages import ROOT
 
@@ -40,6 +41,8 @@ def read(command: str) -> None:
     match program, arguments:
         case "pyjoystick", _:
             _parse(typer.main.get_command(app), arguments, command)
+        case "python", ["-m", "fmu_build", "explore", *rest]:
+            _parse(typer.main.get_command(explore_app), rest, command)
         case "python", ["-m", "fmu_build", *rest]:
             _parse(typer.main.get_command(fmu_build_app), rest, command)
         case "python", ["-m", module, *_]:
@@ -73,6 +76,8 @@ def run(command: str, folder: Path) -> None:
     program, *arguments = shlex.split(command)
     if program == "pyjoystick":
         code = main(arguments)
+    elif arguments[:3] == ["-m", "fmu_build", "explore"]:
+        code = explore_app(args=arguments[3:], standalone_mode=False) or 0
     elif arguments[:2] == ["-m", "fmu_build"]:
         arguments[arguments.index("--output") + 1] = str(folder / "built")
         code = fmu_build_app(args=arguments[2:], standalone_mode=False) or 0

@@ -9,14 +9,17 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
+from typing import Any
 
 import fmpy
 import numpy as np
+import pytest
 from fmpy.fmi2 import FMU2Slave, fmi2CallbackFunctions, fmi2CallbackLoggerTYPE
 from fmpy.fmi3 import FMU3Slave
 from numpy.typing import NDArray
 
-from pyjoystick.model import ConstantDamping, JoystickParameters
+from pyjoystick.model import JoystickParameters
+from pyjoystick.runs import fmu_of_joystick
 
 Columns = dict[str, NDArray[np.float64]]
 _EVENT = re.compile(r"State event at time ([-+.\deE]+): (.*) changes its sign")
@@ -108,10 +111,31 @@ def slave(path: Path, *, logging: bool = False) -> Iterator[Slave]:
         shutil.rmtree(folder, ignore_errors=True)
 
 
+def model_exchange(
+    fmu: Path, parameters: Mapping[str, float], *outputs: str, interval: float = 1e-3
+) -> tuple[NDArray[np.float64], dict[str, NDArray[Any]]]:
+    """FMPy's CVode at a tolerance of 1e-10 over 1.5 s: the times, and the outputs at each.
+
+    Events come twice, before and after; the outputs are those before. The angle does not jump.
+    """
+    result = fmpy.simulate_fmu(
+        str(fmu),
+        fmi_type="ModelExchange",
+        solver="CVode",
+        stop_time=1.5,
+        output_interval=interval,
+        relative_tolerance=1e-10,
+        start_values=dict(parameters),
+        output=list(outputs),
+    )
+    times, first = np.unique(result["time"], return_index=True)
+    assert times[-1] == pytest.approx(1.5)
+    return times, {name: result[name][first] for name in outputs}
+
+
 def fmu_path(folder: Path, parameters: JoystickParameters) -> Path:
-    """The FMU with the damping law of a joystick."""
-    constant = isinstance(parameters.damping, ConstantDamping)
-    return folder / ("Joystick.fmu" if constant else "JoystickPowerLaw.fmu")
+    """The FMU with the damping law and the friction of a joystick."""
+    return folder / f"{fmu_of_joystick(parameters)}.fmu"
 
 
 def fmu_parameters(parameters: JoystickParameters, theta_start: float) -> dict[str, float]:

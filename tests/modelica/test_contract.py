@@ -1,4 +1,4 @@
-"""The names that other tools see of the four joysticks."""
+"""The names that other tools see of the six joysticks."""
 
 from __future__ import annotations
 
@@ -8,6 +8,8 @@ from tests.modelica.library import compiled, flat_variables
 
 CONSTANT = "PreloadedSprings.Joystick.Joystick"
 POWER_LAW = "PreloadedSprings.Joystick.JoystickPowerLaw"
+FRICTION = "PreloadedSprings.Joystick.JoystickFriction"
+FRICTION_POWER_LAW = "PreloadedSprings.Joystick.JoystickFrictionPowerLaw"
 INVERSE = "PreloadedSprings.Joystick.JoystickInverse"
 INVERSE_POWER_LAW = "PreloadedSprings.Joystick.JoystickInversePowerLaw"
 
@@ -31,12 +33,19 @@ POWER_LAWS = {
     "damping.eps_theta": "rad",
     "damping.eps_omega": "rad/s",
 }
+DRY_FRICTION = {
+    "friction.T_c": "N.m", "friction.F_c": "N", "friction.T_s": "N.m", "friction.omega_s": "rad/s",
+}  # fmt: skip
 MOTION = {
     "theta": "rad", "omega": "rad/s", "alpha": "rad/s2", "x": "m", "f_x": "N",
     "M_s": "N.m", "M_d": "N.m", "M_g": "N.m", "C": "N.m.s/rad", "E": "J",
 }  # fmt: skip
+FRICTION_OUTPUTS = {"M_f": "N.m", "isStuck": None}
 PRESCRIBED = {"theta": "rad", "omega": "rad/s", "alpha": "rad/s2"}
-TORQUES = {"T": "N.m", "T_inertia": "N.m", "T_damping": "N.m", "T_stiffness": "N.m"}
+TORQUES = {
+    "T": "N.m", "T_inertia": "N.m", "T_damping": "N.m", "T_stiffness": "N.m", "T_friction": "N.m",
+    "T_band": "N.m",
+}  # fmt: skip
 
 PRESET = {
     "J": 0.01135, "m": 0.87, "h": 0.082, "g": 9.80665, "a": 0.02398, "b": 0.005,
@@ -44,6 +53,7 @@ PRESET = {
     "damping.alpha": 0.9, "damping.A_pos": 0.086, "damping.n_pos": 0.084, "damping.A_neg": 0.032,
     "damping.n_neg": -0.23, "damping.B": 0.051, "damping.m": -0.26,
     "damping.eps_theta": 1e-4, "damping.eps_omega": 1e-3,
+    "friction.T_c": 0.0, "friction.F_c": 0.0, "friction.T_s": 0.0, "friction.omega_s": 0.0,
 }  # fmt: skip
 TABLE_1 = {
     "forward": ((0.075e-3, 0.1985e-3, 2.932e-3, 2.943e-3), (430e3, 2625.0, 1028e3, 5600.0)),
@@ -56,8 +66,10 @@ TABLE_1 = {
     [
         (CONSTANT, BODY | START | SPRINGS | CONSTANT_LAW),
         (POWER_LAW, BODY | START | SPRINGS | POWER_LAWS),
-        (INVERSE, BODY | SPRINGS | CONSTANT_LAW),
-        (INVERSE_POWER_LAW, BODY | SPRINGS | POWER_LAWS),
+        (FRICTION, BODY | START | SPRINGS | CONSTANT_LAW | DRY_FRICTION),
+        (FRICTION_POWER_LAW, BODY | START | SPRINGS | POWER_LAWS | DRY_FRICTION),
+        (INVERSE, BODY | SPRINGS | CONSTANT_LAW | DRY_FRICTION),
+        (INVERSE_POWER_LAW, BODY | SPRINGS | POWER_LAWS | DRY_FRICTION),
     ],
 )
 def test_parameters_that_can_be_set(name: str, parameters: dict[str, str]) -> None:
@@ -69,11 +81,13 @@ def test_parameters_that_can_be_set(name: str, parameters: dict[str, str]) -> No
     [
         (CONSTANT, {"T": "N.m"}, MOTION),
         (POWER_LAW, {"T": "N.m"}, MOTION),
+        (FRICTION, {"T": "N.m"}, MOTION | FRICTION_OUTPUTS),
+        (FRICTION_POWER_LAW, {"T": "N.m"}, MOTION | FRICTION_OUTPUTS),
         (INVERSE, PRESCRIBED, TORQUES),
         (INVERSE_POWER_LAW, PRESCRIBED, TORQUES),
     ],
 )
-def test_inputs_and_outputs(name: str, inputs: dict[str, str], outputs: dict[str, str]) -> None:
+def test_inputs_and_outputs(name: str, inputs: dict[str, str], outputs: dict[str, str | None]) -> None:
     assert _top_level(name, "Input") == inputs
     assert _top_level(name, "Output") == outputs
 
@@ -85,13 +99,13 @@ def test_the_other_weight_cannot_be_set(name: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "states"), [(CONSTANT, 2), (POWER_LAW, 2), (INVERSE, 0), (INVERSE_POWER_LAW, 0)]
+    ("name", "states"), [(CONSTANT, 2), (POWER_LAW, 2), (FRICTION, 2), (INVERSE, 0), (INVERSE_POWER_LAW, 0)]
 )
 def test_states(name: str, states: int) -> None:
     assert [state.name for state in compiled(name).states] == ["theta", "omega"][:states]
 
 
-@pytest.mark.parametrize("name", [CONSTANT, POWER_LAW, INVERSE, INVERSE_POWER_LAW])
+@pytest.mark.parametrize("name", [CONSTANT, POWER_LAW, FRICTION, INVERSE, INVERSE_POWER_LAW])
 def test_preset_values_are_the_papers(name: str) -> None:
     parameters = compiled(name).parameters
     settable = _settable(name)
@@ -121,6 +135,6 @@ def _settable(name: str) -> dict[str, str]:
     return {n: v["unit"] for n, v in variables.items() if "Parameter" in v["variability"] and n not in final}
 
 
-def _top_level(name: str, causality: str) -> dict[str, str]:
+def _top_level(name: str, causality: str) -> dict[str, str | None]:
     variables = flat_variables(name)
     return {n: v["unit"] for n, v in variables.items() if "." not in n and causality in v["causality"]}

@@ -19,7 +19,8 @@ from tests.modelica.library import (
 )
 
 JOYSTICKS = [
-    f"PreloadedSprings.Joystick.Joystick{kind}" for kind in ("", "PowerLaw", "Inverse", "InversePowerLaw")
+    f"PreloadedSprings.Joystick.Joystick{kind}"
+    for kind in ("", "PowerLaw", "Friction", "FrictionPowerLaw", "Inverse", "InversePowerLaw")
 ]
 
 
@@ -83,7 +84,9 @@ def test_display_units_are_those_of_the_trade() -> None:
 @pytest.mark.parametrize(
     ("name", "relations"),
     [
-        *((joystick, 9) for joystick in JOYSTICKS),  # four on either side, and the sign of the angle
+        # Four on either side, and the sign of the angle. Friction adds the signs of the velocity, pushes to
+        # both sides, and four comparisons of its mode, which change at events only.
+        *((joystick, 17 if "Friction" in joystick else 9) for joystick in JOYSTICKS),
         ("PreloadedSprings.Examples.OpposingSprings", 4),
         ("PreloadedSprings.Examples.ComponentAgainstTable", 16),
         ("PreloadedSprings.Examples.SwingTest", 1),

@@ -98,11 +98,15 @@ def test_angle_beyond_a_right_angle(simulate: Simulate) -> None:
     _refused(
         simulate,
         "PreloadedSprings.Joystick.JoystickInverse c;",
-        "c.theta must stay between -pi/2 and pi/2",
+        # rumoca notices first that the lever of the plunger is infinite there.
+        "(`c.friction.lever`|c.theta must stay between -pi/2 and pi/2)",
         equations,
+        is_pattern=True,
     )
 
 
-def _refused(simulate: Simulate, declarations: str, message: str, equations: str = "") -> None:
-    with pytest.raises(SimulationFailedError, match=re.escape(message)):
+def _refused(
+    simulate: Simulate, declarations: str, message: str, equations: str = "", *, is_pattern: bool = False
+) -> None:
+    with pytest.raises(SimulationFailedError, match=message if is_pattern else re.escape(message)):
         simulate(declarations, 0.5, equations=equations)

@@ -14,8 +14,8 @@ def test_the_records_ask_for_the_law_that_made_them(
     fmus_by_name: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     scenario = load("fit_your_own_joystick")
-    # Three of the four records say the same, in half the time.
-    assert scenario.main(tmp_path, scenario.RECORDS[:3]) == 0
+    # Two of the four records say the same in a quarter of the time.
+    assert scenario.main(tmp_path, scenario.RECORDS[0:3:2]) == 0
     printed = capsys.readouterr().out
     cells = {
         line.split("|")[1].strip(): [cell.strip() for cell in line.split("|")[2:-1]]
@@ -30,7 +30,7 @@ def test_the_records_ask_for_the_law_that_made_them(
     assert float(cells["constant"][4]) > 2.0 * float(cells["power law"][4])
     assert "displacement terms: written into joystick.toml" in printed
     written = read_parameter_file(tmp_path / "joystick.toml")
-    assert written.sources["damping.power-law"] == "fit to 3 records"
+    assert written.sources["damping.power-law"] == "fit to 2 records"
     assert written.joystick.to_names()["damping.alpha"] == 1.0
     damping = written.joystick.to_names()
     # At 0.1 rad, in the middle of the peaks, and 4 rad/s, where the velocity term adds a twentieth.

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from pyjoystick.laboratory import true_joystick
 from tests.scenarios.scripts import cells, load
 
 
@@ -20,7 +21,7 @@ def test_the_budget(
     printed = capsys.readouterr().out
     assert (tmp_path / "summary.md").read_text() in printed
     inertia, damping = (float(printed.split(name)[1].split()[0]) for name in ("J = ", "damping.C = "))
-    true = scenario.runpy.run_path(str(scenario.MAKER))["true_joystick"]()
+    true = true_joystick()
     shares = [float(cell) / 100.0 for cell in cells(printed, "all")[3:]]
     assert inertia == pytest.approx(true.J, rel=2.0 * shares[0])
     assert damping == pytest.approx(true.damping.C, rel=2.0 * shares[1])

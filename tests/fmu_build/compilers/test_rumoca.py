@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import sys
+import threading
 from importlib import metadata
 from pathlib import Path
 from typing import Any
@@ -207,3 +209,28 @@ def test_native_standard_error_is_kept_apart(capfd: pytest.CaptureFixture[str]) 
     sys.stderr.flush()
     assert printed() == "from below\n"
     assert capfd.readouterr().err == "after\n"
+
+
+def test_an_error_that_is_kept_holds_no_session(tmp_path: Path) -> None:
+    """Sessions of rumoca must be freed by their own thread; the garbage collector runs in any."""
+    library = tmp_path / "M.mo"
+    library.write_text("model M Real x; equation der(x) = unknown(x); end M;")
+    complaints: list[str] = []
+
+    def fail() -> None:
+        with pytest.raises(BuildError) as kept:  # a cycle: the frame, what it caught, the frame
+            generate_model(BuildRequest("M", tmp_path, library))
+        assert "unknown" in str(kept.value)
+
+    previous = sys.unraisablehook
+    sys.unraisablehook = lambda unraisable: complaints.append(str(unraisable.exc_value))
+    gc.disable()
+    try:
+        fail()
+        collector = threading.Thread(target=gc.collect)
+        collector.start()
+        collector.join()
+    finally:
+        gc.enable()
+        sys.unraisablehook = previous
+    assert complaints == []

@@ -15,7 +15,7 @@ from lxml import etree
 
 from fmu_build.packaging import package_fmu
 from fmu_build.packaging.fmi2_units import add_unit_definitions
-from fmu_build.packaging.foreign import place
+from fmu_build.packaging.foreign import check_request, place
 from fmu_build.support.description import GeneratedModel
 from fmu_build.support.errors import BuildError
 from fmu_build.support.request import BuildRequest
@@ -138,3 +138,9 @@ def _refused(fmu: Path, request: BuildRequest, message: str) -> None:
         place(fmu, request)
     folder = request.output
     assert [(file.name, file.read_bytes()) for file in folder.iterdir()] == [("Oscillator.fmu", b"old")]
+
+
+def test_a_tool_that_builds_no_webassembly_module_is_not_asked_for_one(tmp_path: Path) -> None:
+    request = BuildRequest("Test.Oscillator", tmp_path, platforms=("wasm32",))
+    with pytest.raises(BuildError, match=r"Other builds only for this machine.*, not for wasm32"):
+        check_request(request, "Other")

@@ -17,7 +17,7 @@ from fmpy.validation import validate_fmu
 from fmu_manipulation_toolbox.checker import OperationGenericCheck, OperationSemanticCheck
 from fmu_manipulation_toolbox.operations import FMU
 
-from fmu_build.packaging import package_fmu
+from fmu_build.packaging import package_fmu, wasm_module
 from fmu_build.packaging.binaries import compile_library
 from fmu_build.packaging.platforms import PLATFORMS
 from fmu_build.support.description import GeneratedModel
@@ -145,6 +145,44 @@ def test_an_fmu_for_another_machine_is_documented_by_a_run_on_this_one(
     assert "validated but not loaded" in made.log
 
 
+def test_a_webassembly_module_lies_beside_the_library(
+    fmu: Path, generated: GeneratedModel, request_in: BuildRequest
+) -> None:
+    made = package_fmu(generated, replace(request_in, platforms=("wasm32",))).path
+    module = "extra/org.pyjoystick/wasm32/Oscillator.wasm"
+    licenses = "documentation/licenses/license.txt"
+    with zipfile.ZipFile(fmu) as plain, zipfile.ZipFile(made) as archive:
+        assert set(archive.namelist()) - set(plain.namelist()) == {module}
+        assert archive.read(module) == wasm_module(made) == wasm_module(fmu)
+        assert {n for n in plain.namelist() if plain.read(n) != archive.read(n)} == {licenses}
+
+
+@pytest.mark.parametrize("identifier", ["../out", "/tmp/out", "a b", "-o"])
+def test_a_stranger_s_identifier_becomes_no_path(fmu: Path, tmp_path: Path, identifier: str) -> None:
+    other = tmp_path / "other.fmu"
+    with zipfile.ZipFile(fmu) as plain, zipfile.ZipFile(other, "w") as archive:
+        for name in plain.namelist():
+            content = plain.read(name)
+            if name == "modelDescription.xml":
+                content = content.replace(
+                    b'modelIdentifier="Oscillator"', f'modelIdentifier="{identifier}"'.encode()
+                )
+            archive.writestr(name, content)
+    with pytest.raises(BuildError, match="is no identifier of C"):
+        wasm_module(other)
+
+
+def test_a_stranger_s_source_is_no_option_of_the_compiler(fmu: Path, tmp_path: Path) -> None:
+    """Zig reads what follows an @ as a file of options, and a name that begins with - as one."""
+    other = tmp_path / "other.fmu"
+    with zipfile.ZipFile(fmu) as plain, zipfile.ZipFile(other, "w") as archive:
+        for name in plain.namelist():
+            archive.writestr(name, plain.read(name))
+        archive.writestr("sources/@args.c", "#error compiled")
+        archive.writestr("sources/-save-temps.c", "#error compiled")
+    assert wasm_module(other) == wasm_module(fmu)
+
+
 def test_a_default_experiment_that_fails_is_told_and_left_out(
     generated: GeneratedModel, request_in: BuildRequest
 ) -> None:
@@ -215,6 +253,7 @@ def test_a_description_that_breaks_the_standard_keeps_the_old_file(
         ({"fmi_types": ()}, "FMI types .*use 'me', 'cs' or both"),
         ({"fmi_types": ("me", "se")}, "FMI types .*use 'me', 'cs' or both"),
         ({"platforms": ("vax",)}, "unknown platform 'vax'"),
+        ({"platforms": ("wasm32",), "fmi_version": "3.0"}, "platform 'wasm32' needs FMI 2.0, not 3.0"),
     ],
 )
 def test_requests_that_cannot_be_met(

@@ -7,7 +7,7 @@ import sys
 
 import pytest
 
-from fmu_build.packaging.platforms import PLATFORMS, host_platform, select_platforms
+from fmu_build.packaging.platforms import PLATFORMS, host_platform, select_platforms, wants_module
 from fmu_build.support.errors import BuildError
 
 
@@ -22,6 +22,13 @@ def test_all_platforms() -> None:
         select_platforms(["all", "win16"])
 
 
+def test_a_module_is_beside_the_libraries_and_not_among_all() -> None:
+    assert select_platforms(["wasm32"]) == select_platforms(())
+    assert select_platforms(["wasm32", "win64"]) == (PLATFORMS["x86_64-windows"],)
+    assert wants_module(["win64", "wasm32"])
+    assert not wants_module(["all"])
+
+
 def test_folders_in_binaries() -> None:
     assert [p.folder("2.0") for p in PLATFORMS.values()] == [
         "linux64",
@@ -34,7 +41,7 @@ def test_folders_in_binaries() -> None:
 
 
 def test_unknown_name_lists_the_known_ones() -> None:
-    with pytest.raises(BuildError, match=f"unknown platform 'beos32'.*{', '.join(PLATFORMS)}"):
+    with pytest.raises(BuildError, match=f"unknown platform 'beos32'.*{', '.join(PLATFORMS)}, wasm32, all"):
         select_platforms(["linux64", "beos32"])
 
 

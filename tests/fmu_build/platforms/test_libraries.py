@@ -17,6 +17,7 @@ import pytest
 from fmu_build import FmiVersion, build_fmu
 from fmu_build.packaging import binaries
 from fmu_build.packaging.platforms import PLATFORMS, Platform
+from tests.shared_fmus import SharedFmus
 
 from .conftest import MODEL
 from .libraries import library_in, read_library
@@ -120,15 +121,21 @@ def test_universal_library_has_both_processors(fmu: Path, fmi_version: FmiVersio
     assert libraries[1] == library_in(fmu, arm, fmi_version)
 
 
+@pytest.mark.parametrize("platforms", [("all",), ()], ids=["all platforms", "this machine's"])
 def test_two_builds_in_different_places_give_the_same_bytes(
-    fmu: Path, fmi_version: FmiVersion, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    platforms: tuple[str, ...],
+    shared_fmus: SharedFmus,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
+    fmi_version: FmiVersion = "2.0" if platforms else "3.0"  # the compilers are the same for both
+    fmu = shared_fmus.fmu(MODEL, fmi_version=fmi_version, platforms=platforms)
     temporary = tmp_path / "elsewhere with a longer name"
     temporary.mkdir()
     monkeypatch.setattr(tempfile, "tempdir", str(temporary))
     monkeypatch.setattr(binaries, "runtime_folder", lambda: None)  # the runtime is compiled anew as well
     monkeypatch.chdir(tmp_path)
-    again = build_fmu(MODEL, "out", fmi_version=fmi_version, platforms=["all"]).path
+    again = build_fmu(MODEL, "out", fmi_version=fmi_version, platforms=platforms).path
     assert hashlib.sha256(again.read_bytes()).digest() == hashlib.sha256(fmu.read_bytes()).digest()
 
 

@@ -50,6 +50,19 @@ def _with(data: bytes, place: int, part: bytes) -> bytes:
     return _repaired(data[:place] + part + data[place + len(part) :])
 
 
+def test_fmi_3_has_no_error_state(build3: Build) -> None:
+    """There an error terminates. What would be in such a state could not free its saved states."""
+    instance = Instance3(build3("oscillator"))
+    instance.initialize(stop=1.0)
+    instance.advance(0.0, 0.05)
+    state = instance.save()
+    data = instance.serialize(state)
+    instance.discard(state)
+    assert instance.deserialize(_with(data, PLAIN, struct.pack("=i", 8)))[0] == ERROR
+    assert "phase" in instance.text
+    instance.free()
+
+
 def test_the_checksum_here_is_the_runtimes(build: Build) -> None:
     instance = _started(build, "oscillator")
     data = _data(instance)

@@ -40,7 +40,6 @@ def test_what_is_uncertain_has_a_row_and_the_file_the_whole(command: Command, re
         [float(cell or 0.0) for cell in cells(outcome.out, stage)[3:]]
         for stage in (
             "scale of the angle, 0.2 %",
-            "zero, noise at rest",
             "m +- 0.01",
             "fit, noise of the records",
         )

@@ -5,10 +5,11 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from pyjoystick.identification import FitInterruptedError
-from pyjoystick.model import PAPER, ConstantDamping, read_parameter_file
+from pyjoystick.model import NOMINAL, PAPER, ConstantDamping, read_parameter_file, simulate
 from tests.pyjoystick.cli.conftest import Command
 
 DATA = Path(__file__).parents[3] / "scenarios" / "data"
@@ -52,6 +53,26 @@ def test_report_and_files(command: Command, tmp_path: Path) -> None:
     assert written == {
         "fit.md", "fit.json", "records.png", "residuals.png", "correlation.png", "profiles.png"
     }  # fmt: skip
+
+
+@pytest.mark.usefixtures("fmus_by_name")
+def test_a_driven_record(command: Command, tmp_path: Path) -> None:
+    outcome = command("fit", str(DATA / "synthetic_driven_1.csv"), "--driven", "-o", str(tmp_path / "out"))
+    assert outcome.code == 0, outcome.out
+    found = json.loads((tmp_path / "out" / "fit.json").read_text(encoding="utf-8"))
+    values = {one["name"]: one["value"] for one in found["parameters"]}
+    truth = json.loads((DATA / "synthetic_driven_truth.json").read_text(encoding="utf-8"))
+    # Some standard errors: the record knows all three better than this.
+    assert values["damping.C"] == pytest.approx(truth["parameters"]["damping.C"], rel=2e-3)
+    assert values["J"] == pytest.approx(truth["parameters"]["J"], rel=2e-3)
+    assert values["delay"] == pytest.approx(truth["delay"], abs=1e-4)
+
+
+@pytest.mark.parametrize("option", ["--driven", "--friction"])
+def test_settings_say_themselves_what_options_choose(command: Command, tmp_path: Path, option: str) -> None:
+    outcome = command("fit", RECORDS[0], "--settings", str(tmp_path / "fit.toml"), option)
+    assert outcome.code == 2
+    assert option in outcome.err
 
 
 @pytest.mark.usefixtures("fmus_by_name")
@@ -143,7 +164,7 @@ def test_a_doubtful_fit_leaves_the_file_alone_unless_told(command: Command, joys
     outcome = command(*arguments, "--even-if-doubtful")
     assert outcome.code == 3
     source = read_parameter_file(joystick).sources["damping.constant"]
-    assert source == "fit to synthetic_power_law_1.csv; doubtful: whiteness"
+    assert source == "fit to synthetic_power_law_1.csv; doubtful: whiteness, missing physics"
 
 
 def test_wrong_usage_of_update(command: Command, joystick: Path, tmp_path: Path) -> None:
@@ -197,3 +218,52 @@ def test_ctrl_c(
         assert "Stopped before it was complete." in outcome.out
         assert "joystick.toml is unchanged" in outcome.err
         assert (tmp_path / "out" / "fit.json").exists()
+
+
+@pytest.mark.usefixtures("fmus_by_name")
+def test_releases_from_both_sides(command: Command, tmp_path: Path) -> None:
+    """Two sides where they are meant; a sign that is wrong does not get through either."""
+    time = np.arange(91) / 60.0
+    random = np.random.default_rng(1)
+    files = []
+    for degrees in (-20.0, 12.0):
+        theta = simulate(NOMINAL, time=time, theta_start=np.radians(degrees)).theta
+        files.append(tmp_path / f"{degrees:g}.csv")
+        noisy = np.degrees(theta) + random.normal(0.0, 0.1, len(time))
+        lines = [f"{t!r},{one!r}" for t, one in zip(time.tolist(), noisy.tolist(), strict=True)]
+        files[-1].write_text("\n".join(["time (s),theta (deg)", *lines]))
+    assert "--both-sides" in command("fit", *map(str, files)).message
+    outcome = command("fit", *map(str, files), "--both-sides")
+    assert outcome.code == 0, outcome.err
+    assert float(outcome.out.split("| damping.C")[1].split("|")[2]) == pytest.approx(0.045, rel=0.02)
+    text = files[1].read_text().splitlines()
+    turned = [line.replace(",", ",-").replace("--", "") for line in text[1:]]
+    files[1].write_text("\n".join([text[0], *turned]))
+    refused = command("fit", *map(str, files), "--both-sides")
+    assert refused.code == 3
+    assert "do not trust this fit" in refused.err
+
+
+@pytest.mark.usefixtures("fmus_by_name")
+def test_dry_friction_is_fitted_saved_and_then_known(command: Command, tmp_path: Path) -> None:
+    joystick = tmp_path / "joystick.toml"
+    truth = NOMINAL.replace({"friction.T_c": 0.02})
+    time, random, files = np.arange(121) / 60.0, np.random.default_rng(2), []
+    for degrees in (-20.0, -8.0):
+        theta = simulate(truth, time=time, theta_start=np.radians(degrees)).theta
+        files.append(tmp_path / f"{degrees:g}.csv")
+        noisy = np.degrees(theta) + random.normal(0.0, 0.05, len(time))
+        lines = [f"{t!r},{one!r}" for t, one in zip(time.tolist(), noisy.tolist(), strict=True)]
+        files[-1].write_text("\n".join(["time (s),theta (deg)", *lines]))
+    outcome = command("fit", *map(str, files), "--friction", "-p", str(joystick), "--update")
+    assert outcome.code == 0, outcome.err
+    found = read_parameter_file(joystick)
+    error = found.uncertainties["friction.T_c"]
+    assert 0.0 < error < 1e-3
+    assert abs(found.joystick.friction.T_c - 0.02) < 4.0 * error
+    again = command("fit", *map(str, files), "-p", str(joystick))
+    assert again.code == 0, again.err
+    assert "friction" not in again.out.partition("|")[2].partition("\n\n")[0]
+    twice = command("fit", *map(str, files), "--friction", "-p", str(joystick), "--known", "friction.T_c")
+    assert twice.code == 2
+    assert "records must not count twice" in twice.err

@@ -53,6 +53,22 @@ def test_every_option_has_its_effect(command: Command, tmp_path: Path) -> None:
     assert (tmp_path / "out" / "run.png").read_bytes().startswith(b"\x89PNG")
 
 
+def test_friction_has_its_fmu(command: Command, tmp_path: Path) -> None:
+    settings = ("--set", "friction.T_c=50mN.m", "--set", "friction.F_c=0.3")
+    outcome = command("free-oscillation", *settings, "--csv", "run.csv")
+    assert outcome.out.startswith("JoystickFriction.fmu: ")
+    table = _csv(tmp_path / "run.csv")
+    assert list(table.columns[-2:]) == ["M_f (N.m)", "isStuck"]
+    assert table["isStuck"].iloc[-1]
+    assert "JoystickFrictionPowerLaw" in command("free-oscillation", *settings, "--damping", "power-law").out
+
+
+def test_friction_and_an_fmu_without_it(command: Command) -> None:
+    outcome = command("free-oscillation", "--fmu", "Joystick", "--set", "friction.T_c=0.05")
+    assert outcome.code == 1
+    assert "friction.T_c" in outcome.err
+
+
 def test_angles_in_radians_and_another_fmu(command: Command, fmus_by_name: Path, tmp_path: Path) -> None:
     path = fmus_by_name / "JoystickPowerLaw.fmu"
     outcome = command("free-oscillation", "-a", "-0.3rad", "-d", "0.1", "--fmu", str(path), "--csv", "a.csv")

@@ -8,7 +8,7 @@ import numpy as np
 
 from pyjoystick.model import BACKWARD_TABLE, FORWARD_TABLE, PAPER, read_parameter_file
 from tests.pyjoystick.cli.conftest import Command
-from tests.pyjoystick.laboratory.load_curve.machine import cycle, write
+from tests.pyjoystick.laboratory.load_curve.machine import MACHINE, cycle, write
 
 
 def test_from_the_machine_to_a_run_of_the_fmu(command: Command, tmp_path: Path) -> None:
@@ -30,6 +30,34 @@ def test_from_the_machine_to_a_run_of_the_fmu(command: Command, tmp_path: Path) 
         assert found.sources[side] == f"load-deflection curve {side}.csv"
     assert found.sources["body"] == PAPER.sources["body"]
     assert command("free-oscillation", "-p", "joystick.toml", "-d", "0.2").code == 0
+
+
+def test_hysteresis_is_saved_where_asked_for(command: Command, tmp_path: Path) -> None:
+    for side, table in (("forward", FORWARD_TABLE), ("backward", BACKWARD_TABLE)):
+        write(tmp_path / f"{side}.csv", *cycle(table, 1, step=20e-6))
+        outcome = command(
+            "import", "load-curve", f"{side}.csv", "--side", side, "-p", "joystick.toml", "--friction"
+        )
+        assert outcome.code == 0, outcome.err
+        assert f"wrote [{side}], [friction] of joystick.toml" in outcome.err
+        found = read_parameter_file(tmp_path / "joystick.toml")
+        error = found.uncertainties["friction.F_c"]
+        assert 0.0 < error < 0.05
+        assert abs(found.joystick.friction.F_c - MACHINE.friction) < 4.0 * error
+        assert found.sources["friction"] == f"hysteresis of the load-deflection curve {side}.csv"
+    assert "(hysteresis of the load-deflection curve forward.csv)" in outcome.err
+
+
+def test_no_hysteresis_no_friction(command: Command, tmp_path: Path) -> None:
+    travel, force = cycle(FORWARD_TABLE, 1)
+    turn = int(np.argmax(travel))
+    write(tmp_path / "curve.csv", travel[:turn], force[:turn])
+    arguments = ("import", "load-curve", "curve.csv", "--friction")
+    assert command(*arguments).code == 2
+    outcome = command(*arguments, "--side", "forward", "-p", "a.toml")
+    assert outcome.code == 1
+    assert "error: curve.csv: has no unloading" in outcome.err
+    assert not (tmp_path / "a.toml").exists()
 
 
 def test_wrong_usage_and_bad_files(command: Command, tmp_path: Path) -> None:

@@ -59,14 +59,14 @@ def _python(program: str, *arguments: str) -> subprocess.CompletedProcess[str]:
 
 
 def test_help_waits_for_nothing_heavy(tmp_path: Path) -> None:
-    """The last command reads an FMU, which does load pandas: what is loaded is seen."""
+    """The last command reads an FMU, which does load FMPy: what is loaded is seen."""
     done = _python(HELP, "info", str(tmp_path / "nowhere.fmu"))
     assert done.returncode == 0, done.stderr
     *helps, last = done.stdout.splitlines()
     assert {"0 True fit --help loads", "0 True import markers --help loads"} <= set(helps)
     assert [line for line in helps if not (line.startswith("0 True ") and line.endswith(" loads"))] == []
     assert last.startswith("1 False info ")
-    assert "pandas" in last
+    assert "fmpy" in last
 
 
 def test_the_lists_of_commands_load_no_command() -> None:
@@ -96,7 +96,7 @@ def test_every_command_has_one_line_in_its_list() -> None:
         "pyjoystick.cli",
         "pyjoystick.model.parameters.file",
         "pyjoystick.fmu.description",
-        "pandas",
+        "fmpy",
     ],
 )
 def test_ctrl_c_while_it_loads_is_no_traceback(module: str, tmp_path: Path) -> None:

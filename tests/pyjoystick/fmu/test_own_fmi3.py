@@ -13,7 +13,7 @@ from typer.testing import CliRunner
 from pyjoystick.cli import app
 from pyjoystick.fmu import Final, Fmu, FmuRunError, read_description, run_model_exchange
 from pyjoystick.model import NOMINAL, simulate
-from pyjoystick.support import ParameterError
+from pyjoystick.support import ParameterError, PyJoystickError
 
 TIME = np.linspace(0.0, 1.0, 501)
 RELEASE = {"theta_start": math.radians(-20.0)}
@@ -38,6 +38,50 @@ def test_the_same_bits(old: Path, new: Path, loop: str) -> None:
         runs = [fmu.run(TIME, parameters=RELEASE, inputs={"T": 0.5}, outputs=outputs) for fmu in (fmu2, fmu3)]
     pd.testing.assert_frame_equal(runs[0], runs[1], check_exact=True)
     assert runs[0].attrs["units"] == runs[1].attrs["units"]
+
+
+@pytest.mark.parametrize("own_process", [False, True])
+def test_inputs_that_move(old: Path, new: Path, loop: str, own_process: bool) -> None:
+    """Straight within a step, with kinks and jumps: FMI 2 is told the slopes, FMI 3 asks for the values."""
+    drive = pd.DataFrame({"T": [0.0, 0.9, 0.4, -0.6, -0.6]}, index=[0.0, 0.213, 0.5, 0.5, 0.9])
+    coarse = np.linspace(0.0, 1.0, 21)
+    runs = []
+    for path in (old, new):
+        with Fmu(path, own_process=own_process) as fmu:
+            idle = fmu.run(coarse, parameters=RELEASE)
+            runs.append(fmu.run(coarse, parameters=RELEASE, inputs=drive, outputs=["theta", "omega"]))
+            pd.testing.assert_frame_equal(fmu.run(coarse, parameters=RELEASE), idle, check_exact=True)
+    # At the jump the integrator begins anew with another first step; until then the bits are the same.
+    pd.testing.assert_frame_equal(runs[0][:0.5], runs[1][:0.5], check_exact=True)
+    assert np.abs(runs[0] - runs[1])["theta"].max() < 1e-8
+
+    def torque(time: float) -> float:
+        return float(np.interp(time, drive.index[:3] if time < 0.5 else drive.index[3:],
+                               drive["T"].iloc[:3] if time < 0.5 else drive["T"].iloc[3:]))  # fmt: skip
+
+    exact = simulate(NOMINAL, time=coarse, torque=torque, torque_breakpoints=drive.index, **RELEASE)
+    assert np.abs(runs[1]["theta"] - exact.theta).max() < 1e-6
+
+
+def test_batches_with_inputs_that_move(old: Path, new: Path) -> None:
+    drive = pd.DataFrame({"T": [0.0, 1.0]}, index=[0.0, 1.0])
+    found = []
+    for path in (old, new):
+        with Fmu(path) as fmu:
+            plan = fmu.plan(TIME[::50], varied="theta_start", inputs=drive, outputs="theta")
+            found.append(plan.run_batch(np.radians([[-20.0], [-3.0], [8.0]] * 3), threads=2).values)
+    np.testing.assert_array_equal(*found)
+
+
+def test_a_closed_fmu_says_so_to_inputs_that_move(new: Path) -> None:
+    drive = pd.DataFrame({"T": [0.0, 1.0]}, index=[0.0, 1.0])
+    fmu = Fmu(new)
+    plan = fmu.plan(TIME, varied="theta_start", inputs=drive, outputs="theta")
+    fmu.run(TIME, inputs=drive)
+    fmu.close()
+    for call in (lambda: fmu.run(TIME, inputs=drive), lambda: plan.run([0.1])):
+        with pytest.raises(PyJoystickError, match="has been closed"):
+            call()
 
 
 def test_batches(old: Path, new: Path) -> None:

@@ -75,6 +75,23 @@ def test_which_fmus_have_a_process(joystick_path: Path, awkward_path: Path) -> N
         assert not isinstance(here._pool, ProcessPool)
 
 
+def test_what_runs_in_such_a_process_loads_no_tables(awkward_path: Path) -> None:
+    """It starts with every process, and pandas takes longer to load than all the rest."""
+    script = (
+        "import sys\n"
+        "from pyjoystick.fmu import Fmu\n"
+        "from pyjoystick.fmu.own_process import child\n"
+        "with Fmu(sys.argv[1], own_process=False) as fmu:\n"
+        "    fmu.plan([0.0, 0.1], varied=['gain'], inputs={'u': 1.0}).run([2.0])\n"
+        "    fmu.start(inputs={'u': 1.0}).step(0.1)\n"
+        "    print('pandas' in sys.modules)\n"
+        "    fmu.run([0.0, 0.1])\n"
+        "print('pandas' in sys.modules)"
+    )
+    command = [sys.executable, "-c", script, str(awkward_path)]
+    assert subprocess.run(command, capture_output=True, text=True, check=True).stdout == "False\nTrue\n"
+
+
 @pytest.mark.parametrize("trouble", CRASHES)
 def test_a_crash_is_an_error_and_the_next_run_goes_on(foreign: Fmu, trouble: Trouble) -> None:
     with pytest.raises(FmuCrashError, match=CRASHES[trouble]):

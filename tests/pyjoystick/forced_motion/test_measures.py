@@ -10,7 +10,6 @@ import pytest
 from scipy.integrate import quad
 
 from pyjoystick.forced_motion import (
-    PARTS,
     ForwardAndReturn,
     Samples,
     Shape,
@@ -105,8 +104,8 @@ def test_integrals_against_adaptive_quadrature(joystick: JoystickParameters) -> 
 @pytest.mark.parametrize("motion", MOTIONS.values(), ids=MOTIONS)
 def test_shares_add_up_and_peaks_are_peaks(motion: ForwardAndReturn) -> None:
     found = _measured(motion, NOMINAL)
-    assert math.fsum(found.parts[name].share for name in PARTS) == pytest.approx(1.0, rel=1e-14)
-    assert math.fsum(found.parts[name].work for name in PARTS) == pytest.approx(found.work, abs=1e-14)
+    assert math.fsum(part.share for part in found.parts.values()) == pytest.approx(1.0, rel=1e-14)
+    assert math.fsum(part.work for part in found.parts.values()) == pytest.approx(found.work, abs=1e-14)
     # The samples are a hundredth of a smooth span apart: a peak between two of them is missed by less.
     torque = torque_by_reference(NOMINAL, Samples.evenly(motion, 1e-5))
     assert found.total.highest == pytest.approx(torque["T"].max(), rel=1e-4)

@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 
 from pyjoystick.fmu import Fmu
-from pyjoystick.identification import Bench, Contribution, Fit, contribution_table, fit_contributions
-from pyjoystick.identification.laboratory_errors import curve_axes, refit, run_contribution
+from pyjoystick.identification import Bench, Contribution, contribution_table, fit_contributions
+from pyjoystick.identification.fitting.fit import fitted_values
+from pyjoystick.identification.laboratory_errors import curve_axes, run_contribution, settings_of_refit
 from pyjoystick.laboratory import fit_load_curve, mean_period, synthetic_record
 from pyjoystick.model import FORWARD_TABLE, NOMINAL, JoystickParameters, simulate
 from pyjoystick.motion import Record
@@ -53,20 +54,29 @@ def test_several_axes_add_up_by_their_squares() -> None:
 
 @pytest.mark.usefixtures("fmus_by_name")
 def test_what_is_measured_before_reaches_the_fitted_values() -> None:
-    records = [_record(NOMINAL, noise=1e-3)]
-    bench = Bench(joystick=NOMINAL, curves={}, uncertainties={"m": 0.01, "J": 1e-4}, scale=2e-3)
+    records = [_record(NOMINAL, noise=2e-4)]
+    errors = {"m": 0.002, "J": 1e-4}
+    bench = Bench(joystick=NOMINAL, curves={}, uncertainties=errors, scale=2e-3, time_base=1e-3)
     with Fmu("Joystick") as fmu:
         found, contributions = fit_contributions(records, bench, fmu, release_angle=RELEASE)
+
         # A joystick that is heavier than was measured, and an angle that is scaled, mislead the fit as much.
-        misled = refit([_record(NOMINAL.replace({"m": NOMINAL.m + 0.01}))], NOMINAL, fmu)
+        def refit(record: Record) -> dict[str, float]:
+            return fitted_values([record], settings_of_refit(NOMINAL), fmu)
+
+        misled = refit(_record(NOMINAL.replace({"m": NOMINAL.m + 0.002})))
         exact = _record(NOMINAL)
-        scaled = refit([dataclasses.replace(exact, theta=1.002 * exact.theta)], NOMINAL, fmu)
-    scale, zero, mass, inertia, noise = contributions
+        scaled = refit(dataclasses.replace(exact, theta=1.002 * exact.theta))
+        slower = refit(dataclasses.replace(exact, time=1.001 * exact.time))
+    scale, clock, zero, mass, inertia, noise = contributions
+    assert pytest.approx(_off(slower), rel=0.05) == (clock.J, clock.C)
+    # Time that is longer by a part makes J larger by twice that, and C by as much: J/t2 and C/t stay.
+    assert pytest.approx((2e-3, 1e-3), rel=0.05) == (clock.J, clock.C)
     assert pytest.approx(_off(misled), rel=0.05) == (mass.J, mass.C)
     assert pytest.approx(_off(scaled), rel=0.05) == (scale.J, scale.C)
     joystick = NOMINAL.replace(found.shared())
     assert scale.theta == pytest.approx(2e-3 * _rms(_theta(joystick)), rel=1e-9)
-    assert zero.theta == pytest.approx(1e-3 / math.sqrt(15.0), rel=0.2)
+    assert zero.theta == pytest.approx(2e-4 / math.sqrt(15.0), rel=0.2)
     # J is fitted: what was measured of it before says nothing more, but a run with it would be off.
     assert math.isnan(inertia.J)
     assert inertia.period > 3e-3
@@ -82,10 +92,10 @@ def _record(joystick: JoystickParameters, noise: float = 1e-7) -> Record:
     return synthetic_record(joystick, release_angle=RELEASE, random=random, noise=noise)
 
 
-def _off(found: Fit) -> tuple[float, float]:
+def _off(found: dict[str, float]) -> tuple[float, float]:
     """How far J and C are from those of the paper, in parts of them."""
     true = NOMINAL.to_names()
-    inertia, damping = (abs(found.value(name) / true[name] - 1.0) for name in ("J", "damping.C"))
+    inertia, damping = (abs(found[name] / true[name] - 1.0) for name in ("J", "damping.C"))
     return inertia, damping
 
 

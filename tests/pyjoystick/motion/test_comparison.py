@@ -9,7 +9,7 @@ import pandas as pd
 import pytest
 
 from pyjoystick.motion import Quantity, compare, make_table
-from pyjoystick.motion.comparison import difference_table, within_limits
+from pyjoystick.motion.comparison import within_limits
 from pyjoystick.support import ParameterError, PyJoystickError, SeriesError, UnknownVariableError
 
 TIME = [0.0, 0.1, 0.2, 0.3]
@@ -60,10 +60,9 @@ def test_nan_exceeds_every_limit() -> None:
         assert (differences[0].time, differences[0].parted_at) == (0.1, 0.1)
 
 
-def test_differences_as_a_table() -> None:
-    differences = compare(table(theta=[0.5] * 4), table(theta=[1.0] * 4), limits={"theta": 0.1})
-    row = difference_table(differences).loc["theta"]
-    assert (row["unit"], row["largest"], row["relative"], row["limit"]) == ("rad", 0.5, 0.5, 0.1)
+def test_a_difference_has_its_unit_and_its_limit() -> None:
+    (row,) = compare(table(theta=[0.5] * 4), table(theta=[1.0] * 4), limits={"theta": 0.1})
+    assert (row.unit, row.largest, row.relative, row.limit) == ("rad", 0.5, 0.5, 0.1)
 
 
 @pytest.mark.parametrize(

@@ -12,7 +12,7 @@ import pytest
 from pyjoystick.fmu import Fmu, FmuNotFoundError, FmuRunError, UnsupportedFmuError
 from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW
 from pyjoystick.motion.tables import unit_of
-from pyjoystick.runs import fmu_of_damping, free_oscillation, reference_free_oscillation, time_grid
+from pyjoystick.runs import fmu_of_joystick, free_oscillation, reference_free_oscillation, time_grid
 from pyjoystick.runs.experiments import COLUMNS
 from pyjoystick.support import ParameterError, PyJoystickError, UnknownParameterError
 from tests.pyjoystick.random_parameters import RandomCase, both_laws
@@ -51,8 +51,10 @@ def test_the_joystick_starts_at_rest_at_the_release_angle_and_loses_energy(fmus_
 
 
 def test_the_damping_law_chooses_the_fmu(fmus_by_name: Path) -> None:
-    assert fmu_of_damping(NOMINAL.damping) == "Joystick"
-    assert fmu_of_damping(NOMINAL_POWER_LAW.damping) == "JoystickPowerLaw"
+    assert fmu_of_joystick(NOMINAL) == "Joystick"
+    assert fmu_of_joystick(NOMINAL_POWER_LAW) == "JoystickPowerLaw"
+    assert fmu_of_joystick(NOMINAL.replace({"friction.T_c": 0.01})) == "JoystickFriction"
+    assert fmu_of_joystick(NOMINAL_POWER_LAW.replace({"friction.F_c": 0.3})) == "JoystickFrictionPowerLaw"
     assert free_oscillation(RELEASE, duration=0.1)["C"].nunique() == 1
     assert free_oscillation(RELEASE, parameters=NOMINAL_POWER_LAW, duration=0.1)["C"].nunique() > 10
 

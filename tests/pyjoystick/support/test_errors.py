@@ -8,8 +8,9 @@ import pytest
 from pyjoystick.fmu import FmuRunError
 from pyjoystick.identification import DampingEstimateError, FitInterruptedError
 from pyjoystick.motion import RecordError
-from pyjoystick.runs import ChangedSweepError, ClusterError, MissingPackageError
+from pyjoystick.runs import ChangedSweepError, ClusterError
 from pyjoystick.support import (
+    MissingPackageError,
     ParameterError,
     PyJoystickError,
     SeriesError,

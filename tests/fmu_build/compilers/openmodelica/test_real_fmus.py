@@ -17,7 +17,7 @@ from fmu_build import BuildResult, build_fmu
 from fmu_build.compilers.openmodelica.finding import find_omc, omc_version
 from pyjoystick.fmu import Fmu
 from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW, inverse_torque, simulate
-from tests.joystick_fmu.driver import fmu_parameters
+from tests.joystick_fmu.driver import fmu_parameters, model_exchange
 from tests.omc import JOYSTICKS, why_not
 from tests.pyjoystick.random_parameters import RandomCase, both_laws
 
@@ -83,20 +83,9 @@ def test_the_model_description(results: dict[str, BuildResult], name: str, joyst
 @every_case
 def test_model_exchange_follows_the_reference(results: dict[str, BuildResult], case: RandomCase) -> None:
     """FMPy's CVode at a tolerance of 1e-10 within 1e-6 rad over 1.5 s."""
-    result = fmpy.simulate_fmu(
-        str(_fmu(results, case)),
-        fmi_type="ModelExchange",
-        solver="CVode",
-        stop_time=1.5,
-        output_interval=1e-3,
-        relative_tolerance=1e-10,
-        start_values=fmu_parameters(case.parameters, case.theta_start),
-        output=["theta"],
-    )
-    # Events come twice, before and after; the angle does not jump.
-    times, first = np.unique(result["time"], return_index=True)
-    assert times[-1] == pytest.approx(1.5)
-    assert _error(times, result["theta"][first], case) < 1e-6
+    values = fmu_parameters(case.parameters, case.theta_start)
+    times, found = model_exchange(_fmu(results, case), values, "theta")
+    assert _error(times, found["theta"], case) < 1e-6
 
 
 @every_case

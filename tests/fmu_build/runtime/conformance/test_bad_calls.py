@@ -15,6 +15,9 @@ from tests.fmu_build.runtime.conftest import Build
 from tests.fmu_build.runtime.library import CO_SIMULATION, ERROR, MODEL_EXCHANGE, OK, TOKEN, Instance
 from tests.fmu_build.runtime.library3 import Instance3
 
+# One process makes all the calls of a version.
+pytestmark = pytest.mark.xdist_group("bad-calls")
+
 _CASES = [(version, name) for name, case in BAD_CALLS.items() for version in case.versions]
 
 

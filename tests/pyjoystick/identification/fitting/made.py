@@ -9,6 +9,7 @@ import numpy as np
 
 from pyjoystick.fmu import find_fmu, read_description
 from pyjoystick.identification import FitSettings, Free, Measurement
+from pyjoystick.identification.fitting.instrument import Instrument
 from pyjoystick.identification.fitting.prediction import Prediction
 from pyjoystick.identification.fitting.problem import Problem
 from pyjoystick.identification.fitting.variables import Variables
@@ -55,9 +56,9 @@ class LinearPredictor:
         self.matrix = matrix
         self.runs = 0
 
-    def predict(self, rows: FloatArray, release_time: float) -> Prediction:
+    def predict(self, rows: FloatArray, instrument: Instrument) -> Prediction:
         self.runs += len(rows)
-        return Prediction(rows @ self.matrix.T, np.zeros(len(self.data)), "")
+        return Prediction(rows @ self.matrix.T, {}, "")
 
 
 def linear_problem(

@@ -25,10 +25,43 @@ def test_the_release_is_found_to_a_frame(degrees: float, rate: float, noise: flo
         rate=rate,
         noise=math.radians(noise),
     )
-    angle, instant = guess_release(record.time, record.theta)
+    angle, instant, _ = guess_release(record.time, record.theta)
     assert math.degrees(angle) == pytest.approx(degrees, abs=0.2)
     # 60 frames a second: linear between two samples of a curved fall.
     assert instant == pytest.approx(0.1237, abs=0.01)
+
+
+@pytest.mark.parametrize("rate", [60.0, 600.0])
+@pytest.mark.parametrize("degrees", [3.0, -1.5])
+def test_small_releases_are_found_in_noise(degrees: float, rate: float) -> None:
+    """Noise alone takes some samples of the hold below 0.9 of the largest."""
+    for seed in range(10):
+        record = synthetic_record(
+            NOMINAL,
+            release_angle=math.radians(degrees),
+            random=np.random.default_rng(seed),
+            name="run",
+            release_time=0.25,
+            duration=1.0,
+            rate=rate,
+            noise=math.radians(0.1),
+        )
+        angle, instant, _ = guess_release(record.time, record.theta)
+        assert math.degrees(angle) == pytest.approx(degrees, abs=0.2)
+        assert instant == pytest.approx(0.25, abs=0.025)
+
+
+def test_outliers_do_not_mislead() -> None:
+    random = np.random.default_rng(2)
+    record = synthetic_record(
+        NOMINAL, release_angle=math.radians(-20.0), random=random, name="run", release_time=0.1, duration=1.0
+    )
+    theta = record.theta.copy()
+    theta[1] += math.radians(11.0)
+    theta[3] -= math.radians(11.0)
+    angle, instant, _ = guess_release(record.time, theta)
+    assert math.degrees(angle) == pytest.approx(-20.0, abs=0.1)
+    assert instant == pytest.approx(0.1, abs=0.01)
 
 
 def test_a_record_that_begins_in_the_fall_is_followed_back() -> None:

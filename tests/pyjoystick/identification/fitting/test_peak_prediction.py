@@ -39,7 +39,7 @@ def test_the_release_time_moves_all_times_and_no_height(fmus_by_name: Path) -> N
         problem = make_problem(releases(NOMINAL), PEAKS, fmu)
         x = problem.variables.start
         later = x.copy()
-        later[problem.variables.release_variable(0)] += 0.01
+        later[problem.variables.instrument_places(0)["release_time"]] += 0.01
         (before,), (after,) = problem.predictions(x), problem.predictions(later)
     assert after - before == pytest.approx(np.repeat([0.0, 0.01], 9), abs=1e-12)
 

@@ -78,7 +78,11 @@ def test_the_file_of_the_documentation(tmp_path: Path, fmus_by_name: Path) -> No
     (example,) = re.findall(r"```toml\n(.*?)```", DOCUMENTATION.read_text(encoding="utf-8"), re.DOTALL)
     found = _read(tmp_path, example)
     assert found.fixed["damping.alpha"] == 1.0
-    assert [one.name for one in found.free if one.per_record] == ["theta_start", "release_time"]
+    assert [one.name for one in found.free if one.per_record] == [
+        "theta_start",
+        "release_time",
+        "zero_offset",
+    ]
     assert set(found.ties) == {"damping.A_pos", "damping.A_neg"}
 
 

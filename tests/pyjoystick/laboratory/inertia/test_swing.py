@@ -52,9 +52,10 @@ def test_a_recorded_swing_without_noise() -> None:
     period = period_of_record(swing(None))
     assert inertia_of_swing(period.period, *EXACT).value == pytest.approx(NOMINAL.J, rel=4e-6)
     assert period.amplitude_factor - 1.0 == pytest.approx(3.4e-3, rel=0.05)
-    assert period.damping_ratio is not None
+    assert period.decay is not None
     expected = DAMPING / (2.0 * math.sqrt(NOMINAL.J * WEIGHT))
-    assert period.damping_ratio.value == pytest.approx(expected, rel=0.01)
+    assert period.decay.damping_ratio.value == pytest.approx(expected, rel=1e-3)
+    assert period.decay.preferred == "viscous damping alone"
 
 
 def test_stated_intervals_of_recorded_swings_cover_the_truth() -> None:
@@ -152,9 +153,9 @@ def test_the_period_as_measured_is_that_of_the_large_swings() -> None:
 
 
 def test_the_degrees_of_freedom_of_a_record_are_those_of_its_passages() -> None:
-    # A line has two unknowns; the decrement, which adds little, has one degree more.
+    # A line has two unknowns; what the heights say of friction has degrees of its own, and adds little.
     record = swing(3)
-    assert period_of_record(record).period.freedom == pytest.approx(len(_passages(record)) - 2, rel=1e-3)
+    assert period_of_record(record).period.freedom == pytest.approx(len(_passages(record)) - 2, rel=0.03)
 
 
 def _passages(record: Record) -> FloatArray:

@@ -191,7 +191,7 @@ def test_numbers_that_no_joystick_has_are_refused_unless_the_file_insists(file: 
         with pytest.raises(SettingsError) as refused:
             read_parameter_file(file)
         assert message in str(refused.value)
-        assert "implausible = true above the tables has it taken" in str(refused.value)
+        assert "implausible = true above the tables accepts it" in str(refused.value)
         change(file, ("[body]", "implausible = true\n[body]"))
         read_parameter_file(file)
         file.write_text(before, encoding="utf-8")

@@ -214,3 +214,13 @@ def test_the_joystick_rests_against_either_plunger_and_not_between(
     assert still.events == ()
     pushed = simulate(parameters, time=[0.0, 8.0], theta_start=side * 1e-5, tolerance=1e-9)
     assert pushed.theta[-1] == pytest.approx(rest, abs=1e-5)
+
+
+@pytest.mark.parametrize("degrees", [-12.0, 0.5, 5.0])
+def test_a_torque_that_balances_the_start_holds_it_there(degrees: float) -> None:
+    """To the last bit: there is no heading, and no boundary ahead."""
+    start = math.radians(degrees)
+    hold = float(contact_moment(NOMINAL, start) - gravity_moment(NOMINAL, start))
+    run = simulate(NOMINAL, time=np.linspace(0.0, 1.0, 11), theta_start=start, torque=lambda time: hold)
+    assert np.abs(run.theta - start).max() <= 4.0 * math.ulp(start)
+    assert run.events == ()

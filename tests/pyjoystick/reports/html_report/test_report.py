@@ -53,6 +53,7 @@ def test_it_is_one_page_that_needs_nothing_else(papers_report: tuple[str, list[s
     assert "://" not in text
     assert all(link[0] == "#" and link[1:] in read.targets for link in read.links)
     assert len(read.links) == 8
+    assert "Everything on this page is computed from the parameters below" in text
 
 
 def test_every_figure_says_what_it_shows(papers_report: tuple[str, list[str]]) -> None:

@@ -20,9 +20,10 @@ from distributed.scheduler import KilledWorker
 
 from benchmarks.dask_processes import DaskProcesses, kill
 from pyjoystick.fmu import FmuFileError
-from pyjoystick.runs import ClusterError, MissingPackageError, Outcome, Sweep, read_settings, run_sweep
+from pyjoystick.runs import ClusterError, Outcome, Sweep, read_settings, run_sweep
 from pyjoystick.runs.sweeps import cluster as cluster_module
 from pyjoystick.runs.sweeps.worker import FmuPlugin, check_workers
+from pyjoystick.support import MissingPackageError
 from tests.pyjoystick.runs.sweeps.conftest import LONG, Write
 
 # Without xdist's grouping each of its workers would have a cluster of its own.

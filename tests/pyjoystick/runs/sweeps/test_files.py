@@ -12,11 +12,11 @@ import pandas as pd
 import pyarrow.parquet
 import pytest
 
-from pyjoystick.runs import MissingPackageError, Sweep, SweepFileError, read_sweep
+from pyjoystick.runs import Sweep, SweepFileError, read_sweep
 from pyjoystick.runs.sweeps import files
 from pyjoystick.runs.sweeps.files import check_target, write_sweep
 from pyjoystick.runs.sweeps.sweep import Part
-from pyjoystick.support import OutputFileError
+from pyjoystick.support import MissingPackageError, OutputFileError
 
 
 def _table(sweep: Sweep) -> pd.DataFrame:

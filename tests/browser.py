@@ -1,0 +1,142 @@
+"""A real browser for the tests of pages: Debian's Chromium, driven by Playwright."""
+
+from __future__ import annotations
+
+import csv
+import os
+import shutil
+import zipfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import pandas as pd
+import pytest
+from playwright.sync_api import Browser, ConsoleMessage, Locator, Page, Request, sync_playwright
+
+from fmu_build.packaging import wasm_module
+from fmu_build.packaging.module import module_name
+
+#: Set by .ci/run: where Chromium is missing, the tests fail instead of being skipped.
+REQUIRED = "PYJOYSTICK_REQUIRE_BROWSER"
+_ARGUMENTS = (
+    "--no-sandbox",
+    "--disable-gpu",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+)
+
+
+@contextmanager
+def opened() -> Iterator[Browser]:
+    """A headless Chromium; skips, or fails where it is required, if there is none."""
+    program = shutil.which("chromium")
+    if program is None:
+        missing = "the program chromium is not installed"
+        if os.environ.get(REQUIRED):
+            pytest.fail(f"{missing}, but {REQUIRED} is set")
+        pytest.skip(missing)
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=program, args=[*_ARGUMENTS])
+        yield browser
+        browser.close()
+
+
+def with_module(fmu: Path, folder: Path) -> Path:
+    """A copy of an FMU in another folder that carries the module that would be compiled for each page."""
+    copy = folder / fmu.name
+    shutil.copy(fmu, copy)
+    with zipfile.ZipFile(copy, "a") as archive:
+        archive.writestr(module_name(fmu.stem), wasm_module(fmu))
+    return copy
+
+
+@dataclass
+class LivePage:
+    """A page of `fmu_build explore` in the browser, and what went wrong in it."""
+
+    page: Page
+    file: Path
+    messages: list[str] = field(default_factory=list)
+    requests: list[str] = field(default_factory=list)
+
+    @classmethod
+    def of(cls, browser: Browser, file: Path, fragment: str = "", *, width: int = 1280) -> LivePage:
+        """The page of a file, after its first run."""
+        page = browser.new_page(viewport={"width": width, "height": 900})
+        page.set_default_timeout(10_000)
+        live = cls(page, file)
+        page.on("console", live._said)
+        page.on("pageerror", lambda error: live.messages.append(str(error)))
+        page.on("request", live._asked)
+        page.goto(file.as_uri() + fragment)
+        page.wait_for_selector("body[data-runs]")
+        return live
+
+    def _said(self, message: ConsoleMessage) -> None:
+        self.messages.append(message.text)
+
+    def _asked(self, request: Request) -> None:
+        self.requests.append(request.url)
+
+    @property
+    def runs(self) -> int:
+        """How many results the page has shown."""
+        return int(self.page.get_attribute("body", "data-runs") or 0)
+
+    @contextmanager
+    def rerun(self) -> Iterator[None]:
+        """Wait for the next result after what is done inside."""
+        before = self.runs
+        yield
+        for _ in range(1000):
+            if self.runs > before:
+                return
+            self.page.wait_for_timeout(5)
+        pytest.fail("the page did not run the model again")
+
+    def control(self, name: str) -> Locator:
+        """The control of a value; its group is opened."""
+        control = self.page.locator(f'.control[data-name="{name}"]')
+        if not control.is_visible():
+            self.page.locator("details", has=control).locator("summary").click()
+        return control
+
+    def type(self, name: str, text: str) -> None:
+        """Type a value, in the unit that the page shows."""
+        self.control(name).locator("input.number").fill(text)
+
+    def csv(self) -> pd.DataFrame:
+        """The file of the CSV button, indexed by time, columns by name."""
+        with self.page.expect_download() as download:
+            self.page.get_by_role("button", name="CSV", exact=True).click()
+        header, *rows = csv.reader(Path(download.value.path()).read_text("utf-8").splitlines())
+        numbers = [[float(cell) for cell in row] for row in rows]  # to the last bit, as pandas would not
+        names = [name.split(" (")[0] for name in header]
+        return pd.DataFrame(numbers, columns=names).set_index("time")
+
+    def words(self) -> list[str]:
+        """What the plots say of themselves: the range of each curve."""
+        self.page.wait_for_timeout(50)  # they are drawn with the next frame
+        plots = self.page.locator("figure canvas").all()
+        return [plot.get_attribute("aria-label") or "" for plot in plots]
+
+    def address(self) -> str:
+        """What the address says of the state, after it had time to."""
+        self.page.wait_for_timeout(300)
+        return self.page.url.partition("#")[2]
+
+    def alert(self) -> str:
+        """The message above the page; empty without one."""
+        return self.page.locator("#alert").inner_text()
+
+    def close(self) -> None:
+        """Close the page; nothing must have been said or asked for beside the file and its worker."""
+        self.page.close()
+        assert self.messages == []
+        others = [url for url in self.requests if not url.startswith(("blob:", self.file.as_uri()))]
+        assert others == []

@@ -1,0 +1,100 @@
+"""``pyjoystick design``."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+
+import pytest
+
+from pyjoystick.cli import main
+
+FEW = ["design", "-n", "2", "--angle", "-20deg", "--angle", "3deg", "--duration", "0.5"]
+
+
+@pytest.mark.usefixtures("fmus_by_name")
+def test_the_choice_is_printed_and_saved(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    out, figure = tmp_path / "design.json", tmp_path / "design.svg"
+    assert main([*FEW, "--free", "J", "--json", str(out), "--plot", str(figure)]) == 0
+    printed = capsys.readouterr().out
+    assert printed.startswith("2 x release from -20 degrees\n")
+    best, twice, faster, longer = json.loads(out.read_text())["designs"]
+    assert best["experiments"] == [{"name": "release from -20 degrees", "count": 2}]
+    for name in ("J", "damping.C"):
+        error = best["standard_errors"][name]
+        assert twice["standard_errors"][name] == pytest.approx(error / 2.0**0.5)
+        assert faster["standard_errors"][name] == pytest.approx(error / 2.0**0.5, rel=0.05)
+        assert longer["standard_errors"][name] < error
+    assert figure.stat().st_size > 1000
+
+
+@pytest.mark.usefixtures("fmus_by_name")
+def test_an_uncertainty_of_the_file_is_knowledge(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file, out = tmp_path / "joystick.toml", tmp_path / "design.json"
+    assert main(["parameters", "-o", str(file)]) == 0
+    text = file.read_text().replace("J = 0.01135", "J = 0.01135\nu_J = 1e-8")
+    file.write_text(text)
+    assert main([*FEW, "--free", "J", "-p", str(file), "--json", str(out)]) == 0
+    assert "taken as known" in capsys.readouterr().err
+    assert json.loads(out.read_text())["designs"][0]["standard_errors"]["J"] <= 1e-8
+
+
+@pytest.mark.usefixtures("fmus_by_name")
+def test_friction_wants_releases_of_all_sizes(tmp_path: Path) -> None:
+    """Where T_c is asked for, small releases join the large ones and halve its standard error."""
+    out = tmp_path / "design.json"
+    friction = ["--set", "friction.T_c=0.02", "--free", "friction.T_c", "--determine", "friction.T_c"]
+    angles = [word for angle in (-20, -10, -5, -3) for word in ("--angle", f"{angle}deg")]
+    assert main(["design", *friction, *angles, "--json", str(out)]) == 0
+    best, *_, alone = json.loads(out.read_text())["designs"]
+    assert alone["experiments"] == [{"name": "release from -20 degrees", "count": 4}]
+    errors = [one["standard_errors"]["friction.T_c"] for one in (best, alone)]
+    assert errors[0] < 0.6 * errors[1]
+
+
+@pytest.mark.usefixtures("fmus_by_name")
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["--determine", "m"], "determine"),
+        (["--angle", "0deg"], "not zero"),
+        (["--free", "nonsense"], "nonsense"),
+        (["--noise", "0"], "noise of theta"),
+        (["--torque", "nowhere.csv", "--angle", "3deg"], "for releases"),
+        (["--torque", "nowhere.csv"], "nowhere.csv"),
+        (["--settings", "driven.toml"], "offer torques"),
+    ],
+)
+def test_what_cannot_be_is_refused(
+    arguments: list[str],
+    words: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("driven.toml").write_text('fmu.path = "Joystick"\nfree.J = {}\ncompare.inputs = ["T"]\n')
+    assert main(["design", *arguments]) != 0
+    assert words in capsys.readouterr().err
+
+
+@pytest.mark.usefixtures("fmus_by_name")
+def test_a_driven_fit_is_planned_with_its_delay(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """And the error of what is 0 has a unit instead of a percentage."""
+    lines = ["time (s),T (N.m)"]
+    lines += [f"{k / 100},{2.0 * math.sin(2.0 * math.pi * 2.0 * k / 100)}" for k in range(101)]
+    torque = tmp_path / "sine.csv"
+    torque.write_text("\n".join(lines) + "\n")
+    out = tmp_path / "design.json"
+    arguments = ["--torque", str(torque), "--rate", "200", "--json", str(out)]
+    assert main(["design", *arguments, "--free", "J"]) == 0
+    printed = capsys.readouterr().out
+    best, *_ = json.loads(out.read_text())["designs"]
+    assert set(best["standard_errors"]) == {"damping.C", "J", "delay"}
+    assert "delay (s)" in printed
+    assert f"{best['standard_errors']['delay']:.2g}" in printed
+    assert main(["design", *arguments]) == 0
+    alone = json.loads(out.read_text())["designs"][0]["standard_errors"]
+    assert set(alone) == {"damping.C", "delay"}
+    assert alone["damping.C"] < best["standard_errors"]["damping.C"]

@@ -1,0 +1,92 @@
+"""Viscous damping and dry friction from the heights of a swing, and J in spite of both."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from pyjoystick.laboratory import (
+    Measured,
+    friction_of_swing,
+    inertia_of_swing,
+    period_of_record,
+    swing_report,
+)
+from pyjoystick.laboratory.inertia.decay import decaying_heights, fitted_decay
+from pyjoystick.model import NOMINAL
+from tests.pyjoystick.laboratory.inertia.pendulum import DAMPING, WEIGHT, rubbing_swing, small_swing
+
+EXACT = (Measured(NOMINAL.m), Measured(NOMINAL.h), Measured(NOMINAL.g))
+
+
+@pytest.mark.parametrize(
+    ("friction", "ratio"), [(1e-3, 0.005), (5e-4, 0.0), (0.0, 0.01)], ids=["both", "dry", "viscous"]
+)
+def test_a_linear_pendulum_in_closed_form(friction: float, ratio: float) -> None:
+    """Amplitudes fall from A to q*(A - f) - f in half a swing, q = exp(-pi*z/sqrt(1 - z^2))."""
+    record = small_swing(amplitude=math.radians(2.0), friction_angle=friction, damping_ratio=ratio)
+    found = period_of_record(record)
+    assert found.decay is not None
+    # A polynomial finds the top, where the velocity of a rubbing pendulum has a corner.
+    assert found.decay.friction_angle.value == pytest.approx(friction, rel=1e-3, abs=1e-6)
+    assert found.decay.damping_ratio.value == pytest.approx(ratio, rel=5e-3, abs=5e-6)
+    # It has no factor of amplitude, which is taken out all the same: 7.6e-5 at 2 degrees, and less later on.
+    natural = 2.0 * math.pi * math.sqrt(NOMINAL.J / WEIGHT)
+    assert found.period.value == pytest.approx(natural, rel=8e-5)
+
+
+def test_heights_by_the_closed_form_of_small_angles() -> None:
+    friction, ratio = 1e-4, 0.01
+    q = math.exp(-math.pi * ratio / math.sqrt(1.0 - ratio**2))
+    expected = [0.01]
+    while len(expected) < 20:
+        expected.append(q * (expected[-1] - friction) - friction)
+    assert decaying_heights(0.01, ratio, friction, 20) == pytest.approx(expected, rel=2e-4)
+
+
+def test_a_swing_that_does_not_decay_has_numbers_all_the_same() -> None:
+    found = fitted_decay(np.full(12, 0.3))
+    for one in (found.damping_ratio, found.friction_angle):
+        assert math.isfinite(one.uncertainty)
+        assert one.value == pytest.approx(0.0, abs=1e-9)
+
+
+@pytest.mark.parametrize("heights", [[1.5, 1.45, 1.4, 1.3, 0.31], [3.0, 2.5, 2.0, 1.5, 1.0, 0.7]])
+def test_heights_that_no_pendulum_has_end_in_numbers(heights: list[float]) -> None:
+    assert math.isfinite(fitted_decay(np.array(heights)).damping_ratio.value)
+
+
+@pytest.mark.parametrize("friction", [0.0, 0.003])
+def test_friction_does_not_bias_the_inertia(friction: float) -> None:
+    """Without noise, from 25 degrees: 0.003 N m make J 1e-3 too large where nothing is done about it."""
+    found = period_of_record(rubbing_swing(friction, None))
+    assert inertia_of_swing(found.period, *EXACT).value == pytest.approx(NOMINAL.J, rel=3e-5)
+    assert found.decay is not None
+    moment = friction_of_swing(found.decay, *EXACT)
+    assert moment.value == pytest.approx(friction, rel=1e-3, abs=1e-7)
+    viscous = 2.0 * found.decay.damping_ratio.value * math.sqrt(NOMINAL.J * WEIGHT)
+    assert viscous == pytest.approx(DAMPING, rel=1e-3)
+
+
+def test_stated_errors_cover_the_truth_and_the_model_is_told() -> None:
+    deviations = []
+    for seed in range(8):
+        found = period_of_record(rubbing_swing(0.001, seed))
+        assert found.decay is not None
+        assert found.decay.preferred == "viscous damping and dry friction"
+        inertia = inertia_of_swing(found.period, *EXACT)
+        moment = friction_of_swing(found.decay, *EXACT)
+        deviations.append(
+            ((inertia.value - NOMINAL.J) / inertia.uncertainty, (moment.value - 0.001) / moment.uncertainty)
+        )
+    assert np.max(np.abs(deviations)) < 4.0
+    assert np.all(np.sqrt(np.mean(np.square(deviations), axis=0)) < 1.6)
+    assert "prefer viscous damping and dry friction" in swing_report(found)
+
+
+def test_constant_falls_are_dry_friction_alone() -> None:
+    random = np.random.default_rng(1)
+    heights = decaying_heights(0.3, 0.0, 2e-3, 40) + 1e-4 * random.standard_normal(40)
+    assert fitted_decay(heights).preferred == "dry friction alone"

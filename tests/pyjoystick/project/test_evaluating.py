@@ -1,0 +1,100 @@
+"""The fit of a project: what comes of it, and what a doubtful one keeps from being done."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from pyjoystick import reports
+from pyjoystick.model import NOMINAL, read_parameter_file
+from pyjoystick.project import StepState, run_project
+from tests.docs.pages import ROOT
+
+#: Two synthetic releases, fitted with a moment of inertia that is known.
+LABORATORY = """
+title = "Stick"
+[[record]]
+files = "synthetic_constant_[12].csv"
+[fit]
+settings = "fit.toml"
+[fmus]
+fmi = []
+"""
+FIT = """
+[fmu]
+path = "Joystick"
+[parameters]
+J = 0.01135
+[free]
+"damping.C" = { start = 0.04 }
+theta_start = { per_record = true }
+release_time = { per_record = true }
+[uncertainty]
+profiles = []
+"""
+
+
+@pytest.fixture
+def run(
+    tmp_path: Path, joystick_fmus: Path, monkeypatch: pytest.MonkeyPatch
+) -> Callable[[str, str], dict[str, StepState]]:
+    """Writes and runs the project; without the report."""
+    monkeypatch.setattr(reports, "joystick_report", lambda *_, **__: "<html></html>")
+    for number in (1, 2):
+        name = f"synthetic_constant_{number}.csv"
+        (tmp_path / name).write_bytes((ROOT / "scenarios" / "data" / name).read_bytes())
+
+    def states(laboratory: str, fit: str) -> dict[str, StepState]:
+        (tmp_path / "laboratory.toml").write_text(laboratory, encoding="utf-8")
+        (tmp_path / "fit.toml").write_text(fit, encoding="utf-8")
+        done = run_project(tmp_path, find=lambda name: joystick_fmus / f"{name}.fmu")
+        return {one.name: one for one in done.steps if one.state != "missing"}
+
+    return states
+
+
+def test_a_fit_of_one_s_own_becomes_the_joystick(
+    run: Callable[[str, str], dict[str, StepState]], tmp_path: Path
+) -> None:
+    assert {one.state for one in run(LABORATORY, FIT).values()} == {"done"}
+    file = read_parameter_file(tmp_path / "results" / "joystick.toml")
+    assert file.title == "Stick"
+    error = file.uncertainties["damping.constant.C"]
+    assert abs(file.joystick.to_names()["damping.C"] - NOMINAL.to_names()["damping.C"]) < 3.0 * error < 1e-3
+    names = "synthetic_constant_1.csv, synthetic_constant_2.csv"
+    assert file.sources["damping.constant"] == f"fit to {names}"
+    assert file.sources["body"] == "Rogers et al. (2004), Table 2"
+    again = run(LABORATORY, FIT)
+    assert {one.state for one in again.values()} == {"unchanged"}
+
+
+def test_a_doubtful_fit_is_told_once_and_goes_no_further(
+    run: Callable[[str, str], dict[str, StepState]], tmp_path: Path
+) -> None:
+    wrong = FIT.replace("0.01135", "0.0125")
+    for state in ("done", "unchanged"):
+        steps = run(LABORATORY, wrong)
+        assert (steps["fit"].state, steps["fit"].remark.split()[0]) == (state, "failed")
+        assert "do not trust this fit" in steps["fit"].notes[0]
+        assert steps["joystick"].state == "not done"
+        assert steps["joystick"].remark.startswith("needs the fit, which failed ")
+    content = json.loads((tmp_path / "results" / "fit" / "fit.json").read_text(encoding="utf-8"))
+    assert not content["trusted"]
+    assert not (tmp_path / "results" / "fit" / "joystick.toml").exists()
+    taken = LABORATORY.replace("[fmus]", "even_if_doubtful = true\n[fmus]")
+    steps = run(taken, wrong)
+    assert steps["joystick"].state == "done"
+    sources = read_parameter_file(tmp_path / "results" / "joystick.toml").sources
+    assert "; doubtful: " in sources["damping.constant"]
+    assert "J: as fixed in the fit to" in sources["body"]
+
+
+def test_a_fit_takes_what_was_measured_and_no_other_file(
+    run: Callable[[str, str], dict[str, StepState]],
+) -> None:
+    steps = run(LABORATORY, FIT.replace('path = "Joystick"', 'path = "Joystick"\nparameters = "other.toml"'))
+    assert steps["fit"].state == "failed"
+    assert '[fmu] parameters = "other.toml": must be left out in a project' in steps["fit"].remark

@@ -1,0 +1,237 @@
+"""The page of a joystick in a real browser: scene, records, and the parameter file that it writes."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from playwright.sync_api import Browser, expect
+
+from pyjoystick.cli import main
+from pyjoystick.fmu import Fmu
+from pyjoystick.identification import guess_release
+from pyjoystick.model import NOMINAL, read_parameter_file, write_parameters
+from pyjoystick.motion import read_record
+from pyjoystick.reports.explore.joystick_page import joystick_page
+from tests.browser import LivePage, with_module
+
+pytestmark = pytest.mark.xdist_group("browser")
+
+_RECORDS = Path(__file__).parents[4] / "scenarios" / "data"
+_RECORD = _RECORDS / "synthetic_constant_1.csv"
+
+Live = Callable[..., LivePage]
+
+
+@pytest.fixture(scope="module")
+def fmus(joystick_fmus: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The FMUs of joysticks, each with its module, so that this is compiled once."""
+    folder = tmp_path_factory.mktemp("fmus")
+    for name in ("Joystick", "JoystickPowerLaw", "JoystickFriction"):
+        with_module(joystick_fmus / f"{name}.fmu", folder)
+    return folder
+
+
+@pytest.fixture
+def live(
+    browser: Browser,
+    fmus: Path,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> Iterator[Live]:
+    """Open the page that the command writes with some arguments."""
+    for module in ("pyjoystick.fmu.files", "pyjoystick.fmu"):
+        monkeypatch.setattr(f"{module}.build_folder", lambda: fmus)
+    opened: list[LivePage] = []
+
+    def open_page(*arguments: str, fragment: str = "") -> LivePage:
+        file = tmp_path / f"page{len(opened)}.html"
+        assert main(["explore", *arguments, "-o", str(file)]) == 0, capsys.readouterr().err
+        assert file.stat().st_size <= 250_000
+        opened.append(LivePage.of(browser, file, fragment))
+        return opened[-1]
+
+    yield open_page
+    for page in opened:
+        page.close()
+
+
+def _turn(page: LivePage) -> float:
+    """The angle of the drawn handle (deg)."""
+    transform = page.page.locator(".whole g").first.get_attribute("transform") or ""
+    return float(re.fullmatch(r"rotate\((.*)\)", transform)[1])  # type: ignore[index]
+
+
+def test_the_page_starts_with_the_joystick_of_the_command(live: Live, fmus: Path) -> None:
+    page = live("--set", "damping.C=0.06", "--set", "forward.returnSpring.F_0=40", "--release-angle", "-15")
+    shown = page.csv()
+    with Fmu(fmus / "Joystick.fmu") as fmu:
+        values = {"damping.C": 0.06, "forward.returnSpring.F_0": 40.0, "theta_start": math.radians(-15.0)}
+        expected = fmu.run(shown.index.to_numpy(), parameters=values, outputs=list(shown.columns))
+    np.testing.assert_allclose(shown.to_numpy(), expected.to_numpy(), rtol=1e-9, atol=1e-9)
+    assert page.address() == ""  # these are the values that it starts with
+
+
+def test_the_scene_follows_the_cursor(live: Live) -> None:
+    page = live()
+    table = page.csv()
+    assert _turn(page) == pytest.approx(-20.0, abs=1e-3)
+    states = page.page.locator(".springs .state")
+    expect(states).to_have_text(["released", "released", "lifted off", "lifted off"])
+    cursor = page.page.get_by_label("Time of the cursor")
+    cursor.fill("80")  # of 1000 parts of 1.5 s
+    expect(page.page.locator(".playback .time")).to_have_text("0.120 s")
+    page.page.wait_for_timeout(50)
+    angle = float(np.degrees(table["theta"].loc[0.12]))
+    assert angle > 10.0
+    assert _turn(page) == pytest.approx(angle, abs=1e-3)
+    expect(states).to_have_text(["lifted off", "lifted off", "released", "released"])
+    travel = page.page.locator(".detail > g > g").locator("path.part")
+    shifts = [path.locator("xpath=..").get_attribute("transform") for path in travel.all()]
+    depth = 1e3 * table["x"].loc[0.12]  # mm: the drawing is to scale
+    moved = [float(re.fullmatch(r"translate\(0 (.*)\)", str(shift))[1]) for shift in shifts]  # type: ignore[index]
+    assert moved == [0.0, pytest.approx(depth, rel=1e-9)]
+
+
+def test_play_moves_the_handle_and_stops_at_the_end(live: Live) -> None:
+    page = live("--release-angle", "-10")
+    page.page.get_by_label("Speed").select_option("1")
+    page.page.get_by_role("button", name="Play").click()
+    page.page.wait_for_timeout(200)
+    assert _turn(page) != pytest.approx(-10.0, abs=0.01)
+    expect(page.page.get_by_label("Time of the cursor")).to_have_attribute("aria-valuetext", "1.5 s")
+    expect(page.page.get_by_role("button", name="Play")).to_be_visible()
+
+
+def test_a_record_lies_over_the_motion_with_its_difference(live: Live) -> None:
+    page = live("--record", str(_RECORD), "--record", str(_RECORDS / "synthetic_constant_2.csv"))
+    record = read_record(_RECORD)
+    release = guess_release(record.time, record.theta)
+    shown = page.csv()["theta"]
+    assert shown.iloc[0] == pytest.approx(release.angle, abs=1e-6)
+    late = (record.time >= release.time) & (record.time - release.time <= shown.index[-1])
+    simulated = np.interp(record.time[late] - release.time, shown.index, shown)
+    difference = np.degrees(simulated - record.theta[late])
+    said = page.page.locator("span.difference").inner_text()
+    rms, largest = (float(text) for text in re.findall(r"([\d.]+)°", said))
+    assert rms == pytest.approx(float(np.sqrt(np.mean(difference**2))), rel=0.01)
+    assert largest == pytest.approx(float(np.max(np.abs(difference))), rel=0.01)
+    page.page.get_by_label("Record").select_option("synthetic_constant_2")
+    with page.rerun():
+        page.page.get_by_role("button", name="Release from its angle").click()
+    assert page.page.locator("span.difference").inner_text() != said
+    page.page.get_by_label("Record").select_option("none")
+    expect(page.page.locator("figure.difference")).to_be_hidden()
+
+
+@pytest.mark.parametrize("law", ["constant", "power-law"])
+def test_the_values_are_saved_as_a_parameter_file(live: Live, tmp_path: Path, law: str) -> None:
+    page = live("--damping", law, "--set", "m=0.9")
+    changes = {
+        "J": ("0.0123", 0.0123),
+        "a": ("24.5", 0.0245),
+        "forward.returnSpring.F_0": ("45", 45.0),
+        "forward.balanceSpring.x_0": ("2.5", 0.0025),
+        "backward.balanceSpring.k_s": ("3.1", 3100.0),
+        ("damping.C" if law == "constant" else "damping.B"): ("0.05", 0.05),
+    }
+    for name, (text, _) in changes.items():
+        with page.rerun():
+            page.type(name, text)
+    with page.page.expect_download() as download:
+        page.page.get_by_role("button", name="joystick.toml").click()
+    file = tmp_path / "joystick.toml"
+    download.value.save_as(file)
+    read = read_parameter_file(file)
+    start = read_parameter_file(_written(tmp_path, law)).joystick.to_names()
+    expected = start | {name: value for name, (_, value) in changes.items()}
+    assert read.law == law
+    assert read.joystick.to_names() == pytest.approx(expected, rel=1e-9)
+    assert read.sources["geometry"] == "set by hand in the page of `pyjoystick explore`"
+    assert read.sources["gravity"].startswith("standard acceleration")
+
+
+def _written(folder: Path, law: str) -> Path:
+    file = folder / "start.toml"
+    assert main(["parameters", "--damping", law, "--set", "m=0.9", "-o", str(file)]) == 0
+    return file
+
+
+def test_friction_has_its_controls(live: Live) -> None:
+    page = live("--set", "friction.T_c=0.05")
+    assert page.csv()["M_f"].abs().max() == pytest.approx(0.05, rel=1e-6)
+    with page.rerun():
+        page.page.get_by_role("button", name="No preload").click()
+    assert page.alert() == ""
+    assert page.csv()["M_s"].abs().max() < 2.0
+
+
+def test_without_the_tools_of_a_build_the_command_names_them(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("pyjoystick.cli.explore.find_spec", lambda name: None if name == "ziglang" else name)
+    assert main(["explore", "-o", str(tmp_path / "page.html")]) == 1
+    assert "it needs ziglang (pip install 'pyjoystick[build]')" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["-o", "page.pdf"], "must end in .html"),
+        (["-o", "page.html", "--record", "missing.csv"], "missing.csv"),
+        (["-o", "page.html", "--set", "nonsense=1"], "there is no parameter 'nonsense'"),
+        (["-o", "page.html", "-p", "missing.toml"], "missing.toml"),
+    ],
+)
+def test_faults(
+    arguments: list[str],
+    message: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main(["explore", *arguments]) != 0
+    assert message in capsys.readouterr().err
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda text: text.replace("\nC = ", "\n  C = "),
+        lambda text: text.replace("\nC = ", '\n"C" = '),
+        lambda text: re.sub(r"\nx = \[(.*?),", r"\nx = [\1,\n", text, count=1),
+    ],
+    ids=["indented", "quoted", "lists over lines"],
+)
+def test_a_file_that_a_page_cannot_edit_is_written_anew(
+    change: Callable[[str], str], fmus: Path, tmp_path: Path
+) -> None:
+    path = tmp_path / "own.toml"
+    write_parameters(path, NOMINAL.replace({"damping.C": 0.05}))
+    plain = read_parameter_file(path)
+    text = change(path.read_text(encoding="utf-8"))
+    assert text != path.read_text(encoding="utf-8")
+    path.write_text(text, encoding="utf-8")
+    file = read_parameter_file(path)
+    page = joystick_page(fmus / "Joystick.fmu", file, file.joystick, 0.3)
+    data = json.loads(re.search(r'id="data">(.*?)</script>', page, re.DOTALL)[1])  # type: ignore[index]
+    given = data["addition"]["toml"]
+    assert re.search(r"^C = 0\.05", given, re.MULTILINE)
+    path.write_text(given, encoding="utf-8")
+    assert read_parameter_file(path).joystick == plain.joystick
+
+
+def test_springs_that_no_file_holds_are_told(live: Live) -> None:
+    page = live()
+    page.page.goto(f"{page.page.url.partition('#')[0]}#forward.returnSpring.F_0=2000")
+    page.page.reload()
+    page.page.get_by_role("button", name="joystick.toml").click()
+    expect(page.page.locator("#alert")).to_contain_text("forward: the ends of the segments must rise")

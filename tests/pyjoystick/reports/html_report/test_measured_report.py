@@ -1,0 +1,232 @@
+"""A report on a measured joystick: what was measured, to its known digits, and apart what is computed."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import math
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pyjoystick.cli import main
+from pyjoystick.fmu import Fmu
+from pyjoystick.identification import (
+    CONSTANT_DAMPING,
+    Free,
+    Uncertainty,
+    as_json,
+    fit,
+    fitted_joystick,
+    read_fit,
+    with_values,
+)
+from pyjoystick.laboratory import fit_load_curve, read_load_curve, synthetic_load_cycle, synthetic_record
+from pyjoystick.model import FORWARD_TABLE, NOMINAL, read_parameter_file, write_parameters
+from pyjoystick.reports import Measurements, Study, joystick_report, read_measurements
+from pyjoystick.reports.html_report.known_digits import with_uncertainty
+from pyjoystick.reports.html_report.measurements import moved_joysticks
+from pyjoystick.reports.html_report.sections import SECTIONS
+from pyjoystick.support import InputFileError, ParameterError
+from tests.pyjoystick.reports.html_report.reading import read_page
+
+
+@dataclasses.dataclass(frozen=True)
+class Bench:
+    folder: Path
+    fmu: Fmu
+
+    @property
+    def parameters(self) -> Path:
+        return self.folder / "joystick.toml"
+
+    def study(self) -> Study:
+        return Study(read_parameter_file(self.parameters).joystick, self.fmu, math.radians(-20.0), None)
+
+
+@pytest.fixture(scope="module")
+def bench(tmp_path_factory: pytest.TempPathFactory, joystick_fmus: Path) -> Iterator[Bench]:
+    """A parameter file, the load-deflection curve and the fit that it came from."""
+    folder, random = tmp_path_factory.mktemp("bench"), np.random.default_rng(3)
+    travel, force = synthetic_load_cycle(FORWARD_TABLE, random=random, step=1e-5)
+    np.savetxt(
+        folder / "forward.csv",
+        np.column_stack((1e3 * travel, force)),
+        delimiter=",",
+        header="travel (mm),force (N)",
+        comments="",
+    )
+    curve = fit_load_curve(read_load_curve(folder / "forward.csv"))
+    start = dataclasses.replace(NOMINAL, forward=curve.assembly)
+    records = [
+        synthetic_record(start, release_angle=math.radians(angle), random=random, name=f"release {angle}")
+        for angle in (-20, 18)
+    ]
+    with Fmu(joystick_fmus / "Joystick.fmu") as fmu:
+        free = (Free("damping.C"), *(Free(name, per_record=True) for name in ("theta_start", "release_time")))
+        settings = dataclasses.replace(
+            with_values(dataclasses.replace(CONSTANT_DAMPING, free=free), start.to_names()),
+            uncertainty=Uncertainty(profiles=()),
+        )
+        found = fit(records, settings, fmu=fmu)
+        (folder / "fit.json").write_text(as_json(found))
+        fitted = fitted_joystick(found, start, {})
+        errors = {f"forward.x[{i}]": float(one) for i, one in enumerate(curve.x_errors)}
+        errors |= {f"forward.k[{i}]": float(one) for i, one in enumerate(curve.k_errors)}
+        write_parameters(
+            folder / "joystick.toml",
+            fitted.joystick,
+            uncertainties={**fitted.uncertainties, **errors, "body.m": 0.0013},
+            sources={"body": "fit to something", "backward": "a drawing"},
+        )
+        yield Bench(folder, fmu)
+
+
+@pytest.fixture(scope="module")
+def page(bench: Bench, joystick_fmus: Path) -> str:
+    with pytest.MonkeyPatch.context() as patch:
+        for module in ("pyjoystick.fmu.files", "pyjoystick.fmu"):
+            patch.setattr(f"{module}.build_folder", lambda: joystick_fmus)
+        computed = {name: SECTIONS[name] for name in ("springs", "free oscillation")}  # the others take long
+        patch.setattr("pyjoystick.reports.html_report.report.SECTIONS", computed)
+        folder, target = bench.folder, bench.folder / "report.html"
+        files = ["--fit", str(folder / "fit.json"), "--curve", f"forward={folder / 'forward.csv'}"]
+        assert main(["report", "-p", str(bench.parameters), *files, "-o", str(target)]) == 0
+    return target.read_text(encoding="utf-8")
+
+
+def test_what_is_measured_and_what_is_computed_are_told_apart(page: str) -> None:
+    read = read_page(page)
+    titles = read.headings[1:]
+    first = next(i for i, title in enumerate(titles) if title.startswith("Computed: "))
+    assert titles[:first] == [
+        "Parameters, and where they are from",
+        "Records against the model",
+        "Fit to the records",
+        "What was not identified",
+        "Load-deflection curves as measured",
+    ]
+    assert all(title.startswith("Computed: ") for title in titles[first:])
+    assert "records (release -20, release 18), load-deflection curves (forward.csv)." in page
+    assert read.outside == []
+    assert "prefers-color-scheme: dark" in page
+    assert "@media print" in page
+
+
+def test_every_number_ends_where_its_uncertainty_does(bench: Bench, page: str) -> None:
+    """Two digits of the uncertainty, and the value to that place; k_h too, by the errors of the curve."""
+    curve = fit_load_curve(read_load_curve(bench.folder / "forward.csv"))
+    read = read_page(page)
+    k_h, error = curve.springs()["returnSpring.k_h"]
+    place = 1 - math.floor(math.log10(error))
+    assert place < 0
+    row = read.cells[read.cells.index("return spring, k_h") :][:4]
+    assert row == ["return spring, k_h", f"{round(k_h, place):.0f}", f"{round(error, place):.0f}", "N/m"]
+    assert re.search(r"mass, m</th><td[^>]*>0\.8700</td><td[^>]*>0\.0013</td>", page)
+    assert re.search(
+        r"moment of inertia about the pivot, J</th><td[^>]*>0\.01135</td><td[^>]*>not stated<", page
+    )
+
+
+def test_each_number_says_where_it_is_from(page: str) -> None:
+    """The file has one source for a table: what the fit did not find is not from the fit."""
+    rows = dict(re.findall(r'<th scope="row">([^<]*)</th>(?:<td[^<]*</td>){3}<td>([^<]*)</td>', page))
+    assert rows["damping coefficient, C"] == "fit to release -20, release 18"
+    assert rows["mass, m"] == "not from the fit; the file names no other source"
+    assert "it stands for. From: load-deflection curve, forward.csv." in page
+    assert "it stands for. From: a drawing." in page
+    assert "states no uncertainty for" in page
+    assert "Not given to this report: load-deflection curves, a swing test, an error budget." in page
+
+
+def test_the_bands_hold_as_many_samples_as_they_say(bench: Bench) -> None:
+    """With the noise known: 95 % of 212 samples, give or take three standard deviations."""
+    found = read_fit(bench.folder / "fit.json")
+    inside, count = 0, 0
+    for one in found.series:
+        assert one.errors is not None
+        inside += int(np.sum(np.abs(one.residuals) <= found.quantile * np.hypot(one.sigma, one.errors)))
+        count += len(one.data)
+    assert abs(inside / count - 0.95) < 3.0 * math.sqrt(0.95 * 0.05 / count)
+
+
+def test_the_uncertainty_of_the_motion_is_that_of_its_parameters(bench: Bench) -> None:
+    """At the hold it is that of the angle of release, and it is small beside the noise everywhere."""
+    found = read_fit(bench.folder / "fit.json")
+    for one in found.series:
+        assert one.errors is not None
+        start = next(v for v in found.values if (v.name, v.record) == ("theta_start", one.record))
+        assert one.errors[0] == pytest.approx(start.error, rel=1e-3)
+        assert np.all(one.errors < one.sigma)
+        assert np.max(one.errors) > 1.5 * start.error
+
+
+def test_computed_numbers_have_the_digits_that_the_parameters_leave(bench: Bench) -> None:
+    """With a mass known to a percent, a peak's angle is known to less than the thousandth of a degree."""
+    file = read_parameter_file(bench.parameters)
+    vague = dataclasses.replace(file, uncertainties={**file.uncertainties, "body.J": 0.02 * file.joystick.J})
+    texts = []
+    for one in (file, vague):
+        moved = tuple(moved_joysticks(Measurements(file=one), file.joystick))
+        section = SECTIONS["free oscillation"](dataclasses.replace(bench.study(), moved=moved))
+        texts.append("".join(section.parts))
+    times = [re.findall(r'<th scope="row">1</th><td class="number">([^<]*)</td>', text)[0] for text in texts]
+    assert times[1] == f"{float(times[0]):.4f}"
+    assert len(times[1]) < len(times[0])
+    assert "to the digits that the uncertainties of the parameters leave" in texts[1]
+
+
+@pytest.mark.parametrize(
+    ("value", "uncertainty", "factor", "expected"),
+    [
+        (641924.17, 3500.0, 1.0, ("641900", "3500")),
+        (0.0118219, 1.5e-5, 1.0, ("0.011822", "0.000015")),
+        (0.0024, 0.0000996, 1e3, ("2.40", "0.10")),
+        (-12.345, 0.951, 1.0, ("-12.35", "0.95")),
+        (9.80665, None, 1.0, ("9.80665", "not stated")),
+        (0.1 + 0.2, 0.0, 1.0, ("0.3", "not stated")),
+        (641924.17321, None, 1.0, ("6.419e+05", "not stated")),
+        (1.0, math.inf, 1.0, ("not determined", "")),
+    ],
+)
+def test_known_digits(
+    value: float, uncertainty: float | None, factor: float, expected: tuple[str, str]
+) -> None:
+    assert with_uncertainty(value, uncertainty, factor) == expected
+
+
+def test_files_of_another_joystick_are_refused(bench: Bench, tmp_path: Path) -> None:
+    file = read_parameter_file(bench.parameters)
+    other = tmp_path / "other.toml"
+    write_parameters(other, file.joystick.replace({"damping.C": 0.06, "forward.returnSpring.k_s": 2700.0}))
+    for settings, message in (
+        ({"fit": bench.folder / "fit.json"}, r"fit.json: other.toml does not come from it: damping.C = 0.06"),
+        (
+            {"curves": {"forward": bench.folder / "forward.csv"}},
+            r"forward.csv: other.toml does not come from it",
+        ),
+    ):
+        with pytest.raises(InputFileError, match=message):
+            read_measurements(read_parameter_file(other), **settings)  # type: ignore[arg-type]
+    found = read_measurements(file, fit=bench.folder / "fit.json")
+    changed = dataclasses.replace(bench.study(), joystick=file.joystick.replace({"J": 0.012}))
+    with pytest.raises(ParameterError, match="measurements"):
+        joystick_report(changed, measurements=found)
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        ("nonsense", "is not JSON"),
+        ("[]", "is no fit.json of pyjoystick fit"),
+        (json.dumps({"settings": {}}), "is no fit.json of pyjoystick fit.*'uncertainty' is missing"),
+    ],
+)
+def test_what_is_no_fit_is_refused(bench: Bench, tmp_path: Path, content: str, message: str) -> None:
+    path = tmp_path / "fit.json"
+    path.write_text(content)
+    with pytest.raises(InputFileError, match=message):
+        read_measurements(read_parameter_file(bench.parameters), fit=path)
