@@ -1,13 +1,15 @@
 # make run    environment, FMUs, the paper's free oscillation compared with the reference
 # make test   everything that is tested
+# make env    the whole environment, with Numba and the tools of tests and documentation (make run needs a third)
 # make test-quick  what takes less than a minute: no compiler, no site; with the FMUs that make fmu made
-# make fmu    the six FMUs in build/fmi2/ (COMPILER=openmodelica makes them with an installed OpenModelica,
+# make fmu    the eight FMUs in build/fmi2/ (COMPILER=openmodelica makes them with an installed OpenModelica,
 #             COMPILER_OPTIONS="omc=/opt/openmodelica" with one that is not on the path), for this machine's
 #             platform (PLATFORMS=all: Linux, Windows and macOS; PLATFORMS="x86_64-linux x86_64-windows": those);
 #             FMI=3: of FMI 3.0, in build/fmi3/; FMI="2 3": both
 # make ssp    operator and joystick as one system: build/joystick.ssp
 # make fuzz  random FMI calls (with clang) and damaged files, SECONDS=60 in all; corpora in build/fuzz/
 # make lint   ruff, mypy, the C compilers with every warning an error, the Modelica checks
+# make lint-js  the JavaScript of the pages by Biome, which npm gets; skipped where it cannot
 # make bench  speed as ratios within one run
 # make figure  the figure of the README and the drawings of the documentation
 # make figures  every figure and table of the paper, in results/
@@ -30,38 +32,46 @@ FMU_SETTINGS = --compiler $(COMPILER) $(addprefix --option ,$(COMPILER_OPTIONS))
 
 VENV := .venv
 BIN := $(VENV)/bin
+RUN_READY := $(VENV)/.ready-to-run
 READY := $(VENV)/.ready
-MODELS := $(addprefix PreloadedSprings.,Joystick.Joystick Joystick.JoystickPowerLaw Joystick.JoystickInverse \
+MODELS := $(addprefix PreloadedSprings.,Joystick.Joystick Joystick.JoystickPowerLaw \
+	Joystick.JoystickFriction Joystick.JoystickFrictionPowerLaw Joystick.JoystickInverse \
 	Joystick.JoystickInversePowerLaw Operator.Operator Examples.OperatedJoystick)
 FMU_SOURCES := $(shell find modelica fmu_build -name '*.mo' -o -name 'package.order' -o -name '*.[ch]' \
 	-o -name '*.py' -o -name '*.toml' -o -name '*.jinja' -o -name '*.csv')
+
+# Processes of tests: one more than there are cores, because many wait for other programs.
+WORKERS ?= $(shell expr $$(getconf _NPROCESSORS_ONLN) + 1)
 
 # Anew, because what the pages show is made from the sources; warnings are errors.
 SPHINX = $(BIN)/python -m sphinx --fail-on-warning --keep-going --nitpicky --fresh-env --quiet \
 	--doctree-dir build/doctrees
 
+# Bytecode is made at first use, and only of what is used.
+INSTALL = $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-compile
+
 # Without bytecode every process of the tests would compile its modules anew.
 unexport PYTHONDONTWRITEBYTECODE
 
 .DELETE_ON_ERROR:
-.PHONY: FORCE run test test-quick fuzz fmu ssp lint bench figure figures claims docs docs-links lock clean distclean
+.PHONY: FORCE run env test test-quick fuzz fmu ssp lint lint-js bench figure figures claims docs docs-links lock clean distclean
 
 run: fmu
 	$(BIN)/python scenarios/free_oscillation.py
 
 # Where another compiler is asked for, the tests make the FMUs of FMI 3 themselves.
-test: build/fmi2/.built $(if $(filter rumoca,$(COMPILER)),build/fmi3/.built)
-	$(BIN)/python -m pytest --numprocesses auto --dist loadgroup
+test: $(READY) build/fmi2/.built $(if $(filter rumoca,$(COMPILER)),build/fmi3/.built)
+	$(BIN)/python -m pytest --numprocesses $(WORKERS) --dist loadgroup
 
 test-quick: $(READY)
 	$(BIN)/python -m pytest --quick --numprocesses auto
 
-fuzz: fmu
+fuzz: $(READY) fmu
 	$(BIN)/python -m tests.fuzz --seconds $(SECONDS) $(FUZZ_OPTIONS)
 
 fmu: $(FMI:%=build/fmi%/.built)
 
-build/fmi%/.built: $(FMU_SOURCES) $(READY) build/fmi%/.settings
+build/fmi%/.built: $(FMU_SOURCES) $(RUN_READY) build/fmi%/.settings
 	$(BIN)/python -m fmu_build $(MODELS) --fmi $* --output build/fmi$* $(FMU_SETTINGS)
 	touch $@
 
@@ -81,15 +91,32 @@ lint: $(READY)
 	$(BIN)/python -m tests.lint.c_sources
 	$(BIN)/python -m tests.lint.modelica
 
-bench: fmu
+BIOME := npx --yes @biomejs/biome@2.6.8
+
+lint-js:
+	@if ! command -v npm > /dev/null; then echo "lint-js: skipped, npm is not installed"; \
+	elif ! $(BIOME) --version > /dev/null 2>&1; then echo "lint-js: skipped, npm cannot get Biome"; \
+	else $(BIOME) ci fmu_build/explore/assets pyjoystick/reports/explore/assets; fi
+
+bench: $(READY) fmu
 	$(BIN)/python -m benchmarks
 
-$(READY): requirements.lock pyproject.toml
+# What runs and builds FMUs: a third of what the tests need.
+$(RUN_READY): requirements.lock pyproject.toml locked_part.py
 	@test -n "$(PYTHON)" || { echo "Python 3.11 or newer is needed (make PYTHON=/path/to/python)"; exit 1; }
-	$(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements.lock
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --editable .
-	touch $@
+	@echo "Setting up the environment in $(VENV)/ ..."
+	@$(PYTHON) -m venv $(VENV)
+	@$(PYTHON) locked_part.py build openmodelica > $(VENV)/requirements.txt
+	@$(INSTALL) --require-hashes -r $(VENV)/requirements.txt
+	@$(INSTALL) --no-deps --no-build-isolation --editable .
+	@touch $@
+
+$(READY): $(RUN_READY)
+	@echo "Adding what tests, checks and documentation need ..."
+	@$(INSTALL) --require-hashes -r requirements.lock
+	@touch $@
+
+env: $(READY)
 
 figure: fmu
 	$(BIN)/python docs/free_oscillation.py
@@ -107,10 +134,10 @@ scenario-%:
 claims: fmu
 	$(BIN)/python docs/claims.py
 
-docs: fmu
+docs: $(READY) fmu
 	$(SPHINX) --builder html docs build/docs
 
-docs-links: fmu
+docs-links: $(READY) fmu
 	$(SPHINX) --builder linkcheck docs build/docs-links
 
 lock:

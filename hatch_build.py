@@ -13,6 +13,8 @@ from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 MODELS = (
     "Joystick.Joystick",
     "Joystick.JoystickPowerLaw",
+    "Joystick.JoystickFriction",
+    "Joystick.JoystickFrictionPowerLaw",
     "Joystick.JoystickInverse",
     "Joystick.JoystickInversePowerLaw",
     "Operator.Operator",
