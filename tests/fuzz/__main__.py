@@ -1,4 +1,7 @@
-"""``make fuzz SECONDS=60``: half of the time random FMI calls, half of it damaged files for every reader."""
+"""``make fuzz SECONDS=60``: half of the time random FMI calls, half of it damaged files for every reader.
+
+The FMI calls of a seed are the same each time from an empty folder only: what was found stays in the corpus.
+"""
 
 from __future__ import annotations
 
@@ -21,13 +24,16 @@ def main() -> int:
     parser.add_argument(
         "--seed", type=int, default=random.randrange(2**31), help="default: another each time"
     )
+    each = "so many {} instead of for a time: with a seed, the same each time"
+    parser.add_argument("--calls", type=int, help=each.format("inputs of each model with random calls"))
+    parser.add_argument("--files", type=int, help=each.format("damaged files"))
     parser.add_argument("--folder", type=Path, default=Path("build/fuzz"), help="for programs and corpora")
     parser.add_argument("--only", choices=("calls", "readers"), help="one of the two, for all of the time")
     parser.add_argument("--case", type=int, help="repeat this one damaged file alone")
     settings = parser.parse_args()
     folder = settings.folder.absolute()
     if settings.case is not None:
-        campaign.fuzz_all(folder, 0.0, 0, 1)
+        campaign.fuzz_all(folder, 0.0, 0, 0, 1)
         fault = trial(settings.case, folder / "readers", folder / "faults")
         print(fault or "no fault")
         return int(fault is not None)
@@ -37,11 +43,11 @@ def main() -> int:
     outcomes: list[Outcome] = []
     if settings.only != "readers":
         try:
-            outcomes += fmi_calls.fuzz_all(folder, seconds, settings.seed, processes)
+            outcomes += fmi_calls.fuzz_all(folder, seconds, settings.calls, settings.seed, processes)
         except fmi_calls.NoFuzzerError as error:
             print(f"random FMI calls: skipped, {error}", flush=True)
     if settings.only != "calls":
-        outcomes += campaign.fuzz_all(folder, seconds, settings.seed, processes)
+        outcomes += campaign.fuzz_all(folder, seconds, settings.files, settings.seed, processes)
     return _told(outcomes)
 
 

@@ -86,10 +86,11 @@ def fuzz(target: Path, limits: list[str], seed: int) -> Outcome:
     return Outcome(target.name, int(executions[1]) if executions else 0, fault)
 
 
-def fuzz_all(folder: Path, seconds: float, seed: int, processes: int) -> list[Outcome]:
-    """Share the seconds of so many processes among all targets."""
+def fuzz_all(folder: Path, seconds: float, calls: int | None, seed: int, processes: int) -> list[Outcome]:
+    """Share the seconds of so many processes among all targets, or try so many inputs of each."""
     names = [(model, version) for model in NAMES for version in VERSIONS]
     each = max(1, round(seconds * processes / len(names)))
+    limit = f"-max_total_time={each}" if calls is None else f"-runs={calls}"
     with ThreadPoolExecutor(processes) as pool:
         targets = list(pool.map(lambda name: build(folder, *name), names))
-        return list(pool.map(lambda target: fuzz(target, [f"-max_total_time={each}"], seed), targets))
+        return list(pool.map(lambda target: fuzz(target, [limit], seed), targets))

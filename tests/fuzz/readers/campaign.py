@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import subprocess
 import sys
 import time
@@ -15,16 +16,16 @@ from tests.fuzz.outcome import Outcome
 from tests.fuzz.readers import corpus
 
 FMUS: Final = corpus.ROOT / "build" / "fmi2"
-#: Carries out cases until the time is up, and says before each its number, after it what was wrong.
+#: Carries out cases until the last or the time is up; says before each its number, after it what was wrong.
 _WORKER: Final = """
 import json, resource, sys, time
 from dataclasses import asdict
 from pathlib import Path
 from tests.fuzz.readers.trial import trial
-first, step, end, corpus, keep = json.loads(sys.argv[1])
+first, step, last, end, corpus, keep = json.loads(sys.argv[1])
 resource.setrlimit(resource.RLIMIT_AS, (1 << 33, 1 << 33))
 case = first
-while time.time() < end:
+while case < last and time.time() < end:
     print(json.dumps([case, None]), flush=True)
     fault = trial(case, Path(corpus), Path(keep))
     if fault is not None:
@@ -33,12 +34,13 @@ while time.time() < end:
 """
 
 
-def fuzz_all(folder: Path, seconds: float, seed: int, processes: int) -> list[Outcome]:
-    """Try for so long, on so many processes.
+def fuzz_all(folder: Path, seconds: float, count: int | None, seed: int, processes: int) -> list[Outcome]:
+    """Try for so long or so many, on so many processes.
 
     Args:
         folder: for the corpus, which is made anew, and the files of trials with a fault
-        seconds: how long
+        seconds: how long, where there is no count
+        count: how many cases
         seed: the number of the first case
         processes: how many at a time
     """
@@ -46,12 +48,14 @@ def fuzz_all(folder: Path, seconds: float, seed: int, processes: int) -> list[Ou
     if not (files / "complete").exists():
         corpus.make(files, FMUS)
         (files / "complete").touch()
-    end = time.time() + seconds
+    # Infinity in JSON, as Python writes and reads it.
+    last = math.inf if count is None else seed + count
+    end = time.time() + seconds if count is None else math.inf
 
     def work(number: int) -> tuple[int, list[str]]:
         count, faults, first = 0, [], seed + number
-        while time.time() < end:
-            settings = json.dumps([first, processes, end, str(files), str(folder / "faults")])
+        while first < last and time.time() < end:
+            settings = json.dumps([first, processes, last, end, str(files), str(folder / "faults")])
             for line in _lines([sys.executable, "-c", _WORKER, settings]):
                 if isinstance(line, str):
                     faults.append(f"case {first} ended its process: {line}")
