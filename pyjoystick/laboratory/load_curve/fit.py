@@ -230,7 +230,9 @@ class _Model:
         return x, k, float(natural[-2] * self.noise[1]), float(natural[-1] * self.noise[1])
 
     def residuals(self, q: FloatArray) -> FloatArray:
-        return self.distances(self.natural(q))
+        # A step of the search may go beyond all numbers; what is then not finite makes it take a shorter one.
+        with np.errstate(over="ignore", invalid="ignore"):
+            return self.distances(self.natural(q))
 
     def distances(self, natural: FloatArray) -> FloatArray:
         signs = (1.0, -1.0)[: len(self.points)]

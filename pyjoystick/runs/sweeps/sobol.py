@@ -16,6 +16,8 @@ from pyjoystick.support import FloatArray, UnknownVariableError
 #: Resamples of the bootstrap, and the seed that makes its intervals repeatable.
 _RESAMPLES: Final = 999
 _SEED: Final = 20040701
+#: Results beyond this have squares that are beyond all numbers.
+_LARGEST: Final = 1e150
 _Matrix = Literal["f_A", "f_B", "f_AB"]
 _NOT_RESULTS: Final = ("failed", "message")
 
@@ -41,7 +43,7 @@ def sensitivity(
 
     Raises:
         SensitivityError: the design is another, a run failed, or a result that was asked for has no indices
-            because it is missing in some run or the same in all
+            because it is missing in some run, too large, or the same in all
         UnknownVariableError: there is no result of that name
     """
     parameters, found = _columns(table)
@@ -90,6 +92,9 @@ def _why_not(values: FloatArray) -> str:
     missing = int(np.isnan(values).sum())
     if missing:
         return f"is missing in {missing} of {values.size} runs"
+    largest = float(np.abs(values).max())
+    if largest > _LARGEST:
+        return f"is too large for a variance: up to {largest:.3g}"
     return "is the same in all runs" if np.ptp(values) == 0.0 else ""
 
 

@@ -104,7 +104,9 @@ def test_what_is_beyond_measure_is_no_internal_error(text: str, tmp_path: Path) 
 
 @pytest.mark.parametrize("text", ["{}", "[1.0, {}]", "[[1.0], [{}]]"])
 @pytest.mark.parametrize("number", ["1" + "0" * 400, str(2**64), str(-(2**63) - 1)])
-def test_a_whole_number_beyond_64_bits_is_refused_at_its_place(text: str, number: str, tmp_path: Path) -> None:
+def test_a_whole_number_beyond_64_bits_is_refused_at_its_place(
+    text: str, number: str, tmp_path: Path
+) -> None:
     path = tmp_path / "large.toml"
     path.write_text(f"[one.two]\na = {text.format(number)}")
     with pytest.raises(SettingsError, match=r"\[one.two\] a = \[*.*: a whole number must fit in 64 bits"):

@@ -193,3 +193,10 @@ def test_the_figure_shows_the_steep_segments() -> None:
         assert low < 1e3 * fit.table.x[i] < 1e3 * fit.table.x[i + 1] < high
     single = dataclasses.replace(fit, table=SegmentTable(fit.table.x[:1], fit.table.k[:1]))
     assert len(plot_load_curve(single).axes) == 1
+
+
+def test_a_travel_of_six_steps_is_refused() -> None:
+    travel, force = cycle(FORWARD_TABLE, 1, step=24e-6)
+    steps = np.round(np.interp(travel, (travel.min(), travel.max()), (0.0, 5.0))) * 1e-3
+    with pytest.raises(RecordError, match="4 segments"):
+        fit_load_curve(LoadCurve.from_cycle(steps, force))

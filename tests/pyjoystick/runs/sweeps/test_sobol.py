@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 import pandas as pd
 import pytest
@@ -59,6 +61,13 @@ def test_a_result_without_variance_is_left_out_and_told() -> None:
     assert indices.attrs["left_out"] == {"flat": "is the same in all runs"}
     with pytest.raises(SensitivityError, match="flat is the same in all runs"):
         sensitivity(_ishigami(64), ["flat"])
+
+
+def test_a_result_beyond_the_squares_of_numbers_is_left_out_and_told() -> None:
+    table = _ishigami(64)
+    table["large"] = table["y"] * 1e200
+    reason = sensitivity(table).attrs["left_out"]["large"]
+    assert re.fullmatch(r"is too large for a variance: up to [\d.]+e\+20\d", reason)
 
 
 def test_a_result_that_is_missing_in_a_run_has_no_indices() -> None:
