@@ -62,7 +62,7 @@ def whiteness(series: Sequence[Series]) -> Whiteness:
     are those of residuals, and not zero. The least of three chances counts three times: Fisher's with few
     lags (with many, the chances of single records are too small by half), averages with few and with many.
     """
-    judged = [one for one in series if len(one.values) > _SHORTEST]
+    judged = [one for one in series if len(one.values) > _SHORTEST and one.values @ one.values > 0.0]
     if not judged:
         return Whiteness(1.0, 0.0, "")
     chances = []

@@ -31,6 +31,8 @@ _SECTION: Final = "trajectories"
 _AXES: Final = ["X", "Y", "Z"]
 #: Lines from the name of the section to the first frame.
 _HEAD: Final = 5
+#: Rates of cameras (Hz), with a wide margin.
+_RATES: Final = (1.0, 1e7)
 
 
 @dataclass(frozen=True, slots=True)
@@ -136,8 +138,9 @@ def _rate(section: _Section) -> float:
         rate = float(text)
     except ValueError:
         rate = math.nan
-    if not (math.isfinite(rate) and rate > 0.0):
-        advice = "the line under the name of the section is the rate in Hz"
+    slowest, fastest = _RATES
+    if not slowest <= rate <= fastest:
+        advice = f"the line under the name of the section is the rate in Hz, from {slowest:g} to {fastest:g}"
         raise RecordError(section.source, "has no rate", advice, rows=[section.start + 1], value=repr(text))
     return rate
 
@@ -184,7 +187,9 @@ def _no_number(section: _Section) -> RecordError:
 
 
 def _require_consecutive(section: _Section, frames: FloatArray, rows: np.ndarray) -> None:
-    wrong = np.flatnonzero(~(np.diff(frames) >= 1.0)) + 1
+    wrong = np.flatnonzero(~np.isfinite(frames))
+    if not wrong.size:
+        wrong = np.flatnonzero(np.diff(frames) < 1.0) + 1
     if wrong.size:
         raise RecordError(
             section.source,

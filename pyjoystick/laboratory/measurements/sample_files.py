@@ -171,7 +171,9 @@ def _require_width(file: SampleFile, table: pd.DataFrame, first: int) -> None:
 def _numbers(file: SampleFile, match: Match, table: pd.DataFrame, first: int) -> FloatArray:
     """Numbers of a column; NaN only where the cell is empty."""
     column = table[match.index]
-    numbers = np.asarray(pd.to_numeric(column, errors="coerce"), dtype=np.float64)
+    if column.dtype == np.object_:  # as text, because whole numbers there may be beyond all floats
+        column = column.astype("string")
+    numbers = pd.to_numeric(column, errors="coerce").to_numpy(dtype=np.float64, na_value=np.nan)
     bad = np.flatnonzero(np.isnan(numbers) & np.asarray(column.notna(), dtype=np.bool_))
     if bad.size:
         i = int(bad[0])

@@ -18,6 +18,10 @@ from pyjoystick.support import FloatArray
 FEWEST_SAMPLES = 3
 #: Time between two samples (s): a joystick swings a few times a second, and no instrument is faster.
 _INTERVALS: Final = (1e-7, 1.0)
+#: Samples closer than this (s) are of one instant.
+_SAME_INSTANT: Final = 1e-12
+#: No instrument resolves an angle as small as this (rad).
+_LEAST_ANGLE: Final = 1e-9
 #: What to do about samples without a number.
 MISSING_ADVICE: Final = (
     "a lost marker? Leave these rows out; what is missing then counts as a gap, which is allowed where "
@@ -60,7 +64,8 @@ class Record:
 
     Raises:
         RecordError: an array is not one-dimensional, not of the length of `time`, too short, or holds NaN or
-            infinity; the time does not increase; an angle of pi/2 or more (degrees taken for radians?)
+            infinity; the time does not increase; an angle of pi/2 or more (degrees taken for radians?); no
+            angle that an instrument resolves, unless all are zero
     """
 
     name: str
@@ -142,7 +147,7 @@ class Record:
 
     def _require_increasing_time(self) -> None:
         steps = np.diff(self.time)
-        repeated = np.flatnonzero(steps == 0.0)
+        repeated = np.flatnonzero(np.abs(steps) < _SAME_INSTANT)
         if repeated.size:
             raise RecordError(
                 self.source,
@@ -175,4 +180,14 @@ class Record:
                 column="theta",
                 rows=self.rows[beyond],
                 value=f"{self.theta[beyond[0]]:g} rad",
+            )
+        largest = int(np.argmax(np.abs(self.theta)))
+        if 0.0 < abs(self.theta[largest]) < _LEAST_ANGLE:
+            raise RecordError(
+                self.source,
+                f"all angles are below {_LEAST_ANGLE:g} rad, which no instrument resolves",
+                "is the unit of theta right?",
+                column="theta",
+                rows=self.rows[largest : largest + 1],
+                value=f"{self.theta[largest]:g} rad",
             )

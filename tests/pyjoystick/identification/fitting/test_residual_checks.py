@@ -47,6 +47,12 @@ def test_white_noise_is_white_and_a_wave_that_no_single_record_shows_is_not() ->
     assert "the model lacks something" in check.message
 
 
+def test_residuals_without_power_say_nothing() -> None:
+    noise = _noise(5, count=3)
+    assert whiteness(_series([*noise, np.full(N, 1e-300)])) == whiteness(_series(noise))
+    assert whiteness(_series([np.zeros(N)])).chance == 1.0
+
+
 def test_white_noise_fails_as_seldom_as_is_said() -> None:
     """Once in two hundred fits, here of three lines a record; 400 sets, so at most six of them."""
     lines = np.linalg.qr(np.vander(np.linspace(-1.0, 1.0, N), 3))[0]

@@ -68,6 +68,7 @@ def test_arrays_of_any_numbers(tmp_path: Path, version: tuple[int, int], kind: s
     ("row", "message"),
     [
         ("{time},x", "column 'signal (mV)', row {row}: is not a number (found 'x')"),
+        (f"{{time}},{'9' * 400}", "column 'signal (mV)', row {row}: samples without a finite number"),
         ("{time},", "column 'signal (mV)', row {row}: samples without a finite number"),
         (",1.5", "column 'signal (mV)', row {row}: samples without a finite number"),
         ("x,1.5", "column 'time (ms)', row {row}: is not a number (found 'x')"),

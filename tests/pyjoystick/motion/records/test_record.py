@@ -69,3 +69,17 @@ def test_the_angle_ends_where_the_geometry_of_the_cam_does() -> None:
         with pytest.raises(RecordError, match="an angle of 90 degrees or more") as caught:
             Record("one", TIME, [0.0, 0.0, 0.0, beyond, 0.0])
         assert caught.value.rows == (3,)
+
+
+def test_angles_that_no_instrument_resolves_are_refused() -> None:
+    assert not Record("one", TIME, np.zeros(5)).theta.any()
+    assert Record("one", TIME, 1e-7 * THETA).theta[0] == 1e-8
+    with pytest.raises(RecordError, match="all angles are below 1e-09 rad"):
+        Record("one", TIME, 1e-300 * THETA)
+
+
+def test_times_that_differ_by_less_than_any_clock_are_repeated() -> None:
+    for step in (0.0, 1e-320, -1e-320, 1e-13):
+        with pytest.raises(RecordError, match="times are repeated") as caught:
+            Record("one", [0.0, step, 0.2, 0.3, 0.7], THETA)
+        assert caught.value.rows == (1,)
