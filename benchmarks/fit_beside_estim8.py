@@ -29,8 +29,8 @@ from benchmarks.errors import BenchmarkError
 from pyjoystick.fmu import Fmu, find_fmu
 from pyjoystick.identification import CONSTANT_DAMPING, POWER_LAW_DAMPING, FitSettings, Measurement
 from pyjoystick.identification.fitting.fit import make_problem
-from pyjoystick.identification.fitting.problem import choose_steps
-from pyjoystick.identification.fitting.search import multi_start
+from pyjoystick.identification.fitting.problem.least_squares import choose_steps
+from pyjoystick.identification.fitting.solution.search import multi_start
 from pyjoystick.laboratory import synthetic_record
 from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW
 from pyjoystick.support import TextTable

@@ -70,3 +70,22 @@ def test_there_are_no_cycles() -> None:
         for name, path in modules().items()
     }
     list(TopologicalSorter(graph).static_order())
+
+
+def test_storeys_of_the_fit_lean_on_those_above() -> None:
+    inside = "pyjoystick.identification."
+    order = re.findall(r"^\| `(fitting[.\w]*)` \|", ARCHITECTURE, re.MULTILINE)
+    assert len(order) == 4
+
+    def storey(module: str) -> int:
+        name = module.removeprefix(inside)
+        return next(i for i, one in enumerate(order) if name.startswith(f"{one}."))
+
+    climbing = [
+        f"{module} imports {named}"
+        for module, path in modules().items()
+        for named, _ in imports(path)
+        if all(one.startswith(f"{inside}fitting.") for one in (module, named))
+        and storey(module) < storey(f"{named}.")
+    ]
+    assert not climbing

@@ -35,27 +35,21 @@ from .fitting.figures import (
     save_figures as save_figures,
 )
 from .fitting.fit import OnProgress as OnProgress, fit as fit
-from .fitting.instrument import (
+from .fitting.json_report import as_json as as_json
+from .fitting.problem.instrument import (
     ANGLE_SCALE as ANGLE_SCALE,
     DELAY as DELAY,
     RELEASE_TIME as RELEASE_TIME,
     TIME_BASE as TIME_BASE,
     ZERO_OFFSET as ZERO_OFFSET,
 )
-from .fitting.json_report import as_json as as_json
-from .fitting.measurement import (
+from .fitting.problem.measurement import (
     Measurement as Measurement,
     Release as Release,
     guess_release as guess_release,
     read_table_record as read_table_record,
 )
-from .fitting.result import Fit as Fit
-from .fitting.selection import (
-    Candidate as Candidate,
-    compare_models as compare_models,
-    comparison_table as comparison_table,
-)
-from .fitting.settings import (
+from .fitting.problem.settings import (
     CONSTANT_DAMPING as CONSTANT_DAMPING,
     DISPLACEMENT_DAMPING as DISPLACEMENT_DAMPING,
     PIVOT_FRICTION as PIVOT_FRICTION,
@@ -72,6 +66,12 @@ from .fitting.settings import (
     with_friction as with_friction,
     with_known as with_known,
     with_values as with_values,
+)
+from .fitting.result import Fit as Fit
+from .fitting.selection import (
+    Candidate as Candidate,
+    compare_models as compare_models,
+    comparison_table as comparison_table,
 )
 from .fitting.settings_file import read_fit_settings as read_fit_settings, reads_releases as reads_releases
 from .fitting.text_report import report as report, summary as summary

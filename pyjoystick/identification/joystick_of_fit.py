@@ -11,8 +11,8 @@ from typing import Final
 import numpy as np
 
 from pyjoystick.identification.errors import FitError
+from pyjoystick.identification.fitting.problem.settings import FitSettings
 from pyjoystick.identification.fitting.result import Fit
-from pyjoystick.identification.fitting.settings import FitSettings
 from pyjoystick.model import (
     FRICTION_NAMES,
     NOMINAL,

@@ -17,8 +17,7 @@ import pandas as pd
 
 from pyjoystick.fmu import Fmu
 from pyjoystick.identification.fitting.fit import fit, fitted_values
-from pyjoystick.identification.fitting.result import Fit
-from pyjoystick.identification.fitting.settings import (
+from pyjoystick.identification.fitting.problem.settings import (
     RELEASE,
     FitSettings,
     Free,
@@ -26,6 +25,7 @@ from pyjoystick.identification.fitting.settings import (
     Uncertainty,
     with_values,
 )
+from pyjoystick.identification.fitting.result import Fit
 from pyjoystick.laboratory import REST_TIME, LoadCurveFit, mean_period
 from pyjoystick.model import ActuatorAssembly, JoystickParameters, Side, simulate
 from pyjoystick.motion import Record

@@ -13,9 +13,9 @@ import pandas as pd
 
 from pyjoystick.fmu import Fmu, Value
 from pyjoystick.identification.fitting.fit import make_problem
-from pyjoystick.identification.fitting.measurement import Measurement
-from pyjoystick.identification.fitting.problem import choose_steps
-from pyjoystick.identification.fitting.settings import FitSettings, Noise, with_values
+from pyjoystick.identification.fitting.problem.least_squares import choose_steps
+from pyjoystick.identification.fitting.problem.measurement import Measurement
+from pyjoystick.identification.fitting.problem.settings import FitSettings, Noise, with_values
 from pyjoystick.support import FloatArray, ParameterError, angle, increasing_times, positive
 
 #: A record begins so long before the release (s) unless it is said otherwise.

@@ -12,7 +12,7 @@ from scipy import stats
 from pyjoystick.identification.design.choice import Design
 from pyjoystick.identification.design.experiment import PlannedFit
 from pyjoystick.identification.fitting.fit import fit
-from pyjoystick.identification.fitting.measurement import Measurement
+from pyjoystick.identification.fitting.problem.measurement import Measurement
 from pyjoystick.support import FloatArray, ParameterError, whole_number
 
 

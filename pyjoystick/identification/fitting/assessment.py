@@ -7,22 +7,22 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from pyjoystick.identification.fitting import residual_checks, trust
-from pyjoystick.identification.fitting.instrument import ZERO_OFFSET
-from pyjoystick.identification.fitting.noise_color import Memory
-from pyjoystick.identification.fitting.noise_model import relative_sizes
-from pyjoystick.identification.fitting.peak_prediction import missing_peaks
-from pyjoystick.identification.fitting.prediction import TrajectoryPredictor
-from pyjoystick.identification.fitting.problem import Problem
-from pyjoystick.identification.fitting.residual_view import ResidualView
+from pyjoystick.identification.fitting.checks import residual_checks, trust
+from pyjoystick.identification.fitting.checks.residual_view import ResidualView
+from pyjoystick.identification.fitting.checks.rivals import Make, tried
+from pyjoystick.identification.fitting.checks.score_test import Finding, score_test, significant
+from pyjoystick.identification.fitting.checks.suspects import Suspect, suspects
+from pyjoystick.identification.fitting.problem.instrument import ZERO_OFFSET
+from pyjoystick.identification.fitting.problem.least_squares import Problem
+from pyjoystick.identification.fitting.problem.noise_color import Memory
+from pyjoystick.identification.fitting.problem.noise_model import relative_sizes
+from pyjoystick.identification.fitting.problem.peak_prediction import missing_peaks
+from pyjoystick.identification.fitting.problem.prediction import TrajectoryPredictor
+from pyjoystick.identification.fitting.problem.settings import FitSettings
+from pyjoystick.identification.fitting.problem.variables import Variables
 from pyjoystick.identification.fitting.result import Criteria, Derived, RecordFit, criteria
-from pyjoystick.identification.fitting.rivals import Make, tried
-from pyjoystick.identification.fitting.score_test import Finding, score_test, significant
-from pyjoystick.identification.fitting.search import Minimum
-from pyjoystick.identification.fitting.settings import FitSettings
-from pyjoystick.identification.fitting.suspects import Suspect, suspects
-from pyjoystick.identification.fitting.uncertainty import Identifiability, StandardErrors
-from pyjoystick.identification.fitting.variables import Variables
+from pyjoystick.identification.fitting.solution.search import Minimum
+from pyjoystick.identification.fitting.solution.uncertainty import Identifiability, StandardErrors
 from pyjoystick.support import FloatArray
 
 

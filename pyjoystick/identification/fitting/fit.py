@@ -17,29 +17,29 @@ from pyjoystick.identification.fitting.assessment import (
     derived_parameters,
     record_fits,
 )
-from pyjoystick.identification.fitting.bootstrap import Bootstrap, bootstrap
-from pyjoystick.identification.fitting.instrument import CLOCK, INSTRUMENT
-from pyjoystick.identification.fitting.measurement import Measurement, measurements
-from pyjoystick.identification.fitting.noise_model import first_weights
-from pyjoystick.identification.fitting.noise_shape import first_shape, shaped
+from pyjoystick.identification.fitting.checks.noise_shape import first_shape, shaped
+from pyjoystick.identification.fitting.checks.rivals import Make
+from pyjoystick.identification.fitting.checks.trust import Check, check_profiles
 from pyjoystick.identification.fitting.order import as_given, ordered_records, ordered_settings
-from pyjoystick.identification.fitting.peak_prediction import PeakPredictor
-from pyjoystick.identification.fitting.prediction import FmuSettings, Predictor, TrajectoryPredictor
-from pyjoystick.identification.fitting.problem import Problem, StepChoice, choose_steps
-from pyjoystick.identification.fitting.profile import Profile, profile
+from pyjoystick.identification.fitting.problem.instrument import CLOCK, INSTRUMENT
+from pyjoystick.identification.fitting.problem.least_squares import Problem, StepChoice, choose_steps
+from pyjoystick.identification.fitting.problem.measurement import Measurement, measurements
+from pyjoystick.identification.fitting.problem.noise_model import first_weights
+from pyjoystick.identification.fitting.problem.peak_prediction import PeakPredictor
+from pyjoystick.identification.fitting.problem.prediction import FmuSettings, Predictor, TrajectoryPredictor
+from pyjoystick.identification.fitting.problem.settings import FitSettings
+from pyjoystick.identification.fitting.problem.variables import Variables
 from pyjoystick.identification.fitting.result import Fit
-from pyjoystick.identification.fitting.rivals import Make
-from pyjoystick.identification.fitting.scan import scan
-from pyjoystick.identification.fitting.search import REFINED, Minimum, merge, multi_start, search
-from pyjoystick.identification.fitting.settings import FitSettings
-from pyjoystick.identification.fitting.trust import Check, check_profiles
-from pyjoystick.identification.fitting.uncertainty import (
+from pyjoystick.identification.fitting.solution.bootstrap import Bootstrap, bootstrap
+from pyjoystick.identification.fitting.solution.profile import Profile, profile
+from pyjoystick.identification.fitting.solution.scan import scan
+from pyjoystick.identification.fitting.solution.search import REFINED, Minimum, merge, multi_start, search
+from pyjoystick.identification.fitting.solution.uncertainty import (
     SCATTER,
     StandardErrors,
     identifiability,
     standard_errors,
 )
-from pyjoystick.identification.fitting.variables import Variables
 from pyjoystick.motion import Record
 from pyjoystick.support import FloatArray, ParameterError, UnknownVariableError, notebook_progress
 

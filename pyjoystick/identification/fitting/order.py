@@ -10,9 +10,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pyjoystick.identification.fitting.measurement import Measurement
+from pyjoystick.identification.fitting.problem.measurement import Measurement
+from pyjoystick.identification.fitting.problem.settings import FitSettings
 from pyjoystick.identification.fitting.result import Fit
-from pyjoystick.identification.fitting.settings import FitSettings
 
 
 def ordered_records(records: Sequence[Measurement]) -> list[Measurement]:

@@ -9,14 +9,14 @@ from typing import NamedTuple
 import numpy as np
 import pandas as pd
 
-from pyjoystick.identification.fitting.bootstrap import Bootstrap
-from pyjoystick.identification.fitting.problem import StepChoice
-from pyjoystick.identification.fitting.profile import Profile
-from pyjoystick.identification.fitting.search import Minimum
-from pyjoystick.identification.fitting.settings import FitSettings
-from pyjoystick.identification.fitting.trust import Check
-from pyjoystick.identification.fitting.uncertainty import Identifiability, StandardErrors
-from pyjoystick.identification.fitting.variables import Variable
+from pyjoystick.identification.fitting.checks.trust import Check
+from pyjoystick.identification.fitting.problem.least_squares import StepChoice
+from pyjoystick.identification.fitting.problem.settings import FitSettings
+from pyjoystick.identification.fitting.problem.variables import Variable
+from pyjoystick.identification.fitting.solution.bootstrap import Bootstrap
+from pyjoystick.identification.fitting.solution.profile import Profile
+from pyjoystick.identification.fitting.solution.search import Minimum
+from pyjoystick.identification.fitting.solution.uncertainty import Identifiability, StandardErrors
 from pyjoystick.support import Drawn, FloatArray
 
 

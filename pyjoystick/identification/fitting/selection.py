@@ -12,10 +12,10 @@ import numpy as np
 
 from pyjoystick.fmu import Fmu
 from pyjoystick.identification.fitting.fit import fit
-from pyjoystick.identification.fitting.instrument import INSTRUMENT
-from pyjoystick.identification.fitting.measurement import Measurement, measurements
+from pyjoystick.identification.fitting.problem.instrument import INSTRUMENT
+from pyjoystick.identification.fitting.problem.measurement import Measurement, measurements
+from pyjoystick.identification.fitting.problem.settings import FitSettings, Uncertainty
 from pyjoystick.identification.fitting.result import Fit
-from pyjoystick.identification.fitting.settings import FitSettings, Uncertainty
 from pyjoystick.motion import Record
 from pyjoystick.support import ParameterError, TextTable
 

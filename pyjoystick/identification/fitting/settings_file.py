@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from pyjoystick.fmu import MODELS, FmuDescription, Value, Variable, find_fmu
-from pyjoystick.identification.fitting.instrument import INSTRUMENT, RELEASE_TIME, ZERO_OFFSET
-from pyjoystick.identification.fitting.settings import (
+from pyjoystick.identification.fitting.problem.instrument import INSTRUMENT, RELEASE_TIME, ZERO_OFFSET
+from pyjoystick.identification.fitting.problem.settings import (
     FitSettings,
     Free,
     Noise,

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pyjoystick.identification.fitting import trust
+from pyjoystick.identification.fitting.checks import trust
 from pyjoystick.identification.fitting.result import Fit
 from pyjoystick.support import TextTable
 

@@ -205,7 +205,7 @@ def test_ctrl_c(
 
     place = {
         "searching": "pyjoystick.fmu.Plan.run",
-        "profiles": "pyjoystick.identification.fitting.profile.search",
+        "profiles": "pyjoystick.identification.fitting.solution.profile.search",
     }
     monkeypatch.setattr(place[stage], stopped)
     before = joystick.read_bytes()

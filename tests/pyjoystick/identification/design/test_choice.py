@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from pyjoystick.identification import Design, Experiment, FitError, Information, best_design
-from pyjoystick.identification.fitting.measurement import Measurement
+from pyjoystick.identification.fitting.problem.measurement import Measurement
 from pyjoystick.support import ParameterError
 
 TIME = np.arange(3.0)

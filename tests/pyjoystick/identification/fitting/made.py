@@ -9,10 +9,10 @@ import numpy as np
 
 from pyjoystick.fmu import find_fmu, read_description
 from pyjoystick.identification import FitSettings, Free, Measurement
-from pyjoystick.identification.fitting.instrument import Instrument
-from pyjoystick.identification.fitting.prediction import Prediction
-from pyjoystick.identification.fitting.problem import Problem
-from pyjoystick.identification.fitting.variables import Variables
+from pyjoystick.identification.fitting.problem.instrument import Instrument
+from pyjoystick.identification.fitting.problem.least_squares import Problem
+from pyjoystick.identification.fitting.problem.prediction import Prediction
+from pyjoystick.identification.fitting.problem.variables import Variables
 from pyjoystick.laboratory import synthetic_record
 from pyjoystick.model import JoystickParameters
 from pyjoystick.motion import Record

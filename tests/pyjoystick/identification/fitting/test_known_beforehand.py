@@ -20,10 +20,10 @@ from pyjoystick.identification import (
     with_friction,
     with_known,
 )
-from pyjoystick.identification.fitting.bootstrap import bootstrap
-from pyjoystick.identification.fitting.search import search
-from pyjoystick.identification.fitting.trust import away_from_known, check_known
-from pyjoystick.identification.fitting.variables import Variable
+from pyjoystick.identification.fitting.checks.trust import away_from_known, check_known
+from pyjoystick.identification.fitting.problem.variables import Variable
+from pyjoystick.identification.fitting.solution.bootstrap import bootstrap
+from pyjoystick.identification.fitting.solution.search import search
 from pyjoystick.model import NOMINAL
 from pyjoystick.support import ParameterError
 from tests.pyjoystick.identification.fitting.made import linear_problem, releases

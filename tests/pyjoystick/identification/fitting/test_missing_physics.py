@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from pyjoystick.identification import CONSTANT_DAMPING, Fit, Uncertainty, fit, with_friction
-from pyjoystick.identification.fitting.noise_color import Memory
+from pyjoystick.identification.fitting.problem.noise_color import Memory
 from pyjoystick.model import NOMINAL
 from pyjoystick.motion import Record
 from tests.pyjoystick.identification.fitting.made import releases

@@ -24,7 +24,7 @@ from pyjoystick.identification import (
     summary,
     with_values,
 )
-from pyjoystick.identification.fitting.uncertainty import identifiability
+from pyjoystick.identification.fitting.solution.uncertainty import identifiability
 from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW
 from tests.pyjoystick.identification.fitting.made import releases
 

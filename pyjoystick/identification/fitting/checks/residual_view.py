@@ -1,0 +1,82 @@
+"""What is left over at a point, as the checks and the model of the noise look at it."""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+import numpy as np
+
+from pyjoystick.identification.fitting.checks.outliers import Outliers, find_outliers
+from pyjoystick.identification.fitting.checks.repeats import Repeats, find_repeats
+from pyjoystick.identification.fitting.checks.residual_checks import Series
+from pyjoystick.identification.fitting.checks.score_test import column_space
+from pyjoystick.identification.fitting.problem.least_squares import Problem
+from pyjoystick.identification.fitting.problem.noise_color import Block, estimated_correlation
+from pyjoystick.support import FloatArray
+
+
+class ResidualView:
+    """Residuals, data less prediction, and their derivatives at a point.
+
+    Attributes:
+        innovations: residuals as they count, what is new in each, by record
+        jacobian: derivatives of the predictions as they count, shape (all samples, variables)
+    """
+
+    def __init__(self, problem: Problem, x: FloatArray) -> None:
+        self._problem = problem
+        self._x = x
+        self._predicted = problem.predictions(x)
+        self._left = [data - one for data, one in zip(problem.data, self._predicted, strict=True)]
+        self._slopes = problem.jacobians(x)
+        self.innovations = [problem.counted(one, k) for k, one in enumerate(self._left)]
+        self.jacobian = np.concatenate([problem.counted(one, k) for k, one in enumerate(self._slopes)])
+
+    def outliers(self) -> Outliers:
+        """Samples that are no part of the noise, whatever they count."""
+        weights = self._problem.weights
+        return find_outliers([one * weight for one, weight in zip(self._left, weights, strict=True)])
+
+    def series(self) -> list[Series]:
+        """What is new in each series of each record."""
+        basis = np.split(column_space(self.jacobian), np.cumsum([len(one) for one in self.innovations])[:-1])
+        found = []
+        for k, predictor in enumerate(self._problem.predictors):
+            labels = np.array(predictor.labels)
+            several = len(set(predictor.labels)) > 1
+            for label in dict.fromkeys(predictor.labels):
+                name = f"{label} of {predictor.record.name}" if several else predictor.record.name
+                own = labels == label
+                found.append(Series(name, self.innovations[k][own], basis[k][own]))
+        return found
+
+    @cached_property
+    def repeats(self) -> Repeats:
+        """The releases that repeat each other; records that inputs drive are not compared."""
+        predictors = self._problem.predictors
+        late = [
+            one.times - self._problem.variables.instrument(self._x, k).origin
+            for k, one in enumerate(predictors)
+        ]
+        return find_repeats([one.labels for one in predictors], late, self._predicted)
+
+    def correlation(self) -> float:
+        """The correlation of the noise from sample to sample; with repeats, of what differs between them."""
+        problem, repeats = self._problem, self.repeats
+        scaled = [
+            [
+                one * (problem.weights[k] * problem.shares[k]).reshape(-1, *(1,) * (one.ndim - 1))
+                for k, one in enumerate(parts)
+            ]
+            for parts in (self._left, self._slopes)
+        ]
+        if repeats.any:
+            scaled = [repeats.deviations(parts) for parts in scaled]
+        return estimated_correlation(
+            [
+                Block(predictor.labels, residuals, jacobian, repeats.sizes(k))
+                for k, (predictor, residuals, jacobian) in enumerate(
+                    zip(problem.predictors, *scaled, strict=True)
+                )
+            ]
+        )

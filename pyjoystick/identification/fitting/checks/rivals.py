@@ -1,0 +1,102 @@
+"""Suspects tried in earnest: the fit repeated with the number that the model may lack among the free ones."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import ExitStack
+from typing import Final
+
+import numpy as np
+
+from pyjoystick.fmu import Fmu, FmuNotFoundError, find_fmu
+from pyjoystick.identification.errors import FitError
+from pyjoystick.identification.fitting.checks.score_test import Finding
+from pyjoystick.identification.fitting.checks.suspects import Suspect
+from pyjoystick.identification.fitting.problem.least_squares import Problem, choose_steps
+from pyjoystick.identification.fitting.problem.settings import WITH_FRICTION, FitSettings
+from pyjoystick.identification.fitting.solution.search import staged_search
+from pyjoystick.support import FloatArray, ParameterError
+
+_FRICTION: Final = "friction."
+_EVALUATIONS: Final = 40
+
+#: The problem of settings, with their own FMU or another.
+Make = Callable[[FitSettings, Fmu | None], Problem]
+
+
+def tried(
+    findings: Sequence[Finding],
+    suspects: Mapping[str, Suspect],
+    problem: Problem,
+    settings: FitSettings,
+    x: FloatArray,
+    make: Make,
+) -> list[Finding]:
+    """The findings, most likely first, with those that can be fitted as fits have them.
+
+    What a score test says of a large effect is the beginning of the truth: the sizes are too small, and the
+    order may be wrong.
+
+    Args:
+        findings: of the score test, all of them significant
+        suspects: by name
+        problem: that of the fit, with the weights of its noise
+        settings: of the fit
+        x: where it ended
+        make: makes the problem of other settings on the same records
+    """
+    with ExitStack() as stack:
+        rubbing = _with_friction(settings, stack)
+        found = [_refitted(one, suspects[one.name], problem, settings, x, rubbing, make) for one in findings]
+    return sorted(found, key=lambda one: -one.evidence)
+
+
+def _with_friction(settings: FitSettings, stack: ExitStack) -> Fmu | None:
+    name = WITH_FRICTION.get(settings.fmu)
+    if name is None:
+        return None
+    try:
+        return stack.enter_context(Fmu(find_fmu(name)))
+    except FmuNotFoundError:
+        return None
+
+
+def _refitted(
+    finding: Finding,
+    suspect: Suspect,
+    problem: Problem,
+    settings: FitSettings,
+    x: FloatArray,
+    rubbing: Fmu | None,
+    make: Make,
+) -> Finding:
+    """The finding as a fit has it; as the score test had it where that fit cannot be made or is no better."""
+    rubs = any(one.name.startswith(_FRICTION) for one in suspect.free)
+    if not suspect.free or (rubs and rubbing is None):
+        return finding
+    wider = dataclasses.replace(
+        settings,
+        free=(*settings.free, *suspect.free),
+        fixed={name: value for name, value in settings.fixed.items() if name not in _names(suspect)},
+    )
+    try:
+        rival = make(wider, rubbing if rubs else None)
+    except (FitError, ParameterError):
+        return finding
+    rival.weights, rival.shares, rival.memories = problem.weights, problem.shares, problem.memories
+    start = np.concatenate((x, rival.variables.start[len(x) :]))
+    rival.steps = choose_steps(rival, start, central=False).steps
+    best = staged_search(rival, start, evaluations=_EVALUATIONS, stages=settings.search.stages)
+    before = float(np.sum(problem.residuals(x) ** 2))
+    sizes = best.x[len(x) :]
+    part = 1.0 - best.cost / before
+    if part <= finding.explained:
+        return finding
+    evidence = problem.size * -math.log1p(-part) - len(sizes) * math.log(problem.size)
+    return dataclasses.replace(finding, size=suspect.says(sizes), explained=part, evidence=evidence)
+
+
+def _names(suspect: Suspect) -> Iterator[str]:
+    return (one.name for one in suspect.free)

@@ -1,0 +1,339 @@
+"""What the FMU predicts for one record, for many rows of parameters at once."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple, Protocol
+
+import numpy as np
+import pandas as pd
+from numpy.typing import NDArray
+
+from pyjoystick.fmu import Fmu, FmuRunError, Plan, Reduction, Value, Variable
+from pyjoystick.identification.errors import FitError, FitInterruptedError
+from pyjoystick.identification.fitting.problem.instrument import (
+    ANGLE_SCALE,
+    DELAY,
+    RELEASE_TIME,
+    TIME_BASE,
+    ZERO_OFFSET,
+    Instrument,
+)
+from pyjoystick.identification.fitting.problem.measurement import Measurement
+from pyjoystick.support import FloatArray
+
+#: Plans of the last clocks are kept: a search comes back to the point that it left.
+_PLANS_KEPT = 4
+#: Up to so many runs are done one after the other.
+_FEW = 24
+#: Curves are drawn in steps of this (s), and of no more points than this.
+_CURVE_STEP = 1e-3
+_MOST_POINTS = 20_000
+#: Samples lack where two are further apart than this many of the usual steps.
+_GAP = 1.5
+
+
+class Prediction(NamedTuple):
+    """The numbers that are compared with one record.
+
+    Attributes:
+        values: shape (rows, n); NaN in rows whose run failed
+        slopes: derivatives of the first row with respect to numbers of the instrument, shape (n,) each;
+            those that act through the clock only where the derivatives of the outputs are known
+        message: why the first row failed, else empty
+    """
+
+    values: FloatArray
+    slopes: Mapping[str, FloatArray]
+    message: str
+
+
+class Predictor(Protocol):
+    """Predicts what one record shows.
+
+    Attributes:
+        record: what was measured
+        data: the measured numbers that a prediction is compared with, shape (n,)
+        labels: name of the series that each of them belongs to, length n
+        times: the instant (s) of the record that each of them belongs to, shape (n,)
+        runs: FMU runs so far
+    """
+
+    record: Measurement
+    data: FloatArray
+    labels: tuple[str, ...]
+    times: FloatArray
+    runs: int
+
+    def predict(self, rows: FloatArray, instrument: Instrument) -> Prediction:
+        """The prediction for rows of parameters, shape (rows, varied)."""
+        ...
+
+
+class FmuSettings(NamedTuple):
+    """What all runs of a fit share: the open FMU, varied and constant parameters, and its tolerance."""
+
+    fmu: Fmu
+    varied: tuple[str, ...]
+    constants: Mapping[str, Value]
+    tolerance: float
+
+    def ranges(self) -> tuple[FloatArray, FloatArray]:
+        """What the FMU allows for the varied parameters: least and largest values, shape (varied,) each."""
+        known = [self.fmu.description.variables[name] for name in self.varied]
+        low = np.array([-np.inf if one.minimum is None else one.minimum for one in known])
+        high = np.array([np.inf if one.maximum is None else one.maximum for one in known])
+        return low, high
+
+
+class TrajectoryPredictor:
+    """The outputs at the samples of a record. Before the release it is at its start values.
+
+    Attributes:
+        outputs: names of the series
+        inputs: columns of the record that drive the FMU
+    """
+
+    def __init__(
+        self,
+        settings: FmuSettings,
+        record: Measurement,
+        outputs: Sequence[str],
+        derivatives: Mapping[str, str],
+        inputs: Sequence[str],
+    ) -> None:
+        """Take the columns of the record that are needed.
+
+        Args:
+            settings: the FMU
+            record: what was measured
+            outputs: the series that are compared
+            derivatives: output that is the derivative of another; empty where the clock is fixed
+            inputs: columns that drive the FMU
+        """
+        self.record = record
+        self.data: FloatArray = np.concatenate([record.series(name) for name in outputs])
+        self.labels = tuple(name for name in outputs for _ in record.time)
+        self.times: FloatArray = np.tile(record.time, len(outputs))
+        self.runs = 0
+        self.outputs = tuple(outputs)
+        self.inputs = tuple(inputs)
+        self._settings = settings
+        self._slopes = tuple(derivatives[name] for name in outputs) if derivatives else ()
+        self._inputs = (
+            pd.DataFrame({name: record.series(name) for name in inputs}, index=record.time)
+            if inputs
+            else None
+        )
+        self._plans: dict[tuple[float, ...], Plan] = {}
+
+    def predict(self, rows: FloatArray, instrument: Instrument) -> Prediction:
+        """See `Predictor`."""
+        late = self.record.time - instrument.origin
+        moving = late > 0.0
+        if np.count_nonzero(moving) == 0:
+            reason = f"ends before the release time, {instrument.release_time:g} s"
+            raise FitError(self.record.name, reason)
+        plan = self._plan(instrument, late[moving])
+        found = run_rows(plan, rows, self._settings)
+        self.runs += len(rows)
+        # The first sample of the run is the state at the release, which the record shows from its beginning.
+        places = np.concatenate(
+            (np.zeros(np.count_nonzero(~moving), dtype=np.intp), 1 + np.arange(moving.sum()))
+        )
+        series = found.numbers[:, places, :]
+        n = len(self.outputs)
+        # An output may be the derivative of another, and is recorded once.
+        motions, rates = (
+            series[:, :, [plan.outputs.index(one) for one in names]] for names in (self.outputs, self._slopes)
+        )
+        if self._inputs is not None and self._slopes:
+            # Driven, it is not at rest before: it came along as it goes on.
+            early = np.minimum(late, 0.0)[np.newaxis, :, np.newaxis]
+            motions = motions + (1.0 + instrument.time_base) * early * rates
+        else:
+            rates = np.where(moving[np.newaxis, :, np.newaxis], rates, 0.0)
+        shown = motions.copy()
+        shown[:, :, 0] = (1.0 + instrument.angle_scale) * motions[:, :, 0] + instrument.zero_offset
+        values = np.concatenate([shown[:, :, k] for k in range(n)], axis=1)
+        return Prediction(values, self._slopes_of(motions[0], rates[0], instrument, late), found.message)
+
+    def _slopes_of(
+        self, motion: FloatArray, rate: FloatArray, instrument: Instrument, late: FloatArray
+    ) -> dict[str, FloatArray]:
+        """Derivatives of what is shown with respect to the numbers of the instrument."""
+        first = np.zeros_like(motion)
+        first[:, 0] = 1.0
+        found = {ZERO_OFFSET: first, ANGLE_SCALE: first * motion}
+        if self._slopes:
+            shown = rate * np.where(first == 1.0, 1.0 + instrument.angle_scale, 1.0)
+            earlier = -(1.0 + instrument.time_base) * shown
+            found |= {RELEASE_TIME: earlier, DELAY: earlier}
+            if not self.inputs:
+                found[TIME_BASE] = shown * late[:, np.newaxis]
+        return {name: np.concatenate(list(slope.T)) for name, slope in found.items()}
+
+    def curve(self, row: FloatArray, instrument: Instrument) -> pd.DataFrame:
+        """What is shown for one row of parameters at every millisecond of the record, NaN where samples lack.
+
+        Of long records so many instants are left out that 20 000 remain.
+        """
+        start, end = self.record.time[0], self.record.time[-1]
+        time = np.linspace(
+            start, end, 1 + min(math.ceil(round((end - start) / _CURVE_STEP, 6)), _MOST_POINTS)
+        )
+        steps = np.diff(self.record.time)
+        before = np.clip(np.searchsorted(self.record.time, time, side="right") - 1, 0, len(steps) - 1)
+        lacking = (steps[before] > _GAP * np.median(steps)) & ~np.isin(time, self.record.time)
+        moving = np.unique(time[time > instrument.origin])
+        numbers = np.full((len(time), len(self.outputs)), np.nan)
+        if moving.size:
+            found = self.variables(row, instrument, moving - instrument.origin, self.outputs)
+            numbers = found[np.where(time > instrument.origin, np.searchsorted(moving, time) + 1, 0)]
+            numbers[:, 0] = (1.0 + instrument.angle_scale) * numbers[:, 0] + instrument.zero_offset
+        numbers[lacking] = np.nan
+        return pd.DataFrame(numbers, index=time, columns=list(self.outputs))
+
+    def variables(
+        self,
+        row: FloatArray,
+        instrument: Instrument,
+        late: FloatArray,
+        names: Sequence[str],
+        added: tuple[str, FloatArray] | None = None,
+        moved: tuple[str, float] | None = None,
+    ) -> FloatArray:
+        """Variables of the FMU at the release and at instants after it, not as an instrument shows them.
+
+        Args:
+            row: parameters, shape (varied,)
+            instrument: of the record
+            late: instants after `Instrument.origin` on the clock of the record (s), shape (n,), increasing
+            names: of the variables
+            added: an input and what is added to it at the release and at those instants, shape (n + 1,)
+            moved: a parameter that is not varied and what is added to it
+
+        Returns:
+            shape (n + 1, names); NaN where the run fails
+        """
+        plan = self._plan_at(instrument, late, names, added, moved)
+        self.runs += 1
+        return np.asarray(run_rows(plan, row[np.newaxis], self._settings).numbers[0])
+
+    @property
+    def known(self) -> Mapping[str, Variable]:
+        """The variables of the FMU."""
+        return self._settings.fmu.description.variables
+
+    def value(self, name: str) -> float:
+        """A parameter that is not varied."""
+        value = self._settings.constants.get(name, self.known[name].start)
+        return float(value or 0.0)
+
+    def input_at(self, name: str, instrument: Instrument, late: FloatArray) -> FloatArray:
+        """A column that drives the FMU, at instants after `Instrument.origin` (s)."""
+        times = late + instrument.release_time
+        return np.asarray(np.interp(times, self.record.time, self.record.series(name)))
+
+    def _plan(self, instrument: Instrument, late: FloatArray) -> Plan:
+        plan = self._plans.get(instrument.clock)
+        if plan is None:
+            if len(self._plans) == _PLANS_KEPT:
+                del self._plans[next(iter(self._plans))]
+            plan = self._plan_at(instrument, late, (*self.outputs, *self._slopes))
+            self._plans[instrument.clock] = plan
+        return plan
+
+    def _plan_at(
+        self,
+        instrument: Instrument,
+        late: FloatArray,
+        names: Sequence[str],
+        added: tuple[str, FloatArray] | None = None,
+        moved: tuple[str, float] | None = None,
+    ) -> Plan:
+        """A plan of runs with these instants after the release, on the clock of the record (s)."""
+        rate = 1.0 + instrument.time_base
+        instants = np.concatenate(([0.0], rate * late))
+        inputs = self._inputs
+        if inputs is not None:
+            inputs = inputs.set_axis(rate * (inputs.index - instrument.release_time))
+        if added is not None:
+            inputs = _with_added(inputs, instants, *added)
+        constants = dict(self._settings.constants)
+        if moved is not None:
+            name, change = moved
+            constants[name] = self.value(name) + change
+        return self._settings.fmu.plan(
+            instants,
+            varied=self._settings.varied,
+            parameters=constants,
+            inputs=inputs,
+            outputs=tuple(names),
+            tolerance=self._settings.tolerance,
+        )
+
+
+def _with_added(
+    inputs: pd.DataFrame | None, instants: FloatArray, name: str, values: FloatArray
+) -> pd.DataFrame:
+    """The inputs, straight between their samples, with something added to one of them."""
+    if inputs is None:
+        return pd.DataFrame({name: values}, index=instants)
+    index = np.union1d(inputs.index, instants)
+    table = pd.DataFrame({one: np.interp(index, inputs.index, inputs[one]) for one in inputs}, index=index)
+    more = np.interp(index, instants, values, left=0.0, right=0.0)
+    table[name] = table[name] + more if name in table else more
+    return table
+
+
+class Runs(NamedTuple):
+    """The runs of a few rows.
+
+    Attributes:
+        numbers: the samples, shape (rows, samples, outputs), or what the reduction kept, shape
+            (rows, columns); NaN in rows that failed
+        message: why the first row failed, else empty
+    """
+
+    numbers: FloatArray
+    message: str
+
+
+def run_rows(plan: Plan, rows: FloatArray, settings: FmuSettings, reduction: Reduction | None = None) -> Runs:
+    """Run some rows; one outside the ranges of the FMU, as ties may lead to, counts as failed.
+
+    Raises:
+        FitInterruptedError: Ctrl-C was pressed
+    """
+    low, high = settings.ranges()
+    allowed = np.all((rows >= low) & (rows <= high) & np.isfinite(rows), axis=1)
+    shape = (plan.time.size, len(plan.outputs)) if reduction is None else (len(reduction.columns),)
+    numbers = np.full((len(rows), *shape), np.nan)
+    message = "" if allowed[0] else "a parameter is outside the range that the FMU allows"
+    if not allowed.any():
+        return Runs(numbers, message)
+    if reduction is None and len(rows) <= _FEW:
+        return _few_runs(plan, rows, allowed, numbers, message)
+    batch = plan.run_batch(rows[allowed], reductions=None if reduction is None else [reduction])
+    if batch.interrupted:
+        raise FitInterruptedError
+    found = batch.values if batch.reduced is None else batch.reduced.to_numpy(dtype=np.float64)
+    numbers[allowed] = found
+    return Runs(numbers, message or batch.messages[0])
+
+
+def _few_runs(
+    plan: Plan, rows: FloatArray, allowed: NDArray[np.bool_], numbers: FloatArray, message: str
+) -> Runs:
+    """Runs one after the other: for a handful of them the threads of a batch take longer than they save."""
+    try:
+        for i in np.flatnonzero(allowed):
+            try:
+                numbers[i] = plan.run(rows[i])
+            except FmuRunError as error:
+                message = message or (str(error) if i == 0 else "")
+    except KeyboardInterrupt:
+        raise FitInterruptedError from None
+    return Runs(numbers, message)

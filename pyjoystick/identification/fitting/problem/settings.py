@@ -1,0 +1,407 @@
+"""Settings of a fit: free parameters, what is compared, search, uncertainty; defaults for the joystick."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Mapping, Set
+from dataclasses import dataclass, field
+from typing import Final, Literal, get_args
+
+from pyjoystick.fmu import Value
+from pyjoystick.identification.fitting.problem.instrument import (
+    ANGLE_SCALE,
+    DELAY,
+    INSTRUMENT,
+    RELEASE_TIME,
+    TIME_BASE,
+    ZERO_OFFSET,
+)
+from pyjoystick.support import ParameterError, finite, positive, whole_number
+
+Comparison = Literal["trajectory", "peaks"]
+Resampling = Literal["records", "residuals"]
+
+
+@dataclass(frozen=True, slots=True)
+class Free:
+    """A parameter that is fitted.
+
+    Attributes:
+        name: a parameter or start value of the FMU, or a number of the `Instrument`
+        start: where the search begins, in the unit of the FMU; where None, the FMU's own value, or for the
+            release of a free oscillation a guess from each record
+        minimum, maximum: bounds; where None those of the FMU, or a range about the guess for the release
+        per_record: one value for each record, as the release has, instead of one for all
+        uncertainty: standard uncertainty of `start`, where that was measured independently of the records;
+            it then counts as one more measurement, of normal distribution
+
+    Raises:
+        ParameterError: a value is not finite, the start is not within the bounds, or an uncertainty is not
+            above 0 or has no start
+    """
+
+    name: str
+    start: float | None = None
+    minimum: float | None = None
+    maximum: float | None = None
+    per_record: bool = False
+    uncertainty: float | None = None
+
+    def __post_init__(self) -> None:
+        for what in ("start", "minimum", "maximum"):
+            value = getattr(self, what)
+            if value is not None:
+                object.__setattr__(self, what, finite(f"{self.name}.{what}", value))
+        low = -math.inf if self.minimum is None else self.minimum
+        high = math.inf if self.maximum is None else self.maximum
+        if low >= high:
+            raise ParameterError(f"{self.name}.minimum", low, f"below the maximum, {high:g}")
+        if self.start is not None and not low <= self.start <= high:
+            raise ParameterError(f"{self.name}.start", self.start, f"from {low:g} to {high:g}")
+        if self.uncertainty is not None:
+            positive(f"{self.name}.uncertainty", self.uncertainty)
+            if self.start is None or self.per_record:
+                allowed = "left out without a start that all records share"
+                raise ParameterError(f"{self.name}.uncertainty", self.uncertainty, allowed)
+
+
+@dataclass(frozen=True, slots=True)
+class Noise:
+    """What is known of the noise.
+
+    Attributes:
+        sigma: standard deviation by output, in the unit of the output; where empty it is estimated from what
+            the fit leaves over
+        per_record: whether it is estimated for each record separately, so that a noisy record counts less
+        colored: whether samples may depend on each other: where they do, as first-order autoregressive noise
+            whose correlation is estimated; without, the noise is taken to be white
+        robust: whether outliers, where there are any, count less (Hampel's weights)
+    """
+
+    sigma: Mapping[str, float] = field(default_factory=dict)
+    per_record: bool = False
+    colored: bool = True
+    robust: bool = True
+
+    def __post_init__(self) -> None:
+        for name, value in self.sigma.items():
+            positive(f"noise.sigma.{name}", value)
+        if self.sigma and self.per_record:
+            raise ParameterError("noise.per_record", True, "left out where sigma is given")
+
+
+@dataclass(frozen=True, slots=True)
+class Search:
+    """How the minimum is looked for.
+
+    Attributes:
+        starts: number of searches: the first from the start values, the others from a Latin hypercube over
+            the bounds of the parameters that all records share
+        seed: of the hypercube and of the bootstrap
+        evaluations: most evaluations of the residuals in one search
+        stages: parts of the records on which each search begins, see `staged_search`; increasing, below 1
+        exchanges: pairs of free parameters, those of the two sides of a mechanism for one, that a last search
+            begins with exchanged
+        scan: parameters that are tried at other values after the search, all multiplied by one factor, where
+            a motion comes to rest within its record, see `scan`; where None, the dry friction of the joystick
+            as far as it is fitted
+    """
+
+    starts: int = 1
+    seed: int = 0
+    evaluations: int = 200
+    stages: tuple[float, ...] = (0.3, 0.6)
+    exchanges: tuple[tuple[str, str], ...] = ()
+    scan: tuple[str, ...] | None = None
+
+    def __post_init__(self) -> None:
+        whole_number("search.starts", self.starts, 1)
+        whole_number("search.seed", self.seed, 0)
+        whole_number("search.evaluations", self.evaluations, 2)
+        before = 0.0
+        for stage in self.stages:
+            if not before < finite("search.stages", stage) < 1.0:
+                raise ParameterError("search.stages", list(self.stages), "increasing, between 0 and 1")
+            before = stage
+        for pair in self.exchanges:
+            if not _names(pair) or len(pair) != 2:
+                raise ParameterError("search.exchanges", pair, "pairs of names")
+        if not _names(self.scan or ()):
+            raise ParameterError("search.scan", self.scan, "names of parameters")
+
+
+@dataclass(frozen=True, slots=True)
+class Uncertainty:
+    """What is computed beside the standard errors.
+
+    Attributes:
+        level: confidence level of all intervals
+        profiles: names of shared parameters whose profile likelihood is computed; all of them where None
+        bootstrap: number of bootstrap fits, 0 for none
+        resampling: what the bootstrap draws anew: whole records, or the residuals within each record
+    """
+
+    level: float = 0.95
+    profiles: tuple[str, ...] | None = None
+    bootstrap: int = 0
+    resampling: Resampling = "records"
+
+    def __post_init__(self) -> None:
+        if not 0.0 < finite("uncertainty.level", self.level) < 1.0:
+            raise ParameterError("uncertainty.level", self.level, "between 0 and 1")
+        if not _names(self.profiles or ()):
+            raise ParameterError("uncertainty.profiles", self.profiles, "names of parameters")
+        whole_number("uncertainty.bootstrap", self.bootstrap, 0)
+        if self.resampling not in get_args(Resampling):
+            raise ParameterError("uncertainty.resampling", self.resampling, "'records' or 'residuals'")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FitSettings:
+    """A fit of an FMU's parameters to records.
+
+    Attributes:
+        fmu: name or path of a Co-Simulation FMU
+        free: the parameters that are fitted
+        fixed: values of other parameters, in the units of the FMU
+        ties: parameters computed from others, as expressions in their names: a fixed ratio is
+            ``{"damping.A_neg": "0.4 * damping.A_pos"}``
+        outputs: the outputs that the records have as columns and that are compared
+        derivatives: output that is the derivative with respect to time of another; needed for a free release
+            time
+        inputs: columns of the records that drive inputs of the FMU, straight between the samples
+        comparison: ``trajectory`` compares every sample, ``peaks`` the heights and times of the first peaks
+            relative to the measured ones, as eqs. (12a, b) do, in the sense of least squares
+        peaks: how many peaks are compared
+        tolerance: relative tolerance of the FMU's integrator
+        noise, search, uncertainty: see there
+
+    Raises:
+        ParameterError: nothing is free, a name is given twice, or a choice does not exist
+    """
+
+    fmu: str
+    free: tuple[Free, ...]
+    fixed: Mapping[str, Value] = field(default_factory=dict)
+    ties: Mapping[str, str] = field(default_factory=dict)
+    outputs: tuple[str, ...] = ("theta",)
+    derivatives: Mapping[str, str] = field(default_factory=lambda: {"theta": "omega", "omega": "alpha"})
+    inputs: tuple[str, ...] = ()
+    comparison: Comparison = "trajectory"
+    peaks: int = 9
+    tolerance: float = 1e-8
+    noise: Noise = field(default_factory=Noise)
+    search: Search = field(default_factory=Search)
+    uncertainty: Uncertainty = field(default_factory=Uncertainty)
+
+    def __post_init__(self) -> None:
+        if not self.free:
+            raise ParameterError("free", "nothing", "one parameter or more")
+        given: set[str] = set()
+        for name in (*(one.name for one in self.free), *self.fixed, *self.ties):
+            if name in given:
+                raise ParameterError(name, "given twice", "free, fixed or tied, one of the three")
+            given.add(name)
+        if not self.outputs:
+            raise ParameterError("outputs", "nothing", "one output or more")
+        if self.comparison not in get_args(Comparison):
+            raise ParameterError("comparison", self.comparison, "'trajectory' or 'peaks'")
+        if self.comparison == "peaks":
+            self._check_peaks()
+        for name in self.noise.sigma:
+            if name not in self.outputs:
+                raise ParameterError("noise.sigma", name, f"one of the outputs, {', '.join(self.outputs)}")
+        self._check_names()
+        self._check_instrument(given)
+        whole_number("peaks", self.peaks, 2)
+        positive("tolerance", self.tolerance)
+
+    @property
+    def scanned(self) -> tuple[str, ...]:
+        """The parameters of `Search.scan`, or what stands for them."""
+        if self.search.scan is not None:
+            return self.search.scan
+        rubbing = (PIVOT_FRICTION.name, PLUNGER_FRICTION.name)
+        return tuple(one.name for one in self.free if one.name in rubbing and not one.per_record)
+
+    def _check_peaks(self) -> None:
+        if len(self.outputs) != 1:
+            raise ParameterError("outputs", self.outputs, "one output where peaks are compared")
+        if self.noise.sigma:
+            allowed = "left out where peaks are compared, whose relative errors are estimated"
+            raise ParameterError("noise.sigma", dict(self.noise.sigma), allowed)
+
+    def _check_instrument(self, given: Set[str]) -> None:
+        """The numbers of the instrument go with what is compared."""
+        for name in (RELEASE_TIME, TIME_BASE) if self.inputs else ():
+            if name in given:
+                raise ParameterError(name, "given", "left out where inputs drive the FMU")
+        if DELAY in given and not self.inputs:
+            raise ParameterError(DELAY, "given", "left out where no input drives the FMU")
+        if ANGLE_SCALE in given and self.comparison == "peaks":
+            raise ParameterError(ANGLE_SCALE, "given", "left out where peaks are compared")
+        for name in self.ties:
+            if name in INSTRUMENT:
+                raise ParameterError(f"ties.{name}", self.ties[name], "fixed or free, not tied")
+
+    def _check_names(self) -> None:
+        """The parameters that are exchanged and profiled are free ones."""
+        free = [one.name for one in self.free]
+        for name in (name for pair in self.search.exchanges for name in pair):
+            if name not in free:
+                allowed = f"among the free parameters, {', '.join(free)}"
+                raise ParameterError("search.exchanges", name, allowed)
+        shared = [one.name for one in self.free if not one.per_record]
+        named = {
+            "search.scan": self.search.scan or (),
+            "uncertainty.profiles": self.uncertainty.profiles or (),
+        }
+        for field_name, name in ((where, name) for where, names in named.items() for name in names):
+            if name not in shared:
+                allowed = f"among the parameters that all records share, {', '.join(shared)}"
+                raise ParameterError(field_name, name, allowed)
+
+
+def _names(given: object) -> bool:
+    """Whether something is a tuple of names."""
+    return isinstance(given, tuple) and all(isinstance(name, str) for name in given)
+
+
+def with_values(
+    settings: FitSettings, values: Mapping[str, Value], *, replace_starts: bool = False
+) -> FitSettings:
+    """The settings with values for all that they leave to the FMU.
+
+    Args:
+        settings: what they fix or tie themselves stays
+        values: parameters by name, in the units of the FMU: fixed where they are not fitted, and the start of
+            the search where they are
+        replace_starts: whether they go before starts that the settings give
+
+    Raises:
+        ParameterError: a start is outside the bounds of the fit
+    """
+    fitted = {one.name for one in settings.free}
+    free = tuple(
+        dataclasses.replace(one, start=float(values[one.name]))
+        if one.name in values and (replace_starts or one.start is None)
+        else one
+        for one in settings.free
+    )
+    fixed = {
+        name: value for name, value in values.items() if name not in fitted and name not in settings.ties
+    }
+    return dataclasses.replace(settings, free=free, fixed=fixed | dict(settings.fixed))
+
+
+def with_known(
+    settings: FitSettings, values: Mapping[str, float], uncertainties: Mapping[str, float]
+) -> FitSettings:
+    """The settings with parameters that are fitted although they were measured: each counts as a measurement.
+
+    Args:
+        settings: what they fix or do not mention becomes free
+        values: of the parameters, in the units of the FMU
+        uncertainties: their standard uncertainties, by the same names
+
+    Raises:
+        ParameterError: an uncertainty is not above 0, or the parameter is tied or fitted for each record
+    """
+    given = {one.name: one for one in settings.free}
+    known = {
+        name: dataclasses.replace(given.get(name, Free(name)), start=value, uncertainty=uncertainties[name])
+        for name, value in values.items()
+    }
+    return dataclasses.replace(
+        settings,
+        free=(
+            *(known.get(one.name, one) for one in settings.free),
+            *(one for name, one in known.items() if name not in given),
+        ),
+        fixed={name: value for name, value in settings.fixed.items() if name not in known},
+    )
+
+
+#: What belongs to each record of a release: its angle, its instant, and what the record shows in the middle.
+RELEASE: Final = (
+    Free("theta_start", per_record=True),
+    Free(RELEASE_TIME, per_record=True),
+    Free(ZERO_OFFSET, per_record=True),
+)
+
+#: A constant damping coefficient.
+CONSTANT_DAMPING: Final = FitSettings(
+    fmu="Joystick", free=(Free("damping.C", start=0.05, minimum=0.0, maximum=0.5), *RELEASE)
+)
+
+#: Eq. (11). Only the products alpha*A and (1 - alpha)*B act on the motion, so that alpha cannot be fitted
+#: beside A and B: it is fixed at the paper's 0.9.
+POWER_LAW_DAMPING: Final = FitSettings(
+    fmu="JoystickPowerLaw",
+    fixed={"damping.alpha": 0.9},
+    free=(
+        Free("damping.A_pos", start=0.05, minimum=0.0, maximum=1.0),
+        Free("damping.n_pos", start=0.0, minimum=-1.0, maximum=1.0),
+        Free("damping.A_neg", start=0.05, minimum=0.0, maximum=1.0),
+        Free("damping.n_neg", start=0.0, minimum=-1.0, maximum=1.0),
+        Free("damping.B", start=0.05, minimum=0.0, maximum=1.0),
+        Free("damping.m", start=0.0, minimum=-1.0, maximum=1.0),
+        *RELEASE,
+    ),
+    # With the sides exchanged eq. (11) has a second minimum that looks right at 0.1 degree of noise.
+    search=Search(exchanges=(("damping.A_pos", "damping.A_neg"), ("damping.n_pos", "damping.n_neg"))),
+    # Six parameters along a curved valley: their profiles take minutes, and are there where asked for.
+    uncertainty=Uncertainty(profiles=()),
+)
+
+#: The displacement terms of eq. (11) alone, at alpha = 1: four records of 0.1 degree of noise determine them.
+DISPLACEMENT_DAMPING: Final = dataclasses.replace(
+    POWER_LAW_DAMPING,
+    fixed={"damping.alpha": 1.0},
+    free=tuple(one for one in POWER_LAW_DAMPING.free if one.name not in ("damping.B", "damping.m")),
+)
+
+#: What belongs to each record of a driven motion: where it begins, at rest, and what it shows in the middle.
+DRIVEN: Final = (Free("theta_start", per_record=True), Free(ZERO_OFFSET, per_record=True))
+_DRIVEN_STAGES: Final = (0.1, 0.2, 0.4, 0.7)
+
+
+def driven(settings: FitSettings) -> FitSettings:
+    """Settings for releases as settings for records with the torque that drove the joystick, column ``T``.
+
+    The torque says how large moments are, so that the moment of inertia is fitted too; and so is the delay of
+    the angle behind the torque, which all records share. Records begin at rest, unless `omega_start` is made
+    free as well.
+    """
+    own = tuple(one for one in settings.free if not one.per_record)
+    delay = Free(DELAY, start=0.0, minimum=-0.05, maximum=0.05)
+    return dataclasses.replace(
+        settings,
+        free=(*own, Free("J"), delay, *DRIVEN),
+        inputs=("T",),
+        # A drive passes the middle again and again, at instants on which all that follows depends.
+        search=dataclasses.replace(settings.search, stages=_DRIVEN_STAGES),
+    )
+
+
+#: FMUs of the same joystick with dry friction.
+WITH_FRICTION: Final[Mapping[str, str]] = {
+    "Joystick": "JoystickFriction",
+    "JoystickPowerLaw": "JoystickFrictionPowerLaw",
+}
+#: Dry friction at the pivot (N m) and along the plungers in contact (N).
+PIVOT_FRICTION: Final = Free("friction.T_c", start=5e-3, minimum=0.0, maximum=1.0)
+PLUNGER_FRICTION: Final = Free("friction.F_c", start=0.2, minimum=0.0, maximum=50.0)
+
+
+def with_friction(settings: FitSettings, *friction: Free) -> FitSettings:
+    """The same fit with dry friction: that at the pivot where nothing is said.
+
+    Raises:
+        ParameterError: the FMU has no counterpart with friction
+    """
+    if settings.fmu not in WITH_FRICTION:
+        raise ParameterError("fmu", settings.fmu, f"one of {', '.join(WITH_FRICTION)}")
+    free = (*settings.free, *(friction or (PIVOT_FRICTION,)))
+    return dataclasses.replace(settings, fmu=WITH_FRICTION[settings.fmu], free=free)

@@ -1,0 +1,325 @@
+"""The variables of a search, their bounds, tied parameters, and how they map to parameters of the FMU."""
+
+from __future__ import annotations
+
+import ast
+import io
+import math
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import asteval
+import numpy as np
+
+from pyjoystick.fmu import FmuDescription, checked_value
+from pyjoystick.identification.fitting.problem.instrument import (
+    DELAY,
+    INSTRUMENT,
+    RELEASE_TIME,
+    ZERO_OFFSET,
+    Instrument,
+)
+from pyjoystick.identification.fitting.problem.measurement import Measurement, Release, guess_release
+from pyjoystick.identification.fitting.problem.settings import FitSettings, Free
+from pyjoystick.support import FloatArray, ParameterError, UnknownParameterError, UnknownVariableError
+
+_NAME = re.compile(r"[A-Za-z_][\w.\[\]]*")
+
+
+def names_in(expressions: Iterable[str]) -> set[str]:
+    """Everything in the expressions that may be a name."""
+    return {name for expression in expressions for name in _NAME.findall(expression)}
+
+
+class Ties:
+    """Values of tied parameters from those of the free ones, by expressions.
+
+    Names in expressions are identifiers; those of the FMU, with dots, are translated.
+    """
+
+    def __init__(self, names: Sequence[str], ties: Mapping[str, str], description: FmuDescription) -> None:
+        """Check the expressions.
+
+        Args:
+            names: the free parameters, in the order in which `values` takes them
+            ties: expressions by the parameter that they give; each may use those before it
+            description: the FMU
+
+        Raises:
+            UnknownParameterError: the FMU has no such parameter, or an expression uses one that is not free
+            ParameterError: an expression cannot be understood
+        """
+        self._own = [_identifier(name) for name in names]
+        self._expressions: dict[str, tuple[str, ast.expr]] = {}
+        if not ties:
+            return
+        self._interpreter = asteval.Interpreter(err_writer=io.StringIO())
+        self._interpreter.symtable.update(dict.fromkeys(self._own, 1.0))
+        known = {name: _identifier(name) for name in (*names, *ties)}
+        for name, expression in ties.items():
+            if name not in description.variables:
+                raise UnknownParameterError(name, description.settable_names())
+            for word in sorted(names_in([expression])):
+                if "." in word and word not in known:
+                    raise UnknownParameterError(word, known)
+            translated = _NAME.sub(lambda match: known.get(match[0], match[0]), expression)
+            try:
+                self._expressions[_identifier(name)] = translated, ast.parse(translated, mode="eval").body
+                self._evaluate(_identifier(name))
+            except (NameError, SyntaxError, TypeError, ValueError):
+                allowed = f"an expression in {', '.join(names)}"
+                raise ParameterError(f"ties.{name}", expression, allowed) from None
+
+    def values(self, own: Sequence[float]) -> list[float]:
+        """The tied values for the values of the free parameters; NaN where an expression has none."""
+        if not self._expressions:
+            return []
+        self._interpreter.symtable.update(zip(self._own, map(float, own), strict=True))
+        return [self._evaluate(name) for name in self._expressions]
+
+    def _evaluate(self, name: str) -> float:
+        """A tied value, for those after it too; NaN where there is none, as for 1/0: the run then fails."""
+        text, parsed = self._expressions[name]
+        # The interpreter collects what it has seen, and does nothing after an error.
+        self._interpreter.code_text, self._interpreter.error = [], []
+        try:
+            with np.errstate(all="ignore"):
+                value = float(self._interpreter.run(parsed, expr=text))
+        except ArithmeticError:
+            value = math.nan
+        self._interpreter.symtable[name] = value
+        return value
+
+
+def _identifier(name: str) -> str:
+    return "p_" + re.sub(r"\W", "__", name)
+
+
+#: The release time may differ from its guess by this much (s), the angle by these factors.
+_TIME_RANGE = 0.15
+_ANGLE_RANGE = (0.7, 1.6)
+#: The zero may differ from 0 by this part of the largest value measured; parts and seconds by this.
+_ZERO_RANGE = 0.25
+_INSTRUMENT_RANGE = 0.2
+
+
+@dataclass(frozen=True, slots=True)
+class Variable:
+    """One number that the search changes.
+
+    Attributes:
+        name: parameter of the FMU, or number of the `Instrument`
+        record: index of the record that it belongs to; None where all records share it
+        label: its name in reports
+        unit: its unit, empty for a pure number
+        start, minimum, maximum: where the search begins, and its bounds, perhaps infinite
+        uncertainty: standard uncertainty of the start, where that was measured; else None
+    """
+
+    name: str
+    record: int | None
+    label: str
+    unit: str
+    start: float
+    minimum: float
+    maximum: float
+    uncertainty: float | None = None
+
+    @property
+    def scale(self) -> float:
+        """How much of a change is a large one: the start value, or a part of the range where that is 0."""
+        if self.name == RELEASE_TIME:
+            return 0.1
+        if self.start != 0.0:
+            return abs(self.start)
+        width = self.maximum - self.minimum
+        return 0.1 * width if math.isfinite(width) else 1.0
+
+    @property
+    def of_instrument(self) -> bool:
+        """Whether it says how a record shows the motion, and nothing of the FMU."""
+        return self.name in INSTRUMENT
+
+
+class Variables:
+    """All variables of a fit, in the order of the vectors x that the rest of the package works with.
+
+    Attributes:
+        free: the variables; besides parameters of the FMU they may be auxiliary ones that only ties use
+        varied: the FMU's parameters that they determine, ties included
+        tied: those of them that are computed from others
+    """
+
+    def __init__(
+        self, settings: FitSettings, description: FmuDescription, records: Sequence[Measurement]
+    ) -> None:
+        """Raises ParameterError, UnknownParameterError where a name, bound or expression is not allowed."""
+        self._count = len(records)
+        for name in (*(one.name for one in settings.free), *settings.fixed):
+            if name in INSTRUMENT and name in description.variables:
+                raise ParameterError(name, "given", "left out: the FMU has a variable of this name itself")
+        self._instrument = {
+            name: float(value) for name, value in settings.fixed.items() if name in INSTRUMENT
+        }
+        guesses = [_release_of(settings, record) for record in records]
+        free: list[Variable] = []
+        own = [one.name for one in settings.free if one.name not in INSTRUMENT]
+        used = names_in(settings.ties.values())
+        for one in settings.free:
+            auxiliary = one.name not in description.variables and one.name not in INSTRUMENT
+            if auxiliary and one.name not in used:
+                raise UnknownParameterError(one.name, [*INSTRUMENT, *description.settable_names()])
+            first = settings.outputs[0]
+            largest = [_largest(record, first) for record in records]
+            if one.per_record:
+                free += [
+                    _variable(one, description, first, _Seen(guess, size), i, record.name)
+                    for i, (guess, size, record) in enumerate(zip(guesses, largest, records, strict=True))
+                ]
+            else:
+                free.append(_variable(one, description, first, _Seen(guesses[0], max(largest)), None, ""))
+        self.free = tuple(free)
+        self.tied = tuple(settings.ties)
+        self._settable = [k for k, name in enumerate(own) if name in description.variables]
+        self.varied = (*(own[k] for k in self._settable), *self.tied)
+        self._starts = [float(record.time[0]) for record in records]
+        self._places = [[self._place(name, record) for name in own] for record in range(self._count)]
+        self._instrument_places = [
+            {name: place for name in INSTRUMENT if (place := self._place(name, record)) is not None}
+            for record in range(self._count)
+        ]
+        self._ties = Ties(own, settings.ties, description)
+
+    @property
+    def start(self) -> FloatArray:
+        """The start values, shape (variables,)."""
+        return np.array([variable.start for variable in self.free])
+
+    @property
+    def lower(self) -> FloatArray:
+        """The lower bounds, shape (variables,)."""
+        return np.array([variable.minimum for variable in self.free])
+
+    @property
+    def upper(self) -> FloatArray:
+        """The upper bounds, shape (variables,)."""
+        return np.array([variable.maximum for variable in self.free])
+
+    @property
+    def labels(self) -> tuple[str, ...]:
+        """The names for reports."""
+        return tuple(variable.label for variable in self.free)
+
+    def row(self, x: FloatArray, record: int) -> FloatArray:
+        """The values of `varied` for one record, shape (len(varied),)."""
+        own = [float(x[place]) for place in self._places[record] if place is not None]
+        return np.array([own[k] for k in self._settable] + self._ties.values(own))
+
+    def tied_values(self, x: FloatArray, record: int) -> FloatArray:
+        """The values of `tied` for one record, shape (len(tied),)."""
+        return self.row(x, record)[len(self.varied) - len(self.tied) :]
+
+    def instrument(self, x: FloatArray, record: int) -> Instrument:
+        """How a record shows the motion; without a release time, the FMU starts with the record."""
+        free = {name: float(x[place]) for name, place in self._instrument_places[record].items()}
+        return Instrument(**({RELEASE_TIME: self._starts[record]} | self._instrument | free))
+
+    def instrument_places(self, record: int) -> Mapping[str, int]:
+        """Places of the free numbers of a record's instrument among the variables, by name."""
+        return self._instrument_places[record]
+
+    def concerns(self, variable: int, record: int) -> bool:
+        """Whether a variable has an influence on a record."""
+        return self.free[variable].record in (None, record)
+
+    def _place(self, name: str, record: int) -> int | None:
+        return next(
+            (i for i, v in enumerate(self.free) if v.name == name and v.record in (None, record)), None
+        )
+
+
+def _release_of(settings: FitSettings, record: Measurement) -> Release | None:
+    """The guess, where the release is among what is fitted."""
+    wanted = {one.name for one in settings.free} & {RELEASE_TIME, "theta_start"}
+    if not wanted or "theta" not in record.columns:
+        return None
+    theta = record.series("theta")
+    if settings.inputs:
+        # Driven, it begins anywhere.
+        return Release(float(theta[0]), float(record.time[0]), _ZERO_RANGE * float(np.max(np.abs(theta))))
+    return guess_release(record.time, theta)
+
+
+def _largest(record: Measurement, output: str) -> float:
+    """The largest value of an output, 1 where the record does not have it."""
+    return float(np.max(np.abs(record.series(output)))) if output in record.columns else 1.0
+
+
+class _Seen(NamedTuple):
+    """What a record shows: its release, if that is wanted, and its largest value."""
+
+    release: Release | None
+    largest: float
+
+
+def _variable(
+    one: Free, description: FmuDescription, output: str, seen: _Seen, record: int | None, record_name: str
+) -> Variable:
+    label = f"{one.name} [{record_name}]" if record is not None else one.name
+    guess = seen.release
+    if one.name == RELEASE_TIME:
+        start, low, high, unit = _release_time(one, guess)
+    elif one.name == ZERO_OFFSET:
+        if output not in description.variables:
+            raise UnknownVariableError(output, description.variables)
+        start, unit = 0.0, description.variables[output].unit or ""
+        high = _ZERO_RANGE * (seen.largest or 1.0)
+        low = -high
+    elif one.name in INSTRUMENT:
+        start, low, high = 0.0, -_INSTRUMENT_RANGE, _INSTRUMENT_RANGE
+        unit = "s" if one.name == DELAY else ""
+    elif one.name not in description.variables:
+        start, low, high, unit = _auxiliary(one)
+    else:
+        start, low, high = _fmu_parameter(one, description, guess)
+        unit = description.variables[one.name].unit or ""
+    low = low if one.minimum is None else one.minimum
+    high = high if one.maximum is None else one.maximum
+    start = start if one.start is None else one.start
+    if not low < high or not low <= start <= high:
+        raise ParameterError(f"{one.name}.start", start, f"within the bounds, {low:g} to {high:g}")
+    return Variable(one.name, record, label, unit, start, low, high, one.uncertainty)
+
+
+def _release_time(one: Free, guess: Release | None) -> tuple[float, float, float, str]:
+    if guess is None and (one.start is None or one.minimum is None or one.maximum is None):
+        raise ParameterError(RELEASE_TIME, "free", "given with start, minimum and maximum for this record")
+    time = guess.time if guess is not None else 0.0
+    return time, time - _TIME_RANGE, time + _TIME_RANGE, "s"
+
+
+def _auxiliary(one: Free) -> tuple[float, float, float, str]:
+    if one.start is None:
+        raise ParameterError(f"{one.name}.start", one.start, "given: the FMU has no parameter of this name")
+    return one.start, -math.inf, math.inf, ""
+
+
+def _fmu_parameter(
+    one: Free, description: FmuDescription, guess: Release | None
+) -> tuple[float, float, float]:
+    known = description.variables[one.name]
+    if known.type != "Real" or not known.settable_at_start:
+        raise ParameterError(one.name, "free", "a real parameter or start value that can be set")
+    for value in (one.start, one.minimum, one.maximum):
+        if value is not None:
+            checked_value(known, value)
+    low = -math.inf if known.minimum is None else float(known.minimum)
+    high = math.inf if known.maximum is None else float(known.maximum)
+    if one.name == "theta_start" and guess is not None:
+        ends = sorted(factor * guess.angle for factor in _ANGLE_RANGE)
+        if guess.spread:
+            ends = [guess.angle - guess.spread, guess.angle + guess.spread]
+        return guess.angle, max(low, ends[0]), min(high, ends[1])
+    return float(known.start or 0.0), low, high

@@ -1,0 +1,1 @@
+"""The minimum of a fit, and how sure it is."""

@@ -1,0 +1,114 @@
+"""The bootstrap: the fit repeated on data drawn anew from what was measured."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from pyjoystick.identification.fitting.problem.least_squares import Problem
+from pyjoystick.identification.fitting.problem.settings import Resampling
+from pyjoystick.identification.fitting.solution.search import search
+from pyjoystick.support import FloatArray
+
+_EVALUATIONS = 60
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Bootstrap:
+    """Fits of data drawn anew.
+
+    Attributes:
+        resampling: what was drawn
+        fits: the variables of each fit that converged, shape (fits, variables); NaN for those of a record
+            that was not drawn
+        failed: number of fits that did not
+    """
+
+    resampling: Resampling
+    fits: FloatArray
+    failed: int
+
+    def errors(self) -> FloatArray:
+        """Standard deviation of each variable over the fits, shape (variables,); NaN where fewer than two."""
+        return np.array(
+            [np.std(found, ddof=1) if len(found) > 1 else np.nan for found in self._by_variable()]
+        )
+
+    def intervals(self, level: float) -> FloatArray:
+        """Percentiles, shape (variables, 2); NaN where there are fewer than two fits."""
+        tail = 0.5 * (1.0 - level)
+        nothing = np.full(2, np.nan)
+        return np.array(
+            [
+                np.quantile(found, [tail, 1.0 - tail]) if len(found) > 1 else nothing
+                for found in self._by_variable()
+            ]
+        )
+
+    def _by_variable(self) -> list[FloatArray]:
+        return [column[np.isfinite(column)] for column in self.fits.T]
+
+
+def bootstrap(
+    problem: Problem,
+    x: FloatArray,
+    count: int,
+    resampling: Resampling,
+    seed: int,
+    on_fit: Callable[[int, int], None] | None = None,
+) -> Bootstrap:
+    """Repeat the fit `count` times from x.
+
+    Whole records are drawn with replacement: this asks how far the answer depends on which repeats were
+    measured, and trusts no noise model; few records allow few draws (four: 35). Residuals are drawn within
+    each series of a record, in standard deviations of its noise, and added to the prediction: this trusts
+    what is assumed of the noise. In either way, what was measured beforehand is drawn anew too.
+    """
+    random = np.random.default_rng(seed)
+    weights, data, measured = problem.weights, problem.data, problem.measured
+    errors = np.array([one.uncertainty or 0.0 for one in problem.variables.free])
+    predicted = problem.predictions(x)
+    fits, failed = [], 0
+    owners = [one.record for one in problem.variables.free]
+    try:
+        for number in range(count):
+            problem.measured = x + errors * random.standard_normal(len(x))
+            # The release of a record that was not drawn has nothing to go by.
+            idle: list[int] = []
+            if resampling == "records":
+                counts = np.bincount(random.integers(len(data), size=len(data)), minlength=len(data))
+                problem.count_records(counts.tolist(), weights)
+                idle = [j for j, owner in enumerate(owners) if owner is not None and not counts[owner]]
+            else:
+                problem.data = [
+                    _drawn_anew(random, problem, k, *one)
+                    for k, one in enumerate(zip(data, predicted, strict=True))
+                ]
+            minimum = search(problem, x, evaluations=_EVALUATIONS, held={j: float(x[j]) for j in idle})
+            if minimum.converged:
+                minimum.x[idle] = np.nan
+                fits.append(minimum.x)
+            else:
+                failed += 1
+            if on_fit is not None:
+                on_fit(number + 1, count)
+    finally:
+        problem.weights, problem.data, problem.measured = weights, data, measured
+    return Bootstrap(resampling, np.array(fits).reshape(len(fits), len(x)), failed)
+
+
+def _drawn_anew(
+    random: np.random.Generator, problem: Problem, record: int, data: FloatArray, predicted: FloatArray
+) -> FloatArray:
+    """Data of a record with other noise, drawn from what is new in each residual; outliers are not drawn."""
+    memory, weights = problem.memories[record], problem.weights[record]
+    innovations = memory.innovations((data - predicted) * weights)
+    full = problem.shares[record] == 1.0
+    labels = np.array(problem.predictors[record].labels)
+    drawn = np.empty_like(innovations)
+    for label in dict.fromkeys(problem.predictors[record].labels):
+        own = innovations[full & (labels == label)]
+        drawn[labels == label] = random.choice(own - np.mean(own), size=np.count_nonzero(labels == label))
+    return np.asarray(predicted + memory.noise(drawn) / weights)

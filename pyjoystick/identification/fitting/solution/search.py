@@ -1,0 +1,218 @@
+"""The search for the minimum: bounded least squares from one start or from many."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Final
+
+import numpy as np
+from scipy.optimize import least_squares
+from scipy.stats import qmc
+
+from pyjoystick.identification.fitting.problem.least_squares import Problem
+from pyjoystick.identification.fitting.problem.settings import Search
+from pyjoystick.support import FloatArray
+
+#: Minima are the same if their sums of squares differ by less than this part and their variables, in parts of
+#: their scale, by less than this.
+_SAME_COST: Final = 1e-6
+_SAME_PLACE: Final = 1e-3
+#: A search ends where the sum of squares changes by less than this part, or the variables; exact data, whose
+#: sum goes to zero, are followed all the way.
+TOLERANCE: Final = 1e-6
+#: The same where the minimum is refined: about a thousandth of a standard error for a few hundred samples.
+REFINED: Final = 1e-8
+_STEP_TOLERANCE: Final = 1e-10
+
+#: Called with the number of finished searches and of all of them.
+OnStart = Callable[[int, int], None]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Minimum:
+    """Where a search ended.
+
+    Attributes:
+        x: the variables, shape (variables,)
+        cost: sum of the squared weighted residuals
+        converged: the search ended by its own criteria and not for want of evaluations
+        message: how it ended
+        evaluations: evaluations of the residuals
+        found: how many searches ended here
+    """
+
+    x: FloatArray
+    cost: float
+    converged: bool
+    message: str
+    evaluations: int
+    found: int = 1
+
+
+def search(
+    problem: Problem,
+    x: FloatArray,
+    *,
+    evaluations: int,
+    held: Mapping[int, float] | None = None,
+    tolerance: float = TOLERANCE,
+    central: bool = False,
+) -> Minimum:
+    """One search by SciPy's ``least_squares`` (trust region reflective, which keeps the bounds).
+
+    Args:
+        problem: what is minimized
+        x: where to begin
+        evaluations: most evaluations of the residuals
+        held: variables that keep a value, by place
+        tolerance: relative change of the sum of squares at which the search ends
+        central: whether derivatives are central differences; see `Problem.jacobian`
+    """
+    held = dict(held or {})
+    places = [j for j in range(len(x)) if j not in held]
+    full = x.copy()
+    for j, value in held.items():
+        full[j] = value
+    if not places:
+        return Minimum(full, float(np.sum(problem.residuals(full) ** 2)), True, "nothing is free", 1)
+
+    best = _Best(full, math.inf)
+
+    def point(own: FloatArray) -> FloatArray:
+        moved = full.copy()
+        moved[places] = own
+        return moved
+
+    def residuals(own: FloatArray) -> FloatArray:
+        x = point(own)
+        found = problem.residuals(x)
+        best.offer(x, float(found @ found))
+        return found
+
+    def jacobian(own: FloatArray) -> FloatArray:
+        return problem.jacobian(point(own), central=central)[:, places]
+
+    before = problem.evaluations
+    lower, upper = problem.variables.lower[places], problem.variables.upper[places]
+    result = least_squares(
+        residuals,
+        np.clip(full[places], lower, upper),
+        jac=jacobian,
+        bounds=(lower, upper),
+        x_scale="jac",
+        ftol=tolerance,
+        xtol=_STEP_TOLERANCE,
+        gtol=None,
+        max_nfev=evaluations,
+    )
+    message = str(result.message).rstrip(".")
+    return Minimum(best.x, best.cost, bool(result.success), message, problem.evaluations - before)
+
+
+def staged_search(problem: Problem, x: FloatArray, *, evaluations: int, stages: Sequence[float]) -> Minimum:
+    """A search on growing parts of the records, each from where the one before ended.
+
+    Late samples of an oscillation are many periods away from the start, so that far from the solution they
+    pull toward a motion with a wrong number of swings. The first part of a record has no such minima.
+
+    Args:
+        problem: what is minimized
+        x: where to begin
+        evaluations: most evaluations on the whole records; a fifth of them on a part
+        stages: parts of the duration after the release, increasing, below 1
+    """
+    weights = problem.weights
+    try:
+        for stage in stages:
+            problem.weights = [
+                weight * _begins(predictor.times, problem.variables.instrument(x, k).origin, stage)
+                for k, (weight, predictor) in enumerate(zip(weights, problem.predictors, strict=True))
+            ]
+            x = search(problem, x, evaluations=max(evaluations // 5, 2)).x
+    finally:
+        problem.weights = weights
+    return search(problem, x, evaluations=evaluations)
+
+
+def _begins(times: FloatArray, release: float, stage: float) -> FloatArray:
+    """1 for what belongs to the first part of a record, else 0."""
+    return np.where(times <= release + stage * (np.max(times) - release), 1.0, 0.0)
+
+
+@dataclass(slots=True)
+class _Best:
+    """The best point so far: a search that is cut short would else end at its last trial."""
+
+    x: FloatArray
+    cost: float
+
+    def offer(self, x: FloatArray, cost: float) -> None:
+        if cost < self.cost:
+            self.x, self.cost = x, cost
+
+
+def multi_start(
+    problem: Problem, x: FloatArray, wanted: Search, on_start: OnStart | None = None
+) -> list[Minimum]:
+    """Searches from x and from a Latin hypercube over the bounds of the shared variables.
+
+    Only shared variables with two finite bounds are spread; the others begin where x has them. Where there
+    are exchanges, a last search begins at the best minimum with the variables of each pair exchanged.
+
+    Returns:
+        the minima that differ, best first, each with the number of searches that ended in it
+    """
+    minima: list[Minimum] = []
+    for number, start in enumerate(start_points(problem, x, wanted.starts, wanted.seed)):
+        found = staged_search(problem, start, evaluations=wanted.evaluations, stages=wanted.stages)
+        merge(minima, found, problem)
+        if on_start is not None:
+            on_start(number + 1, wanted.starts)
+    if wanted.exchanges:
+        best = min(minima, key=lambda one: one.cost)
+        begun = _exchanged(problem, best.x, wanted.exchanges)
+        merge(minima, search(problem, begun, evaluations=wanted.evaluations), problem)
+    return sorted(minima, key=lambda one: one.cost)
+
+
+def _exchanged(problem: Problem, x: FloatArray, exchanges: Sequence[tuple[str, str]]) -> FloatArray:
+    """X with the values of pairs of variables exchanged, within their bounds."""
+    point = x.copy()
+    names = [(variable.name, variable.record) for variable in problem.variables.free]
+    for first, second in exchanges:
+        for i, (name, record) in enumerate(names):
+            if name == first and (second, record) in names:
+                j = names.index((second, record))
+                point[i], point[j] = x[j], x[i]
+    return np.clip(point, problem.variables.lower, problem.variables.upper)
+
+
+def start_points(problem: Problem, x: FloatArray, starts: int, seed: int) -> list[FloatArray]:
+    """X itself and `starts` - 1 points of a Latin hypercube."""
+    spread = [
+        j
+        for j, one in enumerate(problem.variables.free)
+        if one.record is None and math.isfinite(one.minimum) and math.isfinite(one.maximum)
+    ]
+    points = [x.copy()]
+    if starts > 1 and spread:
+        low, high = problem.variables.lower[spread], problem.variables.upper[spread]
+        for part in qmc.LatinHypercube(len(spread), rng=np.random.default_rng(seed)).random(starts - 1):
+            point = x.copy()
+            point[spread] = low + part * (high - low)
+            points.append(point)
+    return points
+
+
+def merge(minima: list[Minimum], found: Minimum, problem: Problem) -> None:
+    """Count a search with the minimum that it ended in, or add it as another."""
+    scales = np.array([variable.scale for variable in problem.variables.free])
+    for i, known in enumerate(minima):
+        close = abs(known.cost - found.cost) <= _SAME_COST * max(known.cost, found.cost)
+        if close or np.all(np.abs(known.x - found.x) <= _SAME_PLACE * scales):
+            better = found if found.cost < known.cost else known
+            minima[i] = replace(better, found=known.found + 1)
+            return
+    minima.append(found)
