@@ -26,6 +26,8 @@ _FEWEST_SAMPLES = 20
 #: Part of the whole travel before the turn that is left out: friction turns around there, and with noise the
 #: sample that goes furthest need not be the last of loading.
 _TURN = 0.005
+#: Largest travel and force of a record: least, most, unit. Wide: what is outside is in another unit.
+_SIZES: Final = {"travel": (1e-7, 1.0, "m"), "force": (1e-4, 1e5, "N")}
 _COLUMNS: Final = (Column("travel", UNITS["length"]), Column("force", UNITS["force"]))
 
 
@@ -85,7 +87,8 @@ class LoadCurve:
             rows: lines of the file; indices where not given
 
         Raises:
-            RecordError: fewer than 20 samples in a branch, no travel, no force, or travel that turns back
+            RecordError: fewer than 20 samples in a branch, no travel, no force, sizes that no spring has, or
+                travel that turns back
         """
         lines = np.arange(len(travel)) if rows is None else rows
         notes = []
@@ -95,6 +98,11 @@ class LoadCurve:
             if extreme == 0.0 or np.ptp(values) == 0.0:
                 reason = "never changes" if extreme else "is zero throughout"
                 raise RecordError(source, reason, "was the right column chosen?", column=name)
+            least, most, unit = _SIZES[name]
+            if not least <= abs(extreme) <= most:
+                reason = f"the largest {name} is not from {least:g} to {most:g} {unit}"
+                value = f"{extreme:g} {unit}"
+                raise RecordError(source, reason, "is its unit right?", column=name, value=value)
             if extreme < 0.0:
                 series[name] = -values
                 notes.append(

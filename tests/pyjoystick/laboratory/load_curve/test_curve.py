@@ -85,6 +85,21 @@ def test_travel_that_turns_back_names_its_row(tmp_path: Path) -> None:
         read_load_curve(write(tmp_path / "curve.csv", travel, force))
 
 
+@pytest.mark.parametrize(
+    ("sizes", "message"),
+    [
+        ((1e-301, 1.0), "column 'travel': the largest travel is not from 1e-07 to 1 m; is its unit right?"),
+        ((1e3, 1.0), "column 'travel': the largest travel is not from 1e-07 to 1 m; is its unit right?"),
+        ((1.0, 1e6), "column 'force': the largest force is not from 0.0001 to 100000 N; is its unit right?"),
+    ],
+)
+def test_sizes_that_no_spring_has(sizes: tuple[float, float], message: str) -> None:
+    travel, force = cycle(FORWARD_TABLE, 1, step=20e-6)
+    with pytest.raises(RecordError) as refused:
+        LoadCurve.from_cycle(sizes[0] * travel, sizes[1] * force)
+    assert message in str(refused.value).replace(f" (found {refused.value.value})", "")
+
+
 def test_arrays_that_are_no_cycle() -> None:
     travel, force = cycle(FORWARD_TABLE, 1, step=20e-6)
     half = len(travel) // 2
