@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 from tokenize import TokenError
@@ -145,7 +145,7 @@ def _csv_pieces(file: SampleFile, layout: _Layout, size: int) -> Iterator[Piece]
             low_memory=False,
             encoding="utf-8-sig",
         ) as tables:
-            for table in tables:
+            for table in _without_empty_end(tables):
                 _require_width(file, table, first)
                 values = _numbers(file, layout.values, table, first)
                 if layout.time is not None:
@@ -159,6 +159,20 @@ def _csv_pieces(file: SampleFile, layout: _Layout, size: int) -> Iterator[Piece]
         advice = "was the file cut off, or are the decimal marks commas? Export it with decimal points"
         reason = f"is not a table of columns: {str(error).strip()}"
         raise RecordError(str(file.path), reason, advice) from error
+
+
+def _without_empty_end(tables: Iterable[pd.DataFrame]) -> Iterator[pd.DataFrame]:
+    """The tables without the empty lines after the last sample."""
+    held: list[pd.DataFrame] = []
+    for table in tables:
+        filled = np.flatnonzero(table.notna().any(axis=1))
+        if filled.size:
+            end = int(filled[-1]) + 1
+            yield from held
+            yield table.iloc[:end]
+            held, table = [], table.iloc[end:]
+        if len(table):
+            held.append(table)
 
 
 def _require_width(file: SampleFile, table: pd.DataFrame, first: int) -> None:

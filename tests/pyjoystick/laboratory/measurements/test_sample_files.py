@@ -39,6 +39,15 @@ def test_pieces_follow_each_other(tmp_path: Path) -> None:
     )
 
 
+@pytest.mark.parametrize("count", range(1, 10))
+def test_empty_lines_after_the_last_sample_are_no_samples(tmp_path: Path, count: int) -> None:
+    path = write(tmp_path / "a.csv", _text(ROWS) + "\n" + count * "\n")
+    assert sum(len(piece.values) for piece in _pieces(path)) == len(ROWS)
+    within = ROWS[:3] + count * [","] + ROWS[3:]
+    with pytest.raises(RecordError, match=r"rows? 6.*samples without a finite number"):
+        _pieces(write(tmp_path / "b.csv", _text(within)))
+
+
 def test_a_file_without_times_begins_at_zero(tmp_path: Path) -> None:
     path = write(tmp_path / "a.csv", _text([row.split(",")[1] for row in ROWS], "signal (V)"))
     pieces = _pieces(path, rate=50.0)
