@@ -195,7 +195,7 @@ def _fit(content: Mapping[str, Any], source: str) -> FitDocument:
 
 def _value(content: Mapping[str, Any]) -> FittedValue:
     profile = content.get("profile")
-    interval = _numbers(content["interval"] if profile is None else profile["interval"])
+    interval = _numbers(profile["interval"] if profile and profile["followed"] else content["interval"])
     error = content["standard_error"]
     return FittedValue(
         name=content["name"],

@@ -131,7 +131,7 @@ def _residual_checks(
     view = ResidualView(problem, x)
     times = [one.times for one in records]
     yield residual_checks.check_outliers(view.outliers(), names, times, robust=settings.noise.robust)
-    guilty, tried_ones = _guilty(problem, settings, x, view, make)
+    guilty, judged, imitated = _guilty(problem, settings, x, view, make)
     yield _whiteness(problem, x, view, explained=bool(guilty))
     own = sum(one.per_record for one in settings.free)
     shared = len(settings.free) - own
@@ -139,23 +139,24 @@ def _residual_checks(
         lack = residual_checks.check_repeats(view.repeats, view.innovations, shared, own)
         if lack is not None:
             yield lack
-    yield residual_checks.check_suspects(guilty, tried_ones)
+    yield residual_checks.check_suspects(guilty, judged, imitated)
 
 
 def _guilty(
     problem: Problem, settings: FitSettings, x: FloatArray, view: ResidualView, make: Make
-) -> tuple[list[Finding], int]:
-    """What would explain the residuals better than noise, most likely first, and of how many suspects."""
+) -> tuple[list[Finding], int, list[str]]:
+    """What would explain the residuals better than noise, of how many suspects, and which were not judged."""
     known: dict[str, list[Suspect]] = {}
     for suspect in suspects(problem, x):
         known.setdefault(suspect.name, []).append(suspect)
     every = [one for several in known.values() for one in several]
-    findings = score_test(problem, np.concatenate(view.innovations), view.jacobian, every)
+    findings = score_test(problem, view.residuals, view.jacobian, every)
     guilty = significant(findings, 2.0 * residual_checks.CHANCE)
     if guilty:
         first = {name: several[0] for name, several in known.items()}
         guilty = tried(guilty, first, problem, settings, x, make)
-    return guilty, len(known)
+    judged = {one.name for one in findings}
+    return guilty, len(judged), [name for name in known if name not in judged]
 
 
 def _whiteness(problem: Problem, x: FloatArray, view: ResidualView, *, explained: bool) -> trust.Check:

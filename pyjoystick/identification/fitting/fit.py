@@ -65,7 +65,12 @@ def _predictor(
     shared: FmuSettings, settings: FitSettings, record: Measurement, free_clock: bool
 ) -> Predictor:
     known = shared.fmu.description.variables
-    needed = settings.outputs if free_clock or settings.comparison == "peaks" else ()
+    is_needed = free_clock or settings.comparison == "peaks"
+    # Driven, a motion before its origin came along as it goes on, where its slope is known.
+    is_useful = bool(settings.inputs) and all(
+        settings.derivatives.get(one) in known for one in settings.outputs
+    )
+    needed = settings.outputs if is_needed or is_useful else ()
     derivatives = {}
     for name in needed:
         if settings.derivatives.get(name) not in known:
@@ -178,7 +183,9 @@ def _search(
         if shape.settled(before):
             break
         best = _refined(solution, best, settings)
-    return [_recosted(solution, one) for one in (best, *others)], steps
+    best, *others = (_recosted(solution, one) for one in (best, *others))
+    others.sort(key=lambda one: one.cost)
+    return [best, *others], steps
 
 
 def _recosted(solution: Problem, minimum: Minimum) -> Minimum:

@@ -77,6 +77,8 @@ def _parameter(fit: Fit, place: int) -> dict[str, Any]:
             "values": profile.values,
             "distances": profile.distances,
             "at_bound": profile.bounded,
+            "undercut": profile.lower,
+            "followed": profile.converged,
         }
     if fit.bootstrap is not None and len(fit.bootstrap.fits) > 1:
         found["bootstrap_error"] = fit.bootstrap.errors()[place]

@@ -153,17 +153,21 @@ def check_repeats(repeats: Repeats, innovations: Sequence[FloatArray], shared: i
     return Check("lack of fit", chance >= CHANCE, message)
 
 
-def check_suspects(guilty: Sequence[Finding], tried: int) -> Check:
+def check_suspects(guilty: Sequence[Finding], judged: int, imitated: Sequence[str]) -> Check:
     """Whether something that the model lacks would explain the residuals better than noise.
 
     Args:
         guilty: what would, most likely first
-        tried: how many suspects there are
+        judged: how many suspects could be told from the fitted variables
+        imitated: names of the others
     """
     if guilty:
         return Check("missing physics", False, f"the residuals are not noise: {explanation(guilty)}")
-    names = f"{tried} kinds of physics and instrument errors"
-    return Check("missing physics", True, f"none of {names} would explain the residuals better than noise")
+    kinds = f"{judged} kinds of physics and instrument errors"
+    text = f"none of {kinds} would explain the residuals better than noise"
+    if imitated:
+        text += f"; the fitted parameters would hide {', '.join(imitated)}"
+    return Check("missing physics", True, text)
 
 
 def check_outliers(

@@ -20,7 +20,8 @@ class ResidualView:
 
     Attributes:
         innovations: residuals as they count, what is new in each, by record
-        jacobian: derivatives of the predictions as they count, shape (all samples, variables)
+        residuals: all of them, and behind them those of what is known beforehand, shape (terms,)
+        jacobian: derivatives of the predictions as they count, and of what is known, shape (terms, variables)
     """
 
     def __init__(self, problem: Problem, x: FloatArray) -> None:
@@ -30,7 +31,10 @@ class ResidualView:
         self._left = [data - one for data, one in zip(problem.data, self._predicted, strict=True)]
         self._slopes = problem.jacobians(x)
         self.innovations = [problem.counted(one, k) for k, one in enumerate(self._left)]
-        self.jacobian = np.concatenate([problem.counted(one, k) for k, one in enumerate(self._slopes)])
+        known = problem.prior
+        self.residuals = np.concatenate([*self.innovations, known @ (problem.measured - x)])
+        counted = (problem.counted(one, k) for k, one in enumerate(self._slopes))
+        self.jacobian = np.concatenate([*counted, known])
 
     def outliers(self) -> Outliers:
         """Samples that are no part of the noise, whatever they count."""
@@ -39,7 +43,7 @@ class ResidualView:
 
     def series(self) -> list[Series]:
         """What is new in each series of each record."""
-        basis = np.split(column_space(self.jacobian), np.cumsum([len(one) for one in self.innovations])[:-1])
+        basis = np.split(column_space(self.jacobian), np.cumsum([len(one) for one in self.innovations]))
         found = []
         for k, predictor in enumerate(self._problem.predictors):
             labels = np.array(predictor.labels)
@@ -52,7 +56,7 @@ class ResidualView:
 
     @cached_property
     def repeats(self) -> Repeats:
-        """The releases that repeat each other; records that inputs drive are not compared."""
+        """The records that repeat each other."""
         predictors = self._problem.predictors
         late = [
             one.times - self._problem.variables.instrument(self._x, k).origin

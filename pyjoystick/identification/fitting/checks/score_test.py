@@ -46,12 +46,12 @@ class Finding:
 def score_test(
     problem: Problem, residuals: FloatArray, jacobian: FloatArray, found: Iterable[Suspect]
 ) -> list[Finding]:
-    """The suspects that can be told from the fitted variables, most likely first.
+    """The suspects that can be told from the fitted variables, each with what it explains, most likely first.
 
     Args:
         problem: its weights, shares and memories make the columns comparable with the residuals
-        residuals: data less prediction as they count, shape (n,)
-        jacobian: of the predictions as they count, shape (n, variables)
+        residuals: data less prediction as they count, and of what is known beforehand, shape (terms,)
+        jacobian: of the predictions as they count, and of what is known, shape (terms, variables)
         found: the suspects
     """
     basis = column_space(jacobian)
@@ -77,9 +77,11 @@ def column_space(jacobian: FloatArray) -> FloatArray:
 def _tested(
     problem: Problem, suspect: Suspect, left: FloatArray, basis: FloatArray, total: float, freedom: int
 ) -> Finding | None:
-    """What a suspect explains; None where the variables imitate it, or its size makes no sense."""
+    """What a suspect explains, nothing where its size makes no sense; None where the variables imitate it."""
     counted = [problem.counted(own, k) for k, own in enumerate(suspect.columns)]
     columns = _side_by_side(counted) if suspect.own else np.concatenate(counted)
+    # What is known beforehand does not hang on what the model lacks.
+    columns = np.pad(columns, ((0, len(left) - len(columns)), (0, 0)))
     lengths = np.linalg.norm(columns, axis=0)
     if not np.all(np.isfinite(lengths)) or not lengths.any():
         return None
@@ -96,7 +98,7 @@ def _tested(
     sizes = np.zeros(len(lengths))
     sizes[kept] = (right[distinct].T @ (parts / values[distinct])) / lengths[kept]
     if suspect.one_sided and sizes[0] <= 0.0:
-        return None
+        return Finding(suspect.name, "", 0.0, -math.inf, 1.0)
     ratio = (explained / rank) / max((total - explained) / max(freedom - rank, 1), 1e-300)
     chance = float(stats.f.sf(ratio, rank, max(freedom - rank, 1))) * suspect.alternatives
     size = suspect.says(sizes) if rank == columns.shape[1] or suspect.own else ""
@@ -117,8 +119,9 @@ def _side_by_side(blocks: Sequence[FloatArray]) -> FloatArray:
 
 
 def significant(findings: Sequence[Finding], level: float) -> list[Finding]:
-    """Those that noise looks like in this part of all fits."""
-    return [one for one in findings if one.chance * len(findings) < level]
+    """Those that noise looks like in this part of all fits, counted by the suspects that explain anything."""
+    tried = sum(one.explained > 0.0 for one in findings)
+    return [one for one in findings if one.chance * tried < level]
 
 
 def explanation(findings: Sequence[Finding]) -> str:

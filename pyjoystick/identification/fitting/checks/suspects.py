@@ -17,25 +17,16 @@ import numpy as np
 from scipy.signal import butter, sosfiltfilt
 
 from pyjoystick.fmu import REALS
-from pyjoystick.identification.fitting.problem.instrument import (
-    ANGLE_SCALE,
-    DELAY,
-    TIME_BASE,
-    ZERO_OFFSET,
-    Instrument,
-)
+from pyjoystick.identification.fitting.checks.fitted_motion import FittedMotion
+from pyjoystick.identification.fitting.problem.instrument import ANGLE_SCALE, DELAY, TIME_BASE, ZERO_OFFSET
 from pyjoystick.identification.fitting.problem.least_squares import Problem
 from pyjoystick.identification.fitting.problem.prediction import TrajectoryPredictor
 from pyjoystick.identification.fitting.problem.settings import PIVOT_FRICTION, PLUNGER_FRICTION, Free
 from pyjoystick.support import FloatArray
 
-#: Moments are tried at this size (N m), parameters moved by this part, velocities by this (rad/s).
-_MOMENT: Final = 1e-3
+#: Parameters are moved by this part, velocities by this (rad/s).
 _PART: Final = 1e-4
 _VELOCITY: Final = 1e-2
-#: The motion is followed in steps of this (s), but in no more of them than this.
-_STEP: Final = 1e-3
-_MOST_STEPS: Final = 20_000
 #: -3 dB frequencies of low-pass filters (Hz), and their order, once forward and once backward.
 _CUTOFFS: Final = (20.0, 13.0, 8.0, 5.0)
 _ORDER: Final = 4
@@ -44,9 +35,6 @@ _LEVELS: Final = (0.9, 0.75, 0.6)
 _SPRINGS: Final = tuple(
     f"{side}.returnSpring.{name}" for side in ("forward", "backward") for name in ("F_0", "k_s")
 )
-
-#: Derivatives of what one record shows, in the unit of the data, shape (n, columns).
-Columns = Callable[[int], FloatArray]
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,73 +61,13 @@ class Suspect:
     alternatives: int = 1
 
 
-class _Motion:
-    """The fitted motion of one record at fine steps, and what becomes of it."""
-
-    def __init__(self, predictor: TrajectoryPredictor, row: FloatArray, instrument: Instrument) -> None:
-        self.predictor, self.row, self.instrument = predictor, row, instrument
-        self.late = predictor.record.time - instrument.origin
-        end = float(self.late[-1])
-        step = max(_STEP, end / _MOST_STEPS)
-        own = self.late[self.late > 0.0]
-        self._late = np.union1d(np.arange(1, int(end / step) + 1) * step, own)
-        self._places = np.concatenate(
-            (np.zeros(len(self.late) - len(own), dtype=np.intp), 1 + np.searchsorted(self._late, own))
-        )
-        self.time = np.concatenate(([0.0], self._late))
-        wanted = [name for name in ("theta", "omega", "M_s", "f_x") if name in predictor.known]
-        self._names = tuple(dict.fromkeys((*predictor.outputs, *wanted)))
-        self._values = predictor.variables(row, instrument, self._late, self._names)
-
-    def has(self, *names: str) -> bool:
-        """Whether the FMU has these variables."""
-        return set(names) <= set(self._names)
-
-    def series(self, name: str) -> FloatArray:
-        """A variable of the FMU along the motion, shape (m,)."""
-        return self._values[:, self._names.index(name)]
-
-    def shown(self, values: FloatArray) -> FloatArray:
-        """Changes of the outputs along the motion, as the record shows them, shape (n,)."""
-        own = values[self._places, : len(self.predictor.outputs)].copy()
-        own[:, 0] *= 1.0 + self.instrument.angle_scale
-        return np.concatenate(list(own.T))
-
-    def first(self) -> FloatArray:
-        """The first output along the motion, shape (m,)."""
-        return self._values[:, 0]
-
-    def only_first(self, change: FloatArray) -> FloatArray:
-        """A change of the first output alone, as the record shows it, shape (n,)."""
-        values = np.zeros((len(change), len(self.predictor.outputs)))
-        values[:, 0] = change
-        return self.shown(values)
-
-    def moment(self, shape: FloatArray) -> FloatArray:
-        """Derivative with respect to the size of a moment of this shape, shape (n,)."""
-        size = _MOMENT / max(float(np.max(np.abs(shape))), 1e-300)
-        moved = self.predictor.variables(
-            self.row, self.instrument, self._late, self.predictor.outputs, ("T", size * shape)
-        )
-        return self.shown((moved - self._values[:, : moved.shape[1]]) / size)
-
-    def parameter(self, name: str, change: float) -> FloatArray:
-        """Derivative with respect to a parameter of the FMU, shape (n,)."""
-        return self._moved(name, change) / change
-
-    def _moved(self, name: str, change: float) -> FloatArray:
-        """By how much the record shows another motion with another parameter, shape (n,)."""
-        moved = self.predictor.variables(
-            self.row, self.instrument, self._late, self.predictor.outputs, moved=(name, change)
-        )
-        return self.shown(moved - self._values[:, : moved.shape[1]])
-
-
 def suspects(problem: Problem, x: FloatArray) -> Iterator[Suspect]:
     """Everything that can be tried with the FMU of a problem, at a point."""
     predictors = [one for one in problem.predictors if isinstance(one, TrajectoryPredictor)]
     instruments = [problem.variables.instrument(x, k) for k in range(len(predictors))]
-    motions = [_Motion(one, problem.variables.row(x, k), instruments[k]) for k, one in enumerate(predictors)]
+    motions = [
+        FittedMotion(one, problem.variables.row(x, k), instruments[k]) for k, one in enumerate(predictors)
+    ]
     yield from _instruments(problem, x, motions)
     known = predictors[0].known
     if "T" in known and known["T"].causality == "input" and motions[0].has("theta", "omega"):
@@ -153,11 +81,13 @@ def suspects(problem: Problem, x: FloatArray) -> Iterator[Suspect]:
     yield from _parameters(problem, motions)
 
 
-def _each(motions: Sequence[_Motion], column: Callable[[_Motion], FloatArray]) -> tuple[FloatArray, ...]:
+def _each(
+    motions: Sequence[FittedMotion], column: Callable[[FittedMotion], FloatArray]
+) -> tuple[FloatArray, ...]:
     return tuple(column(one)[:, np.newaxis] for one in motions)
 
 
-def _instruments(problem: Problem, x: FloatArray, motions: Sequence[_Motion]) -> Iterator[Suspect]:
+def _instruments(problem: Problem, x: FloatArray, motions: Sequence[FittedMotion]) -> Iterator[Suspect]:
     """What the record shows otherwise than it is."""
     slopes = problem.instrument_slopes(x)
     unit = _Unit(problem.predictors[0].labels[0])
@@ -195,7 +125,7 @@ def _limits(values: Sequence[FloatArray]) -> list[float]:
     ]
 
 
-def _clipping(motions: Sequence[_Motion], limit: float, unit: _Unit) -> Suspect:
+def _clipping(motions: Sequence[FittedMotion], limit: float, unit: _Unit) -> Suspect:
     return Suspect(
         "clipping",
         _each(motions, lambda one: one.only_first(-_beyond(one.first(), limit))),
@@ -205,10 +135,10 @@ def _clipping(motions: Sequence[_Motion], limit: float, unit: _Unit) -> Suspect:
     )
 
 
-def _friction(motions: Sequence[_Motion]) -> Iterator[Suspect]:
+def _friction(motions: Sequence[FittedMotion]) -> Iterator[Suspect]:
     yield Suspect(
         "dry friction at the pivot",
-        _each(motions, lambda one: one.moment(-np.sign(one.series("omega")))),
+        _each(motions, lambda one: one.with_moment(-np.sign(one.series("omega")))),
         lambda s: f"T_c about {s[0]:.2g} N m",
         one_sided=True,
         free=(PIVOT_FRICTION,),
@@ -216,26 +146,26 @@ def _friction(motions: Sequence[_Motion]) -> Iterator[Suspect]:
     if motions[0].has("M_s", "f_x"):
         yield Suspect(
             "dry friction at the plungers",
-            _each(motions, lambda one: one.moment(-np.sign(one.series("omega")) * _lever(one))),
+            _each(motions, lambda one: one.with_moment(-np.sign(one.series("omega")) * _lever(one))),
             lambda s: f"F_c about {s[0]:.2g} N",
             one_sided=True,
             free=(PLUNGER_FRICTION,),
         )
 
 
-def _lever(motion: _Motion) -> FloatArray:
+def _lever(motion: FittedMotion) -> FloatArray:
     """dx/dtheta (m) of the plunger in contact: the contact moment by its force; 0 without contact."""
     moment, force = motion.series("M_s"), motion.series("f_x")
     return np.abs(np.divide(moment, force, out=np.zeros_like(moment), where=force > 0.0))
 
 
-def _damping(motions: Sequence[_Motion]) -> Iterator[Suspect]:
+def _damping(motions: Sequence[FittedMotion]) -> Iterator[Suspect]:
     """A coefficient that depends on the angle, on its side or on the speed, each to first order."""
 
-    def columns(one: _Motion) -> FloatArray:
+    def columns(one: FittedMotion) -> FloatArray:
         theta, omega = one.series("theta"), one.series("omega")
         shapes = (omega * np.abs(theta), omega * np.sign(theta), omega * np.abs(omega))
-        return np.column_stack([one.moment(-shape) for shape in shapes])
+        return np.column_stack([one.with_moment(-shape) for shape in shapes])
 
     yield Suspect(
         "a damping coefficient that depends on the angle, its side or the speed otherwise",
@@ -243,38 +173,38 @@ def _damping(motions: Sequence[_Motion]) -> Iterator[Suspect]:
     )
 
 
-def _stops(motions: Sequence[_Motion]) -> Iterator[Suspect]:
+def _stops(motions: Sequence[FittedMotion]) -> Iterator[Suspect]:
     """An elastic stop within the motion, on one side."""
     for limit in _limits([one.series("theta") for one in motions]):
         yield _stop(motions, limit)
 
 
-def _stop(motions: Sequence[_Motion], limit: float) -> Suspect:
+def _stop(motions: Sequence[FittedMotion], limit: float) -> Suspect:
     return Suspect(
         "a stop",
-        _each(motions, lambda one: one.moment(-_beyond(one.series("theta"), limit))),
+        _each(motions, lambda one: one.with_moment(-_beyond(one.series("theta"), limit))),
         lambda s: f"at about {math.degrees(limit):.2g} deg",
         one_sided=True,
         alternatives=2 * len(_LEVELS),
     )
 
 
-def _torque(motions: Sequence[_Motion]) -> Iterator[Suspect]:
+def _torque(motions: Sequence[FittedMotion]) -> Iterator[Suspect]:
     """Errors of the torque that was measured."""
     yield Suspect(
         "an error of the torque's scale",
-        _each(motions, lambda one: one.moment(one.predictor.input_at("T", one.instrument, one.time))),
+        _each(motions, lambda one: one.with_moment(one.predictor.input_at("T", one.instrument, one.time))),
         lambda s: f"{100.0 * s[0]:+.2g} %",
     )
     yield Suspect(
         "a zero offset of the torque",
-        _each(motions, lambda one: one.moment(np.ones_like(one.time))),
+        _each(motions, lambda one: one.with_moment(np.ones_like(one.time))),
         lambda s: f"up to {_largest(s):.2g} N m",
         own=True,
     )
 
 
-def _parameters(problem: Problem, motions: Sequence[_Motion]) -> Iterator[Suspect]:
+def _parameters(problem: Problem, motions: Sequence[FittedMotion]) -> Iterator[Suspect]:
     """Parameters of the joystick that the settings leave at what they are."""
     predictor = motions[0].predictor
 
@@ -285,14 +215,16 @@ def _parameters(problem: Problem, motions: Sequence[_Motion]) -> Iterator[Suspec
 
     def columns(names: Sequence[str]) -> tuple[FloatArray, ...]:
         return tuple(
-            np.column_stack([one.parameter(name, _PART * (predictor.value(name) or 1.0)) for name in names])
+            np.column_stack(
+                [one.with_parameter(name, _PART * (predictor.value(name) or 1.0)) for name in names]
+            )
             for one in motions
         )
 
     if predictor.inputs and free("omega_start"):
         yield Suspect(
             "motion at the first sample",
-            _each(motions, lambda one: one.parameter("omega_start", _VELOCITY)),
+            _each(motions, lambda one: one.with_parameter("omega_start", _VELOCITY)),
             lambda s: f"up to {abs(_largest(s)):.2g} rad/s",
             own=True,
         )
@@ -308,10 +240,13 @@ def _parameters(problem: Problem, motions: Sequence[_Motion]) -> Iterator[Suspec
         yield Suspect("other preloads or stiffnesses of the return springs", columns(springs))
 
 
-def _filters(motions: Sequence[_Motion]) -> Iterator[Suspect]:
+def _filters(motions: Sequence[FittedMotion]) -> Iterator[Suspect]:
     """A low-pass filter without delay, as recorded angles are smoothed."""
+    interval = max(float(np.median(np.diff(one.late))) for one in motions)
+    duration = min(float(np.ptp(one.late)) for one in motions)
     for cutoff in _CUTOFFS:
-        if cutoff < 0.5 / float(np.median(np.diff(motions[0].late))):
+        # Shorter records show nothing of it.
+        if 1.0 / duration < cutoff < 0.5 / interval:
             yield Suspect(
                 "a low-pass filter",
                 _each(motions, partial(_filtered, cutoff=cutoff)),
@@ -325,16 +260,16 @@ def _near(cutoff: float, sizes: FloatArray) -> str:
     return f"-3 dB near {cutoff:g} Hz"
 
 
-def _filtered(motion: _Motion, cutoff: float) -> FloatArray:
+def _filtered(motion: FittedMotion, cutoff: float) -> FloatArray:
     """Change of the first output by a filter, shape (n,)."""
-    grid = np.arange(motion.late[0], motion.late[-1] + _STEP, _STEP)
+    grid = np.arange(motion.late[0], motion.late[-1] + motion.step, motion.step)
     first = np.interp(grid, motion.time, motion.first())
-    change = sosfiltfilt(butter(_ORDER, cutoff, fs=1.0 / _STEP, output="sos"), first) - first
+    change = sosfiltfilt(butter(_ORDER, cutoff, fs=1.0 / motion.step, output="sos"), first) - first
     shown = np.interp(motion.late, grid, change)
     return np.concatenate((shown, *[np.zeros_like(shown)] * (len(motion.predictor.outputs) - 1)))
 
 
-def _moving_at_release(motions: Sequence[_Motion]) -> Suspect:
+def _moving_at_release(motions: Sequence[FittedMotion]) -> Suspect:
     """A hold at another angle than that at which the motion would have begun at rest.
 
     A velocity at the release is, to first order, an earlier release at a larger angle, to which the free
@@ -344,7 +279,7 @@ def _moving_at_release(motions: Sequence[_Motion]) -> Suspect:
     omega = start.series("omega")
     slope = abs(float(omega[1] / start.time[1]))
 
-    def column(one: _Motion) -> FloatArray:
+    def column(one: FittedMotion) -> FloatArray:
         held = np.where(one.late <= 0.0, -np.sign(one.first()[0]), 0.0)
         return np.concatenate((held, *[np.zeros_like(held)] * (len(one.predictor.outputs) - 1)))
 

@@ -109,7 +109,8 @@ class TrajectoryPredictor:
             settings: the FMU
             record: what was measured
             outputs: the series that are compared
-            derivatives: output that is the derivative of another; empty where the clock is fixed
+            derivatives: output that is the derivative of another; empty where the clock is fixed and nothing
+                drives the FMU
             inputs: columns that drive the FMU
         """
         self.record = record
@@ -148,10 +149,8 @@ class TrajectoryPredictor:
         motions, rates = (
             series[:, :, [plan.outputs.index(one) for one in names]] for names in (self.outputs, self._slopes)
         )
-        if self._inputs is not None and self._slopes:
-            # Driven, it is not at rest before: it came along as it goes on.
-            early = np.minimum(late, 0.0)[np.newaxis, :, np.newaxis]
-            motions = motions + (1.0 + instrument.time_base) * early * rates
+        if self._is_driven:
+            motions = motions + _came_along(rates, late, instrument)
         else:
             rates = np.where(moving[np.newaxis, :, np.newaxis], rates, 0.0)
         shown = motions.copy()
@@ -189,8 +188,14 @@ class TrajectoryPredictor:
         moving = np.unique(time[time > instrument.origin])
         numbers = np.full((len(time), len(self.outputs)), np.nan)
         if moving.size:
-            found = self.variables(row, instrument, moving - instrument.origin, self.outputs)
-            numbers = found[np.where(time > instrument.origin, np.searchsorted(moving, time) + 1, 0)]
+            late, n = time - instrument.origin, len(self.outputs)
+            found = self.variables(
+                row, instrument, moving - instrument.origin, (*self.outputs, *self._slopes)
+            )
+            found = found[np.where(late > 0.0, np.searchsorted(moving, time) + 1, 0)]
+            numbers = found[:, :n]
+            if self._is_driven:
+                numbers = numbers + _came_along(found[:, n:], late, instrument)
             numbers[:, 0] = (1.0 + instrument.angle_scale) * numbers[:, 0] + instrument.zero_offset
         numbers[lacking] = np.nan
         return pd.DataFrame(numbers, index=time, columns=list(self.outputs))
@@ -219,7 +224,8 @@ class TrajectoryPredictor:
         """
         plan = self._plan_at(instrument, late, names, added, moved)
         self.runs += 1
-        return np.asarray(run_rows(plan, row[np.newaxis], self._settings).numbers[0])
+        found = run_rows(plan, row[np.newaxis], self._settings).numbers[0]
+        return np.asarray(found[:, [plan.outputs.index(one) for one in names]])
 
     @property
     def known(self) -> Mapping[str, Variable]:
@@ -235,6 +241,11 @@ class TrajectoryPredictor:
         """A column that drives the FMU, at instants after `Instrument.origin` (s)."""
         times = late + instrument.release_time
         return np.asarray(np.interp(times, self.record.time, self.record.series(name)))
+
+    @property
+    def _is_driven(self) -> bool:
+        """Whether the motion before its origin is known: driven, it was not at rest."""
+        return self._inputs is not None and bool(self._slopes)
 
     def _plan(self, instrument: Instrument, late: FloatArray) -> Plan:
         plan = self._plans.get(instrument.clock)
@@ -286,6 +297,17 @@ def _with_added(
     more = np.interp(index, instants, values, left=0.0, right=0.0)
     table[name] = table[name] + more if name in table else more
     return table
+
+
+def _came_along(rates: FloatArray, late: FloatArray, instrument: Instrument) -> FloatArray:
+    """What a driven motion still had to go before its origin, to first order; 0 after it.
+
+    Args:
+        rates: its velocity, and that at its origin before it, shape (..., n, outputs)
+        late: time after the origin on the clock of the record (s), shape (n,)
+        instrument: of the record
+    """
+    return (1.0 + instrument.time_base) * np.minimum(late, 0.0)[:, np.newaxis] * rates
 
 
 class Runs(NamedTuple):
