@@ -6,6 +6,7 @@ import time
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import nullcontext
 from dataclasses import replace
+from typing import Final
 
 import numpy as np
 
@@ -86,10 +87,13 @@ def _predictor(
 OnProgress = Callable[[str, int, int], None]
 
 #: Noise and minimum are estimated in turn until they agree, but no more often than this.
-_MOST_ROUNDS = 10
+_MOST_ROUNDS: Final = 10
+_UNSETTLED: Final = Check(
+    "noise", False, "the estimate of the noise and the minimum do not agree: give the noise's sigma"
+)
 #: Tolerance of the FMU at the solution: its results then scatter by rounding errors alone, and differences
 #: tell a weak influence from none.
-_SOLUTION_TOLERANCE = 1e-10
+_SOLUTION_TOLERANCE: Final = 1e-10
 
 
 def fit(
@@ -119,12 +123,14 @@ def fit(
     with nullcontext(fmu) if fmu is not None else Fmu(settings.fmu) as opened, progress as tell:
         problem = make_problem(measured, ordered, opened)
         solution = _at_solution(problem, measured, ordered, opened)
-        minima, steps = _search(problem, solution, ordered, tell)
+        minima, steps, settled = _search(problem, solution, ordered, tell)
 
         def make(other: FitSettings, fmu: Fmu | None) -> Problem:
             return make_problem(measured, other, fmu or opened)
 
         found = _judged(solution, ordered, minima, steps, make, tell)
+        if not settled:
+            found = replace(found, checks=(*found.checks, _UNSETTLED))
     found = as_given(found, settings, [one.name for one in given])
     runs = found.runs + (problem.runs if problem is not solution else 0)
     return replace(found, runs=runs, seconds=time.perf_counter() - begun)
@@ -141,7 +147,7 @@ def fitted_values(
     ordered, measured = ordered_settings(settings), ordered_records(measurements(records))
     problem = make_problem(measured, ordered, fmu)
     solution = _at_solution(problem, measured, ordered, fmu)
-    minima, _ = _search(problem, solution, ordered, lambda stage, done, total: None)
+    minima, *_ = _search(problem, solution, ordered, lambda stage, done, total: None)
     found = zip(solution.variables.free, minima[0].x, strict=True)
     return {one.name: float(value) for one, value in found if one.record is None}
 
@@ -160,8 +166,11 @@ def _at_solution(
 
 def _search(
     problem: Problem, solution: Problem, settings: FitSettings, tell: OnProgress
-) -> tuple[list[Minimum], StepChoice]:
-    """The minima, the best one refined on `solution`, whose weights become those of the noise found there."""
+) -> tuple[list[Minimum], StepChoice, bool]:
+    """The minima, the best one refined on `solution`, whose weights become those of the noise found there.
+
+    Last, whether minimum and noise agree.
+    """
     problem.steps = choose_steps(problem, problem.variables.start, central=False).steps
     starts = settings.search.starts
     tell("searching", 0, starts)
@@ -178,14 +187,16 @@ def _search(
     solution.steps = steps.steps
     best = _refined(solution, best, settings)
     shape = first_shape(solution, settings)
+    settled = False
     for _ in range(_MOST_ROUNDS):
         before, shape = shape, shaped(solution, best.x, settings, steps.least(settings.tolerance))
-        if shape.settled(before):
+        settled = shape.settled(before)
+        if settled:
             break
         best = _refined(solution, best, settings)
     best, *others = (_recosted(solution, one) for one in (best, *others))
     others.sort(key=lambda one: one.cost)
-    return [best, *others], steps
+    return [best, *others], steps, settled
 
 
 def _recosted(solution: Problem, minimum: Minimum) -> Minimum:

@@ -10,8 +10,8 @@ from pyjoystick.identification.fitting.problem.instrument import Instrument
 from pyjoystick.identification.fitting.problem.prediction import TrajectoryPredictor
 from pyjoystick.support import FloatArray
 
-#: Size of a moment that is tried (N m).
-_MOMENT: Final = 1e-3
+#: Size of a moment that is tried (N m): small, so that the motion changes in proportion. 1e-3 is too much.
+_MOMENT: Final = 2e-5
 #: The motion is followed in steps of this (s), but in no more of them than this.
 _STEP: Final = 1e-3
 _MOST_STEPS: Final = 20_000

@@ -24,10 +24,12 @@ class Repeats:
     Attributes:
         places: for each record, the number of the group that each sample belongs to, -1 for none
         counts: how many records each group has, 2 or more, shape (groups,)
+        releases: how many records repeat each of the releases that were repeated
     """
 
     places: tuple[NDArray[np.intp], ...]
     counts: FloatArray
+    releases: tuple[int, ...]
 
     @property
     def any(self) -> bool:
@@ -96,7 +98,9 @@ def find_repeats(
         )
         for number, own in zip(group_of, keys, strict=True)
     )
-    return Repeats(places, np.array([float(len(members[key])) for key in several]))
+    repeated = dict.fromkeys(number for number, *_ in several)
+    releases = tuple(group_of.count(number) for number in repeated)
+    return Repeats(places, np.array([float(len(members[key])) for key in several]), releases)
 
 
 def _step(labels: Sequence[str], late: FloatArray) -> float:

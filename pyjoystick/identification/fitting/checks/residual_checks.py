@@ -135,14 +135,12 @@ def check_repeats(repeats: Repeats, innovations: Sequence[FloatArray], shared: i
     if not repeats.any:
         return None
     means = repeats.means(innovations)
-    groups, samples = len(repeats.counts), float(np.sum(repeats.counts))
     between = float(np.sum(repeats.counts * means**2))
     inside = [
         one[places >= 0] for one, places in zip(repeats.deviations(innovations), repeats.places, strict=True)
     ]
     within = sum(float(one @ one) for one in inside)
-    members = max(samples / groups, 2.0)
-    above, below = groups - shared - own, samples - groups - own * (members - 1.0)
+    above, below = repeats_freedom(repeats, shared, own)
     if above < 1.0 or below < 1.0 or within == 0.0:
         return None
     ratio = (between / above) / (within / below)
@@ -151,6 +149,21 @@ def check_repeats(repeats: Repeats, innovations: Sequence[FloatArray], shared: i
     if chance < CHANCE:
         message += ": the records deviate from the fit in the same way"
     return Check("lack of fit", chance >= CHANCE, message)
+
+
+def repeats_freedom(repeats: Repeats, shared: int, own: int) -> tuple[float, float]:
+    """Degrees of freedom of the means over repeats and of the scatter around them.
+
+    Each release that was repeated takes the variables of one record from the means, those of the other
+    records from the scatter.
+
+    Args:
+        repeats: which samples belong together
+        shared: number of variables that all records share
+        own: number of variables that each record has for itself
+    """
+    groups, samples, releases = len(repeats.counts), float(np.sum(repeats.counts)), len(repeats.releases)
+    return groups - shared - own * releases, samples - groups - own * (sum(repeats.releases) - releases)
 
 
 def check_suspects(guilty: Sequence[Finding], judged: int, imitated: Sequence[str]) -> Check:

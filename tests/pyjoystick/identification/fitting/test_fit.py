@@ -24,6 +24,7 @@ from pyjoystick.identification import (
     Uncertainty,
     as_json,
     fit,
+    read_fit,
     report,
     summary,
 )
@@ -176,6 +177,20 @@ def test_the_report_has_everything(with_bootstrap: Fit) -> None:
     assert f"{with_bootstrap.runs} runs of the FMU in {with_bootstrap.seconds:.2f} s." in text
 
 
+def test_a_profile_that_was_not_followed_is_no_interval(with_bootstrap: Fit, tmp_path: Path) -> None:
+    lost = {
+        place: dataclasses.replace(one, converged=False) for place, one in with_bootstrap.profiles.items()
+    }
+    file = tmp_path / "fit.json"
+    for found, expected in (
+        (with_bootstrap, with_bootstrap.profiles[0].interval),
+        (dataclasses.replace(with_bootstrap, profiles=lost), with_bootstrap.intervals[0]),
+    ):
+        file.write_text(as_json(found), "utf-8")
+        assert read_fit(file).values[0].interval == pytest.approx(tuple(expected))
+    assert with_bootstrap.profiles[0].interval != pytest.approx(tuple(with_bootstrap.intervals[0]))
+
+
 def test_json_has_every_number_and_no_nan(with_bootstrap: Fit) -> None:
     found = json.loads(as_json(with_bootstrap), parse_constant=lambda name: pytest.fail(name))
     damping = found["parameters"][0]
@@ -183,6 +198,7 @@ def test_json_has_every_number_and_no_nan(with_bootstrap: Fit) -> None:
     assert len(damping["bootstrap_interval"]) == 2
     assert damping["bootstrap_error"] > 0.0
     assert damping["profile"]["at_bound"] == [False, False]
+    assert damping["profile"]["followed"]
     assert len(found["records"][0]["data"]) == len(with_bootstrap.records[0].data)
     open_one = fit(
         releases(NOMINAL),

@@ -21,6 +21,7 @@ from pyjoystick.identification import (
     with_known,
 )
 from pyjoystick.identification.fitting.checks.trust import away_from_known, check_known
+from pyjoystick.identification.fitting.problem.noise_model import estimated_sigmas
 from pyjoystick.identification.fitting.problem.variables import Variable
 from pyjoystick.identification.fitting.solution.bootstrap import bootstrap
 from pyjoystick.identification.fitting.solution.search import search
@@ -91,6 +92,32 @@ def test_the_hysteresis_tells_both_frictions_apart(fmus_by_name: Path) -> None:
         assert found.value(name) == pytest.approx(truth, abs=4.0 * found.error(name))
     assert found.error("friction.F_c") < 0.01
     assert "Counted as measured beforehand: friction.F_c 0.305 +- 0.01" in summary(found)
+
+
+def test_what_is_known_precisely_hides_nothing(fmus_by_name: Path) -> None:
+    """To know J precisely is to fix it: what else would explain the residuals is the same."""
+    records = releases(NOMINAL.replace({"friction.T_c": 0.002}), 2, noise=NOISE)
+    fixed = dataclasses.replace(CONSTANT_DAMPING, uncertainty=Uncertainty(profiles=()))
+    known = with_known(fixed, {"J": NOMINAL.J}, {"J": 1e-9})
+    checks = [
+        {one.name: (one.passed, one.message) for one in fit(records, settings).checks}
+        for settings in (fixed, known)
+    ]
+    for name in ("missing physics", "whiteness"):
+        assert checks[0][name] == checks[1][name]
+    assert not checks[0]["missing physics"][0]
+
+
+def test_the_noise_is_that_of_the_samples_alone() -> None:
+    """What is known gives no freedom: three variables, of which one is known, take two from 50 samples."""
+    random = np.random.default_rng(2)
+    matrix = random.standard_normal((50, 3))
+    free = (Free("J", start=0.4, uncertainty=1e-6), Free("m", start=0.9), Free("h", start=0.1))
+    problem = linear_problem([matrix], [random.standard_normal(50)], free)
+    x = problem.variables.start
+    ((sigma,),) = (one.values() for one in estimated_sigmas(problem, x, per_record=False, combined=False))
+    residuals = matrix @ x - problem.data[0]
+    assert sigma == pytest.approx(math.sqrt(float(residuals @ residuals) / 48.0))
 
 
 def test_what_was_fixed_becomes_free() -> None:

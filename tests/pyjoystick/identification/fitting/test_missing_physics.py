@@ -3,15 +3,25 @@
 from __future__ import annotations
 
 import dataclasses
+import importlib
 import math
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from pyjoystick.identification import CONSTANT_DAMPING, Fit, Uncertainty, fit, with_friction
+from pyjoystick.identification import (
+    CONSTANT_DAMPING,
+    Fit,
+    FitSettings,
+    Free,
+    Measurement,
+    Uncertainty,
+    fit,
+    with_friction,
+)
 from pyjoystick.identification.fitting.problem.noise_color import Memory
-from pyjoystick.model import NOMINAL
+from pyjoystick.model import NOMINAL, simulate
 from pyjoystick.motion import Record
 from tests.pyjoystick.identification.fitting.made import releases
 
@@ -63,6 +73,26 @@ def test_colored_noise_is_no_reason_to_fail(fmus_by_name: Path) -> None:
     # Known to 0.03 from as many samples.
     assert found.correlation == pytest.approx(0.8, abs=0.12)
     # Beyond four standard errors once in 16,000 fits; the seed is fixed.
+    assert abs(found.value("damping.C") - 0.045) < 4.0 * found.error("damping.C")
+
+
+def test_noise_and_minimum_that_do_not_agree_are_told(
+    fmus_by_name: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    module = importlib.import_module("pyjoystick.identification.fitting.fit")
+    monkeypatch.setattr(module, "_MOST_ROUNDS", 0)
+    found = fit(releases(NOMINAL, 2, noise=NOISE), QUICK)
+    assert "the estimate of the noise and the minimum do not agree" in _message(found, "noise")
+
+
+def test_a_record_too_short_for_filters_is_fitted(fmus_by_name: Path) -> None:
+    """12 ms at 10 kHz show C and no filter."""
+    time = np.arange(120) * 1e-4
+    theta = simulate(NOMINAL, time=time, theta_start=-0.2, omega_start=5.0).theta
+    theta = theta + 1e-6 * np.random.default_rng(5).standard_normal(len(time))
+    free = (Free("damping.C"),)
+    settings = FitSettings(fmu="Joystick", free=free, fixed={"theta_start": -0.2, "omega_start": 5.0})
+    found = fit([Measurement("short", time, {"theta": theta})], settings)
     assert abs(found.value("damping.C") - 0.045) < 4.0 * found.error("damping.C")
 
 

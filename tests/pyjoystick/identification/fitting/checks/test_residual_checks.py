@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 from pyjoystick.identification.fitting.checks.outliers import find_outliers
 from pyjoystick.identification.fitting.checks.repeats import Repeats, find_repeats
@@ -12,6 +13,7 @@ from pyjoystick.identification.fitting.checks.residual_checks import (
     check_outliers,
     check_repeats,
     check_whiteness,
+    repeats_freedom,
     whiteness,
 )
 from pyjoystick.identification.fitting.problem.noise_color import Block, Memory, estimated_correlation
@@ -119,6 +121,24 @@ def test_noise_does_not_repeat_itself_and_physics_does() -> None:
     assert passed.passed
     assert failed is not None
     assert not failed.passed
+
+
+def test_degrees_of_freedom_are_the_traces_of_the_projections() -> None:
+    """Two releases, of two and of three records, each record with two variables of its own."""
+    count, own = 12, 2
+    swing = np.cos(np.arange(count) / 3.0)
+    motions = [swing, swing, -swing, -swing, -swing]
+    repeats = find_repeats([["theta"] * count] * 5, [np.arange(count) / 60.0] * 5, motions)
+    basis = np.linalg.qr(np.vander(np.linspace(-1.0, 1.0, count), own))[0]
+    above = below = 0.0
+    for k in range(5):
+        for i in range(count):
+            unit = [np.zeros(count) for _ in motions]
+            unit[k][i] = 1.0
+            left = [one - basis @ (basis.T @ one) for one in unit]
+            above += float(np.sum(repeats.counts * repeats.means(left) ** 2))
+            below += sum(float(one @ one) for one in repeats.deviations(left))
+    assert repeats_freedom(repeats, 0, own) == (pytest.approx(above), pytest.approx(below))
 
 
 def test_only_records_of_like_motions_repeat_each_other() -> None:

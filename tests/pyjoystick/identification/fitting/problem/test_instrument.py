@@ -74,6 +74,27 @@ def test_a_measured_torque_gives_inertia_damping_and_delay(fmus_by_name: Path, h
         assert abs(found.value(name) - truth) < 4.0 * found.error(name) < 0.05 * truth
 
 
+def test_a_delay_that_is_given_does_what_one_that_is_fitted_does(fmus_by_name: Path) -> None:
+    """Before its origin a driven motion came along; 1.5 rad/s over a delay of 20 ms are 0.03 rad."""
+    time = np.arange(200) * 1e-3
+    record = Measurement("hand", time, {"theta": np.full(200, 0.05), "T": np.zeros(200)})
+    fixed = {"theta_start": 0.05, "omega_start": 1.5}
+    settings = FitSettings(fmu="Joystick", free=(Free("J"),), inputs=("T",), fixed={**fixed, "delay": 0.02})
+    freed = dataclasses.replace(settings, free=(Free("J"), Free("delay", start=0.02)), fixed=fixed)
+    shown = []
+    with Fmu("Joystick") as fmu:
+        for one in (settings, freed):
+            problem = make_problem([record], one, fmu)
+            x = problem.variables.start
+            shown.append(problem.predictions(x)[0])
+            curve = problem.predictors[0].curve(
+                problem.variables.row(x, 0), problem.variables.instrument(x, 0)
+            )
+            assert curve["theta"].to_numpy() == pytest.approx(shown[-1], abs=1e-9)
+    np.testing.assert_array_equal(*shown)
+    assert shown[0][0] == pytest.approx(0.05 - 1.5 * 0.02, abs=1e-12)
+
+
 def test_derivatives_are_those_of_the_prediction(fmus_by_name: Path, hand: Measurement) -> None:
     names = [name for name in INSTRUMENT if name not in ("release_time", "time_base")]
     free = (Free("damping.C"), *(Free(name, start=1e-3) for name in names))
