@@ -30,7 +30,7 @@ def paced(interval: float, duration: float = float("inf")) -> Iterator[float]:
     """
     positive("interval", interval, "s")
     if not duration >= 0.0:
-        raise ParameterError("duration", duration, "must be a number (s), at least 0")
+        raise ParameterError("duration", duration, "a number (s), 0 or more")
     return _paced(interval, duration)
 
 

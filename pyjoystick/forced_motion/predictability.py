@@ -57,8 +57,6 @@ def trusted_until(
     )
     largest = float(first.abs().max())
     if largest == 0.0:
-        raise ParameterError(
-            "inputs", inputs, "must move the joystick, which stays at 0 from where it starts"
-        )
+        raise ParameterError("inputs", inputs, "such as move the joystick, which stays at 0 with these")
     far = np.flatnonzero(np.asarray((second - first).abs()) > SMALL * largest)
     return float(first.index[far[0]]) if len(far) else math.inf

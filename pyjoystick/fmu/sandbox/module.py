@@ -97,7 +97,9 @@ def compiled(description: FmuDescription) -> bytes:
         raise FmuFileError(path, f"its WebAssembly module cannot be compiled: {first}") from error
     if module.imports:
         asked = ", ".join(f"{one.module}.{one.name}" for one in list(module.imports)[:5])
-        raise FmuFileError(path, f"its WebAssembly module asks for what a sandbox has not: {asked}")
+        raise FmuFileError(
+            path, f"its WebAssembly module imports functions that the sandbox does not provide: {asked}"
+        )
     _require_exports(description, {one.name: one.type for one in module.exports})
     return bytes(module.serialize())
 

@@ -14,7 +14,7 @@ from pyjoystick.identification.fitting.checks.score_test import Finding, explana
 from pyjoystick.identification.fitting.checks.trust import Check
 from pyjoystick.support import FloatArray
 
-#: A sound fit fails each of these checks once in so many.
+#: A sound fit fails each of these checks in this part of all cases, "missing physics" in twice as many.
 CHANCE: Final = 5e-3
 #: Numbers of lags, short for single samples and long for slow waves, as far as a series has room for them.
 _LAGS: Final = (5, 20)

@@ -20,7 +20,8 @@ from pyjoystick.support import FloatArray
 _CHANCE: Final = 1e-3
 #: An offset of so many of its standard errors is not chance.
 _OFFSET: Final = 4.0
-#: Standard errors between records and what was measured beforehand: by chance once in a hundred fits.
+#: Standard errors between records and what was measured beforehand: by chance once in a hundred
+#: known parameters.
 _FAR: Final = 2.576
 #: Records that take less than this part off the variance of what was measured say nothing of it.
 _SAYING: Final = 1e-3

@@ -144,7 +144,10 @@ def test_ctrl_c_ends_an_endless_loop(smuggle: Smuggle) -> None:
     ("content", "message"),
     [
         (b"no module", "cannot be compiled"),
-        (module(more='(import "wasi" "fd_write" (func))'), "asks for what a sandbox has not: wasi.fd_write"),
+        (
+            module(more='(import "wasi" "fd_write" (func))'),
+            "imports functions that the sandbox does not provide: wasi.fd_write",
+        ),
         (module(memory="(memory 1)"), "does not export what a run needs: memory"),
         (module(malloc="", explore_record=""), "needs: malloc, explore_record"),
         (module(more=_START.format("(unreachable)")), "cannot be started: it trapped: .*unreachable"),
