@@ -2,7 +2,7 @@
 
     python -m benchmarks.latency
 
-Each command is a process of its own, in turns with one that only imports pandas and Matplotlib, as any program
+Each command is a process of its own, in turns with one that only imports pandas and Matplotlib, as programs
 with tables and figures must. The imports are those of ``python -X importtime``, each module without what it
 imports itself.
 """
@@ -39,12 +39,11 @@ _LINE: Final = re.compile(r"import time:\s+(?P<own>\d+) \|\s+\d+ \| +(?P<module>
 #: Prints the CPU seconds of a batch, with those of loading or compiling the loop.
 _LOOP: Final = """
 import time
-import pandas as pd
 from benchmarks.batches import REDUCTIONS, prepared, random_joysticks
 from pyjoystick.fmu import Fmu, find_fmu
 with Fmu(find_fmu("Joystick")) as fmu:
     plan = prepared(fmu)
-    table = pd.DataFrame(random_joysticks(200), columns=["theta_start", "damping.C"])
+    table = random_joysticks(200)
     begun = time.process_time()
     plan.run_batch(table, threads=1, reductions=REDUCTIONS)
     print(time.process_time() - begun)
