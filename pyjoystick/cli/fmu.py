@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+from functools import partial
 from pathlib import Path
 from typing import Annotated, Final
 
@@ -39,7 +40,7 @@ def run(
         if name not in fmu.MODELS:
             raise typer.BadParameter(f"no FMU {name!r}; there are {', '.join(fmu.MODELS)}", param_hint="NAME")
     for source in map(found_or_built, names):
-        write(folder / source.name, lambda path, source=source: _copy(source, path))
+        write(folder / source.name, partial(_copy, source))
 
 
 def _copy(source: Path, target: Path) -> None:

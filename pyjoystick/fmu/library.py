@@ -139,8 +139,8 @@ def _instantiate_with_log(
 def _platform(description: FmuDescription) -> str:
     """The folder of the binaries for this machine.
 
-    FMI 2 has names for x86 and refers to those of FMI 3 for the rest, but FMPy takes linux64 for any Linux. On
-    macOS darwin64 serves both processors.
+    FMI 2 has names for x86 and refers to those of FMI 3 for the rest, but FMPy takes linux64 for any Linux.
+    On macOS darwin64 serves both processors.
     """
     named_by_fmi_2 = description.fmi_version.startswith("2") and fmpy.platform_tuple != "aarch64-linux"
     name: str = fmpy.platform if named_by_fmi_2 else fmpy.platform_tuple
