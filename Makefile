@@ -16,6 +16,7 @@
 # make claims  docs/claims.md: what the paper says, and what comes out here
 # make docs   the documentation as a site, in build/docs/; any warning is an error
 # make docs-links  the links of the documentation that lead elsewhere, tried over the network
+# make wheel  wheel and source distribution, in dist/; the same bytes each time
 # make lock   pin the newest versions that pyproject.toml allows
 # make clean  remove what was made (the environment stays; "make distclean" removes it too)
 
@@ -54,7 +55,7 @@ INSTALL = $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-
 unexport PYTHONDONTWRITEBYTECODE
 
 .DELETE_ON_ERROR:
-.PHONY: FORCE run env test test-quick fuzz fmu ssp lint lint-js bench figure figures claims docs docs-links lock clean distclean
+.PHONY: FORCE run env test test-quick fuzz fmu ssp lint lint-js bench figure figures claims docs docs-links wheel lock clean distclean
 
 run: fmu
 	$(BIN)/python scenarios/free_oscillation.py
@@ -139,6 +140,14 @@ docs: $(READY) fmu
 
 docs-links: $(READY) fmu
 	$(SPHINX) --builder linkcheck docs build/docs-links
+
+# From the source distribution, so that nothing gets into the wheel that is not in there.
+wheel: $(RUN_READY)
+	rm -rf dist
+	$(BIN)/python -m hatchling build --target sdist --directory dist
+	mkdir dist/sources && tar -xzf dist/*.tar.gz --strip-components=1 -C dist/sources
+	cd dist/sources && ../../$(BIN)/python -m hatchling build --target wheel --directory ..
+	rm -rf dist/sources
 
 lock:
 	$(BIN)/python -m pip install --quiet uv

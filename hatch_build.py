@@ -1,9 +1,8 @@
-"""Build hook: a wheel carries the FMUs, so that who installs it needs no compiler."""
+"""Build hook: a wheel carries the FMUs for all platforms, so that who installs it needs no compiler."""
 
 from __future__ import annotations
 
 import sys
-import sysconfig
 import tempfile
 from pathlib import Path
 from typing import Any
@@ -20,10 +19,12 @@ MODELS = (
     "Operator.Operator",
     "Examples.OperatedJoystick",
 )
+#: With the WebAssembly module, live pages and sandboxes need no compiler either.
+PLATFORMS = ("all", "wasm32")
 
 
 class CustomBuildHook(BuildHookInterface):
-    """Builds the FMUs for this machine's platform and puts them into ``pyjoystick/fmus/``."""
+    """Builds the FMUs and puts them into ``pyjoystick/fmus/``."""
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
         """Add the FMUs to a real wheel; an editable install takes them from ``build/fmi2/``."""
@@ -34,11 +35,8 @@ class CustomBuildHook(BuildHookInterface):
 
         self._folder = tempfile.TemporaryDirectory()
         for model in MODELS:
-            result = build_fmu(f"PreloadedSprings.{model}", Path(self._folder.name))
+            result = build_fmu(f"PreloadedSprings.{model}", Path(self._folder.name), platforms=PLATFORMS)
             build_data["force_include"][str(result.path)] = f"pyjoystick/fmus/{result.path.name}"
-        build_data["pure_python"] = False
-        platform = sysconfig.get_platform().replace("-", "_").replace(".", "_")
-        build_data["tag"] = f"py3-none-{platform}"
 
     def finalize(self, version: str, build_data: dict[str, Any], artifact_path: str) -> None:
         """Remove what was built only to be packed."""

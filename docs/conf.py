@@ -27,6 +27,7 @@ extensions = [
     "extensions.docstrings",
     "extensions.mathml",
     "extensions.modelica_classes",
+    "extensions.page_links",
     "extensions.rooms",
 ]
 root_doc = "index"

@@ -22,7 +22,7 @@ ROOT = Path(__file__).parents[1]
 #: or start other programs, and those that take more than some seconds for other reasons.
 SLOW = (
     *("benchmarks", "docs", "fmu_build", "fuzz", "joystick_fmu", "modelica", "other_tools", "scenarios"),
-    *("test_your_joystick.py", "pyjoystick/reports", "pyjoystick/fmu/test_interruption.py"),
+    *("test_wheel.py", "test_your_joystick.py", "pyjoystick/reports", "pyjoystick/fmu/test_interruption.py"),
     *("pyjoystick/fmu/test_own_process.py", "pyjoystick/fmu/test_stepper.py", "pyjoystick/test_shown.py"),
     *("pyjoystick/runs/sweeps/test_cluster.py", "pyjoystick/runs/sweeps/test_interruption.py"),
     *("pyjoystick/cli", "pyjoystick/runs/coupling", "pyjoystick/runs/fmu_comparison"),
@@ -45,7 +45,7 @@ SLOW = (
     *("pyjoystick/fmu/test_own_fmi3.py", "pyjoystick/fmu/test_cosimulation.py", "test_signals.py"),
 )
 #: Minutes of work for one process, while others go on with the rest.
-FIRST = ("test_your_joystick.py", "test_site.py", "test_sanitizers.py")
+FIRST = ("test_wheel.py", "test_your_joystick.py", "test_site.py", "test_sanitizers.py")
 #: Quick all the same.
 QUICK = ("fmu_build/modelica_source", "fmu_build/runtime/test_layers.py")
 

@@ -29,8 +29,8 @@ def commands(name: str, command: Any) -> Iterator[tuple[str, Any]]:
     if not hasattr(command, "commands"):
         yield name, command.load()
         return
-    for word, inner in command.commands.items():
-        yield from commands(f"{name} {word}", inner)
+    for word in command.list_commands(None):  # in the order of --help
+        yield from commands(f"{name} {word}", command.commands[word])
 
 
 def command_text(name: str, command: Any) -> str:

@@ -37,6 +37,7 @@ _COMMANDS: Final = {
     "torque": "Compute the torque that a motion requires (eq. 13).",
     "sweep": "Run an FMU for many values of its parameters.",
     "compare": "Compare an FMU with the reference or another FMU.",
+    "fmu": "Copy FMUs of this package for other tools.",
     "export": "Write a joystick as FMUs of its own.",
     "ssp": "Write a system of coupled FMUs as one SSP file.",
     "explore": "Write a page in which the joystick runs live.",

@@ -137,8 +137,13 @@ def _instantiate_with_log(
 
 
 def _platform(description: FmuDescription) -> str:
-    """The folder of the binaries for this machine."""
-    name: str = fmpy.platform if description.fmi_version.startswith("2") else fmpy.platform_tuple
+    """The folder of the binaries for this machine.
+
+    FMI 2 has names for x86 and refers to those of FMI 3 for the rest, but FMPy takes linux64 for any Linux.
+    On macOS darwin64 serves both processors.
+    """
+    named_by_fmi_2 = description.fmi_version.startswith("2") and fmpy.platform_tuple != "aarch64-linux"
+    name: str = fmpy.platform if named_by_fmi_2 else fmpy.platform_tuple
     return name
 
 
@@ -157,12 +162,15 @@ def unpacked(description: FmuDescription) -> Iterator[Path]:
 
 def _load(description: FmuDescription, interface: Interface, folder: Path) -> Any:
     before = Path.cwd()
+    identifier = description.interfaces[interface]
+    library = folder / "binaries" / _platform(description) / f"{identifier}{fmpy.sharedLibraryExtension}"
     try:
         return _CLASSES[interface, description.fmi_version[0]](
             guid=description.guid,
-            modelIdentifier=description.interfaces[interface],
+            modelIdentifier=identifier,
             unzipDirectory=str(folder),
-            instanceName=description.interfaces[interface],
+            libraryPath=str(library),
+            instanceName=identifier,
         )
     except Exception as error:  # FMPy raises plain exceptions
         reason = str(error).replace(f"{folder}{os.sep}", "")

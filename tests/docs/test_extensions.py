@@ -157,3 +157,9 @@ def test_the_drawing_has_every_room_and_arrow(package: str) -> None:
     found = {(nearest(x1, y1), nearest(x2, y2)) for x1, y1, x2, y2 in lines}
     assert found == {(room, target) for room, targets in direct(graph).items() for target in targets}
     assert all(y2 < y1 for _, y1, _, y2 in lines)
+
+
+def test_the_commands_stand_in_the_order_of_the_help() -> None:
+    help_ = list(PROGRAM.list_commands(None))
+    assert list(dict.fromkeys(words.split()[1] for words, _ in COMMANDS)) == help_
+    assert help_.index("import") < help_.index("peaks")

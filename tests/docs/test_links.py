@@ -14,7 +14,8 @@ from markdown_it.token import Token
 
 from tests.docs.pages import DOCS, NOTEBOOKS, PAGES, ROOT, tokens
 
-READ = (*PAGES, ROOT / "CHANGELOG.md", *NOTEBOOKS, *sorted(DOCS.glob("api/*.md")))
+_ROOT_PAGES = tuple(ROOT / f"{name}.md" for name in ("CHANGELOG", "CONTRIBUTING", "SECURITY"))
+READ = (*PAGES, *_ROOT_PAGES, *NOTEBOOKS, *sorted(DOCS.glob("api/*.md")))
 #: Folders whose files are in the repository, unlike those in results/ and build/.
 _FOLDERS = "benchmarks|docs|fmu_build|modelica|pyjoystick|scenarios|tests"
 _FILE = re.compile(rf"(?:{_FOLDERS})/[\w./-]*")

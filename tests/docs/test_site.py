@@ -29,6 +29,7 @@ def test_the_site(tmp_path: Path, subtests: pytest.Subtests) -> None:
         pages_need_no_network,
         formulas_are_mathml,
         links_between_classes_of_the_library,
+        names_of_pages_are_links,
         every_name_of_a_door_is_in_the_reference,
     ):
         with subtests.test(check.__name__):
@@ -61,6 +62,19 @@ def notebooks_have_run(site: Path) -> None:
         assert "cell_output" in page
         assert ".svg" in page
         assert "Traceback" not in page
+
+
+def names_of_pages_are_links(site: Path) -> None:
+    """In the changelog, the claims and the docstrings; those of files that are no pages stay as they are."""
+    left = [
+        (path.name, name)
+        for path in site.rglob("*.html")
+        for name in re.findall(r"docs/([\w-]+)\.md", path.read_text(encoding="utf-8"))
+        if (DOCS / f"{name}.md").is_file()
+    ]
+    assert left == []
+    changelog = (site / "changelog.html").read_text(encoding="utf-8")
+    assert '<a class="reference internal" href="fitting.html"><span class="doc">Fitting' in changelog
 
 
 def pages_need_no_network(site: Path) -> None:

@@ -61,7 +61,7 @@ def joystick_page(
     Raises:
         BuildError: the FMU cannot be used, see `fmu_build.explore.explore_page`
     """
-    from fmu_build.explore import Addition, explore_page  # needs packages that only builds need
+    from fmu_build.explore import Addition, explore_page  # takes long to load
 
     places = _places(file, joystick)
     data = {

@@ -41,6 +41,22 @@ def test_no_binary_for_this_platform(joystick_path: Path, tmp_path: Path) -> Non
         Fmu(path)
 
 
+def test_linux_on_aarch64_has_its_own_binaries(
+    joystick_path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As FMI 2.0.5 has it. What is loaded here under that name is this machine's binary."""
+    path = doctored(
+        joystick_path,
+        tmp_path / "arm.fmu",
+        rename=lambda name: name.replace(f"binaries/{fmpy.platform}/", "binaries/aarch64-linux/"),
+    )
+    monkeypatch.setattr(fmpy, "platform_tuple", "aarch64-linux")
+    with Fmu(path) as fmu:
+        run = fmu.run([0.0, 0.1], parameters={"theta_start": -0.35}, outputs=["theta"])
+    assert run["theta"].iloc[0] == -0.35
+    assert run["theta"].iloc[-1] > 0.0
+
+
 def test_a_binary_that_is_none(joystick_path: Path, tmp_path: Path, unpacking_folder: Path) -> None:
     path = doctored(
         joystick_path,

@@ -172,12 +172,13 @@ def test_friction_has_its_controls(live: Live) -> None:
     assert page.csv()["M_s"].abs().max() < 2.0
 
 
-def test_without_the_tools_of_a_build_the_command_names_them(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+def test_without_a_compiler_and_a_module_in_the_fmu_the_command_says_what_is_missing(
+    fmus_by_name: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr("pyjoystick.cli.explore.find_spec", lambda name: None if name == "ziglang" else name)
+    monkeypatch.setattr("importlib.util.find_spec", lambda name: None if name == "ziglang" else name)
     assert main(["explore", "-o", str(tmp_path / "page.html")]) == 1
-    assert "it needs ziglang (pip install 'pyjoystick[build]')" in capsys.readouterr().err
+    error = "the page could not be made: the C compiler is missing: pip install 'pyjoystick[build]' (ziglang)"
+    assert error in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(

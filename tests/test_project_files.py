@@ -1,0 +1,33 @@
+"""What the project says of itself is the same everywhere."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from pathlib import Path
+
+ROOT = Path(__file__).parents[1]
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+
+
+def test_the_citation_is_of_this_version() -> None:
+    text = (ROOT / "CITATION.cff").read_text(encoding="utf-8")
+    found = dict(re.findall(r"^(version|license): (.+)$", text, re.MULTILINE))
+    assert found == {"version": PROJECT["version"], "license": PROJECT["license"]}
+
+
+def test_the_install_page_names_every_extra() -> None:
+    """Beside those that only work on the project itself needs."""
+    page = (ROOT / "docs" / "install.md").read_text(encoding="utf-8")
+    table = page[page.index("| extra |") : page.index("## ")]
+    extras = {name for row in table.splitlines() if row.startswith("| `") for name in _names(row)}
+    assert extras == set(PROJECT["optional-dependencies"]) - {"dev", "docs"}
+
+
+def test_the_install_page_names_the_wheel() -> None:
+    page = (ROOT / "docs" / "install.md").read_text(encoding="utf-8")
+    assert f"dist/pyjoystick-{PROJECT['version']}-py3-none-any.whl" in page
+
+
+def _names(row: str) -> list[str]:
+    return re.findall(r"`(\w+)`", row.split("|")[1])

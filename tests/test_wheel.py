@@ -1,0 +1,157 @@
+"""The wheel: one for all platforms, complete, the same bytes twice, and usable without a compiler."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import tarfile
+import venv
+import zipfile
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pyjoystick.fmu import MODELS, read_description
+
+ROOT = Path(__file__).parents[1]
+PLATFORMS = {"aarch64-darwin", "aarch64-linux", "darwin64", "linux64", "win64"}
+LARGEST = 12e6  # bytes
+#: What only builds need.
+COMPILERS = ("rumoca", "ziglang")
+
+# Each file is built once, by one process.
+pytestmark = pytest.mark.xdist_group("wheel")
+
+
+def _hatch(folder: Path, target: str, output: Path) -> Path:
+    """Build a distribution with the tools of this environment, as a front end without isolation does."""
+    subprocess.run(
+        [sys.executable, "-m", "hatchling", "build", "--target", target, "--directory", str(output)],
+        cwd=folder,
+        check=True,
+        capture_output=True,
+    )
+    (path,) = output.iterdir()
+    return path
+
+
+@pytest.fixture(scope="module")
+def sdist(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return _hatch(ROOT, "sdist", tmp_path_factory.mktemp("sdist"))
+
+
+@pytest.fixture(scope="module")
+def wheel(sdist: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Built from the source distribution, as package indexes and distributions do."""
+    sources = tmp_path_factory.mktemp("sources")
+    with tarfile.open(sdist) as archive:
+        archive.extractall(sources, filter="data")
+    (folder,) = sources.iterdir()
+    return _hatch(folder, "wheel", tmp_path_factory.mktemp("wheel"))
+
+
+@pytest.fixture(scope="module")
+def installed(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The Python of an environment with the wheel and what it depends on, which is that of the tests."""
+    folder = tmp_path_factory.mktemp("environment")
+    venv.create(folder, symlinks=os.name != "nt")
+    (site,) = folder.glob("lib/python*/site-packages")
+    with zipfile.ZipFile(wheel) as archive:
+        archive.extractall(site)
+    dependencies = site / "dependencies"
+    dependencies.mkdir()
+    for path in Path(np.__file__).parents[1].iterdir():
+        if not path.name.startswith(("pyjoystick", *COMPILERS)) and path.suffix != ".pth":
+            (dependencies / path.name).symlink_to(path)
+    (site / "dependencies.pth").write_text(str(dependencies), encoding="utf-8")
+    return folder / "bin" / "python"
+
+
+def _run(python: Path, folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [str(python), "-I", "-m", "pyjoystick", *arguments],
+        cwd=folder,
+        env=os.environ | {"COLUMNS": "100"},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+def test_one_small_file_serves_all_platforms(wheel: Path) -> None:
+    assert wheel.name.endswith("-py3-none-any.whl")
+    assert wheel.stat().st_size <= LARGEST
+
+
+@pytest.mark.parametrize(
+    "check",
+    [
+        ("twine", "check", "--strict"),
+        # Same files are meant: licences, and the inputs of the default runs; and there are two packages.
+        ("check_wheel_contents", "--ignore=W002,W009"),
+    ],
+)
+def test_tools_find_nothing_wrong(check: tuple[str, ...], sdist: Path, wheel: Path) -> None:
+    files = [str(wheel), *([str(sdist)] if check[0] == "twine" else [])]
+    done = subprocess.run([sys.executable, "-m", *check, *files], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_the_wheel_has_the_files_of_the_checkout(wheel: Path) -> None:
+    expected = {
+        path.relative_to(ROOT).as_posix()
+        for package in ("pyjoystick", "fmu_build")
+        for path in (ROOT / package).rglob("*")
+        if path.is_file() and "__pycache__" not in path.parts
+    }
+    library = ROOT / "modelica" / "PreloadedSprings"
+    expected |= {
+        f"fmu_build/modelica/PreloadedSprings/{path.relative_to(library).as_posix()}"
+        for path in library.rglob("*")
+        if path.is_file()
+    }
+    expected |= {f"pyjoystick/fmus/{name}.fmu" for name in MODELS}
+    with zipfile.ZipFile(wheel) as archive:
+        found = {name for name in archive.namelist() if ".dist-info/" not in name}
+    assert found == expected
+
+
+def test_two_builds_in_two_folders_give_the_same_bytes(
+    wheel: Path, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    assert _hatch(ROOT, "wheel", tmp_path_factory.mktemp("again")).read_bytes() == wheel.read_bytes()
+
+
+def test_every_fmu_has_all_platforms_and_a_module(wheel: Path, tmp_path: Path) -> None:
+    with zipfile.ZipFile(wheel) as archive:
+        for name in MODELS:
+            path = Path(archive.extract(f"pyjoystick/fmus/{name}.fmu", tmp_path))
+            assert set(read_description(path).platforms) == PLATFORMS
+            with zipfile.ZipFile(path) as fmu:
+                assert f"extra/org.pyjoystick/wasm32/{name}.wasm" in fmu.namelist()
+
+
+def test_an_installed_wheel_runs_without_compiler_and_checkout(installed: Path, tmp_path: Path) -> None:
+    done = _run(installed, tmp_path, "free-oscillation", "--plot", "run.png")
+    assert done.returncode == 0, done.stderr
+    assert "Joystick.fmu: free oscillation from -20 deg" in done.stdout
+    assert (tmp_path / "run.png").is_file()
+    done = _run(installed, tmp_path, "info", "Joystick")
+    assert str(installed.parents[1].name) in done.stdout
+    done = _run(installed, tmp_path, "fmu", "Joystick", "-o", "fmus")
+    assert done.returncode == 0, done.stderr
+    assert set(read_description(tmp_path / "fmus" / "Joystick.fmu").platforms) == PLATFORMS
+
+
+def test_an_installed_wheel_writes_live_pages(installed: Path, tmp_path: Path) -> None:
+    done = _run(installed, tmp_path, "explore", "-o", "joystick.html")
+    assert done.returncode == 0, done.stderr
+    assert (tmp_path / "joystick.html").stat().st_size > 1e5
+
+
+def test_building_from_an_installed_wheel_says_what_is_missing(installed: Path, tmp_path: Path) -> None:
+    done = _run(installed, tmp_path, "export", "-o", "fmus")
+    assert done.returncode == 1
+    assert "pip install 'pyjoystick[build]'" in done.stderr
