@@ -50,7 +50,7 @@ def test_a_motion_that_forgets_its_start_can_be_trusted(joystick: Fmu) -> None:
 
 
 def test_without_a_motion_there_is_nothing_to_trust(joystick: Fmu) -> None:
-    with pytest.raises(ParameterError, match="must move the joystick"):
+    with pytest.raises(ParameterError, match="such as move the joystick"):
         trusted_until(joystick, TIME, inputs={"T": 0.0})
     with pytest.raises(ParameterError, match="tolerance"):
         trusted_until(joystick, TIME, tolerance=0.0)
