@@ -84,7 +84,7 @@ def _generated(request: BuildRequest) -> tuple[GeneratedModel, str]:
         model = session.load(str(entry), model=request.model)
     request.on_stage("generating C")
     with native_stderr() as generating, translated_errors(request.model, known.file, files):
-        generated = generate(ModelSource(session, model))
+        generated = generate(ModelSource(session, model), request.sensitivity)
     return _with_input_steps(generated, library), loading() + generating() + generated.notes
 
 
