@@ -38,6 +38,7 @@ class RumocaCompiler:
 
     name = "rumoca"
     options: Mapping[str, str] = {}
+    computes_sensitivities = True
 
     def version(self) -> str:
         """Return the installed version; raises `ToolchainError` if rumoca is not installed."""

@@ -1,0 +1,65 @@
+"""Sensitivities through state events, time events, reinit(), discrete variables, initial equations and loops."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from fmpy import read_model_description, simulate_fmu
+
+from fmu_build import FmiVersion
+from pyjoystick.fmu import Fmu
+from tests.shared_fmus import SharedFmus
+
+from .closed_forms import CASES, Case
+
+LIBRARY = Path(__file__).with_name("Moving.mo")
+#: In Model Exchange, FMPy's CVode integrates at a tolerance of 1e-9, and finds events as late as it is off.
+ME_ACCURACY = 1e-5
+#: The cases with events: what is special in Model Exchange is that the importer takes them.
+WITH_EVENTS = [case for case in CASES if case.model in ("Ball", "Switch", "Relay", "Block", "Sampled")]
+
+
+def _fmu(case: Case, fmus: SharedFmus, fmi_version: FmiVersion) -> Path:
+    return fmus.fmu(f"Moving.{case.model}", LIBRARY, fmi_version=fmi_version, sensitivity=case.request)
+
+
+def _name(case: Case) -> str:
+    return case.model
+
+
+@pytest.mark.parametrize("fmi_version", ["2.0", "3.0"])
+@pytest.mark.parametrize("case", CASES, ids=_name)
+def test_co_simulation(case: Case, fmi_version: FmiVersion, shared_fmus: SharedFmus) -> None:
+    """173 points: none of them is an event, whose time depends on the parameters."""
+    times = np.linspace(0.0, case.stop_time, 173)
+    expected = case.derivatives(times)
+    with Fmu(_fmu(case, shared_fmus, fmi_version)) as fmu:
+        table = fmu.run(times, parameters=case.parameters, outputs=list(expected), tolerance=1e-10)
+    for name, values in expected.items():
+        worst = np.abs(table[name].to_numpy() - values) / (1.0 + np.abs(values))
+        assert worst.max() < case.accuracy, name
+
+
+@pytest.mark.parametrize("fmi_version", ["2.0", "3.0"])
+@pytest.mark.parametrize("case", WITH_EVENTS, ids=_name)
+def test_model_exchange(case: Case, fmi_version: FmiVersion, shared_fmus: SharedFmus) -> None:
+    path = _fmu(case, shared_fmus, fmi_version)
+    names = list(case.derivatives(np.zeros(1)))
+    result = simulate_fmu(
+        str(path),
+        model_description=read_model_description(path),
+        fmi_type="ModelExchange",
+        stop_time=case.stop_time,
+        output_interval=case.stop_time / 172,
+        relative_tolerance=1e-9,
+        start_values=dict(case.parameters),
+        output=names,
+    )
+    times = result["time"]
+    at_events = np.unique(times[1:][np.diff(times) == 0.0])
+    far = np.all(np.abs(times[:, None] - at_events[None, :]) > 1e-6, axis=1)
+    assert far.sum() > 150
+    for name, values in case.derivatives(times[far]).items():
+        assert np.abs((result[name][far] - values) / (1.0 + np.abs(values))).max() < ME_ACCURACY, name
