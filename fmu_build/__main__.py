@@ -126,8 +126,8 @@ def main(
         typer.Option(
             callback=_known_sensitivity,
             metavar="VARIABLES:PARAMETERS",
-            help="Derivatives that the FMU computes along its runs, exact through events: theta,omega:J,damping.C; "
-            "`all` means every output, or every parameter. With rumoca.",
+            help="Derivatives that the FMU computes along its runs, exact through events, such as "
+            "theta,omega:J,damping.C; `all` means every output, or every parameter. With rumoca.",
             show_default=False,
         ),
     ] = None,

@@ -103,7 +103,9 @@ def changed(equations: Equations, change: Change) -> Equations:
     )
 
 
-def _changed_sensitivities(sensitivities: EventSensitivities | None, change: Change) -> EventSensitivities | None:
+def _changed_sensitivities(
+    sensitivities: EventSensitivities | None, change: Change
+) -> EventSensitivities | None:
     if sensitivities is None:
         return None
     return replace(sensitivities, root_rates=tuple(change(e) for e in sensitivities.root_rates))

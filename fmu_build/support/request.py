@@ -32,9 +32,7 @@ class SensitivityRequest:
         Raises `BuildError` unless both sides of the colon name something.
         """
         left, colon, right = text.partition(":")
-        sides = [
-            tuple(name.strip() for name in re.split(r",(?![^\[]*\])", side)) for side in (left, right)
-        ]
+        sides = [tuple(name.strip() for name in re.split(r",(?![^\[]*\])", side)) for side in (left, right)]
         if not colon or not all(all(side) for side in sides):
             raise BuildError(
                 f"sensitivities {text!r}: use VARIABLES:PARAMETERS, such as theta,omega:J,damping.C; "

@@ -84,9 +84,7 @@ def test_sensitivities_need_variables_and_parameters(text: str, tmp_path: Path) 
     assert "use VARIABLES:PARAMETERS" in result.stderr
 
 
-def test_a_compiler_without_sensitivities_is_refused(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
+def test_a_compiler_without_sensitivities_is_refused(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     compiler = _use(monkeypatch)
     monkeypatch.setattr(_FakeCompiler, "computes_sensitivities", False)
     result = _run("M", "-o", str(tmp_path), "--sensitivity", "x:k")

@@ -55,8 +55,8 @@ class Joystick:
                 state,
                 "DOP853",
                 dense_output=True,
-                rtol=1e-12,
-                atol=1e-13,
+                rtol=1e-11,
+                atol=1e-12,
                 events=self._ends(branch),
             )
             end, above = self._crossing(leg, branch)
@@ -86,7 +86,7 @@ class Joystick:
         return found
 
     def _crossing(self, leg: Any, branch: int) -> tuple[float, bool | None]:
-        """Return where the branch ends, to rounding error, and whether upwards; None at the end of the run."""
+        """Return where the branch ends, to rounding, and whether upwards; None at the end of the run."""
         if leg.status != 1:
             return float(leg.t[-1]), None
         above = bool(len(leg.t_events[1]))
@@ -138,7 +138,9 @@ class Joystick:
         inside = self._travel(abs(middle))
         force, stiffness, partials = 0.0, 0.0, {}
         for spring in (f"{side}.returnSpring", f"{side}.balanceSpring"):
-            k_s, k_h, preload, start = (self.values[f"{spring}.{name}"] for name in ("k_s", "k_h", "F_0", "x_0"))
+            k_s, k_h, preload, start = (
+                self.values[f"{spring}.{name}"] for name in ("k_s", "k_h", "F_0", "x_0")
+            )
             if inside <= start:
                 continue
             if inside <= start + preload / k_h:
@@ -155,7 +157,9 @@ class Joystick:
                 partials |= {f"{spring}.x_0": -k_s, f"{spring}.F_0": 1.0, f"{spring}.k_s": x - start}
         return force, stiffness, partials
 
-    def _damping(self, theta: float, omega: float, side: float) -> tuple[float, float, float, dict[str, float]]:
+    def _damping(
+        self, theta: float, omega: float, side: float
+    ) -> tuple[float, float, float, dict[str, float]]:
         """Return C and its derivatives by theta, omega and the law's parameters: constant, or eq. (11)."""
         v = {name.partition(".")[2]: value for name, value in self.values.items() if "damping." in name}
         if "C" in v:
@@ -172,7 +176,12 @@ class Joystick:
             "damping.B": (1.0 - v["alpha"]) * of_rate,
             "damping.m": second * math.log(rate),
         }
-        return first + second, first * exponent * theta / angle**2, second * v["m"] * omega / rate**2, partials
+        return (
+            first + second,
+            first * exponent * theta / angle**2,
+            second * v["m"] * omega / rate**2,
+            partials,
+        )
 
     def _travel(self, theta: float) -> float:
         v = self.values
@@ -186,7 +195,11 @@ class Joystick:
             for kind in ("returnSpring", "balanceSpring"):
                 spring = f"{side}.{kind}"
                 start, preload, k_h = (v[f"{spring}.{name}"] for name in ("x_0", "F_0", "k_h"))
-                release = {f"{spring}.x_0": 1.0, f"{spring}.F_0": 1.0 / k_h, f"{spring}.k_h": -preload / k_h**2}
+                release = {
+                    f"{spring}.x_0": 1.0,
+                    f"{spring}.F_0": 1.0 / k_h,
+                    f"{spring}.k_h": -preload / k_h**2,
+                }
                 found.append(self._kink(start, sign, {f"{spring}.x_0": 1.0}))
                 found.append(self._kink(start + preload / k_h, sign, release))
         return found

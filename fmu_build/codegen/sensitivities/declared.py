@@ -101,7 +101,7 @@ def _hidden(name: str) -> dict[str, Any]:
 
 
 def quotient_unit(numerator: str, denominator: str) -> str:
-    """Return the unit of a derivative, with equal factors cancelled; "" if that of the variable is unknown."""
+    """Return the unit of a derivative, with equal factors cancelled; "" if the variable has none."""
     if not numerator or not denominator:
         return numerator
     above, below = _factors(numerator)

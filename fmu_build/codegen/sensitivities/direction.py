@@ -75,7 +75,9 @@ class Direction:
             trial = Direction(self.name, self.slots, dict(self.seeds))
             trial.seeds |= {leaf(slot): tangent_leaf(slot) for slot in found}
             trial._mark(equations.algebraics)
-            rows = [row.slot for row in equations.discrete if row.kind == "assign" and trial._moves(row.value)]
+            rows = [
+                row.slot for row in equations.discrete if row.kind == "assign" and trial._moves(row.value)
+            ]
             pre: list[Slot] = [("p", slot) for slot, source in equations.pre if leaf(source) in trial.seeds]
             new = [slot for slot in (*sorted(starts | sought), *rows, *pre) if slot not in found]
             if not new:

@@ -16,16 +16,17 @@ from dataclasses import dataclass, replace
 from itertools import chain
 
 from fmu_build.codegen import expression as ex
-from fmu_build.codegen.algebraics import Assignment, Step, needed
-from fmu_build.codegen.compact import changed
+from fmu_build.codegen.algebraics import Assignment
 from fmu_build.codegen.differentiate import NotDifferentiableError
-from fmu_build.codegen.equations import DiscreteRow, Equations, EventSensitivities, acting_expressions
+from fmu_build.codegen.equations import DiscreteRow, Equations, EventSensitivities
 from fmu_build.codegen.expression import ONE, TIME, ZERO, Expression, Slot, leaf
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.sensitivities.declared import Declaration, declare, quotient_unit
 from fmu_build.codegen.sensitivities.direction import Direction
+from fmu_build.codegen.sensitivities.refusals import reject_without_sensitivities
 from fmu_build.codegen.sensitivities.shift import shifted, with_room
 from fmu_build.codegen.sensitivities.slots import NewSlots
+from fmu_build.codegen.sensitivities.unused import without_unused
 from fmu_build.codegen.sensitivities.wanted import Wanted
 from fmu_build.codegen.variables import StoredVariable, nominals
 from fmu_build.support.description import Variable
@@ -34,7 +35,7 @@ from fmu_build.support.errors import UnsupportedModelError
 
 @dataclass(frozen=True)
 class Extended:
-    """A model with its sensitivities; `outputs` and `states` are the names of variables that it has gained."""
+    """A model with its sensitivities: `outputs` were asked for, `states` are those of states."""
 
     model: LoweredModel
     equations: Equations
@@ -61,7 +62,7 @@ def extend(
 
     Raises `UnsupportedModelError`, which names the construct, for a model that has none.
     """
-    _reject_jumps_without_events(model, equations, stored)
+    reject_without_sensitivities(model, equations, stored)
     try:
         return _Extension(model, equations, stored, wanted).extended()
     except NotDifferentiableError as error:
@@ -112,9 +113,12 @@ class _Extension:
         along = self._along_motion()
         outputs = list(self._outputs(directions))
         equations = self._equations(directions, along, [step for _, step in outputs])
-        equations, numbers = self._without_unused(equations, [step.unknown for _, step in outputs])
+        equations, numbers = without_unused(equations, self.plain.n_y, [step.unknown for _, step in outputs])
         names = {
-            ("y" if slot[0] == "y" else "p", numbers.get(slot[1], slot[1]) if slot[0] == "y" else slot[1]): name
+            (
+                "y" if slot[0] == "y" else "p",
+                numbers.get(slot[1], slot[1]) if slot[0] == "y" else slot[1],
+            ): name
             for slot, name in self.slots.names.items()
             if slot[0] == "p" or slot[1] < self.n + self.n_more or slot[1] in numbers
         }
@@ -122,9 +126,7 @@ class _Extension:
         states = list(self._declared_states())
         declarations = (*states, *shown)
         model = declare(self.model, self.n, names, declarations, self.n_more)
-        asked = {
-            _name(v.variable.name, p) for v in self.wanted.variables for p in self.wanted.parameters
-        }
+        asked = {_name(v.variable.name, p) for v in self.wanted.variables for p in self.wanted.parameters}
         return Extended(model, equations, frozenset(asked), frozenset(one.name for one in states))
 
     def _state(self, state: int, parameter: int) -> int:
@@ -249,67 +251,6 @@ class _Extension:
             ),
         )
 
-    def _without_unused(self, equations: Equations, outputs: Sequence[int]) -> tuple[Equations, dict[int, int]]:
-        """Drop the new algebraic variables that nothing reads; also return the numbers of those that stay."""
-        n_old = self.plain.n_y
-        assert equations.sensitivities is not None
-        wanted = (
-            *equations.derivatives,
-            *equations.sensitivities.root_rates,
-            *(row.value for row in equations.discrete),
-            *equations.initial_residuals,
-            *(leaf(source) for _, source in equations.pre),
-            *(ex.y(index) for index in (*range(n_old), *outputs)),
-        )
-        steps: tuple[Step, ...] = needed(equations.algebraics, wanted)
-        kept = sorted(unknown for step in steps for unknown in step.unknowns if unknown >= n_old)
-        numbers = {old: n_old + number for number, old in enumerate(kept)}
-        moved = {ex.y(old): ex.y(new) for old, new in numbers.items() if old != new}
-        equations = changed(replace(equations, algebraics=steps), lambda e: ex.substitute(e, moved))
-        return (
-            replace(
-                equations,
-                n_y=n_old + len(kept),
-                algebraics=tuple(_renumbered(step, numbers) for step in equations.algebraics),
-                pre=tuple(
-                    (slot, ("y", numbers.get(source[1], source[1])) if source[0] == "y" else source)
-                    for slot, source in equations.pre
-                ),
-            ),
-            numbers,
-        )
-
-
-def _renumbered(step: Step, numbers: dict[int, int]) -> Step:
-    if isinstance(step, Assignment):
-        return replace(step, unknown=numbers.get(step.unknown, step.unknown))
-    return replace(step, unknowns=tuple(numbers.get(unknown, unknown) for unknown in step.unknowns))
-
 
 def _name(variable: str, parameter: StoredVariable) -> str:
     return f"sensitivity.{variable}.{parameter.variable.name}"
-
-
-def _reject_jumps_without_events(
-    model: LoweredModel, equations: Equations, stored: Sequence[StoredVariable]
-) -> None:
-    """Reject what the sensitivities would pass unseen, or whose instant depends on more than the run tells."""
-    for node in ex.walk(*acting_expressions(equations)):
-        if node.operator == "Sign" and any(e.operator in ("y", "time") for e in ex.leaves(node)):
-            raise model.unsupported(
-                "no sensitivities: sign() of a variable jumps without an event; write it with relations"
-            )
-    inputs = {
-        ex.p(s.index): s.variable.name
-        for s in stored
-        if s.variable.causality == "input" and s.variable.variability == "continuous"
-    }
-    roots = (*equations.relations.roots, *equations.relations.time_roots)
-    steps = needed(equations.algebraics, roots)
-    read = ex.leaves(*roots, *(value for step in steps for value in step.expressions))
-    followed = sorted(name for input_leaf, name in inputs.items() if input_leaf in read)
-    if followed:
-        raise model.unsupported(
-            f"no sensitivities: the time of an event depends on the input {followed[0]} directly, "
-            "whose slope the importer may not give"
-        )

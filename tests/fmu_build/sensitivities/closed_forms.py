@@ -1,4 +1,4 @@
-"""The solutions of Moving.mo as analytic functions of time and parameters, so that complex steps differentiate them.
+"""The solutions of Moving.mo as analytic functions, so that complex steps differentiate them.
 
 A complex step of 1e-30 gives the derivative to rounding error (Squire and Trapp, SIAM Review 40, 1998).
 Branches are chosen by real parts.
