@@ -20,6 +20,8 @@ from scipy.optimize import brentq
 Array = NDArray[np.float64]
 Values = Mapping[str, float]
 LARGEST_ANGLE = 1.5
+#: Seconds: short enough that the motion cannot pass a kink and return to it within the first step behind it.
+FIRST_STEP = 1e-6
 
 
 @dataclass(frozen=True)
@@ -55,6 +57,7 @@ class Joystick:
                 state,
                 "DOP853",
                 dense_output=True,
+                first_step=min(FIRST_STEP, float(times[-1]) - now),
                 rtol=1e-11,
                 atol=1e-12,
                 events=self._ends(branch),

@@ -26,7 +26,7 @@ from fmu_build.codegen.sensitivities.direction import Direction
 from fmu_build.codegen.sensitivities.refusals import reject_without_sensitivities
 from fmu_build.codegen.sensitivities.shift import shifted, with_room
 from fmu_build.codegen.sensitivities.slots import NewSlots
-from fmu_build.codegen.sensitivities.unused import without_unused
+from fmu_build.codegen.sensitivities.unused import renumbered, without_unused
 from fmu_build.codegen.sensitivities.wanted import Wanted
 from fmu_build.codegen.variables import StoredVariable, nominals
 from fmu_build.support.description import Variable
@@ -115,12 +115,9 @@ class _Extension:
         equations = self._equations(directions, along, [step for _, step in outputs])
         equations, numbers = without_unused(equations, self.plain.n_y, [step.unknown for _, step in outputs])
         names = {
-            (
-                "y" if slot[0] == "y" else "p",
-                numbers.get(slot[1], slot[1]) if slot[0] == "y" else slot[1],
-            ): name
+            renumbered(slot, numbers): name
             for slot, name in self.slots.names.items()
-            if slot[0] == "p" or slot[1] < self.n + self.n_more or slot[1] in numbers
+            if slot[0] == "p" or slot[1] < self.plain.n_y or slot[1] in numbers
         }
         shown = [replace(one, slot=("y", numbers[step.unknown])) for one, step in outputs]
         states = list(self._declared_states())
@@ -187,7 +184,7 @@ class _Extension:
         for variable in self.wanted.variables:
             ((store, place),) = bindings[variable.variable.name].items()
             slot = shifted(("y" if store == "Y" else "p", place["index"]), self.n, self.n_more)
-            if slot[0] == "y" and slot[1] < self.n:
+            if variable.variable.name in self.state_names:
                 continue
             for parameter, direction in zip(self.wanted.parameters, directions, strict=True):
                 name = _name(variable.variable.name, parameter)

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from fmu_build.codegen import expression as ex
 from fmu_build.codegen.algebraics import Assignment, Step, needed
 from fmu_build.codegen.compact import changed
 from fmu_build.codegen.equations import Equations
-from fmu_build.codegen.expression import leaf
+from fmu_build.codegen.expression import Slot, leaf
 
 
 def without_unused(
@@ -38,13 +38,15 @@ def without_unused(
             equations,
             n_y=n_old + len(kept),
             algebraics=tuple(_renumbered(step, numbers) for step in equations.algebraics),
-            pre=tuple(
-                (slot, ("y", numbers.get(source[1], source[1])) if source[0] == "y" else source)
-                for slot, source in equations.pre
-            ),
+            pre=tuple((slot, renumbered(source, numbers)) for slot, source in equations.pre),
         ),
         numbers,
     )
+
+
+def renumbered(slot: Slot, numbers: Mapping[int, int]) -> Slot:
+    """Return where a slot is after `without_unused`."""
+    return ("y", numbers.get(slot[1], slot[1])) if slot[0] == "y" else slot
 
 
 def _renumbered(step: Step, numbers: dict[int, int]) -> Step:

@@ -11,6 +11,7 @@ from fmpy import read_model_description, simulate_fmu
 
 from fmu_build import FmiVersion
 from pyjoystick.fmu import Fmu
+from tests.joystick_fmu.driver import slave
 from tests.shared_fmus import SharedFmus
 
 from .closed_forms import CASES, Case
@@ -69,3 +70,45 @@ def test_model_exchange(case: Case, fmi_version: FmiVersion, shared_fmus: Shared
     assert far.sum() > 150
     for name, values in case.derivatives(times[far]).items():
         assert np.abs((result[name][far] - values) / (1.0 + np.abs(values))).max() < ME_ACCURACY, name
+
+
+def test_event_mode_of_co_simulation(shared_fmus: SharedFmus) -> None:
+    """The importer takes the events itself: the sensitivities jump there, as inside a step."""
+    (case,) = (case for case in CASES if case.model == "Ball")
+    path = _fmu(case, shared_fmus, "3.0")
+    names = list(case.derivatives(np.zeros(1)))
+    result = simulate_fmu(
+        str(path),
+        fmi_type="CoSimulation",
+        stop_time=case.stop_time,
+        output_interval=case.stop_time / 172,
+        relative_tolerance=1e-10,
+        start_values=dict(case.parameters),
+        output=names,
+        use_event_mode=True,
+        early_return_allowed=True,
+    )
+    times = result["time"]
+    at_events = times[1:][np.diff(times) == 0.0]
+    assert len(at_events) >= 3
+    far = np.all(np.abs(times[:, None] - at_events[None, :]) > 1e-9, axis=1)
+    for name, values in case.derivatives(times[far]).items():
+        assert np.abs(result[name][far] - values).max() < case.accuracy * (1.0 + np.abs(values).max()), name
+
+
+def test_saved_states_continue_bit_by_bit(shared_fmus: SharedFmus) -> None:
+    """Saved just before a bounce, and taken up again after several."""
+    (case,) = (case for case in CASES if case.model == "Ball")
+    names = list(case.derivatives(np.zeros(1)))
+    with slave(_fmu(case, shared_fmus, "2.0")) as ball:
+        ball.start(case.parameters, 1e-8)
+        ball.run(np.array([0.0, 0.47]), names)
+        state = ball.fmu.getFMUState()
+        times = np.linspace(0.47, 2.0, 60)
+        first = ball.run(times, names)
+        ball.fmu.setFMUState(state)
+        again = ball.run(times, names)
+        ball.fmu.freeFMUState(state)
+    for name in names:
+        assert np.array_equal(first[name], again[name]), name
+    assert np.ptp(first["sensitivity.v.floor"]) > 1.0
