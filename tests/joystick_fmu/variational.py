@@ -32,6 +32,20 @@ class Kink:
     partials: Array
 
 
+def _excess(time: float, motion: Any, angle: float) -> float:
+    return float(motion(time)[0] - angle)
+
+
+def _terminal(place: int, value: float, direction: float) -> Any:
+    """A terminal event of SciPy where y[place] passes a value upwards (1) or downwards (-1)."""
+
+    def event(_: float, y: Array) -> float:
+        return float(y[place] - value)
+
+    event.terminal, event.direction = True, direction  # type: ignore[attr-defined]
+    return event
+
+
 class Joystick:
     """Angle, angular velocity and their derivatives by `parameters`, one joystick, released from rest."""
 
@@ -50,52 +64,62 @@ class Joystick:
                 state[2 + 2 * self.parameters.index(start) + place] = 1.0
         rows, now, events = np.empty((len(state), len(times))), float(times[0]), 0
         branch = bisect_right([kink.theta for kink in self.kinks], theta_start)
-        while True:
-            leg = solve_ivp(
-                lambda _, y, branch=branch: self._rates(y, branch),
-                (now, times[-1]),
-                state,
-                "DOP853",
-                dense_output=True,
-                first_step=min(FIRST_STEP, float(times[-1]) - now),
-                rtol=1e-11,
-                atol=1e-12,
-                events=self._ends(branch),
-            )
-            end, above = self._crossing(leg, branch)
+        heading = math.copysign(1.0, omega_start or self._rates(state, branch)[1])
+        while now < times[-1]:
+            leg = self._leg(state, branch, heading, now, float(times[-1]))
+            end, change = self._end(leg, branch)
             for number in np.flatnonzero((times >= now) & (times <= end)):
                 rows[:, number] = leg.sol(times[number])
-            if above is None:
-                return rows, events
-            events += 1
             state, now = leg.sol(end), end
-            kink = self.kinks[branch if above else branch - 1]
+            if change == 0:
+                heading = -heading  # it turns, or the run has ended
+                continue
+            events += 1
+            heading = float(change)
+            kink = self.kinks[branch if change > 0 else branch - 1]
             move = (kink.partials - state[2::2]) / state[1]
-            after = branch + (1 if above else -1)
+            after = branch + change
             state[3::2] += (self._rates(state, branch)[1] - self._rates(state, after)[1]) * move
             branch = after
+        return rows, events
 
-    def _ends(self, branch: int) -> list[Any]:
-        """Terminal events at both ends of the branch."""
-        found = []
-        for number, direction in ((branch - 1, -1), (branch, 1)):
-            theta = self.kinks[number].theta if 0 <= number < len(self.kinks) else direction * LARGEST_ANGLE
+    def _leg(self, state: Array, branch: int, heading: float, start: float, stop: float) -> Any:
+        """Integrate to the end of the branch, or of the run, or until the motion turns.
 
-            def end(_: float, y: Array, theta: float = theta) -> float:
-                return float(y[0] - theta)
+        Without the turning points SciPy would not see that the motion leaves a branch and returns in a step.
+        """
+        return solve_ivp(
+            lambda _, y: self._rates(y, branch),
+            (start, stop),
+            state,
+            "DOP853",
+            dense_output=True,
+            first_step=min(FIRST_STEP, stop - start),
+            rtol=1e-11,
+            atol=1e-12,
+            events=[
+                _terminal(0, self._end_angle(branch, -1), -1.0),
+                _terminal(0, self._end_angle(branch, 1), 1.0),
+                _terminal(1, 0.0, -heading),
+            ],
+        )
 
-            end.terminal, end.direction = True, direction  # type: ignore[attr-defined]
-            found.append(end)
-        return found
+    def _end_angle(self, branch: int, side: int) -> float:
+        number = branch if side > 0 else branch - 1
+        return self.kinks[number].theta if 0 <= number < len(self.kinks) else side * LARGEST_ANGLE
 
-    def _crossing(self, leg: Any, branch: int) -> tuple[float, bool | None]:
-        """Return where the branch ends, to rounding, and whether upwards; None at the end of the run."""
+    def _end(self, leg: Any, branch: int) -> tuple[float, int]:
+        """Return when the leg ends, to rounding, and whether it enters the branch above (1) or below (-1)."""
+        stop = float(leg.t[-1])
         if leg.status != 1:
-            return float(leg.t[-1]), None
-        above = bool(len(leg.t_events[1]))
-        theta = self.kinks[branch if above else branch - 1].theta
-        before, after = float(leg.t[-2]), float(leg.sol.interpolants[-1].t)
-        return float(brentq(lambda t: leg.sol(t)[0] - theta, before, after, xtol=1e-15)), above
+            return stop, 0
+        for side, reached in ((-1, leg.t_events[0]), (1, leg.t_events[1])):
+            angle = self._end_angle(branch, side)
+            last = float(leg.sol.interpolants[-1].t) if len(reached) else stop
+            if len(reached) or side * (leg.sol(stop)[0] - angle) > 0.0:
+                crossing = brentq(_excess, float(leg.t[-2]), last, args=(leg.sol, angle), xtol=1e-15)
+                return float(crossing), side
+        return stop, 0
 
     def _rates(self, y: Array, branch: int) -> Array:
         theta, omega = float(y[0]), float(y[1])
