@@ -53,9 +53,9 @@ def _worst(fmu: Fmu, case: RandomCase, expected: dict[str, np.ndarray], toleranc
 
 @pytest.mark.parametrize(("model", "case"), CASES, ids=[case.name for _, case in CASES])
 def test_random_joysticks(model: str, case: RandomCase, shared_fmus: SharedFmus) -> None:
-    """About 150 events each with constant damping, 115 with eq. (11); 11 in the smallest release."""
+    """On average 162 events with constant damping and 111 with eq. (11); 13 in the smallest release."""
     expected, events = _expected(model, case)
     assert events > 10
     with Fmu(_fmu(model, shared_fmus)) as fmu:
         assert _worst(fmu, case, expected, 1e-8) < 1e-5
-        assert _worst(fmu, case, expected, 1e-10) < 2e-7
+        assert _worst(fmu, case, expected, 1e-10) < 5e-7
