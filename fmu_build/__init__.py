@@ -22,7 +22,7 @@ from fmu_build.support.errors import (
     UnknownCompilerError,
     UnsupportedModelError,
 )
-from fmu_build.support.request import BuildRequest, BuildResult, FmiType, FmiVersion
+from fmu_build.support.request import BuildRequest, BuildResult, FmiType, FmiVersion, SensitivityRequest
 
 __all__ = [
     "BuildError",
@@ -49,6 +49,7 @@ def build_fmu(
     fmi_types: Sequence[FmiType] = ("me", "cs"),
     platforms: Sequence[str] = (),
     options: Mapping[str, str] | None = None,
+    sensitivity: str | None = None,
     on_stage: Callable[[str], None] | None = None,
 ) -> BuildResult:
     """Build the FMU of a Modelica model.
@@ -64,6 +65,8 @@ def build_fmu(
         platforms: platform tuples such as ``aarch64-linux``, FMI 2's names such as ``win64``, or ``all``;
             this machine's by default.
         options: settings of the chosen compiler by name; docs/compilers.md lists them.
+        sensitivity: derivatives that the FMU computes along its runs, as ``theta,omega:J,damping.C``:
+            variables, a colon, parameters; docs/sensitivities.md. With rumoca only.
         on_stage: called with a short text when a stage of the build begins.
 
     Raises:
@@ -78,6 +81,7 @@ def build_fmu(
         fmi_types=tuple(fmi_types),
         platforms=tuple(platforms),
         options=dict(options or {}),
+        sensitivity=None if sensitivity is None else SensitivityRequest.parse(sensitivity),
     )
     if on_stage is not None:
         request = replace(request, on_stage=on_stage)

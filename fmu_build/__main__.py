@@ -16,6 +16,7 @@ from rich.markup import escape
 from fmu_build import BuildError, FmiVersion, build_fmu, compiler_names
 from fmu_build.explore import command as explore
 from fmu_build.packaging.platforms import ALL, PLATFORM_NAMES, select_platforms
+from fmu_build.support.request import SensitivityRequest
 
 _EXAMPLE = """
 Example:
@@ -46,6 +47,15 @@ def _known_platforms(names: list[str]) -> list[str]:
     except BuildError as error:
         raise typer.BadParameter(str(error)) from error
     return names
+
+
+def _known_sensitivity(text: str | None) -> str | None:
+    try:
+        if text is not None:
+            SensitivityRequest.parse(text)
+    except BuildError as error:
+        raise typer.BadParameter(str(error)) from error
+    return text
 
 
 def _settings(texts: Iterable[str]) -> dict[str, str]:
@@ -111,6 +121,16 @@ def main(
             show_default=False,
         ),
     ] = None,
+    sensitivity: Annotated[
+        str | None,
+        typer.Option(
+            callback=_known_sensitivity,
+            metavar="VARIABLES:PARAMETERS",
+            help="Derivatives that the FMU computes along its runs, exact through events, such as "
+            "theta,omega:J,damping.C; `all` means every output, or every parameter. With rumoca.",
+            show_default=False,
+        ),
+    ] = None,
     verbose: Annotated[bool, typer.Option("--verbose", "-v", help="Show what the compilers print.")] = False,
 ) -> None:
     """Build FMUs from Modelica models.
@@ -129,6 +149,7 @@ def main(
                 fmi_types=("me", "cs") if fmi_type == "both" else (fmi_type,),
                 platforms=platform or (),
                 options=settings,
+                sensitivity=sensitivity,
                 on_stage=_Progress(model),
             )
         except BuildError as error:

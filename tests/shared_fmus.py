@@ -25,12 +25,21 @@ class SharedFmus:
         *,
         fmi_version: FmiVersion = "2.0",
         platforms: tuple[str, ...] = (),
+        sensitivity: str | None = None,
     ) -> Path:
         """The FMU of a model; those of one library with the same settings lie in one folder."""
-        file = self._file(model, library, fmi_version, platforms)
+        settings = (library, fmi_version, platforms, *([sensitivity] if sensitivity else []))
+        file = self._file(model, *settings)
         with self._lock(file):
             if not file.exists():
-                build_fmu(model, file.parent, library=library, fmi_version=fmi_version, platforms=platforms)
+                build_fmu(
+                    model,
+                    file.parent,
+                    library=library,
+                    fmi_version=fmi_version,
+                    platforms=platforms,
+                    sensitivity=sensitivity,
+                )
         return file
 
     def unpacked(self, model: str, library: Path) -> Path:

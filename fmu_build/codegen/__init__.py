@@ -13,18 +13,20 @@ from fmu_build.codegen.functions import FunctionLibrary
 from fmu_build.codegen.lowered import lower
 from fmu_build.codegen.names import modelica_texts
 from fmu_build.codegen.rejections import reject_unsupported
+from fmu_build.codegen.sensitivities import extend, find_wanted
 from fmu_build.codegen.source import ModelSource
 from fmu_build.codegen.start_values import StartValues
 from fmu_build.codegen.structure import Structure
 from fmu_build.codegen.tangents import NoTangentsError, Tangents
 from fmu_build.codegen.variables import StoredVariable, VariableReader
 from fmu_build.support.description import GeneratedModel, ModelDescription
+from fmu_build.support.request import SensitivityRequest
 
 __all__ = ["ModelSource", "generate"]
 
 
-def generate(source: ModelSource) -> GeneratedModel:
-    """Return the C source and the description of a compiled model.
+def generate(source: ModelSource, sensitivity: SensitivityRequest | None = None) -> GeneratedModel:
+    """Return the C source and the description of a compiled model, with sensitivities if they are asked for.
 
     Raises `UnsupportedModelError` with the name and line of an unsupported construct.
     """
@@ -35,6 +37,12 @@ def generate(source: ModelSource) -> GeneratedModel:
     starts = StartValues(lowered)
     baked = baked_parameters(source, lowered, starts)
     variables = VariableReader(lowered, equations, starts, baked).read()
+    if sensitivity is not None:
+        wanted = find_wanted(lowered.name, variables, sensitivity)
+        extended = extend(lowered, equations, variables, wanted)
+        lowered, equations = extended.model, extended.equations
+        starts = StartValues(lowered)
+        variables = extended.marked(VariableReader(lowered, equations, starts, baked).read())
     structure = Structure(equations, variables)
     texts = modelica_texts(lowered, equations)
     tangents, notes = _tangents(equations, variables)
@@ -57,6 +65,8 @@ def generate(source: ModelSource) -> GeneratedModel:
 
 def _tangents(equations: Equations, variables: Sequence[StoredVariable]) -> tuple[Tangents | None, str]:
     """Return the directional derivatives, or None and the reason why there are none."""
+    if equations.sensitivities is not None:
+        return None, "The FMU provides no directional derivatives: it computes sensitivities instead.\n"
     try:
         return Tangents.of(equations, variables), ""
     except NoTangentsError as error:

@@ -50,8 +50,10 @@ def write_model(
     sizes = nominals(model)
     code = _Code(equations, side, names, functions, texts, sizes)
     derivatives = code.tangents(tangents)
-    tangents_of_functions = functions.tangents_for("\n".join(derivatives))
-    body = [*code.blocks(), *code.functions(), *tangents_of_functions, *derivatives]
+    equations_code = [*code.blocks(), *code.functions()]
+    read_first = functions.tangents_for("\n".join(equations_code))
+    others = [each for each in functions.tangents_for("\n".join(derivatives)) if each not in read_first]
+    body = [*read_first, *equations_code, *others, *derivatives]
     helpers = [
         source
         for name, source in _HELPERS.items()
@@ -171,7 +173,16 @@ class _Code:
                 f"void model_action_message(size_t action, {read_y}, char *text, size_t size)",
                 self._messages(),
             ),
+            *self._root_rates(),
         ]
+
+    def _root_rates(self) -> list[str]:
+        """Return what the table of sensitivities points to; nothing without them."""
+        found = self._equations.sensitivities
+        if found is None:
+            return []
+        code = self._evaluation("root_rates", "double *rate", found.root_rates, "rate")
+        return [f"static {code}"]
 
     def tangents(self, tangents: Tangents | None) -> list[str]:
         """Return the directional derivatives; these functions expect up-to-date algebraic variables in y."""

@@ -9,7 +9,7 @@ from fmu_build.codegen import expression as ex
 from fmu_build.codegen.algebraics import NewtonBlock, needed
 from fmu_build.codegen.c_expression import Writer
 from fmu_build.codegen.c_function import c_string
-from fmu_build.codegen.equations import Equations, watched_conditions
+from fmu_build.codegen.equations import Equations, EventSensitivities, watched_conditions
 from fmu_build.codegen.expression import Expression, Slot
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.start_values import StartValues
@@ -97,6 +97,7 @@ def tables(
         "initial_unknowns",
         [f"{{{writer.place(slot)}, {c_string(texts.text(ex.leaf(slot)))}}}" for slot in e.initial_unknowns],
     )
+    sensitivities = _sensitivities(e.sensitivities, writer)
     blocks = [step for step in e.algebraics if isinstance(step, NewtonBlock)]
     writer.array("Block *const", "blocks", [f"&block_{number}" for number in range(len(blocks))])
     initial_event = "NO_SLOT" if e.initial_event is None else names["p", e.initial_event]
@@ -129,10 +130,31 @@ def tables(
         f".has_tangents = {_bool(tangents is not None)}",
         f".has_initial_tangents = {_bool(tangents is not None and tangents.cover_initialization)}",
         *(f".{name} = {name}" for name in writer.defined),
+        *sensitivities,
     ]
     return "\n".join(
         [*writer.parts, "const Model model = {", *(f"    {field}," for field in fields), "};", ""]
     )
+
+
+def _sensitivities(sensitivities: EventSensitivities | None, writer: _Tables) -> list[str]:
+    """Write the table of sensitivities; return the field of `model` that points to it, none without them."""
+    if sensitivities is None:
+        return []
+    rows = [
+        f"{{{writer.slot(('p', move))}, {writer.slot(('p', next_move))}}}"
+        for move, next_move in zip(sensitivities.moves, sensitivities.next_moves, strict=True)
+    ]
+    writer.parts += [
+        "static const EventMove event_moves[] = {",
+        *(f"    {row}," for row in rows),
+        "};",
+        "",
+        f"static const Sensitivities sensitivities = {{{sensitivities.n_states}, {len(rows)}, event_moves, "
+        "root_rates};",
+        "",
+    ]
+    return [".sensitivities = &sensitivities"]
 
 
 def _followed(equations: Equations) -> set[Expression]:
@@ -165,6 +187,9 @@ class _Tables:
                 "",
             ]
             self.defined.append(name)
+
+    def slot(self, slot: Slot) -> str:
+        return self._names[slot]
 
     def place(self, slot: Slot) -> str:
         return f"{_STORES[slot[0]]}, {self._names[slot]}"

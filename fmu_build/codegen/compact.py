@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from fmu_build.codegen import expression as ex
 from fmu_build.codegen.algebraics import Assignment, NewtonBlock, Step
-from fmu_build.codegen.equations import Equations, written_slots
+from fmu_build.codegen.equations import Equations, EventSensitivities, written_slots
 from fmu_build.codegen.expression import ZERO, Expression, Slot
 from fmu_build.codegen.relations import Relation, Relations
 
@@ -24,14 +24,14 @@ def compact(equations: Equations, n_named: int) -> Equations:
     kept = [slot for slot in range(equations.n_p) if slot < n_named or slot in written_slots(equations)]
     numbers = {old: new for new, old in enumerate(kept)}
     moved = {ex.p(old): ex.p(new) for old, new in numbers.items() if old != new}
-    return _renumbered(_changed(equations, lambda e: ex.substitute(e, moved)), numbers)
+    return _renumbered(changed(equations, lambda e: ex.substitute(e, moved)), numbers)
 
 
 def _without_unwritten(equations: Equations, n_named: int) -> Equations:
     """Replace each memory that nothing writes by 0, the value that it would keep."""
     written = written_slots(equations)
     zero = {ex.p(slot): ZERO for slot in range(n_named, equations.n_p) if slot not in written}
-    return _changed(equations, lambda e: ex.substitute(e, zero))
+    return changed(equations, lambda e: ex.substitute(e, zero))
 
 
 def _without_unread(equations: Equations) -> Equations:
@@ -68,11 +68,11 @@ def _expressions(equations: Equations) -> list[Expression]:
         found.append(expression)
         return expression
 
-    _changed(equations, note)
+    changed(equations, note)
     return found
 
 
-def _changed(equations: Equations, change: Change) -> Equations:
+def changed(equations: Equations, change: Change) -> Equations:
     """Apply `change` to every expression of the equations."""
     relations = equations.relations
     return replace(
@@ -99,7 +99,16 @@ def _changed(equations: Equations, change: Change) -> Equations:
         start_values=tuple((slot, change(e)) for slot, e in equations.start_values),
         guesses=tuple((slot, change(e)) for slot, e in equations.guesses),
         initial_residuals=tuple(change(e) for e in equations.initial_residuals),
+        sensitivities=_changed_sensitivities(equations.sensitivities, change),
     )
+
+
+def _changed_sensitivities(
+    sensitivities: EventSensitivities | None, change: Change
+) -> EventSensitivities | None:
+    if sensitivities is None:
+        return None
+    return replace(sensitivities, root_rates=tuple(change(e) for e in sensitivities.root_rates))
 
 
 def _changed_step(step: Step, change: Change) -> Step:

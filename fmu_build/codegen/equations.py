@@ -47,6 +47,20 @@ class Action:
     message: tuple[str | tuple[str, Expression], ...]
 
 
+@dataclass(frozen=True, slots=True)
+class EventSensitivities:
+    """How sensitivities pass an event: see `Sensitivities` in the runtime's model.h."""
+
+    n_states: int
+    """The states of the model itself; their sensitivities follow, parameter by parameter."""
+    moves: tuple[int, ...]
+    """For each parameter, the slot of p with the derivative of the event's time during an event, else 0."""
+    next_moves: tuple[int, ...]
+    """For each parameter, the slot of p with the same for the event that is due."""
+    root_rates: tuple[Expression, ...]
+    """For each root, those in time included: its derivatives along the motion and by each parameter."""
+
+
 @dataclass(frozen=True)
 class Equations:
     """All equations that determine y and p."""
@@ -68,6 +82,7 @@ class Equations:
     initial_event: int | None
     guesses: tuple[tuple[Slot, Expression], ...] = ()
     """Initial guesses for the unknowns of algebraic loops, as far as they depend on parameters."""
+    sensitivities: EventSensitivities | None = None
 
 
 def read_equations(model: LoweredModel, function_name: FunctionNames) -> Equations:
@@ -305,6 +320,8 @@ def written_slots(equations: Equations) -> set[int]:
     slots = {relation.memory for relation in (*relations.crossings, *relations.of_time)}
     slots |= {row.slot[1] for row in equations.discrete if row.slot[0] == "p"}
     slots |= {slot for slot, _ in equations.pre} | {clock.activation for clock in equations.clocks}
+    if equations.sensitivities is not None:
+        slots |= {*equations.sensitivities.moves, *equations.sensitivities.next_moves}
     return slots if equations.initial_event is None else slots | {equations.initial_event}
 
 

@@ -114,14 +114,15 @@ def _independent(equations: Equations, variables: Iterable[StoredVariable]) -> l
     return [*found, *(slot for slot in equations.initial_unknowns if slot[0] == "p")]
 
 
-def _call_tangent(call: Expression, tangents: tuple[Expression, ...]) -> Expression:
+def call_tangent(call: Expression, tangents: tuple[Expression, ...]) -> Expression:
+    """Return the tangent of a call of a Modelica function: a call of the C function that computes it."""
     assert isinstance(call.payload, tuple)
     function, result = call.payload
     return Expression("call", (*call.arguments, *tangents), (f"d{function}", result))
 
 
 def _tangent(value: Expression, seeds: Seeds) -> Expression:
-    return differentiate(value, seeds, _call_tangent)
+    return differentiate(value, seeds, call_tangent)
 
 
 def _move(seeds: dict[Expression, Expression], tangent: Tangent) -> None:

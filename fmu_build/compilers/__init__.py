@@ -40,10 +40,13 @@ def get_compiler(name: str) -> Compiler:
 
 
 def build(compiler: str, request: BuildRequest) -> BuildResult:
-    """Build with the compiler of that name; raises `BuildError` for an option that it does not have."""
+    """Build with the compiler of that name; raises `BuildError` for what it does not offer."""
     backend = get_compiler(compiler)
     unknown = [name for name in request.options if name not in backend.options]
     if unknown:
         known = f"it has {', '.join(backend.options)}" if backend.options else "it has none"
         raise BuildError(f"the compiler {compiler} has no option {unknown[0]!r}; {known}")
+    if request.sensitivity is not None and not backend.computes_sensitivities:
+        able = [name for name in compiler_names() if get_compiler(name).computes_sensitivities]
+        raise BuildError(f"the compiler {compiler} computes no sensitivities; use {' or '.join(able)}")
     return backend.build(request)

@@ -14,6 +14,8 @@ class Compiler(Protocol):
     name: str
     options: Mapping[str, str]
     """The options of this compiler in `BuildRequest.options`: names and descriptions."""
+    computes_sensitivities: bool
+    """Whether it builds FMUs with `BuildRequest.sensitivity`."""
 
     def version(self) -> str:
         """Return the version of the installed compiler; raises `ToolchainError` if it is not installed."""

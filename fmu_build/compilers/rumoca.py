@@ -38,6 +38,7 @@ class RumocaCompiler:
 
     name = "rumoca"
     options: Mapping[str, str] = {}
+    computes_sensitivities = True
 
     def version(self) -> str:
         """Return the installed version; raises `ToolchainError` if rumoca is not installed."""
@@ -84,7 +85,7 @@ def _generated(request: BuildRequest) -> tuple[GeneratedModel, str]:
         model = session.load(str(entry), model=request.model)
     request.on_stage("generating C")
     with native_stderr() as generating, translated_errors(request.model, known.file, files):
-        generated = generate(ModelSource(session, model))
+        generated = generate(ModelSource(session, model), request.sensitivity)
     return _with_input_steps(generated, library), loading() + generating() + generated.notes
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -11,6 +12,33 @@ from fmu_build.support.errors import BuildError
 
 FmiVersion = Literal["2.0", "3.0"]
 FmiType = Literal["me", "cs"]
+
+
+ALL = "all"
+"""In a request for sensitivities: every Real output, or every Real parameter that can be set."""
+
+
+@dataclass(frozen=True, slots=True)
+class SensitivityRequest:
+    """Derivatives of variables by parameters, along the whole run and through its events."""
+
+    variables: tuple[str, ...]
+    parameters: tuple[str, ...]
+
+    @classmethod
+    def parse(cls, text: str) -> SensitivityRequest:
+        """Read ``theta,omega:damping.C,J``; commas within brackets (``a[1,2]``) belong to a name.
+
+        Raises `BuildError` unless both sides of the colon name something.
+        """
+        left, colon, right = text.partition(":")
+        sides = [tuple(name.strip() for name in re.split(r",(?![^\[]*\])", side)) for side in (left, right)]
+        if not colon or not all(all(side) for side in sides):
+            raise BuildError(
+                f"sensitivities {text!r}: use VARIABLES:PARAMETERS, such as theta,omega:J,damping.C; "
+                f"{ALL!r} means every Real output, or every Real parameter"
+            )
+        return cls(*sides)
 
 
 def _ignore(stage: str) -> None:
@@ -36,6 +64,8 @@ class BuildRequest:
     host's."""
     options: Mapping[str, str] = field(default_factory=dict)
     """Options specific to one compiler, by its names for them; see `Compiler.options`."""
+    sensitivity: SensitivityRequest | None = None
+    """The sensitivities that the FMU computes; only some compilers can."""
     on_stage: Callable[[str], None] = _ignore
     """Called with a short text, such as ``generating C``, when a stage of the build begins."""
 

@@ -18,7 +18,7 @@ import fmu_build
 from fmu_build import UnknownCompilerError, build_fmu, compilers
 from fmu_build.__main__ import app
 from fmu_build.support.errors import ModelicaError
-from fmu_build.support.request import BuildRequest, BuildResult
+from fmu_build.support.request import BuildRequest, BuildResult, SensitivityRequest
 
 _JOYSTICK = "PreloadedSprings.Joystick.Joystick"
 
@@ -28,6 +28,7 @@ class _FakeCompiler:
 
     name = "rumoca"
     options: ClassVar[dict[str, str]] = {"color": "of the FMU"}
+    computes_sensitivities = True
 
     def __init__(self, error: BaseException | None = None) -> None:
         self.error = error
@@ -68,6 +69,28 @@ def test_paths_on_standard_output_and_the_rest_on_standard_error(
         ("A.M", ("linux64",), Path("L.mo")),
         ("B.M", ("linux64",), Path("L.mo")),
     ]
+
+
+def test_sensitivities_reach_the_compiler(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    compiler = _use(monkeypatch)
+    assert _run("M", "-o", str(tmp_path), "--sensitivity", "x, a[1,2].y:all").exit_code == 0
+    assert compiler.requests[0].sensitivity == SensitivityRequest(("x", "a[1,2].y"), ("all",))
+
+
+@pytest.mark.parametrize("text", ["theta", "theta:", ":J", "theta,:J", ""])
+def test_sensitivities_need_variables_and_parameters(text: str, tmp_path: Path) -> None:
+    result = _run("M", "-o", str(tmp_path), "--sensitivity", text)
+    assert result.exit_code == 2
+    assert "use VARIABLES:PARAMETERS" in result.stderr
+
+
+def test_a_compiler_without_sensitivities_is_refused(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    compiler = _use(monkeypatch)
+    monkeypatch.setattr(_FakeCompiler, "computes_sensitivities", False)
+    result = _run("M", "-o", str(tmp_path), "--sensitivity", "x:k")
+    assert result.exit_code == 1
+    assert "the compiler rumoca computes no sensitivities" in result.stderr
+    assert not compiler.requests
 
 
 def test_verbose_shows_the_log(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:

@@ -48,6 +48,7 @@ class OpenModelicaCompiler:
 
     name = "openmodelica"
     options: Mapping[str, str] = OPTIONS
+    computes_sensitivities = False
 
     def version(self) -> str:
         """Return the version of the omc that is found; raises `ToolchainError` if there is none."""

@@ -31,6 +31,9 @@ Status call_enter_event_mode(Instance *instance)
 {
     if (instance == NULL)
         return STATUS_ERROR;
+    /* What the importer has changed beforehand causes its events at a fixed time. */
+    if (!instance->changed.any && !evaluation_meet_event(instance))
+        return call_finish(instance, STATUS_ERROR);
     instance->phase = PHASE_EVENT;
     return STATUS_OK;
 }

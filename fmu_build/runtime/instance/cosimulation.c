@@ -136,6 +136,8 @@ static Status take_event(Instance *instance, double target)
     if (status != STATUS_OK)
         return status;
     progress->ended_at_event = leaves_event_to_importer(instance, target);
+    if (!progress->ended_at_event && !evaluation_meet_event(instance))
+        return STATUS_ERROR;
     if (!progress->ended_at_event)
         return carry_out_event(instance, instance->inputs.ask == NULL);
     ++progress->events;

@@ -1,5 +1,6 @@
 #include "evaluation.h"
 #include "block.h"
+#include "sensitivity.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -47,6 +48,17 @@ bool evaluation_roots(Instance *instance, double *root)
     Values *values = &instance->values;
     evaluation_update_parameters(instance);
     return model_roots(values->time, values->y, values->p, root) || fail(instance, "event indicators");
+}
+
+bool evaluation_meet_event(Instance *instance)
+{
+    if (model.sensitivities == NULL)
+        return true;
+    evaluation_update_parameters(instance);
+    const char *problem = sensitivity_meet_event(&instance->values);
+    if (problem != NULL)
+        log_message(&instance->log, LOG_STATUS_ERROR, STATUS_ERROR, "At time %.17g: %s", instance->values.time, problem);
+    return problem == NULL;
 }
 
 bool roots_evaluate(void *context, double time, double *root)

@@ -114,9 +114,11 @@ const char *variable_name_of_state(size_t index)
     return "";
 }
 
-/* Returns whether a reinit() sets the state. */
+/* Returns whether an event sets the state: a reinit(), or any event if it is a sensitivity. */
 static bool is_reinitialized(size_t state)
 {
+    if (model.sensitivities != NULL && state >= model.sensitivities->n_states)
+        return true;
     for (size_t i = 0; i < model.n_discrete; ++i)
         if (model.discrete[i].kind == DISCRETE_REINIT && model.discrete[i].index == state)
             return true;

@@ -1,6 +1,7 @@
 #include "events.h"
 #include "actions.h"
 #include "iteration.h"
+#include "sensitivity.h"
 #include "time_events.h"
 
 #include <math.h>
@@ -56,7 +57,14 @@ EventStatus event_update(Values *values, bool continuous, const EventReporter *r
     Iteration iteration;
     if (!iteration_create(&iteration))
         return fail(reporter, "out of memory");
-    const EventStatus status = iterate(&iteration, values, continuous, reporter, states_changed);
+    bool moves = false;
+    const char *problem = sensitivity_enter_event(values, &moves);
+    EventStatus status = EVENT_OK;
+    if (problem == NULL) {
+        status = iterate(&iteration, values, continuous, reporter, states_changed);
+        problem = status != EVENT_ERROR && moves ? sensitivity_leave_event(values) : NULL;
+    }
+    *states_changed |= moves;
     iteration_free(&iteration);
-    return status;
+    return problem == NULL ? status : fail(reporter, problem);
 }

@@ -177,21 +177,38 @@ static bool stages(Integrator *integrator, double h, double end)
            stage(integrator, 5, h, end) && stage(integrator, 6, h, end) && stage(integrator, 7, h, end);
 }
 
-/* Returns the mean square, in units of the tolerance, of the error estimate plus the rounding error of the dense
- * output, which is relative to the change over the whole step. */
-static double squared_error(const Integrator *integrator, double h)
+/* Returns the mean square over the states from `first` to `end`, in units of the tolerance, of the error estimate plus
+ * the rounding error of the dense output, which is relative to the change over the whole step. */
+static double squared_error_of(const Integrator *integrator, double h, size_t first, size_t end)
 {
     const size_t n = model.n_states;
     const double *y = integrator->arrays + STATES * n, *k = integrator->arrays + SLOPES * n;
     double sum = 0.0;
-    for (size_t i = 0; i < n; ++i) {
+    for (size_t i = first; i < end; ++i) {
         const double error = e1 * k[i] + e3 * k[2 * n + i] + e4 * k[3 * n + i] + e5 * k[4 * n + i] +
                              e6 * k[5 * n + i] + e7 * k[6 * n + i];
         const double rounding = DBL_EPSILON * (integrator->argument[i] - y[i]);
         const double scaled = (fabs(h * error) + fabs(rounding)) * weight(integrator, i, fabs(y[i]));
         sum += scaled * scaled;
     }
-    return n > 0 ? sum / (double)n : 0.0;
+    return end > first ? sum / (double)(end - first) : 0.0;
+}
+
+/* Returns the largest mean square of the model's own states and of their sensitivities by one parameter: sensitivities
+ * shorten steps, and never lengthen them. */
+static double squared_error(const Integrator *integrator, double h)
+{
+    if (model.sensitivities == NULL)
+        return squared_error_of(integrator, h, 0, model.n_states);
+    const size_t size = model.sensitivities->n_states;
+    double largest = 0.0;
+    for (size_t first = 0; first < model.n_states; first += size) {
+        const double error = squared_error_of(integrator, h, first, first + size);
+        if (!isfinite(error))
+            return INFINITY;
+        largest = larger(largest, error);
+    }
+    return largest;
 }
 
 static void make_dense(double *restrict arrays, double h, const double *restrict end)

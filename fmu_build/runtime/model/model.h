@@ -112,6 +112,23 @@ typedef struct {
 
 #define NO_SLOT ((size_t)-1)
 
+/* Sensitivities by parameters: derivatives of all values at a fixed time along the run so far. Those of the states are
+ * states too: the model's own states are y[0..n_states), and their derivatives by parameter j follow in y[(1 + j) *
+ * n_states..(2 + j) * n_states). During an event all of them are derivatives of the values at the event as its time
+ * moves with the parameter. */
+typedef struct {
+    size_t move;      /* p[move] is the derivative of the event's time by the parameter during an event, else 0 */
+    size_t next_move; /* p[next_move] is the same for the event that comes next */
+} EventMove;
+typedef struct {
+    size_t n_states; /* the model's own */
+    size_t n_parameters;
+    const EventMove *moves; /* [n_parameters] */
+    /* For each root of model_roots, then of model_time_relations: its derivative along the motion, and those by each
+     * parameter at a fixed time, all within the active branch: rate[(1 + n_parameters) * root...]. */
+    bool (*root_rates)(double time, double *y, const double *p, double *rate);
+} Sensitivities;
+
 typedef struct {
     const char *name;  /* the Modelica class */
     const char *token; /* FMI 2: GUID, FMI 3: instantiation token */
@@ -155,6 +172,8 @@ typedef struct {
 
     bool has_tangents;         /* the tangent functions below are not empty */
     bool has_initial_tangents; /* they also hold across initialization: no when-clause may change a value there */
+
+    const Sensitivities *sensitivities; /* NULL if the model has none */
 } Model;
 
 extern const Model model;

@@ -1,0 +1,97 @@
+#include "sensitivity.h"
+#include "time_events.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static const char *const no_memory = "out of memory";
+
+/* Finds the root of the first relation that has changed; sets *root to NO_SLOT if there is none. */
+static const char *find_changed_root(Values *values, double *value, size_t *root)
+{
+    *root = NO_SLOT;
+    if (!model_roots(values->time, values->y, values->p, value))
+        return "the relations could not be computed";
+    model_time_relations(time_just_after(values->time), values->p, value + model.n_roots);
+    for (size_t i = 0; i < model.n_relations; ++i) {
+        const Relation *relation = &model.relations[i];
+        if (relation_holds(relation, value[relation->root]) != (values->p[relation->memory] != 0.0)) {
+            *root = relation->root;
+            break;
+        }
+    }
+    return NULL;
+}
+
+/* The root stays zero at the event as the parameter changes: its time moves by -(root by the parameter)/(root along the
+ * motion). */
+static const char *find_moves(Values *values, size_t root, double *rates)
+{
+    const Sensitivities *s = model.sensitivities;
+    if (!s->root_rates(values->time, values->y, values->p, rates))
+        return "the derivatives of the relations could not be computed";
+    const double *rate = rates + (1 + s->n_parameters) * root;
+    for (size_t j = 0; j < s->n_parameters; ++j) {
+        const double move = rate[1 + j] == 0.0 ? 0.0 : -rate[1 + j] / rate[0];
+        if (!isfinite(move))
+            return "there are no sensitivities beyond an event that the motion touches without crossing it";
+        values->p[s->moves[j].next_move] = move;
+    }
+    return NULL;
+}
+
+const char *sensitivity_meet_event(Values *values)
+{
+    const Sensitivities *s = model.sensitivities;
+    if (s == NULL)
+        return NULL;
+    const size_t n_roots = model.n_roots + model.n_time_relations;
+    double *work = malloc((1 + (2 + s->n_parameters) * n_roots) * sizeof(double));
+    if (work == NULL)
+        return no_memory;
+    for (size_t j = 0; j < s->n_parameters; ++j)
+        values->p[s->moves[j].next_move] = 0.0;
+    size_t root;
+    const char *problem = find_changed_root(values, work, &root);
+    if (problem == NULL && root != NO_SLOT)
+        problem = find_moves(values, root, work + n_roots);
+    free(work);
+    return problem;
+}
+
+/* Adds sign * der(x) * move to the sensitivities of the states x. */
+static const char *shift_states(Values *values, double sign)
+{
+    const Sensitivities *s = model.sensitivities;
+    double *der = malloc((model.n_states + 1) * sizeof(double));
+    if (der == NULL)
+        return no_memory;
+    const bool known = model_derivatives(values->time, values->y, values->p, der, NULL);
+    for (size_t j = 0; known && j < s->n_parameters; ++j)
+        for (size_t i = 0; i < s->n_states; ++i)
+            values->y[(1 + j) * s->n_states + i] += sign * der[i] * values->p[s->moves[j].move];
+    free(der);
+    return known ? NULL : "the derivatives at an event could not be computed";
+}
+
+const char *sensitivity_enter_event(Values *values, bool *moves)
+{
+    const Sensitivities *s = model.sensitivities;
+    *moves = false;
+    for (size_t j = 0; s != NULL && j < s->n_parameters; ++j) {
+        double *next = &values->p[s->moves[j].next_move];
+        values->p[s->moves[j].move] = *next;
+        *moves |= *next != 0.0;
+        *next = 0.0;
+    }
+    return *moves ? shift_states(values, 1.0) : NULL;
+}
+
+const char *sensitivity_leave_event(Values *values)
+{
+    const Sensitivities *s = model.sensitivities;
+    const char *problem = shift_states(values, -1.0);
+    for (size_t j = 0; j < s->n_parameters; ++j)
+        values->p[s->moves[j].move] = 0.0;
+    return problem;
+}
