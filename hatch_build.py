@@ -18,6 +18,8 @@ MODELS = (
     "Joystick.JoystickInverse",
     "Joystick.JoystickInversePowerLaw",
     "Operator.Operator",
+    "Operator.HeldJoystick",
+    "Operator.HeldJoystickPowerLaw",
     "Examples.OperatedJoystick",
 )
 

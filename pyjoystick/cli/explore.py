@@ -8,7 +8,7 @@ from typing import Annotated, Final
 
 import typer
 
-from pyjoystick import motion, reports, runs
+from pyjoystick import motion, reports
 from pyjoystick.cli import options
 from pyjoystick.cli.console import messages, write
 from pyjoystick.cli.fmus import FmuBuildError, found_or_built
@@ -51,7 +51,7 @@ def run(
         hint = "pip install 'pyjoystick[build]'"
         raise FmuBuildError(f"the page could not be made: it needs {' and '.join(missing)} ({hint})")
     measured = [motion.read_record(path) for path in records or ()]
-    fmu = found_or_built(runs.fmu_of_joystick(joystick))
+    fmu = found_or_built(reports.held_fmu(joystick))
     from fmu_build import BuildError  # needs packages that only builds need
 
     with messages().status("page"):
