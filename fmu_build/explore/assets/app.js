@@ -90,7 +90,9 @@ class App {
   }
 
   async savePng(name) {
-    const panels = [...this.plots.panels, ...(this.addition.plots?.() ?? [])].filter((one) => one.canvas.clientWidth > 0);
+    const panels = [...this.plots.panels, ...(this.addition.plots?.() ?? [])].filter(
+      (one) => one.canvas.clientWidth > 0,
+    );
     if (panels.length > 0) save(name, await pngOf(page.title, panels, this.plots.theme));
   }
 

@@ -102,7 +102,8 @@ function drawCurve(context, scale, curve) {
   context.globalAlpha = curve.alpha ?? 1;
   if (curve.dots) {
     const size = curve.dots; // pixels
-    for (let i = 0; i < curve.x.length; i++) context.fillRect(scale.x(curve.x[i]) - size / 2, scale.y(curve.y[i]) - size / 2, size, size);
+    for (let i = 0; i < curve.x.length; i++)
+      context.fillRect(scale.x(curve.x[i]) - size / 2, scale.y(curve.y[i]) - size / 2, size, size);
   } else {
     context.beginPath();
     let isDown = false;

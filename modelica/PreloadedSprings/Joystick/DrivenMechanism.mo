@@ -95,9 +95,9 @@ that extends this adds a component <code>damping</code> that is a
 <a href=\"modelica://PreloadedSprings.Interfaces.DampingLaw\">damping law</a>, gives it the angular velocity
 <code>omega</code> and the side <code>camPlate.isForward</code>, and connects it to the shaft
 <code>handle.flange</code> and to the outputs <code>C</code> and <code>M_d</code>. It gives the torque on the shaft,
-<code>drive.T</code>: that is <code>T</code>, and for a <a href=\"modelica://PreloadedSprings.Operator.HeldMechanism\">held
-joystick</a> also that of the hand. It also makes <code>alpha</code>
-that of the handle, or zero where
+<code>drive.T</code>: that is <code>T</code>, and for a
+<a href=\"modelica://PreloadedSprings.Operator.HeldMechanism\">held joystick</a> also that of the hand. It also
+makes <code>alpha</code> that of the handle, or zero where
 <a href=\"modelica://PreloadedSprings.Joystick.RubbingMechanism\">dry friction</a> holds it.</p>
 </html>"));
 end DrivenMechanism;

@@ -39,7 +39,15 @@ export class Scene {
 
   get names() {
     const ends = ["delta", "isEngaged", "isReleased"];
-    return ["theta", "x", "f_x", "theta_ref", "grip", "T_hand", ...SPRINGS.flatMap((name) => ends.map((end) => `${name}.${end}`))];
+    return [
+      "theta",
+      "x",
+      "f_x",
+      "theta_ref",
+      "grip",
+      "T_hand",
+      ...SPRINGS.flatMap((name) => ends.map((end) => `${name}.${end}`)),
+    ];
   }
 
   show(run, row, state) {

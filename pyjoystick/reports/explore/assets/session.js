@@ -2,8 +2,8 @@
 // the wanted angle straight from where the hand was to where it is. A frame asks for few rows, and waits for those of
 // the frame before: a slow machine falls behind the clock, and nothing piles up.
 
-import { Recording } from "./recording.js";
 import { byName } from "./page-data.js";
+import { Recording } from "./recording.js";
 import { followed, runRequest, sampled } from "./request.js";
 
 const SHORTEST_STEP = 1e-3; // s, between two rows
@@ -100,7 +100,7 @@ export class Session {
     this.isWaiting = false;
     const width = this.names.length;
     this.recording.append(request.continues ? result.table.subarray(width) : result.table);
-    this.time = request.start + (result.rows - 1) * this.step;
+    this.time = request.start + Math.max(0, result.rows - 1) * this.step;
     const isWhole = result.rows === request.rows;
     const isOver = !isWhole || (this.letGoAt !== null && this.time >= this.letGoAt + this.rest - 1e-9);
     if (result.rows > 0) this.app.show(this.recording.run, this.time);
@@ -122,6 +122,8 @@ export class Session {
     if (this.app.session !== this) return;
     this.app.session = null;
     this.hand.drop();
-    this.app.footer.textContent = `Moved by hand for ${this.time.toFixed(2)} s; the last ${this.recording.rows} rows are shown`;
+    const { rows } = this.recording;
+    if (rows > 0)
+      this.app.footer.textContent = `Moved by hand for ${this.time.toFixed(2)} s; the last ${rows} rows are shown`;
   }
 }

@@ -26,6 +26,7 @@ pytestmark = pytest.mark.xdist_group("browser")
 _RECORDS = Path(__file__).parents[4] / "scenarios" / "data"
 _RECORD = _RECORDS / "synthetic_constant_1.csv"
 
+
 def _turn(page: LivePage) -> float:
     """The angle of the drawn handle (deg)."""
     transform = page.page.locator(".whole g").first.get_attribute("transform") or ""
