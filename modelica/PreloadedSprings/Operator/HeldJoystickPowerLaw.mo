@@ -19,8 +19,8 @@ equation
     defaultComponentName = "joystick",
     experiment(StartTime = 0, StopTime = 1.5, Tolerance = 1e-8, Interval = 1e-3),
     Documentation(info = "<html>
-<p><a href=\"modelica://PreloadedSprings.Joystick.JoystickFrictionPowerLaw\">JoystickFrictionPowerLaw</a> in the hand of an
-operator: the hand draws the handle to <code>theta_ref</code>, which moves with <code>omega_ref</code>, while
+<p><a href=\"modelica://PreloadedSprings.Joystick.JoystickFrictionPowerLaw\">JoystickFrictionPowerLaw</a> in the hand
+of an operator: the hand draws the handle to <code>theta_ref</code>, which moves with <code>omega_ref</code>, while
 <code>grip</code> is 1. With <code>grip = 0</code>, the preset, the motion is that of
 JoystickFrictionPowerLaw, to the last bit.</p>
 <p>The model is made for a person who moves the wanted angle while the simulation runs: one communication step for
