@@ -48,3 +48,16 @@ def test_a_hand_that_is_pointed_once_a_frame_is_that_of_a_continuous_operator(fm
     assert np.abs(error).max() < 0.03
     lag = np.degrees(expected["joystick.theta"] - expected["operator_.theta_ref"]).abs().max()
     assert lag > 3.0  # the hand gives way by far more than that
+
+
+@pytest.mark.parametrize("law", ["", "PowerLaw"])
+def test_a_hand_can_hold_still(fmus: Path, law: str) -> None:
+    """At rest under load the speed is rounding errors about zero, which are no events of a friction of zero."""
+    time = np.arange(6000) * 1e-3
+    hand = {"theta_ref": 0.349, "grip": 1.0}
+    with Fmu(fmus / f"HeldJoystick{law}.fmu") as held:
+        start = {"theta_start": math.radians(-20.0)}
+        run = held.run(time, parameters=start, inputs=hand, outputs=["theta", "omega", "alpha", "T_hand"])
+    rest = run.iloc[-1]
+    assert abs(rest["omega"]) < 1e-8
+    assert rest["T_hand"] == pytest.approx(25.0 * (0.349 - rest["theta"]), abs=1e-8)
