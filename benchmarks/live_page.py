@@ -1,7 +1,7 @@
 """How long the live page takes from a moved slider to its curves: ``python -m benchmarks.live_page``.
 
-In a headless Chromium without a graphics card. The runs of the page are timed beside those of the same FMU by the
-compiled loop of `pyjoystick`, in turns: 1501 rows of the variables that the page shows.
+In a headless Chromium without a graphics card. The runs of the page are timed beside those of the same FMU by
+the compiled loop of `pyjoystick`, in turns: 1501 rows of the variables that the page shows.
 """
 
 from __future__ import annotations

@@ -52,7 +52,7 @@ def test_a_hand_that_is_pointed_once_a_frame_is_that_of_a_continuous_operator(fm
 
 @pytest.mark.parametrize("law", ["", "PowerLaw"])
 def test_a_hand_can_hold_still(fmus: Path, law: str) -> None:
-    """At rest under load the speed is rounding errors about zero, which are no events of a friction of zero."""
+    """At rest under load the speed is rounding errors about zero: no events where there is no friction."""
     time = np.arange(6000) * 1e-3
     hand = {"theta_ref": 0.349, "grip": 1.0}
     with Fmu(fmus / f"HeldJoystick{law}.fmu") as held:
