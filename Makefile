@@ -2,7 +2,7 @@
 # make test   everything that is tested
 # make env    the whole environment, with Numba and the tools of tests and documentation (make run needs a third)
 # make test-quick  what takes less than a minute: no compiler, no site; with the FMUs that make fmu made
-# make fmu    the eight FMUs in build/fmi2/ (COMPILER=openmodelica makes them with an installed OpenModelica,
+# make fmu    the ten FMUs in build/fmi2/ (COMPILER=openmodelica makes them with an installed OpenModelica,
 #             COMPILER_OPTIONS="omc=/opt/openmodelica" with one that is not on the path), for this machine's
 #             platform (PLATFORMS=all: Linux, Windows and macOS; PLATFORMS="x86_64-linux x86_64-windows": those);
 #             FMI=3: of FMI 3.0, in build/fmi3/; FMI="2 3": both
@@ -37,7 +37,8 @@ RUN_READY := $(VENV)/.ready-to-run
 READY := $(VENV)/.ready
 MODELS := $(addprefix PreloadedSprings.,Joystick.Joystick Joystick.JoystickPowerLaw \
 	Joystick.JoystickFriction Joystick.JoystickFrictionPowerLaw Joystick.JoystickInverse \
-	Joystick.JoystickInversePowerLaw Operator.Operator Examples.OperatedJoystick)
+	Joystick.JoystickInversePowerLaw Operator.Operator Operator.HeldJoystick \
+	Operator.HeldJoystickPowerLaw Examples.OperatedJoystick)
 FMU_SOURCES := $(shell find modelica fmu_build -name '*.mo' -o -name 'package.order' -o -name '*.[ch]' \
 	-o -name '*.py' -o -name '*.toml' -o -name '*.jinja' -o -name '*.csv')
 

@@ -17,6 +17,8 @@ MODELS = (
     "Joystick.JoystickInverse",
     "Joystick.JoystickInversePowerLaw",
     "Operator.Operator",
+    "Operator.HeldJoystick",
+    "Operator.HeldJoystickPowerLaw",
     "Examples.OperatedJoystick",
 )
 #: With the WebAssembly module, live pages and sandboxes need no compiler either.

@@ -25,6 +25,7 @@ extensions = [
     "sphinx.ext.autodoc",
     "extensions.command_line",
     "extensions.docstrings",
+    "extensions.live_page",
     "extensions.mathml",
     "extensions.modelica_classes",
     "extensions.page_links",

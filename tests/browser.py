@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 import pandas as pd
 import pytest
@@ -65,9 +66,11 @@ class LivePage:
     requests: list[str] = field(default_factory=list)
 
     @classmethod
-    def of(cls, browser: Browser, file: Path, fragment: str = "", *, width: int = 1280) -> LivePage:
-        """The page of a file, after its first run."""
-        page = browser.new_page(viewport={"width": width, "height": 900})
+    def of(
+        cls, browser: Browser, file: Path, fragment: str = "", *, width: int = 1280, **context: Any
+    ) -> LivePage:
+        """The page of a file, after its first run; with more options of a browser's context."""
+        page = browser.new_page(viewport={"width": width, "height": 900}, **context)
         page.set_default_timeout(10_000)
         live = cls(page, file)
         page.on("console", live._said)

@@ -7,7 +7,7 @@ from typing import Annotated, Final
 
 import typer
 
-from pyjoystick import motion, reports, runs
+from pyjoystick import motion, reports
 from pyjoystick.cli import options
 from pyjoystick.cli.console import messages, write
 from pyjoystick.cli.fmus import FmuBuildError, found_or_built
@@ -45,7 +45,7 @@ def run(
     file = options.parameter_file(parameters_file)
     joystick = options.joystick_of(damping, options.parse_assignments(assignments, "--set"), file)
     measured = [motion.read_record(path) for path in records or ()]
-    fmu = found_or_built(runs.fmu_of_joystick(joystick))
+    fmu = found_or_built(reports.held_fmu(joystick))
     from fmu_build import BuildError  # takes long to load
 
     with messages().status("page"):

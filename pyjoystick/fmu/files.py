@@ -21,6 +21,8 @@ MODELS = MappingProxyType(
             ("Joystick", "JoystickInverse"),
             ("Joystick", "JoystickInversePowerLaw"),
             ("Operator", "Operator"),
+            ("Operator", "HeldJoystick"),
+            ("Operator", "HeldJoystickPowerLaw"),
             ("Examples", "OperatedJoystick"),
         )
     }

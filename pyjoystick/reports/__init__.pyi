@@ -16,7 +16,7 @@ from .dissipation import (
     plot_energy as plot_energy,
     sampled_closely as sampled_closely,
 )
-from .explore.joystick_page import joystick_page as joystick_page
+from .explore.joystick_page import held_fmu as held_fmu, joystick_page as joystick_page
 from .export.fit_page import fit_page as fit_page
 from .export.fmus import (
     FmuExportError as FmuExportError,

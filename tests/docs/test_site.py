@@ -27,6 +27,7 @@ def test_the_site(tmp_path: Path, subtests: pytest.Subtests) -> None:
         every_page_is_there,
         notebooks_have_run,
         pages_need_no_network,
+        the_live_page_is_in_two_pages,
         formulas_are_mathml,
         links_between_classes_of_the_library,
         names_of_pages_are_links,
@@ -80,6 +81,15 @@ def names_of_pages_are_links(site: Path) -> None:
 def pages_need_no_network(site: Path) -> None:
     for page in site.rglob("*.html"):
         assert _LOADED.findall(page.read_text(encoding="utf-8")) == [], page
+
+
+def the_live_page_is_in_two_pages(site: Path) -> None:
+    assert (site / "live" / "joystick.html").stat().st_size <= 250_000
+    for name in ("index", "period"):
+        page = (site / f"{name}.html").read_text(encoding="utf-8")
+        link = r'<a class="live [^>]*href="live/joystick\.html[^>]*>\s*<img alt="The mech'
+        assert re.search(link, page), name
+        assert "_static/live.js" in page
 
 
 def formulas_are_mathml(site: Path) -> None:

@@ -1,4 +1,4 @@
-"""The names that other tools see of the six joysticks."""
+"""The names that other tools see of the joysticks."""
 
 from __future__ import annotations
 
@@ -10,6 +10,8 @@ CONSTANT = "PreloadedSprings.Joystick.Joystick"
 POWER_LAW = "PreloadedSprings.Joystick.JoystickPowerLaw"
 FRICTION = "PreloadedSprings.Joystick.JoystickFriction"
 FRICTION_POWER_LAW = "PreloadedSprings.Joystick.JoystickFrictionPowerLaw"
+HELD = "PreloadedSprings.Operator.HeldJoystick"
+HELD_POWER_LAW = "PreloadedSprings.Operator.HeldJoystickPowerLaw"
 INVERSE = "PreloadedSprings.Joystick.JoystickInverse"
 INVERSE_POWER_LAW = "PreloadedSprings.Joystick.JoystickInversePowerLaw"
 
@@ -40,6 +42,9 @@ MOTION = {
     "theta": "rad", "omega": "rad/s", "alpha": "rad/s2", "x": "m", "f_x": "N",
     "M_s": "N.m", "M_d": "N.m", "M_g": "N.m", "C": "N.m.s/rad", "E": "J",
 }  # fmt: skip
+HAND = {"hand.K": "N.m/rad", "hand.D": "N.m.s/rad"}
+HELD_INPUTS = {"T": "N.m", "theta_ref": "rad", "omega_ref": "rad/s", "grip": "1"}
+HELD_OUTPUTS = {"T_hand": "N.m"}
 FRICTION_OUTPUTS = {"M_f": "N.m", "isStuck": None}
 PRESCRIBED = {"theta": "rad", "omega": "rad/s", "alpha": "rad/s2"}
 TORQUES = {
@@ -68,6 +73,8 @@ TABLE_1 = {
         (POWER_LAW, BODY | START | SPRINGS | POWER_LAWS),
         (FRICTION, BODY | START | SPRINGS | CONSTANT_LAW | DRY_FRICTION),
         (FRICTION_POWER_LAW, BODY | START | SPRINGS | POWER_LAWS | DRY_FRICTION),
+        (HELD, BODY | START | SPRINGS | CONSTANT_LAW | DRY_FRICTION | HAND),
+        (HELD_POWER_LAW, BODY | START | SPRINGS | POWER_LAWS | DRY_FRICTION | HAND),
         (INVERSE, BODY | SPRINGS | CONSTANT_LAW | DRY_FRICTION),
         (INVERSE_POWER_LAW, BODY | SPRINGS | POWER_LAWS | DRY_FRICTION),
     ],
@@ -83,6 +90,8 @@ def test_parameters_that_can_be_set(name: str, parameters: dict[str, str]) -> No
         (POWER_LAW, {"T": "N.m"}, MOTION),
         (FRICTION, {"T": "N.m"}, MOTION | FRICTION_OUTPUTS),
         (FRICTION_POWER_LAW, {"T": "N.m"}, MOTION | FRICTION_OUTPUTS),
+        (HELD, HELD_INPUTS, MOTION | FRICTION_OUTPUTS | HELD_OUTPUTS),
+        (HELD_POWER_LAW, HELD_INPUTS, MOTION | FRICTION_OUTPUTS | HELD_OUTPUTS),
         (INVERSE, PRESCRIBED, TORQUES),
         (INVERSE_POWER_LAW, PRESCRIBED, TORQUES),
     ],
@@ -99,7 +108,8 @@ def test_the_other_weight_cannot_be_set(name: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "states"), [(CONSTANT, 2), (POWER_LAW, 2), (FRICTION, 2), (INVERSE, 0), (INVERSE_POWER_LAW, 0)]
+    ("name", "states"),
+    [(CONSTANT, 2), (POWER_LAW, 2), (FRICTION, 2), (HELD, 2), (INVERSE, 0), (INVERSE_POWER_LAW, 0)],
 )
 def test_states(name: str, states: int) -> None:
     assert [state.name for state in compiled(name).states] == ["theta", "omega"][:states]

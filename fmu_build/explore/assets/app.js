@@ -1,5 +1,6 @@
 // The page: state -> request -> worker -> run -> plots, table, files. What another package adds takes part by
-// the functions of its `addition`: names(), mount(app), curves(panel, theme), shown(run, row, state, theme), all optional.
+// the functions of its `addition`: names(), mount(app), curves(panel, theme), plots(), ran() after a run, and
+// shown(run, row, state, theme), all optional.
 
 import { Controls } from "./controls.js";
 import { make, save } from "./elements.js";
@@ -83,28 +84,44 @@ class App {
     return [...new Set(this.plots.names)].filter((name) => this.run.has(name));
   }
 
-  async savePng(name) {
-    if (this.plots.panels.length > 0) save(name, await pngOf(page.title, this.plots));
+  // The variables of plots and additions, which a run computes.
+  get names() {
+    return [...new Set([...this.plots.names, ...(this.addition.names?.() ?? [])])];
   }
 
-  // A changed value: shown at once, run as soon as the model is free.
+  async savePng(name) {
+    const panels = [...this.plots.panels, ...(this.addition.plots?.() ?? [])].filter(
+      (one) => one.canvas.clientWidth > 0,
+    );
+    if (panels.length > 0) save(name, await pngOf(page.title, panels, this.plots.theme));
+  }
+
+  // A changed value: shown at once, run as soon as the model is free. It ends a session.
   changed(origin) {
+    this.session?.end();
     this.controls.refresh(origin);
     if (origin === "address") this.noteIgnored();
     if (origin === "plots" || origin === "address" || origin === "reset") this.plots.choose(this.state.plots);
-    const names = [...new Set([...this.plots.names, ...(this.addition.names?.() ?? [])])];
-    this.simulation?.run(runRequest(this.state, names));
+    this.simulation?.run(runRequest(this.state, this.names));
   }
 
+  // What stays of a session that has ended is of no use.
   received(result, request) {
-    if (result.rows > 0) {
-      this.run = new Run(request, result);
-      this.playback.over(this.run);
-      this.table.show(this.run, this.shownNames);
+    if (request?.session) {
+      if (request.session === this.session?.id) this.session.received(result, request);
+      return;
     }
+    if (result.rows > 0) this.show(new Run(request, result));
+    this.addition.ran?.();
     document.body.classList.toggle("stale", result.rows === 0);
     this.explain(result, request);
     this.draw();
+  }
+
+  show(run, time = this.playback.time) {
+    this.run = run;
+    this.playback.over(run, time);
+    this.table.show(run, this.shownNames);
   }
 
   explain(result, request) {
@@ -125,6 +142,7 @@ class App {
   }
 
   toggleKept() {
+    this.session?.end(); // a session would go on to write into the rows that are kept
     this.kept = this.kept ? null : this.run;
     this.keep.setAttribute("aria-pressed", String(Boolean(this.kept)));
     this.draw();

@@ -1,15 +1,19 @@
 // What is shown, as files: CSV with all digits in SI units, PNG of the plots.
 
 import { byName } from "./page-data.js";
-import { label } from "./panel.js";
 
 export function csvText(run, names) {
   const unit = (name) => (byName.get(name).unit ? ` (${byName.get(name).unit})` : "");
   const heads = ["time (s)", ...names.map((name) => `${name}${unit(name)}`)];
   const columns = ["time", ...names].map((name) => run.column(name));
-  const lines = [heads.map(quoted).join(",")];
-  for (let row = 0; row < run.rows; row++) lines.push(columns.map((column) => column[row]).join(","));
-  return `${lines.join("\n")}\n`;
+  return csvOf(
+    heads,
+    Array.from({ length: run.rows }, (_, row) => columns.map((column) => column[row])),
+  );
+}
+
+export function csvOf(heads, rows) {
+  return `${[heads.map(quoted), ...rows].map((row) => row.join(",")).join("\n")}\n`;
 }
 
 function quoted(text) {
@@ -17,8 +21,7 @@ function quoted(text) {
 }
 
 // The plots as they are on the page, two in a row, with title and legends.
-export async function pngOf(title, plots) {
-  const { theme, panels } = plots;
+export async function pngOf(title, panels, theme) {
   const ratio = window.devicePixelRatio || 1;
   const [width, height] = [panels[0]?.canvas.clientWidth ?? 300, (panels[0]?.canvas.clientHeight ?? 200) + 30];
   const across = Math.min(panels.length, 2);
@@ -43,12 +46,11 @@ export async function pngOf(title, plots) {
 
 function legend(context, panel, left, top, theme) {
   let x = left;
-  panel.ys.forEach((one, i) => {
-    context.fillStyle = theme.colors[i % 6];
+  for (const { text, color } of panel.labels(theme)) {
+    context.fillStyle = color;
     context.fillRect(x, top - 5, 12, 3);
     context.fillStyle = theme.text;
-    const text = panel.isOverTime ? label(one) : `${label(one)} over ${label(panel.x)}`;
     context.fillText(text, x + 17, top);
     x += context.measureText(text).width + 34;
-  });
+  }
 }

@@ -17,6 +17,7 @@ export class Model {
   }
 
   // The rows of a run: { table, rows, status, message, milliseconds }; fewer rows than asked for: it failed.
+  // A run that `continues` begins with the state in which the one before ended.
   run(asked) {
     const begun = performance.now();
     const columns = asked.kinds.length;
@@ -25,7 +26,7 @@ export class Model {
     let failure = { status: "", message: "" };
     try {
       const address = this.allocate(8 * asked.rows * columns);
-      const status = this.prepare(asked);
+      const status = asked.continues ? this.follow(asked.inputs) : this.prepare(asked);
       if (status === 0) {
         const names = this.place(Uint32Array, asked.references);
         const kinds = this.place(

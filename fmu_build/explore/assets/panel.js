@@ -3,10 +3,9 @@
 import { make } from "./elements.js";
 import { numberText, shownUnit } from "./format.js";
 import { byName } from "./page-data.js";
-import { drawPlot } from "./plot.js";
+import { drawOn } from "./plot.js";
 
 const TIME = { name: "time", unit: "s", text: "Time" };
-const HEIGHT = 210;
 
 export class Panel {
   constructor(choice, onCursor) {
@@ -60,22 +59,20 @@ export class Panel {
   }
 
   draw(run, kept, row, theme, more) {
-    const width = this.canvas.clientWidth;
-    if (width === 0) return;
-    const ratio = window.devicePixelRatio || 1;
-    const height = HEIGHT;
-    if (this.canvas.width !== Math.round(width * ratio)) {
-      this.canvas.width = Math.round(width * ratio);
-      this.canvas.height = Math.round(height * ratio);
-    }
-    const context = this.canvas.getContext("2d");
-    context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    context.clearRect(0, 0, width, height);
-    this.scale = drawPlot(context, width, height, this.content(run, kept, row, theme, more), theme);
+    const scale = drawOn(this.canvas, this.content(run, kept, row, theme, more), theme);
+    if (!scale) return;
+    this.scale = scale;
     this.ys.forEach((one, i) => {
       const text = run.rows ? numberText(run.shown(one)[row], 4) : "–";
       this.values[i].textContent = `${text} ${shownUnit(one)}`;
     });
+  }
+
+  labels(theme) {
+    return this.ys.map((one, i) => ({
+      text: this.isOverTime ? label(one) : `${label(one)} over ${label(this.x)}`,
+      color: theme.colors[i % 6],
+    }));
   }
 
   // In words, for those who do not see the curves.

@@ -35,9 +35,9 @@ export class Playback {
     return this.run?.span ?? 1;
   }
 
-  over(run) {
+  over(run, time) {
     this.run = run;
-    this.goTo(Math.min(this.start + this.span, Math.max(this.start, this.time)));
+    this.goTo(Math.min(this.start + this.span, Math.max(this.start, time)));
   }
 
   goTo(time) {

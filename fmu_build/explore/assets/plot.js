@@ -5,9 +5,25 @@ const LEFT = 58;
 const BOTTOM = 30;
 const TOP = 8;
 const RIGHT = 12;
+const HEIGHT = 210;
 
-// A plot's content: { x, y: [{ values, color, dash, width }], xLabel, cursor, points }, values in display units.
-export function drawPlot(context, width, height, content, theme) {
+// Draws on a canvas with the pixels of the screen; null where it has no width yet.
+export function drawOn(canvas, content, theme) {
+  const width = canvas.clientWidth;
+  if (width === 0) return null;
+  const ratio = window.devicePixelRatio || 1;
+  if (canvas.width !== Math.round(width * ratio)) {
+    canvas.width = Math.round(width * ratio);
+    canvas.height = Math.round(HEIGHT * ratio);
+  }
+  const context = canvas.getContext("2d");
+  context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  context.clearRect(0, 0, width, HEIGHT);
+  return drawPlot(context, width, HEIGHT, content, theme);
+}
+
+// A plot's content: { x, y: [{ values, color, dash, width, dots }], xLabel, cursor, points }, values in display units.
+function drawPlot(context, width, height, content, theme) {
   const box = { left: LEFT, top: TOP, width: width - LEFT - RIGHT, height: height - TOP - BOTTOM };
   const xs = extent(content.curves.map((curve) => curve.x));
   const ys = extent(content.curves.map((curve) => curve.y));
@@ -85,7 +101,9 @@ function drawCurve(context, scale, curve) {
   context.setLineDash(curve.dash ?? []);
   context.globalAlpha = curve.alpha ?? 1;
   if (curve.dots) {
-    for (let i = 0; i < curve.x.length; i++) context.fillRect(scale.x(curve.x[i]) - 1, scale.y(curve.y[i]) - 1, 2, 2);
+    const size = curve.dots; // pixels
+    for (let i = 0; i < curve.x.length; i++)
+      context.fillRect(scale.x(curve.x[i]) - size / 2, scale.y(curve.y[i]) - size / 2, size, size);
   } else {
     context.beginPath();
     let isDown = false;
@@ -140,7 +158,7 @@ function padded([low, high]) {
 }
 
 // Multiples of 1, 2 or 5 times a power of ten that enclose the values.
-export function ticks(low, high, count) {
+function ticks(low, high, count) {
   if (!(high > low)) return [low - 1, low, low + 1];
   const rough = (high - low) / Math.max(2, count);
   const power = 10 ** Math.floor(Math.log10(rough));

@@ -32,14 +32,15 @@ function pageStarts(state) {
 }
 
 // The inputs that follow a table, by name: [variable, points].
-function followed(state) {
+export function followed(state) {
   const inputs = page.variables.filter((one) => one.causality === "input" && one.kind === "r");
   return new Map(
     inputs.filter((one) => state.tables.get(one.name)).map((one) => [one.name, [one, state.tables.get(one.name)]]),
   );
 }
 
-function sampled(inputs, start, step, rows) {
+// Values and slopes of inputs, given as [variable, points], at the rows of a run.
+export function sampled(inputs, start, step, rows) {
   const values = new Float64Array(rows * inputs.length);
   const slopes = new Float64Array(rows * inputs.length);
   inputs.forEach(([, points], column) => {

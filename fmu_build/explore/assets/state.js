@@ -9,6 +9,7 @@ const EXPERIMENT = ["stop", "step"];
 export class State {
   constructor(onChange) {
     this.watchers = [onChange];
+    this.hasLink = location.hash !== "";
     this.read(location.hash);
     window.addEventListener("hashchange", () => {
       if (location.hash === this.written) return;
@@ -51,6 +52,17 @@ export class State {
     this.changed(origin);
   }
 
+  // What an addition keeps in the address, under a key that begins with "@"; null: nothing.
+  setExtra(key, text) {
+    if (text === null) this.extras.delete(key);
+    else this.extras.set(key, text);
+    this.writeSoon();
+  }
+
+  extra(key) {
+    return this.extras.get(key) ?? null;
+  }
+
   setPlots(plots) {
     this.plots = plots;
     this.changed("plots");
@@ -81,9 +93,13 @@ export class State {
   }
 
   changed(origin) {
+    this.writeSoon();
+    this.tell(origin);
+  }
+
+  writeSoon() {
     clearTimeout(this.timer);
     this.timer = setTimeout(() => this.write(), 200); // browsers refuse to be written to at every move
-    this.tell(origin);
   }
 
   watch(watcher) {
@@ -107,6 +123,7 @@ export class State {
       if (this.experiment[key] !== page.experiment[key]) parts.set(`:${key}`, this.experiment[key]);
     }
     if (this.plots !== page.plots) parts.set(":plots", JSON.stringify(this.plots.map(({ y, x }) => [x, ...y])));
+    for (const [key, text] of this.extras) parts.set(key, text);
     return parts.toString();
   }
 
@@ -121,6 +138,7 @@ export class State {
   // What does not fit the model is left out: a link may come from another version.
   read(hash) {
     this.clear();
+    this.extras = new Map();
     this.ignored = [];
     for (const [key, text] of new URLSearchParams(hash.slice(1))) {
       if (!this.readOne(key, text)) this.ignored.push(key);
@@ -143,6 +161,7 @@ export class State {
       if (table) this.tables.set(key.slice(0, -6), table);
       else this.tables.delete(key.slice(0, -6));
     } else if (key === ":plots") return this.readPlots(text);
+    else if (key.startsWith("@") && page.addition) this.extras.set(key, text);
     else return false;
     return true;
   }

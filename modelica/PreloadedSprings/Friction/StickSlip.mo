@@ -7,6 +7,8 @@ model StickSlip "Dry friction of a shaft that slides or sticks"
     annotation (Placement(transformation(extent = {{100, -60}, {120, -40}})));
   Integer mode(start = 0) "1: slides forward, -1: slides backward, 0: is stuck";
 protected
+  final parameter Real never = if T_c > 0 or T_s > 0 or F_c > 0 then 0 else 1e9
+    "Without friction there is nothing to decide, and rounding errors about a rest must not make events";
   Boolean isForward "True where the angle rises";
   Boolean isBackward "True where the angle falls";
   Boolean isPushedForward "True where sticking cannot hold against a push towards positive angles";
@@ -14,10 +16,10 @@ protected
 equation
   // Only trial steps see a motion against the mode. With the friction at rest there, none leaps over its narrow peak.
   M_stribeck = T_more*noEvent(if mode*omega > 0 then exp(-(omega/omega_more)^2) else 1);
-  isForward = omega > 0;
-  isBackward = omega < 0;
-  isPushedForward = M > M_max;
-  isPushedBackward = M < -M_max;
+  isForward = omega > -never;
+  isBackward = omega < -never;
+  isPushedForward = M > M_max + never;
+  isPushedBackward = M < -M_max - never;
   when initial() then
     mode = if isForward then 1 elseif isBackward then -1 elseif isPushedForward then 1
       elseif isPushedBackward then -1 else 0;

@@ -53,8 +53,6 @@ equation
   der(omega) = alpha;
   handle.omega = omega;
   E = handle.E + gravity.E + forward.E + backward.E;
-  connect(T, drive.T)
-    annotation (Line(points = {{-210, 0}, {-162, 0}}, color = {0, 0, 127}));
   connect(drive.flange, handle.flange)
     annotation (Line(points = {{-120, 0}, {-80, 0}, {-80, 110}, {-30, 110}}, color = {64, 64, 64}));
   connect(gravity.M_g, M_g)
@@ -96,8 +94,10 @@ equation
 that extends this adds a component <code>damping</code> that is a
 <a href=\"modelica://PreloadedSprings.Interfaces.DampingLaw\">damping law</a>, gives it the angular velocity
 <code>omega</code> and the side <code>camPlate.isForward</code>, and connects it to the shaft
-<code>handle.flange</code> and to the outputs <code>C</code> and <code>M_d</code>. It also makes <code>alpha</code>
-that of the handle, or zero where
+<code>handle.flange</code> and to the outputs <code>C</code> and <code>M_d</code>. It gives the torque on the shaft,
+<code>drive.T</code>: that is <code>T</code>, and for a
+<a href=\"modelica://PreloadedSprings.Operator.HeldMechanism\">held joystick</a> also that of the hand. It also
+makes <code>alpha</code> that of the handle, or zero where
 <a href=\"modelica://PreloadedSprings.Joystick.RubbingMechanism\">dry friction</a> holds it.</p>
 </html>"));
 end DrivenMechanism;

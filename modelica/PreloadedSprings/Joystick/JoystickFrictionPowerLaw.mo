@@ -6,6 +6,8 @@ model JoystickFrictionPowerLaw "Joystick with dry friction and damping by power 
     annotation (choicesAllMatching = true, Placement(transformation(extent = {{-30, -10}, {30, 50}})));
 equation
   damping.omega = omega;
+  connect(T, drive.T)
+    annotation (Line(points = {{-210, 0}, {-162, 0}}, color = {0, 0, 127}));
   connect(damping.flange, handle.flange)
     annotation (Line(points = {{-30, 20}, {-80, 20}, {-80, 110}, {-30, 110}}, color = {64, 64, 64}));
   connect(camPlate.isForward, damping.isForward)

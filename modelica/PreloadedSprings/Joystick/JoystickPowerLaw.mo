@@ -7,6 +7,8 @@ model JoystickPowerLaw "Joystick with damping by power laws (eq. 11): torque in,
 equation
   handle.alpha = alpha;
   damping.omega = omega;
+  connect(T, drive.T)
+    annotation (Line(points = {{-210, 0}, {-162, 0}}, color = {0, 0, 127}));
   connect(damping.flange, handle.flange)
     annotation (Line(points = {{-30, 20}, {-80, 20}, {-80, 110}, {-30, 110}}, color = {64, 64, 64}));
   connect(camPlate.isForward, damping.isForward)

@@ -13,7 +13,7 @@ equation
   friction.omega = omega;
   friction.isForwardInContact = forward.returnSpring.isEngaged;
   friction.isBackwardInContact = backward.returnSpring.isEngaged;
-  friction.M = T + M_g - M_s - M_d;
+  friction.M = drive.T + M_g - M_s - M_d;
   alpha = if isStuck then 0 else handle.alpha;
   when change(friction.mode) then
     reinit(omega, 0);
@@ -35,7 +35,7 @@ equation
 <a href=\"modelica://PreloadedSprings.Joystick.JoystickFrictionPowerLaw\">JoystickFrictionPowerLaw</a> have in common:
 the <a href=\"modelica://PreloadedSprings.Joystick.DrivenMechanism\">DrivenMechanism</a>, held or slowed by
 <a href=\"modelica://PreloadedSprings.Friction.StickSlip\">dry friction</a>. The friction needs to know the moment of
-everything else on the shaft, <code>T + M_g - M_s - M_d</code>. Where the motion turns, or begins or ends to stick,
-<code>omega</code> is set to zero; while it sticks, <code>alpha</code> is zero.</p>
+everything else on the shaft, <code>drive.T + M_g - M_s - M_d</code>. Where the motion turns, or begins or ends to
+stick, <code>omega</code> is set to zero; while it sticks, <code>alpha</code> is zero.</p>
 </html>"));
 end RubbingMechanism;

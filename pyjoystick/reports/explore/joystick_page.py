@@ -34,6 +34,11 @@ _RANGES: Final = {
     "friction.T_s": (0.0, 0.3),
     "friction.F_c": (0.0, 5.0),
     "friction.omega_s": (0.0, 2.0),
+    "theta_ref": (-_STOP, _STOP),
+    "omega_ref": (-10.0, 10.0),
+    "grip": (0.0, 1.0),
+    "hand.K": (0.0, 100.0),
+    "hand.D": (0.0, 3.0),
 }
 _FIRST: Final = ("theta_start", "damping.C", "damping.alpha", "friction.T_c", "friction.F_c", "T")
 _SPRINGS: Final = tuple(f"{side}.{kind}Spring" for side in model.SIDES for kind in ("return", "balance"))
@@ -51,7 +56,7 @@ def joystick_page(
     """Return the page of a joystick as HTML.
 
     Args:
-        fmu: the FMU of its damping law, of FMI 2
+        fmu: the FMU that `held_fmu` names, of FMI 2
         file: the parameter file that it comes from; the page offers it with the values set there
         joystick: the values that the page starts with
         start: angle of release (rad)
@@ -75,13 +80,19 @@ def joystick_page(
     return explore_page(fmu, settings, Addition(_ASSETS, "joystick", data))
 
 
+def held_fmu(joystick: model.JoystickParameters) -> str:
+    """Name of the FMU that computes the motion of a joystick in a hand, with its damping law."""
+    return "HeldJoystick" + ("" if isinstance(joystick.damping, model.ConstantDamping) else "PowerLaw")
+
+
 def _settings(joystick: model.JoystickParameters, start: float, title: str) -> Settings:
     from fmu_build.explore import Preset, Settings
     from fmu_build.explore.ranges import Range
     from fmu_build.explore.settings import PlotChoice
 
     values = joystick.to_names()
-    known = {**values, "theta_start": start, "omega_start": 0.0, "T": 0.0}
+    absent = {name for name in _RANGES if name.startswith("damping.") and name not in values}
+    hidden = absent | {name for name in model.FRICTION_NAMES if name not in values}
     half = {f"{spring}.F_0": 0.5 * values[f"{spring}.F_0"] for spring in _SPRINGS}
     presets = [
         Preset("20° release", {"theta_start": -_STOP}),
@@ -91,11 +102,11 @@ def _settings(joystick: model.JoystickParameters, start: float, title: str) -> S
     ]
     if "damping.C" in values:
         presets.append(Preset("Undamped", {"damping.C": 0.0}))
-    moments = ("M_s", "M_d", "M_g", *(["M_f"] if "friction.T_c" in values else []), "T")
+    moments = ("M_s", "M_d", "M_g", *(["M_f"] if "friction.T_c" in values else []), "T", "T_hand")
     return Settings(
         title=title,
-        first=tuple(name for name in _FIRST if name in known),
-        ranges={name: Range(*ends) for name, ends in _RANGES.items() if name in known},
+        first=tuple(name for name in _FIRST if name not in hidden),
+        ranges={name: Range(*ends) for name, ends in _RANGES.items() if name not in absent},
         values={**values, "theta_start": start},
         input_tables=False,
         plots=(
@@ -113,7 +124,9 @@ def _settings(joystick: model.JoystickParameters, start: float, title: str) -> S
 def _places(file: model.ParameterFile, joystick: model.JoystickParameters) -> Mapping[str, str]:
     """FMU names by place in the parameter file, of the values that stand there as they are."""
     values = model.fmu_values(file, model.law_name(joystick.damping))
-    return {f"{value.table}.{value.place}": value.name for value in values if value.place.isidentifier()}
+    places = {f"{value.table}.{value.place}": value.name for value in values if value.place.isidentifier()}
+    # The page offers friction to every joystick.
+    return places | {name: name for name in model.FRICTION_NAMES}
 
 
 def _editable_text(

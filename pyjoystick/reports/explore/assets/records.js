@@ -2,11 +2,11 @@
 
 import { make } from "./elements.js";
 import { MOST_ROWS } from "./experiment.js";
+import { ExtraPlot } from "./extra-plot.js";
 import { numberText } from "./format.js";
-import { drawPlot } from "./plot.js";
 
 const DEGREES = 180 / Math.PI;
-const HEIGHT = 210;
+const KEY = "@record"; // in the address
 
 export class Records {
   constructor(records) {
@@ -16,6 +16,10 @@ export class Records {
 
   get isEmpty() {
     return this.records.length === 0;
+  }
+
+  get plots() {
+    return this.chosen ? [this.plot] : [];
   }
 
   mount(app) {
@@ -34,18 +38,27 @@ export class Records {
       this.text,
     );
     app.controlsPlace.prepend(box);
-    this.canvas = make("canvas", { role: "img" });
-    const legend = make("figcaption", {}, make("span", { class: "entry c1" }, make("i"), "simulated − measured theta"));
-    this.figure = make("figure", { class: "panel difference", hidden: true }, legend, this.canvas);
-    this.select.value = "0";
-    this.choose("0");
-    if (location.hash === "") this.release();
+    this.plot = new ExtraPlot("difference", "difference", { 1: "simulated − measured theta" });
+    app.state.watch((origin) => origin === "address" && this.read());
+    if (!app.state.hasLink) {
+      this.choose("0");
+      this.release();
+    } else this.read();
+  }
+
+  // The record of the address: by its name, the first one where none is named, "" for none.
+  read() {
+    const name = this.app.state.extra(KEY);
+    const index = this.records.findIndex((record) => record.name === name);
+    this.choose(index >= 0 ? String(index) : name === "" ? "" : "0");
   }
 
   choose(index) {
+    this.select.value = index;
     this.chosen = index === "" ? null : this.records[Number(index)];
-    this.figure.hidden = !this.chosen;
+    this.plot.element.hidden = !this.chosen;
     if (!this.chosen) this.text.textContent = "";
+    this.app.state.setExtra(KEY, index === "0" ? null : (this.chosen?.name ?? ""));
     this.app.draw();
   }
 
@@ -63,7 +76,7 @@ export class Records {
   curves(panel, theme) {
     if (!this.chosen || !panel.isOverTime || panel.choice.y[0] !== "theta") return [];
     const y = this.chosen.theta.map((angle) => angle * DEGREES);
-    return [{ x: this.chosen.time, y, color: theme.text, dots: true }];
+    return [{ x: this.chosen.time, y, color: theme.text, dots: 2 }];
   }
 
   show(run, theme) {
@@ -72,19 +85,18 @@ export class Records {
     const squares = y.reduce((sum, one) => sum + one * one, 0);
     const rms = Math.sqrt(squares / y.length);
     const largest = y.reduce((most, one) => Math.max(most, Math.abs(one)), 0);
+    const { element } = this.plot;
     const first = this.app.plots.element.querySelector(".plot");
-    if (first?.nextSibling !== this.figure)
-      this.app.plots.element.insertBefore(this.figure, first?.nextSibling ?? null);
+    if (first?.nextSibling !== element) this.app.plots.element.insertBefore(element, first?.nextSibling ?? null);
     this.text.textContent = `difference ${numberText(rms, 3)}° rms, ${numberText(largest, 3)}° at most`;
-    this.canvas.setAttribute("aria-label", `Simulated minus measured angle over time: ${this.text.textContent}`);
-    const [width, ratio] = [this.canvas.clientWidth, window.devicePixelRatio || 1];
-    if (width === 0) return;
-    this.canvas.width = Math.round(width * ratio);
-    this.canvas.height = Math.round(HEIGHT * ratio);
-    const context = this.canvas.getContext("2d");
-    context.scale(ratio, ratio);
     const curves = [{ x, y, color: theme.colors[1] }];
-    drawPlot(context, width, HEIGHT, { curves, xRange: [run.times[0], run.times[0] + run.span], xLabel: "s" }, theme);
+    const rows = x.map((time, i) => [time, y[i] / DEGREES]);
+    this.plot.draw(
+      { curves, xRange: [run.times[0], run.times[0] + run.span], xLabel: "s" },
+      theme,
+      { heads: ["time (s)", "simulated - measured theta (rad)"], rows },
+      `Simulated minus measured angle over time: ${this.text.textContent}`,
+    );
   }
 
   // At the samples within the run, straight between its rows (deg).

@@ -7,21 +7,25 @@ import { numberText } from "./format.js";
 
 const MM = 1000;
 const DEGREES = 180 / Math.PI;
+const HINT = "Drag the handle and let it go. Keyboard: arrow keys move it, Enter lets it go.";
 
 export class Scene {
   constructor({ top, stop }) {
     this.top = top * MM;
     this.stop = stop;
-    this.whole = makeSvg("svg", { class: "whole", role: "img", "aria-label": "The joystick to scale" });
+    this.whole = makeSvg("svg", { class: "whole", role: "group", "aria-label": "The joystick to scale" });
     this.detail = makeSvg("svg", {
       class: "detail",
       role: "img",
       "aria-label": "Cam plate, plungers and springs to scale",
     });
     this.angle = make("span", { class: "angle" });
+    this.torque = make("span", { class: "torque" });
+    this.theta = 0;
     this.states = new Map(SPRINGS.map((name) => [name, make("span", { class: "state" })]));
     const list = [...this.states].map(([name, state]) => make("li", {}, words(name), state));
-    const caption = make("figcaption", {}, make("strong", {}, "Mechanism"), this.angle);
+    const caption = make("figcaption", {}, make("strong", {}, "Mechanism"), this.angle, this.torque);
+    const hint = make("p", { class: "hint", id: "handle-hint" }, HINT);
     const drawings = make("div", { class: "drawings" }, this.whole, this.detail);
     this.element = make(
       "figure",
@@ -29,12 +33,21 @@ export class Scene {
       caption,
       drawings,
       make("ul", { class: "springs" }, ...list),
+      hint,
     );
   }
 
   get names() {
     const ends = ["delta", "isEngaged", "isReleased"];
-    return ["theta", "x", "f_x", ...SPRINGS.flatMap((name) => ends.map((end) => `${name}.${end}`))];
+    return [
+      "theta",
+      "x",
+      "f_x",
+      "theta_ref",
+      "grip",
+      "T_hand",
+      ...SPRINGS.flatMap((name) => ends.map((end) => `${name}.${end}`)),
+    ];
   }
 
   show(run, row, state) {
@@ -46,6 +59,7 @@ export class Scene {
     if (sizes !== this.sizes) this.build(state);
     this.sizes = sizes;
     const theta = value("theta");
+    this.theta = theta;
     const turned = `rotate(${(theta * DEGREES).toFixed(4)})`;
     this.handle.setAttribute("transform", turned);
     this.plate.setAttribute("transform", turned);
@@ -53,12 +67,26 @@ export class Scene {
       const isActive = side === "forward" ? theta > 0 : theta < 0;
       this.actuators[side].show(isActive ? value("x") * MM : 0, isActive ? value("f_x") : 0, value);
     }
-    this.angle.textContent = `${numberText(theta * DEGREES, 4)}°`;
+    this.showHand(theta, value);
     for (const [name, place] of this.states) {
       const kind = value(`${name}.isReleased`) ? "released" : value(`${name}.isEngaged`) ? "held" : "free";
+      if (kind === "released" && !place.classList.contains(kind)) this.onRelease?.();
       place.className = `state ${kind}`;
       place.textContent = kind === "free" ? "lifted off" : kind === "held" ? "restrained" : "released";
     }
+  }
+
+  // Where the hand wants the handle, and its torque; the handle as a slider says the same.
+  showHand(theta, value) {
+    const isHeld = value("grip") > 0;
+    const angle = `${numberText(theta * DEGREES, 4)}°`;
+    const torque = isHeld ? `hand ${numberText(value("T_hand"), 3)} N m` : "";
+    this.angle.textContent = angle;
+    this.torque.textContent = torque;
+    this.wanted.setAttribute("transform", `rotate(${(value("theta_ref") * DEGREES).toFixed(4)})`);
+    this.wanted.setAttribute("visibility", isHeld ? "visible" : "hidden");
+    this.handle.setAttribute("aria-valuenow", (theta * DEGREES).toFixed(2));
+    this.handle.setAttribute("aria-valuetext", isHeld ? `${angle}, ${torque}` : angle);
   }
 
   // Anew where a length has changed.
@@ -90,13 +118,34 @@ export class Scene {
     );
     this.handle = makeSvg(
       "g",
-      {},
+      this.asSlider(),
+      makeSvg("line", { class: "reach", y1: -0.2 * top, y2: -top }),
       makeSvg("rect", { class: "part", x: -1.35 * a, y: -b - 0.13 * a, width: 2.7 * a, height: 0.13 * a }),
       makeSvg("polygon", { class: "part", points: outline.join(" ") }),
       makeSvg("circle", { class: "mass", cy: -h, r: 0.018 * top }),
     );
     const middle = makeSvg("line", { class: "guide", y2: -top });
-    this.whole.replaceChildren(middle, ...limits, this.handle, makeSvg("circle", { class: "pivot", r: 0.014 * top }));
+    this.wanted = makeSvg(
+      "g",
+      { class: "wanted" },
+      makeSvg("line", { y1: -0.5 * top, y2: -0.8 * top }),
+      makeSvg("circle", { cy: -0.8 * top, r: 0.03 * top }),
+    );
+    const pivot = makeSvg("circle", { class: "pivot", r: 0.014 * top });
+    this.whole.replaceChildren(middle, ...limits, this.handle, this.wanted, pivot);
+  }
+
+  asSlider() {
+    const end = (this.stop * DEGREES).toFixed(1);
+    return {
+      class: "handle",
+      role: "slider",
+      tabindex: 0,
+      "aria-label": "Handle",
+      "aria-describedby": "handle-hint",
+      "aria-valuemin": -end,
+      "aria-valuemax": end,
+    };
   }
 
   buildDetail(a, b, state) {

@@ -5,12 +5,12 @@ from __future__ import annotations
 import json
 import math
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import pytest
-from playwright.sync_api import Browser, expect
+from playwright.sync_api import expect
 
 from pyjoystick.cli import main
 from pyjoystick.fmu import Fmu
@@ -18,48 +18,13 @@ from pyjoystick.identification import guess_release
 from pyjoystick.model import NOMINAL, read_parameter_file, write_parameters
 from pyjoystick.motion import read_record
 from pyjoystick.reports.explore.joystick_page import joystick_page
-from tests.browser import LivePage, with_module
+from tests.browser import LivePage
+from tests.pyjoystick.reports.explore.conftest import Live
 
 pytestmark = pytest.mark.xdist_group("browser")
 
 _RECORDS = Path(__file__).parents[4] / "scenarios" / "data"
 _RECORD = _RECORDS / "synthetic_constant_1.csv"
-
-Live = Callable[..., LivePage]
-
-
-@pytest.fixture(scope="module")
-def fmus(joystick_fmus: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The FMUs of joysticks, each with its module, so that this is compiled once."""
-    folder = tmp_path_factory.mktemp("fmus")
-    for name in ("Joystick", "JoystickPowerLaw", "JoystickFriction"):
-        with_module(joystick_fmus / f"{name}.fmu", folder)
-    return folder
-
-
-@pytest.fixture
-def live(
-    browser: Browser,
-    fmus: Path,
-    tmp_path: Path,
-    capsys: pytest.CaptureFixture[str],
-    monkeypatch: pytest.MonkeyPatch,
-) -> Iterator[Live]:
-    """Open the page that the command writes with some arguments."""
-    for module in ("pyjoystick.fmu.files", "pyjoystick.fmu"):
-        monkeypatch.setattr(f"{module}.build_folder", lambda: fmus)
-    opened: list[LivePage] = []
-
-    def open_page(*arguments: str, fragment: str = "") -> LivePage:
-        file = tmp_path / f"page{len(opened)}.html"
-        assert main(["explore", *arguments, "-o", str(file)]) == 0, capsys.readouterr().err
-        assert file.stat().st_size <= 250_000
-        opened.append(LivePage.of(browser, file, fragment))
-        return opened[-1]
-
-    yield open_page
-    for page in opened:
-        page.close()
 
 
 def _turn(page: LivePage) -> float:
@@ -71,7 +36,8 @@ def _turn(page: LivePage) -> float:
 def test_the_page_starts_with_the_joystick_of_the_command(live: Live, fmus: Path) -> None:
     page = live("--set", "damping.C=0.06", "--set", "forward.returnSpring.F_0=40", "--release-angle", "-15")
     shown = page.csv()
-    with Fmu(fmus / "Joystick.fmu") as fmu:
+    assert shown.pop("T_hand").abs().max() == 0.0
+    with Fmu(fmus / "JoystickFriction.fmu") as fmu:
         values = {"damping.C": 0.06, "forward.returnSpring.F_0": 40.0, "theta_start": math.radians(-15.0)}
         expected = fmu.run(shown.index.to_numpy(), parameters=values, outputs=list(shown.columns))
     np.testing.assert_allclose(shown.to_numpy(), expected.to_numpy(), rtol=1e-9, atol=1e-9)
@@ -172,6 +138,17 @@ def test_friction_has_its_controls(live: Live) -> None:
     assert page.csv()["M_s"].abs().max() < 2.0
 
 
+def test_friction_that_no_file_had_is_saved(live: Live, tmp_path: Path) -> None:
+    page = live()
+    with page.rerun():
+        page.type("friction.T_c", "0.05")
+    with page.page.expect_download() as download:
+        page.page.get_by_role("button", name="joystick.toml").click()
+    file = tmp_path / "joystick.toml"
+    download.value.save_as(file)
+    assert read_parameter_file(file).joystick == NOMINAL.replace({"friction.T_c": 0.05})
+
+
 def test_without_a_compiler_and_a_module_in_the_fmu_the_command_says_what_is_missing(
     fmus_by_name: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -222,7 +199,7 @@ def test_a_file_that_a_page_cannot_edit_is_written_anew(
     assert text != path.read_text(encoding="utf-8")
     path.write_text(text, encoding="utf-8")
     file = read_parameter_file(path)
-    page = joystick_page(fmus / "Joystick.fmu", file, file.joystick, 0.3)
+    page = joystick_page(fmus / "HeldJoystick.fmu", file, file.joystick, 0.3)
     data = json.loads(re.search(r'id="data">(.*?)</script>', page, re.DOTALL)[1])  # type: ignore[index]
     given = data["addition"]["toml"]
     assert re.search(r"^C = 0\.05", given, re.MULTILINE)
