@@ -1,8 +1,8 @@
 """Branches of periodic solutions over a parameter, by pseudo-arclength continuation.
 
-Keller's method: from a solution along the tangent of the branch, then back to the branch in the plane at right
-angles to the tangent. It passes folds, where the parameter turns back. All lengths are counted in scales of the
-states and of the parameter.
+Keller's method: from a solution along the tangent of the branch, then back to the branch in the plane at
+right angles to the tangent. It passes folds, where the parameter turns back. All lengths are counted in
+scales of the states and of the parameter.
 """
 
 from __future__ import annotations
@@ -18,8 +18,6 @@ from pyjoystick.forced_motion.periodic.maps import SmoothMap
 from pyjoystick.forced_motion.periodic.solutions import NoSolutionError, PeriodicSolution, correct
 from pyjoystick.support import FloatArray
 
-#: What a branch does at a special point; any other name is that of a test of the system, such as a grazing.
-SpecialKind = Literal["fold", "period doubling", "Neimark-Sacker", "branch point"]
 #: How a branch ends.
 End = Literal["edge of the range", "back at its start", "too many points", "no convergence"]
 #: Tests of the system: they change their sign where what their name says happens.
@@ -38,7 +36,8 @@ class SpecialPoint:
     """A place on a branch where its stability, its direction or the path of its motion changes.
 
     Attributes:
-        kind: a `SpecialKind`, or the name of a test of the system
+        kind: ``fold``, ``period doubling``, ``Neimark-Sacker``, ``branch point``, or the name of a test of
+            the system
         solution: the solution there
     """
 
@@ -128,7 +127,8 @@ class Continuation:
         Raises:
             NoSolutionError: there is no solution at the first step
         """
-        nodes, special = [], []
+        nodes: list[_Node] = []
+        special: list[SpecialPoint] = []
         end: End = "too many points"
         reason = ""
         try:
@@ -197,16 +197,16 @@ class Continuation:
     def _next(self, node: _Node, step: float) -> tuple[_Node, float]:
         """The node a step farther, and the cosine of the angle between the tangents."""
         solution, matrix = correct(self._map, node.place + step * node.tangent, node.tangent, self._scales)
-        onward = np.zeros(len(node.place))
+        onward: FloatArray = np.zeros(len(node.place))
         onward[-1] = 1.0
         try:
             # At right angles to the n equations of the solution, and along the tangent before.
-            tangent = np.linalg.solve(matrix, onward)
+            along = np.linalg.solve(matrix, onward)
         except np.linalg.LinAlgError:
             raise NoSolutionError(solution.parameter, "the branch has no tangent") from None
-        tangent /= np.linalg.norm(tangent)
+        tangent: FloatArray = np.asarray(along / np.linalg.norm(along), dtype=np.float64)
         place = np.append(solution.state, solution.parameter) / self._scales
-        tests = {**_tests(solution, matrix, tangent), **self._tests(solution)}
+        tests: dict[str, float] = {**_tests(solution, matrix, tangent), **self._tests(solution)}
         return _Node(solution, place, tangent, tests), float(tangent @ node.tangent)
 
     def _is_back(self, nodes: list[_Node]) -> bool:
@@ -249,7 +249,7 @@ class Continuation:
             return self._next(before, place + _BESIDE)[0], place
 
 
-def _tests(solution: PeriodicSolution, matrix: FloatArray, tangent: FloatArray) -> dict[SpecialKind, float]:
+def _tests(solution: PeriodicSolution, matrix: FloatArray, tangent: FloatArray) -> dict[str, float]:
     """Functions that change their sign at special points (Kuznetsov, Elements of Applied Bifurcation Theory).
 
     The equations bordered by the tangent are singular where two branches cross, but not at a fold; those of

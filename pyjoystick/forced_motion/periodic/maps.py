@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -20,14 +21,14 @@ class Linearization:
     Attributes:
         image: F, shape (n,)
         monodromy: dF/dx, shape (n, n)
-        by_parameter: dF/dp, shape (n,)
+        by_parameter: gives dF/dp, shape (n,), when it is asked for
         error: largest error of the elements of `monodromy` as estimated, in units in which the scales of all
             states are 1
     """
 
     image: FloatArray
     monodromy: FloatArray
-    by_parameter: FloatArray
+    by_parameter: Callable[[], FloatArray]
     error: float
 
 
@@ -58,7 +59,7 @@ class CentralDifferences:
         self._parameter_step = step * parameter_scale
 
     def __call__(self, state: FloatArray, parameter: float) -> Linearization:
-        """The map at a point, by 4 n + 1 runs at that parameter and 2 at others."""
+        """The map at a point, by 4 n + 1 runs, and one more for the derivative by the parameter."""
         n = len(state)
         beside = np.diag(self._steps)
         offsets = np.concatenate((np.zeros((1, n)), beside, -beside, 0.5 * beside, -0.5 * beside))
@@ -71,13 +72,12 @@ class CentralDifferences:
         return Linearization(
             image=images[0],
             monodromy=(4.0 * narrow - wide) / 3.0,
-            by_parameter=self._by_parameter(state, parameter),
+            by_parameter=partial(self._by_parameter, state, parameter, images[0]),
             error=float(np.max(np.abs(difference))) / 3.0,
         )
 
-    def _by_parameter(self, state: FloatArray, parameter: float) -> FloatArray:
-        """A plain central difference: it points the way along a branch, and no result contains it."""
-        step = self._parameter_step
-        above, below = (self._images(state[None, :], parameter + sign * step)[0] for sign in (1.0, -1.0))
-        slope: FloatArray = (above - below) / (2.0 * step)
+    def _by_parameter(self, state: FloatArray, parameter: float, image: FloatArray) -> FloatArray:
+        """A one-sided difference: it points the way along a branch, and no result contains it."""
+        beside = self._images(state[None, :], parameter + self._parameter_step)[0]
+        slope: FloatArray = (beside - image) / self._parameter_step
         return slope

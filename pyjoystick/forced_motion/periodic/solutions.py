@@ -16,7 +16,7 @@ from pyjoystick.support import FloatArray, PyJoystickError
 ACCURACY: Final = 1e-9
 _MOST_STEPS: Final = 12
 #: A step beyond this many scales has lost its way.
-_FAR: Final = 1e3
+_FAR: Final = 50.0
 
 
 @dataclass(eq=False)
@@ -134,6 +134,7 @@ def _equations(here: Linearization, normal: FloatArray, scales: FloatArray) -> F
     n = len(here.image)
     matrix = np.empty((n + 1, n + 1))
     matrix[:n, :n] = np.eye(n) - here.monodromy * scales[None, :n] / scales[:n, None]
-    matrix[:n, n] = -here.by_parameter * scales[n] / scales[:n]
+    # In the plane of a fixed parameter its derivative does not matter.
+    matrix[:n, n] = -here.by_parameter() * scales[n] / scales[:n] if np.any(normal[:n]) else 0.0
     matrix[n] = normal
     return matrix

@@ -48,7 +48,10 @@ class Piece:
 
 @dataclass(frozen=True)
 class Oscillator:
-    """Two pieces that meet at x = d; periods are counted from a phase of the force at which no orbit is there."""
+    """Two pieces that meet at x = d; periods are counted from a phase of the force.
+
+    Where the preload jumps, the map has a kink if the motion passes d at that phase.
+    """
 
     left: Piece
     right: Piece
@@ -139,8 +142,8 @@ def symmetric_orbit(system: Oscillator, amplitude: float, omega: float, branch: 
     """The symmetric orbit of a preload +-p on a spring, `branch` +1 or -1; they meet where X = |S|.
 
     For half a period x = -p/k + X sin(omega t + psi) + exp(-zeta t) (a cos w t + b sin w t), from x = 0 to
-    x = 0 and from v to -v. The harmonic part changes its sign over that time: two linear equations for a and b
-    remain, and X sin(psi) = S = p/k - a, X cos(psi) = +-sqrt(X^2 - S^2).
+    x = 0 and from v to -v. The harmonic part changes its sign over that time: two linear equations for a and
+    b remain, and X sin(psi) = S = p/k - a, X cos(psi) = +-sqrt(X^2 - S^2).
     """
     a, b, s, largest = _preload_constants(system, omega)
     piece = system.right

@@ -35,7 +35,7 @@ def test_differences_are_right_to_the_fourth_order_and_know_their_error() -> Non
         # With h and h/2: h^4/480 of the fifth derivative is left, and h^2/24 of the third is the estimate.
         assert here.monodromy[0, 0] - exact == pytest.approx(-exact * step**4 / 480.0, rel=0.01)
         assert here.error == pytest.approx(exact * step**2 / 24.0, rel=0.01)
-        assert here.by_parameter == pytest.approx(math.exp(0.3), rel=1e-9)
+        assert here.by_parameter() == pytest.approx(math.exp(0.3), rel=1e-9)
 
 
 @pytest.mark.parametrize(
