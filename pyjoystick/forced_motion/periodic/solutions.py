@@ -113,12 +113,16 @@ def correct(
         if not (np.all(np.isfinite(here.image)) and np.all(np.isfinite(here.monodromy))):
             raise NoSolutionError(float(parameter), "a run fails near the states that were tried")
         left = (here.image - state) / scales[:-1]
-        matrix = _equations(here, normal, scales)
         residual = float(np.max(np.abs(left)))
         if last < ACCURACY and residual < ACCURACY:
-            return PeriodicSolution(state, float(parameter), here, residual), matrix
+            found = PeriodicSolution(state, float(parameter), here, residual)
+            return found, _equations(here, here.by_parameter(), normal, scales)
+        # In the plane of a fixed parameter its derivative does not matter.
+        slope = here.by_parameter() if np.any(normal[:-1]) else np.zeros(len(state))
         try:
-            step = np.linalg.solve(matrix, np.append(left, normal @ (point - place)))
+            step = np.linalg.solve(
+                _equations(here, slope, normal, scales), np.append(left, normal @ (point - place))
+            )
         except np.linalg.LinAlgError:
             raise NoSolutionError(float(parameter), "the equations are singular") from None
         last = float(np.max(np.abs(step)))
@@ -129,12 +133,13 @@ def correct(
     raise NoSolutionError(float(origin + scales[-1] * point[-1]), reason)
 
 
-def _equations(here: Linearization, normal: FloatArray, scales: FloatArray) -> FloatArray:
+def _equations(
+    here: Linearization, by_parameter: FloatArray, normal: FloatArray, scales: FloatArray
+) -> FloatArray:
     """The derivatives of x - F(x, p) and of the plane's equation, in units of the scales."""
     n = len(here.image)
     matrix = np.empty((n + 1, n + 1))
     matrix[:n, :n] = np.eye(n) - here.monodromy * scales[None, :n] / scales[:n, None]
-    # In the plane of a fixed parameter its derivative does not matter.
-    matrix[:n, n] = -here.by_parameter() * scales[n] / scales[:n] if np.any(normal[:n]) else 0.0
+    matrix[:n, n] = -by_parameter * scales[n] / scales[:n]
     matrix[n] = normal
     return matrix

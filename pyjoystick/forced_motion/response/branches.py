@@ -35,13 +35,15 @@ class ResponseBranch:
         periods: periods of the torque after which the motions return
         solutions: in order along the branch
         special: folds, period doublings and grazings, in order of the branch's two directions
-        ends: why it ends at its first and at its last solution
+        ends: how it ends at its first and at its last solution
+        reasons: of ends for want of convergence; otherwise empty
     """
 
     periods: int
     solutions: tuple[PeriodicSolution, ...]
     special: tuple[SpecialPoint, ...]
     ends: tuple[str, str]
+    reasons: tuple[str, str] = ("", "")
 
 
 class Response:
@@ -104,10 +106,20 @@ class Response:
                 raise ParameterError("values", value, f"from {low} to {high}")
             self._tell(f"searching at {value:.4g}")
             for solution in distinct_solutions(self.shaken, value):
-                if not self._is_known(self.shaken, solution):
-                    self._follow(self.shaken, solution)
+                if not self.is_known(self.shaken, solution):
+                    self.follow(self.shaken, solution)
 
-    def _follow(self, shaken: ShakenJoystick, start: PeriodicSolution) -> None:
+    def start_at(self, state: FloatArray, value: float) -> PeriodicSolution:
+        """The solution near a state, for `follow`; raises NoSolutionError if there is none."""
+        return solve(self.shaken.smooth(), state, value, self.shaken.scales[:2])
+
+    def follow(self, shaken: ShakenJoystick, start: PeriodicSolution) -> None:
+        """Add the branch through a solution, and those that leave it at period doublings.
+
+        Args:
+            shaken: the joystick, seen as often as the solution returns
+            start: the solution
+        """
         self._tell(f"branch {len(self.branches) + 1} from {start.parameter:.4g}")
         continuation = self._continuation(shaken)
         ways = [continuation.branch(start, np.array([0.0, 0.0, way])) for way in (1.0, -1.0)]
@@ -126,8 +138,8 @@ class Response:
             start = self._continuation(shaken).beside(doubling, direction)
         except NoSolutionError:
             return
-        if not self._is_known(shaken, start):
-            self._follow(shaken, start)
+        if not self.is_known(shaken, start):
+            self.follow(shaken, start)
 
     def _continuation(self, shaken: ShakenJoystick) -> Continuation:
         def grazings(solution: PeriodicSolution) -> dict[str, float]:
@@ -137,7 +149,7 @@ class Response:
 
         return Continuation(shaken.smooth(), shaken.scales, self.limits, steps=self._steps, tests=grazings)
 
-    def _is_known(self, shaken: ShakenJoystick, solution: PeriodicSolution) -> bool:
+    def is_known(self, shaken: ShakenJoystick, solution: PeriodicSolution) -> bool:
         """One of the branches passes through the solution, at whichever of its periods."""
         states = list(_returns(shaken, solution))
         for branch in self.branches:
@@ -179,11 +191,8 @@ def _joined(periods: int, forward: Branch, backward: Branch) -> ResponseBranch:
         return ResponseBranch(periods, forward.solutions, forward.special, (forward.end, forward.end))
     solutions = (*reversed(backward.solutions[1:]), *forward.solutions)
     special = (*reversed(backward.special), *forward.special)
-    return ResponseBranch(periods, solutions, special, (_end(backward), _end(forward)))
-
-
-def _end(branch: Branch) -> str:
-    return branch.reason or branch.end
+    ends, reasons = (backward.end, forward.end), (backward.reason, forward.reason)
+    return ResponseBranch(periods, solutions, special, ends, reasons)
 
 
 def _returns(shaken: ShakenJoystick, solution: PeriodicSolution) -> Iterator[FloatArray]:

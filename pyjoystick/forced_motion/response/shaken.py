@@ -112,7 +112,7 @@ class ShakenJoystick:
             UnknownParameterError: the joystick has no parameter of that name
         """
         if joystick.friction:
-            allowed = "a joystick without dry friction: where it sticks, its motion has no derivatives"
+            allowed = "none: where a joystick sticks, its motion has no derivatives to search by"
             raise ParameterError("friction", joystick.friction, allowed)
         self.fmu, self.joystick, self.shaking, self.free = fmu, joystick, shaking, free
         self.periods = whole_number("periods", periods, 1)

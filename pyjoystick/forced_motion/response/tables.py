@@ -148,6 +148,7 @@ def as_document(shaken: ShakenJoystick, found: Basins, response: Response | None
         document["free"] = response.shaken.free
         document["limits"] = response.limits
         document["ends"] = [list(branch.ends) for branch in response.branches]
+        document["reasons"] = [list(branch.reasons) for branch in response.branches]
         document["branches"] = branch_table(response).to_dict("records")
         document["special"] = special_table(response).to_dict("records")
     return document

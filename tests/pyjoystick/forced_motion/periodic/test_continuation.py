@@ -61,7 +61,7 @@ def test_branch_of_shaw_and_holmes_with_both_folds() -> None:
     smooth_map = over_amplitude(STIFFENING, omega)
     first = orbit_of_dwell(STIFFENING, omega, 0.03 * period)
     start = solve(smooth_map, first.state + 1e-3, first.amplitude, np.ones(2))
-    branch = branch_of(smooth_map, start, (0.2, 1.0), 1.0)
+    branch = branch_of(smooth_map, start, (0.2, 1.0), 1.0, most=0.2)
     assert branch.end == "edge of the range"
     folds = [point.solution.parameter for point in branch.special if point.kind == "fold"]
     assert folds == pytest.approx([_fold(omega, 0.05, 0.08), _fold(omega, 0.19, 0.216)], abs=1e-6)
