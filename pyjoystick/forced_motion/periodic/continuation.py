@@ -24,7 +24,10 @@ End = Literal["edge of the range", "back at its start", "too many points", "no c
 Tests = Callable[[PeriodicSolution], Mapping[str, float]]
 
 _GROWTH: Final = 1.4
+#: A step that ends where the branch has turned more, or lies farther beside the tangent (in steps), is made
+#: shorter: it may have led to another branch.
 _LARGEST_TURN: Final = 0.95
+_FARTHEST_ASIDE: Final = 0.3
 #: How exactly special points are located along the branch.
 _PLACE: Final = 1e-9
 #: How far from a point where the equations are singular they are solved in its place.
@@ -177,8 +180,10 @@ class Continuation:
         """The next node, and the step that led there: as long as converges and turns little."""
         while True:
             try:
-                found, cosine = self._next(node, self._to_edge(node, step))
-                if cosine > _LARGEST_TURN:
+                length = self._to_edge(node, step)
+                found, cosine = self._next(node, length)
+                aside = np.linalg.norm(found.place - node.place - length * node.tangent)
+                if cosine > _LARGEST_TURN and aside < _FARTHEST_ASIDE * length:
                     return found, step
                 refusal = NoSolutionError(node.solution.parameter, "the branch turns too sharply")
             except NoSolutionError as error:

@@ -85,7 +85,7 @@ class Response:
         self.limits = (low, high)
         self.branches: list[ResponseBranch] = []
         self._most_periods = whole_number("most_periods", most_periods, 1)
-        self._steps = steps or Steps(points=400)
+        self._steps = steps or Steps(most=0.4, points=400)
         self._tell = on_progress
 
     def search(self, values: tuple[float, ...] = ()) -> None:

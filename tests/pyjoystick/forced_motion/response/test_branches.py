@@ -30,7 +30,7 @@ def response() -> Iterator[Response]:
     """The branch of the large motion at 0.6 N m, around the frequency below which there is none."""
     with Fmu("Joystick") as fmu:
         shaken = ShakenJoystick(fmu, NOMINAL, Shaking(0.6, 4.0))
-        found = Response(shaken, (3.42, 4.1), steps=Steps(points=40))
+        found = Response(shaken, (3.42, 4.1), steps=Steps(most=0.4, points=60))
         found.follow(shaken, found.start_at(np.array([-0.38, -5.5]), 4.0))
         yield found
 
