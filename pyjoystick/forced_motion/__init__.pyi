@@ -22,10 +22,17 @@ from .periodic.chaos import LargestExponent as LargestExponent, largest_exponent
 from .periodic.continuation import (
     Branch as Branch,
     Continuation as Continuation,
+    End as End,
     SpecialPoint as SpecialPoint,
     Steps as Steps,
+    Tests as Tests,
 )
-from .periodic.maps import CentralDifferences as CentralDifferences, Linearization as Linearization
+from .periodic.maps import (
+    CentralDifferences as CentralDifferences,
+    Images as Images,
+    Linearization as Linearization,
+    SmoothMap as SmoothMap,
+)
 from .periodic.solutions import (
     NoSolutionError as NoSolutionError,
     PeriodicSolution as PeriodicSolution,

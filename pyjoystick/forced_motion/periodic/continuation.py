@@ -77,7 +77,7 @@ class Steps:
     """
 
     first: float = 0.02
-    least: float = 1e-5
+    least: float = 1e-6
     most: float = 0.1
     points: int = 500
 
@@ -139,7 +139,7 @@ class Continuation:
                 if nodes:
                     special += self._special_points(nodes[-1], node)
                 nodes.append(node)
-                if not self._limits[0] < node.solution.parameter < self._limits[1] and len(nodes) > 1:
+                if self._leaves(node):
                     end = "edge of the range"
                     break
                 if self._is_back(nodes):
@@ -177,13 +177,17 @@ class Continuation:
             step = min(self._steps.most, _GROWTH * step)
 
     def _stepped(self, node: _Node, step: float) -> tuple[_Node, float]:
-        """The next node, and the step that led there: as long as converges and turns little."""
+        """The next node, and the step that led there: as long as converges and turns little.
+
+        What changes its sign is passed by short steps: at a grazing, folds may lie close together.
+        """
         while True:
             try:
                 length = self._to_edge(node, step)
                 found, cosine = self._next(node, length)
                 aside = np.linalg.norm(found.place - node.place - length * node.tangent)
-                if cosine > _LARGEST_TURN and aside < _FARTHEST_ASIDE * length:
+                is_near = cosine > _LARGEST_TURN and aside < _FARTHEST_ASIDE * length
+                if is_near and (step <= self._steps.first or not _differ(node, found)):
                     return found, step
                 refusal = NoSolutionError(node.solution.parameter, "the branch turns too sharply")
             except NoSolutionError as error:
@@ -191,6 +195,12 @@ class Continuation:
             step *= 0.5
             if step < self._steps.least:
                 raise refusal
+
+    def _leaves(self, node: _Node) -> bool:
+        """The node is at an edge of the range, and the branch leads out."""
+        low, high = self._limits
+        value, rate = node.solution.parameter, node.tangent[-1]
+        return bool((value <= low and rate < 0.0) or (value >= high and rate > 0.0))
 
     def _to_edge(self, node: _Node, step: float) -> float:
         """A step that does not lead far beyond the range."""
@@ -252,6 +262,11 @@ class Continuation:
             return self._next(before, place)[0], place
         except NoSolutionError:
             return self._next(before, place + _BESIDE)[0], place
+
+
+def _differ(before: _Node, after: _Node) -> bool:
+    """A test has another sign; `before` may be a beginning, which has none."""
+    return any(value * after.tests.get(name, value) < 0.0 for name, value in before.tests.items())
 
 
 def _tests(solution: PeriodicSolution, matrix: FloatArray, tangent: FloatArray) -> dict[str, float]:

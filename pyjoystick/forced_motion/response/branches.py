@@ -15,9 +15,6 @@ from pyjoystick.forced_motion.periodic.solutions import NoSolutionError, Periodi
 from pyjoystick.forced_motion.response.shaken import ShakenJoystick
 from pyjoystick.support import FloatArray, ParameterError, finite, whole_number
 
-#: Called with a line about what is being done.
-OnProgress = Callable[[str], None]
-
 #: Starts of the search: so many amplitudes from the clearance to beyond the stops, each at so many phases.
 _LEVELS: Final = np.radians(np.geomspace(0.1, 30.0, 7))
 _PHASES: Final = 4
@@ -62,7 +59,7 @@ class Response:
         *,
         most_periods: int = 1,
         steps: Steps | None = None,
-        on_progress: OnProgress = lambda _: None,
+        on_progress: Callable[[str], None] = lambda _: None,
     ) -> None:
         """Set what to search.
 
@@ -85,7 +82,7 @@ class Response:
         self.limits = (low, high)
         self.branches: list[ResponseBranch] = []
         self._most_periods = whole_number("most_periods", most_periods, 1)
-        self._steps = steps or Steps(most=0.4, points=400)
+        self._steps = steps or Steps(most=0.4, points=200)
         self._tell = on_progress
 
     def search(self, values: tuple[float, ...] = ()) -> None:
@@ -95,13 +92,14 @@ class Response:
         come after 60 periods. What no such search meets stays unknown.
 
         Args:
-            values: where to search; both limits and the middle between them where not given
+            values: where to search; the joystick's own value, or the middle of the range if that is outside
 
         Raises:
             ParameterError: a value is not within the limits
         """
         low, high = self.limits
-        for value in values or (low, 0.5 * (low + high), high):
+        own = self.shaken.value
+        for value in values or (own if low <= own <= high else 0.5 * (low + high),):
             if not low <= value <= high:
                 raise ParameterError("values", value, f"from {low} to {high}")
             self._tell(f"searching at {value:.4g}")

@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 
 from pyjoystick.forced_motion.response.attractors import Basins, PeriodicAttractor
 from pyjoystick.forced_motion.response.branches import Response
-from pyjoystick.forced_motion.response.shaken import FREQUENCY, ShakenJoystick
+from pyjoystick.forced_motion.response.shaken import FREQUENCY, TORQUE, ShakenJoystick
 from pyjoystick.forced_motion.response.tables import branch_table, special_table, with_unit
 from pyjoystick.model import JoystickParameters, NoOscillationError, undamped_oscillation
 from pyjoystick.support import (
@@ -89,7 +89,8 @@ def plot_response(response: Response, *, size: tuple[float, float] = (7.4, 4.8))
     axes.set_yscale("log")
     axes.yaxis.set_major_formatter("{x:g}")
     axes.set_xlim(low, high)
-    axes.set_xlabel(with_unit(free).capitalize() if free in ("frequency", "torque") else free)
+    label = with_unit(free)
+    axes.set_xlabel(label[0].upper() + label[1:] if free in (FREQUENCY, TORQUE) else label)
     axes.set_ylabel("Amplitude (deg)")
     dress(axes)
     legend_above(figure, axes, columns=4)
