@@ -19,7 +19,7 @@ _ROWS: Final = re.compile(r"^\| ([\d.]+) \| ([\d.]+) \| ([\d.]*) ?\|$", re.MULTI
 _FREQUENCIES: Final = (3.2, 6.4)
 #: Where both motions meet: frequency (Hz) and amplitude (deg).
 _FOLD: Final = (3.487, 25.94)
-#: The largest angle of the chaotic motion (deg).
+#: The largest angle of the small motion (deg).
 _SMALL: Final = 0.6
 
 
@@ -42,8 +42,8 @@ def draw() -> Drawing:
     drawing.note(axes.at(4.45, 22.0), "large motion", anchor="start")
     drawing.note(axes.at(4.05, 7.0), "unstable")
     drawing.note(axes.at(3.36, 14.0), "jump", color=VERMILION)
-    drawing.note(axes.at(5.3, 2.4), "chaotic", color=VERMILION)
-    drawing.note(axes.at(4.62, 8.4), "free, undamped", color=BLUE, anchor="start")
+    drawing.note(axes.at(5.3, 2.4), "small motion", color=VERMILION)
+    drawing.note(axes.at(4.5, 7.2), "free, undamped", color=BLUE, anchor="start")
     return drawing
 
 
