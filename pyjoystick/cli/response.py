@@ -10,7 +10,7 @@ import typer
 
 from pyjoystick import forced_motion, support
 from pyjoystick.cli import options
-from pyjoystick.cli.console import messages, note_stops, output, print_note, write
+from pyjoystick.cli.console import messages, note_stops, output, print_note, print_notes, write
 from pyjoystick.cli.fmus import opened
 from pyjoystick.support import check_outputs, write_text
 
@@ -100,6 +100,7 @@ def run(
 
 def _give_branches(response: forced_motion.Response, csv: Path | None, plot: Path | None) -> None:
     output().print(f"\n{forced_motion.branch_report(response)}", markup=False)
+    print_notes("not found", response.notes)
     text = forced_motion.branch_table(response).to_csv(index=False, lineterminator="\n")
     write(csv, lambda path: write_text(path, text))
     write(plot, lambda path: support.save_figure(forced_motion.plot_response(response), path))

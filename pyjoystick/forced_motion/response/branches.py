@@ -50,6 +50,7 @@ class Response:
         shaken: the joystick
         limits: the range of its free parameter
         branches: found so far
+        notes: branches that are known to begin somewhere and were not found
     """
 
     def __init__(
@@ -81,6 +82,7 @@ class Response:
         self.shaken = shaken
         self.limits = (low, high)
         self.branches: list[ResponseBranch] = []
+        self.notes: list[str] = []
         self._most_periods = whole_number("most_periods", most_periods, 1)
         self._steps = steps or Steps(most=0.4, points=200)
         self._tell = on_progress
@@ -134,7 +136,9 @@ class Response:
         direction = np.append(vectors[:, np.argmin(np.abs(values + 1.0))].real / scales[:2], 0.0)
         try:
             start = self._continuation(shaken).beside(doubling, direction)
-        except NoSolutionError:
+        except NoSolutionError as error:
+            where = f"beside the period doubling at {doubling.parameter:.6g}"
+            self.notes.append(f"motions of {shaken.periods} periods {where}: {error}")
             return
         if not self.is_known(shaken, start):
             self.follow(shaken, start)

@@ -81,6 +81,21 @@ def test_the_backbone_passes_through_known_points() -> None:
     assert frequency == pytest.approx(1.0 / 250.6e-3, rel=2e-4)
 
 
+def test_folds_close_together_at_grazings_are_not_stepped_over() -> None:
+    """Where the balance springs begin to engage; the folds are those that steps a quarter as long find."""
+    with Fmu("Joystick") as fmu:
+        shaken = ShakenJoystick(fmu, NOMINAL, Shaking(0.6, 4.0))
+        found = Response(shaken, (6.2, 6.34))
+        found.follow(shaken, found.start_at(np.array([-0.05932791, -4.72148709]), 6.21014))
+        special = special_table(found)
+    folds = sorted(special.loc[special["kind"] == "fold", "frequency"])
+    assert folds == pytest.approx([6.239528, 6.250352, 6.315610, 6.316943], abs=1e-6)
+    grazings = special["kind"].str.startswith("grazing")
+    assert set(special.loc[grazings, "kind"]) == {
+        f"grazing {side} x_{i}" for side in ("forward", "backward") for i in (2, 3)
+    }
+
+
 def test_all_motions_at_4_hz_are_told_apart() -> None:
     with Fmu("Joystick") as fmu:
         shaken = ShakenJoystick(fmu, NOMINAL, Shaking(0.6, 4.0))
