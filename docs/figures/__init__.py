@@ -14,6 +14,7 @@ from figures import (
     live_page,
     load_deflection,
     opposing_springs,
+    response,
     restrained_spring,
     secants,
 )
@@ -32,5 +33,6 @@ DRAWINGS = MappingProxyType(
         "decay": decay.draw,
         "live_page": live_page.draw,
         "excitation": excitation.draw,
+        "response": response.draw,
     }
 )

@@ -18,8 +18,52 @@ from .motions import (
     Kinematics as Kinematics,
     Shape as Shape,
 )
+from .periodic.chaos import LargestExponent as LargestExponent, largest_exponent as largest_exponent
+from .periodic.continuation import (
+    Branch as Branch,
+    Continuation as Continuation,
+    End as End,
+    SpecialPoint as SpecialPoint,
+    Steps as Steps,
+    Tests as Tests,
+)
+from .periodic.maps import (
+    CentralDifferences as CentralDifferences,
+    Images as Images,
+    Linearization as Linearization,
+    SmoothMap as SmoothMap,
+)
+from .periodic.solutions import (
+    NoSolutionError as NoSolutionError,
+    PeriodicSolution as PeriodicSolution,
+    solve as solve,
+)
 from .predictability import trusted_until as trusted_until
 from .reports import demand_report as demand_report, measures_report as measures_report
+from .response.attractors import (
+    Basins as Basins,
+    PeriodicAttractor as PeriodicAttractor,
+    UnsettledMotion as UnsettledMotion,
+    basins as basins,
+)
+from .response.branches import (
+    Response as Response,
+    ResponseBranch as ResponseBranch,
+    distinct_solutions as distinct_solutions,
+)
+from .response.figures import (
+    backbone as backbone,
+    plot_attractors as plot_attractors,
+    plot_response as plot_response,
+)
+from .response.shaken import Orbit as Orbit, ShakenJoystick as ShakenJoystick, Shaking as Shaking
+from .response.tables import (
+    as_document as as_document,
+    attractor_report as attractor_report,
+    branch_report as branch_report,
+    branch_table as branch_table,
+    special_table as special_table,
+)
 from .samples import Samples as Samples, smooth_spans as smooth_spans
 from .torque import (
     FRICTION_TORQUES as FRICTION_TORQUES,

@@ -1,0 +1,106 @@
+"""``pyjoystick response``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Final
+
+import numpy as np
+import typer
+
+from pyjoystick import forced_motion, support
+from pyjoystick.cli import options
+from pyjoystick.cli.console import messages, note_stops, output, print_note, print_notes, write
+from pyjoystick.cli.fmus import opened
+from pyjoystick.support import check_outputs, write_text
+
+EXAMPLES: Final = """
+Examples:
+
+    pyjoystick response --torque 0.6 --frequency 4
+
+    pyjoystick response --torque 0.6 --vary frequency 3 5 --plot response.png --csv response.csv
+
+    pyjoystick response --frequency 4 --vary torque 0.4 0.8 --periods 2 --json response.json
+
+Where a motion is chaotic, no period is given: its exponent says how fast errors grow, and for how long a run
+can be trusted.
+"""
+#: Angles of release (deg), on both sides of the middle.
+_RELEASES: Final = (0.1, 0.3, 1.0, 2.0, 5.0, 10.0, 15.0, 20.0)
+
+
+def run(
+    torque: Annotated[
+        float, typer.Option("--torque", metavar="N.M", help="Amplitude of the sinusoidal torque (N m).")
+    ] = 0.6,
+    frequency: Annotated[float, typer.Option("--frequency", metavar="HZ", help="Its frequency (Hz).")] = 4.0,
+    vary: Annotated[
+        tuple[str, float, float] | None,
+        typer.Option(
+            "--vary",
+            metavar="NAME LOW HIGH",
+            help="Follow periodic motions over this parameter: frequency, torque, or one of the joystick.",
+        ),
+    ] = None,
+    periods: Annotated[
+        int,
+        typer.Option(
+            "--periods",
+            metavar="NUMBER",
+            min=1,
+            max=8,
+            help="With --vary: follow period doublings up to this many periods of the torque.",
+        ),
+    ] = 1,
+    damping: options.Law = None,
+    parameters: options.Parameters = None,
+    assignments: options.Set = None,
+    fmu: options.FmuFile = None,
+    csv: Annotated[Path | None, options.csv("the branches of --vary")] = None,
+    json: Annotated[Path | None, options.json("all numbers")] = None,
+    plot: Annotated[
+        Path | None, options.plot("the branches of --vary; without it, the motions in the phase plane")
+    ] = None,
+) -> None:
+    """Find what the joystick does under a sinusoidal torque: periodic motions, jumps, chaos.
+
+    Releases from rest at 16 angles show where the joystick ends up. With --vary, periodic motions are
+    followed over a parameter, unstable ones too, with folds (jumps), period doublings and grazings.
+    """
+    check_outputs(csv, json, plot)
+    if vary is None:
+        options.refuse_given("needs --vary", {"--csv": csv, "--periods": None if periods == 1 else periods})
+    shaking = forced_motion.Shaking(torque, frequency)
+    response = None
+    with (
+        opened(damping, fmu, assignments, parameters) as (joystick_fmu, joystick),
+        messages().status("releasing") as status,
+    ):
+        once = forced_motion.ShakenJoystick(joystick_fmu, joystick, shaking)
+        releases = np.radians([sign * angle for sign in (-1.0, 1.0) for angle in _RELEASES])
+        found = forced_motion.basins(once, releases, on_progress=status.update)
+        if vary is not None:
+            shaken = forced_motion.ShakenJoystick(joystick_fmu, joystick, shaking, free=vary[0])
+            response = forced_motion.Response(
+                shaken, vary[1:], most_periods=periods, on_progress=status.update
+            )
+            response.search()
+        note_stops(max(one.largest for one in found.attractors))
+        output().print(forced_motion.attractor_report(found, once), markup=False)
+        if any(isinstance(one, forced_motion.UnsettledMotion) for one in found.attractors):
+            print_note("no period is claimed for motions that have not become periodic")
+        if response is None:
+            write(plot, lambda path: support.save_figure(forced_motion.plot_attractors(found, once), path))
+        else:
+            _give_branches(response, csv, plot)
+        document = forced_motion.as_document(once, found, response)
+        write(json, lambda path: write_text(path, support.json_text(document)))
+
+
+def _give_branches(response: forced_motion.Response, csv: Path | None, plot: Path | None) -> None:
+    output().print(f"\n{forced_motion.branch_report(response)}", markup=False)
+    print_notes("not found", response.notes)
+    text = forced_motion.branch_table(response).to_csv(index=False, lineterminator="\n")
+    write(csv, lambda path: write_text(path, text))
+    write(plot, lambda path: support.save_figure(forced_motion.plot_response(response), path))

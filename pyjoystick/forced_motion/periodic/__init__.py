@@ -1,0 +1,1 @@
+"""Periodic solutions of any system as fixed points of a map: shooting, continuation, stability, chaos."""

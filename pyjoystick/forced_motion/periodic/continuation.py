@@ -1,0 +1,285 @@
+"""Branches of periodic solutions over a parameter, by pseudo-arclength continuation.
+
+Keller's method: from a solution along the tangent of the branch, then back to the branch in the plane at
+right angles to the tangent. It passes folds, where the parameter turns back. All lengths are counted in
+scales of the states and of the parameter.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Final, Literal
+
+import numpy as np
+from scipy.optimize import brentq
+
+from pyjoystick.forced_motion.periodic.maps import SmoothMap
+from pyjoystick.forced_motion.periodic.solutions import NoSolutionError, PeriodicSolution, correct
+from pyjoystick.support import FloatArray
+
+#: How a branch ends.
+End = Literal["edge of the range", "back at its start", "too many points", "no convergence"]
+#: Tests of the system: they change their sign where what their name says happens.
+Tests = Callable[[PeriodicSolution], Mapping[str, float]]
+
+_GROWTH: Final = 1.4
+#: A step that ends where the branch has turned more, or lies farther beside the tangent (in steps), is made
+#: shorter: it may have led to another branch.
+_LARGEST_TURN: Final = 0.95
+_FARTHEST_ASIDE: Final = 0.3
+#: How exactly special points are located along the branch.
+_PLACE: Final = 1e-9
+#: How far from a point where the equations are singular they are solved in its place.
+_BESIDE: Final = 1e-6
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SpecialPoint:
+    """A place on a branch where its stability, its direction or the path of its motion changes.
+
+    Attributes:
+        kind: ``fold``, ``period doubling``, ``Neimark-Sacker``, ``branch point``, or the name of a test of
+            the system
+        solution: the solution there
+    """
+
+    kind: str
+    solution: PeriodicSolution
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Branch:
+    """Solutions one after the other.
+
+    Attributes:
+        solutions: in the order in which they were found
+        special: special points, in the same order
+        end: why it ends where it does
+        reason: of an end for want of convergence; otherwise empty
+    """
+
+    solutions: tuple[PeriodicSolution, ...]
+    special: tuple[SpecialPoint, ...]
+    end: End
+    reason: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Steps:
+    """Lengths of steps along a branch, in scales.
+
+    Attributes:
+        first: the first step
+        least: where a step has to be shorter, the branch ends
+        most: the longest
+        points: the branch ends after so many
+    """
+
+    first: float = 0.02
+    least: float = 1e-6
+    most: float = 0.1
+    points: int = 500
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Node:
+    """A solution with what goes on from it: its place in scales and the branch's unit tangent there."""
+
+    solution: PeriodicSolution
+    place: FloatArray
+    tangent: FloatArray
+    tests: Mapping[str, float]
+
+
+class Continuation:
+    """A branch within a range of the parameter."""
+
+    def __init__(
+        self,
+        smooth_map: SmoothMap,
+        scales: FloatArray,
+        limits: tuple[float, float],
+        *,
+        steps: Steps | None = None,
+        tests: Tests | None = None,
+    ) -> None:
+        """Set what all branches share.
+
+        Args:
+            smooth_map: the map over one period
+            scales: sizes of the states and, last, of the parameter, shape (n + 1,)
+            limits: the lowest and the highest value of the parameter
+            steps: lengths of steps
+            tests: of the system
+        """
+        self._map = smooth_map
+        self._scales = scales
+        self._limits = limits
+        self._steps = steps or Steps()
+        self._tests = tests or (lambda _: {})
+
+    def branch(self, start: PeriodicSolution, direction: FloatArray) -> Branch:
+        """The branch from a solution on.
+
+        Args:
+            start: a solution
+            direction: where to go first, in scales, shape (n + 1,): a vector that is not at right angles to
+                the branch
+
+        Raises:
+            NoSolutionError: there is no solution at the first step
+        """
+        nodes: list[_Node] = []
+        special: list[SpecialPoint] = []
+        end: End = "too many points"
+        reason = ""
+        try:
+            for node in self._nodes(start, direction):
+                if nodes:
+                    special += self._special_points(nodes[-1], node)
+                nodes.append(node)
+                if self._leaves(node):
+                    end = "edge of the range"
+                    break
+                if self._is_back(nodes):
+                    end = "back at its start"
+                    break
+        except NoSolutionError as error:
+            if not nodes:
+                raise
+            end, reason = "no convergence", str(error)
+        return Branch(tuple(node.solution for node in nodes), tuple(special), end, reason)
+
+    def beside(self, point: PeriodicSolution, direction: FloatArray) -> PeriodicSolution:
+        """A solution of the branch that leaves another at a point, for `branch` to go on from.
+
+        Args:
+            point: where it leaves, such as a period doubling, with a map over twice the period
+            direction: of the branch there, in scales, shape (n + 1,)
+
+        Raises:
+            NoSolutionError: none is found at the first step
+        """
+        unit = direction / np.linalg.norm(direction)
+        place = np.append(point.state, point.parameter) / self._scales
+        return correct(self._map, place + self._steps.first * unit, unit, self._scales)[0]
+
+    def _nodes(self, start: PeriodicSolution, direction: FloatArray) -> Iterator[_Node]:
+        place = np.append(start.state, start.parameter) / self._scales
+        unit = direction / np.linalg.norm(direction)
+        node, _ = self._next(_Node(start, place, unit, {}), 0.0)
+        yield node
+        step = self._steps.first
+        for _ in range(self._steps.points - 1):
+            node, step = self._stepped(node, step)
+            yield node
+            step = min(self._steps.most, _GROWTH * step)
+
+    def _stepped(self, node: _Node, step: float) -> tuple[_Node, float]:
+        """The next node, and the step that led there: as long as converges and turns little.
+
+        What changes its sign is passed by short steps: at a grazing, folds may lie close together.
+        """
+        while True:
+            try:
+                length = self._to_edge(node, step)
+                found, cosine = self._next(node, length)
+                aside = np.linalg.norm(found.place - node.place - length * node.tangent)
+                is_near = cosine > _LARGEST_TURN and aside < _FARTHEST_ASIDE * length
+                if is_near and (step <= self._steps.first or not _differ(node, found)):
+                    return found, step
+                refusal = NoSolutionError(node.solution.parameter, "the branch turns too sharply")
+            except NoSolutionError as error:
+                refusal = error
+            step *= 0.5
+            if step < self._steps.least:
+                raise refusal
+
+    def _leaves(self, node: _Node) -> bool:
+        """The node is at an edge of the range, and the branch leads out."""
+        low, high = self._limits
+        value, rate = node.solution.parameter, node.tangent[-1]
+        return bool((value <= low and rate < 0.0) or (value >= high and rate > 0.0))
+
+    def _to_edge(self, node: _Node, step: float) -> float:
+        """A step that does not lead far beyond the range."""
+        rate = node.tangent[-1] * self._scales[-1]
+        edge = self._limits[1 if rate > 0.0 else 0]
+        left = (edge - node.solution.parameter) / rate if rate else np.inf
+        return min(step, left * 1.001 + 1e-9) if left > 0.0 else step
+
+    def _next(self, node: _Node, step: float) -> tuple[_Node, float]:
+        """The node a step farther, and the cosine of the angle between the tangents."""
+        solution, matrix = correct(self._map, node.place + step * node.tangent, node.tangent, self._scales)
+        onward: FloatArray = np.zeros(len(node.place))
+        onward[-1] = 1.0
+        try:
+            # At right angles to the n equations of the solution, and along the tangent before.
+            along = np.linalg.solve(matrix, onward)
+        except np.linalg.LinAlgError:
+            raise NoSolutionError(solution.parameter, "the branch has no tangent") from None
+        tangent: FloatArray = np.asarray(along / np.linalg.norm(along), dtype=np.float64)
+        place = np.append(solution.state, solution.parameter) / self._scales
+        tests: dict[str, float] = {**_tests(solution, matrix, tangent), **self._tests(solution)}
+        return _Node(solution, place, tangent, tests), float(tangent @ node.tangent)
+
+    def _is_back(self, nodes: list[_Node]) -> bool:
+        """The last step passes the first node again, in the same direction."""
+        if len(nodes) < 4:
+            return False
+        first, before, last = nodes[0], nodes[-2], nodes[-1]
+        step = last.place - before.place
+        along = (first.place - before.place) @ step / (step @ step)
+        aside = np.linalg.norm(first.place - before.place - along * step)
+        same_way = first.tangent @ last.tangent > 0.0
+        return bool(0.0 < along <= 1.0 and same_way and aside < 0.1 * np.linalg.norm(step))
+
+    def _special_points(self, before: _Node, after: _Node) -> list[SpecialPoint]:
+        """What changes its sign between two nodes, located on the branch, in the order of the branch."""
+        length = float(before.tangent @ (after.place - before.place))
+        found = []
+        for name, value in before.tests.items():
+            other = after.tests.get(name)
+            if other is None or value == 0.0 or value * other > 0.0:
+                continue
+            node, place = self._located(before, length, name)
+            if name != "Neimark-Sacker" or abs(node.solution.multipliers[0].imag) > 0.0:
+                found.append((place, SpecialPoint(name, node.solution)))
+        return [point for _, point in sorted(found, key=lambda pair: pair[0])]
+
+    def _located(self, before: _Node, length: float, name: str) -> tuple[_Node, float]:
+        def test(step: float) -> float:
+            if not step:
+                return before.tests[name]
+            try:
+                return self._next(before, step)[0].tests[name]
+            except NoSolutionError:
+                return 0.0  # the equations are singular where two branches cross
+
+        place = float(brentq(test, 0.0, length, xtol=_PLACE))
+        try:
+            return self._next(before, place)[0], place
+        except NoSolutionError:
+            return self._next(before, place + _BESIDE)[0], place
+
+
+def _differ(before: _Node, after: _Node) -> bool:
+    """A test has another sign; `before` may be a beginning, which has none."""
+    return any(value * after.tests.get(name, value) < 0.0 for name, value in before.tests.items())
+
+
+def _tests(solution: PeriodicSolution, matrix: FloatArray, tangent: FloatArray) -> dict[str, float]:
+    """Functions that change their sign at special points (Kuznetsov, Elements of Applied Bifurcation Theory).
+
+    The equations bordered by the tangent are singular where two branches cross, but not at a fold; those of
+    the tangent before, by which the solution was found, are so at the same places.
+    """
+    multipliers = solution.multipliers
+    products = [a * b for i, a in enumerate(multipliers) for b in multipliers[:i]]
+    return {
+        "fold": float(tangent[-1]),
+        "period doubling": float(np.prod(multipliers + 1.0).real),
+        "Neimark-Sacker": float(np.prod(np.array(products) - 1.0).real),
+        "branch point": float(np.linalg.det(matrix)),
+    }

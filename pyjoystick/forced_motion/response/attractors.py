@@ -1,0 +1,196 @@
+"""Where a shaken joystick ends up, from many releases: periodic motions, or chaos."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pyjoystick.forced_motion.periodic.chaos import LargestExponent, largest_exponent
+from pyjoystick.forced_motion.periodic.solutions import NoSolutionError, PeriodicSolution, solve
+from pyjoystick.forced_motion.response.shaken import ShakenJoystick
+from pyjoystick.support import FloatArray, ParameterError, whole_number
+
+#: A motion is tried as periodic after up to so many periods.
+_MOST_PERIODS: Final = 6
+#: How close, in scales, a settled motion comes back to where it was.
+_BACK: Final = 1e-3
+#: How close two motions, in scales, are one.
+_SAME: Final = 1e-3
+#: Motions by which an exponent is found; a single one is repeated from states beside it.
+_MOTIONS: Final = 16
+_BESIDE: Final = 1e-6
+#: Of so many releases at most it is asked until when they can be trusted, for so many periods.
+_ASKED: Final = 6
+_TRIED: Final = 40
+
+
+@dataclass(frozen=True, eq=False)
+class PeriodicAttractor:
+    """A stable periodic motion.
+
+    Attributes:
+        periods: periods of the torque after which it returns
+        solution: its first state, multipliers and exponents
+        largest: its largest angle (rad), whatever the sign
+    """
+
+    periods: int
+    solution: PeriodicSolution
+    largest: float
+
+
+@dataclass(frozen=True, eq=False)
+class UnsettledMotion:
+    """Motions that have not become periodic. No period is claimed for them.
+
+    Attributes:
+        exponent: the largest Lyapunov exponent
+        largest: the largest angle of all samples of the section (rad)
+        section: theta (rad) and omega (rad/s) at the beginning of each period (Poincare section), shape
+            (n, 2)
+        trusted: until when a run can be trusted (s): the shortest `ShakenJoystick.trusted_until` of some of
+            the releases. Errors grow faster at first than on the average, which the exponent is.
+    """
+
+    exponent: LargestExponent
+    largest: float
+    section: FloatArray
+    trusted: float
+
+
+@dataclass(frozen=True, eq=False)
+class Basins:
+    """Which release leads where.
+
+    Attributes:
+        theta: angles of release (rad), shape (n,)
+        omega: speeds of release (rad/s), shape (m,)
+        attractors: what they lead to
+        labels: number of the attractor, shape (m, n); -1 for a run that fails
+    """
+
+    theta: FloatArray
+    omega: FloatArray
+    attractors: tuple[PeriodicAttractor | UnsettledMotion, ...]
+    labels: NDArray[np.int64]
+
+    def share(self, number: int) -> float:
+        """Part of the releases that lead to an attractor."""
+        return float(np.mean(self.labels == number))
+
+
+def basins(
+    shaken: ShakenJoystick,
+    theta: ArrayLike,
+    omega: ArrayLike = (0.0,),
+    *,
+    settling: int = 100,
+    iterations: int = 200,
+    on_progress: Callable[[str], None] = lambda _: None,
+) -> Basins:
+    """Release the joystick at the start of a period, and see where each motion ends up.
+
+    A motion belongs to a periodic attractor if, after `settling` periods, it is back where it was one to six
+    periods before and Newton's method finds a stable solution there. The others stay together: they are
+    chaotic if their exponent is above zero, and have not settled otherwise.
+
+    Args:
+        shaken: the joystick, seen once a period, at the value of its free parameter
+        theta: angles of release (rad), shape (n,)
+        omega: speeds of release (rad/s), shape (m,)
+        settling: periods before a motion is judged
+        iterations: periods over which the exponent is averaged
+        on_progress: is told what is being done
+
+    Raises:
+        ParameterError: no angle or speed, or a number is not allowed
+    """
+    angles, speeds = (np.atleast_1d(np.asarray(one, dtype=np.float64)) for one in (theta, omega))
+    if not (angles.size and speeds.size and np.all(np.isfinite(angles)) and np.all(np.isfinite(speeds))):
+        raise ParameterError("theta, omega", (theta, omega), "finite numbers, one or more of each")
+    releases = np.array([(angle, speed) for speed in speeds for angle in angles])
+    states = releases
+    value = shaken.value
+    for period in range(whole_number("settling", settling, 1)):
+        if period % 10 == 0:
+            on_progress(f"period {period} of {settling} of {len(states)} motions")
+        states = shaken.images(states, value)
+    path = [states]
+    for _ in range(_MOST_PERIODS):
+        path.append(shaken.images(path[-1], value))
+    found: list[PeriodicAttractor | UnsettledMotion] = []
+    labels = np.full(len(states), -1)
+    known: list[tuple[int, FloatArray]] = []
+    for i in range(len(states)):
+        track = np.array([states[i] for states in path])
+        if np.all(np.isfinite(track)):
+            labels[i] = _periodic(shaken, track, found, known)
+    left = np.flatnonzero((labels == -2) & np.isfinite(states[:, 0]))
+    if len(left):
+        on_progress(f"Lyapunov exponent of {len(left)} motions")
+        labels[left] = len(found)
+        trusted = min(shaken.trusted_until(releases[i], _TRIED) for i in left[:: -(-len(left) // _ASKED)])
+        found.append(_unsettled(shaken, states[left], iterations, trusted))
+    return Basins(angles, speeds, tuple(found), labels.reshape(len(speeds), len(angles)))
+
+
+def _periodic(
+    shaken: ShakenJoystick,
+    track: FloatArray,
+    found: list[PeriodicAttractor | UnsettledMotion],
+    known: list[tuple[int, FloatArray]],
+) -> int:
+    """The number of the attractor of a motion, -2 if it is not periodic; a new one is added.
+
+    Args:
+        shaken: the joystick
+        track: states at the beginning of successive periods, shape (n, 2)
+        found: the attractors so far
+        known: their states, each with the number of its attractor
+    """
+    scales = shaken.scales[:2]
+    for number, state in known:
+        if np.max(np.abs(track[-1] - state) / scales) < _SAME:
+            return number
+    back = np.max(np.abs(track[1:] - track[0]) / scales, axis=1) < _BACK
+    if not np.any(back):
+        return -2
+    periods = int(np.argmax(back)) + 1
+    longer = shaken.with_periods(periods)
+    try:
+        solution = solve(longer.smooth(), track[0], longer.value, scales)
+    except NoSolutionError:
+        return -2
+    if not solution.is_stable or np.max(np.abs(solution.state - track[0]) / scales) > 10.0 * _BACK:
+        return -2
+    state = solution.state
+    for _ in range(periods):
+        known.append((len(found), state))
+        state = shaken.images(state[None, :], shaken.value)[0]
+    extremes = longer.orbit(solution.state, longer.value).extremes
+    found.append(PeriodicAttractor(periods, solution, max(map(abs, extremes))))
+    return len(found) - 1
+
+
+def _unsettled(
+    shaken: ShakenJoystick, states: FloatArray, iterations: int, trusted: float
+) -> UnsettledMotion:
+    chosen = states[np.linspace(0, len(states) - 1, min(len(states), _MOTIONS)).astype(int)]
+    if len(chosen) < _MOTIONS:
+        repeated = np.resize(chosen, (_MOTIONS, 2))
+        chosen = repeated + _BESIDE * shaken.scales[:2] * np.arange(_MOTIONS)[:, None]
+    period = shaken.period(shaken.value)
+    exponent = largest_exponent(
+        shaken.images, chosen, shaken.value, shaken.scales[:2], period, iterations=iterations
+    )
+    section = [chosen]
+    for _ in range(max(1, iterations // 4)):
+        section.append(shaken.images(section[-1], shaken.value))
+    points = np.concatenate(section)
+    orbits = (shaken.orbit(state, shaken.value).extremes for state in points[-4 * _MOTIONS :])
+    largest = max(abs(one) for pair in orbits for one in pair)
+    return UnsettledMotion(exponent, largest, points, trusted)

@@ -1,0 +1,245 @@
+"""A joystick under a sinusoidal torque, seen once a period: fixed points of that map are periodic motions."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from typing import Final
+
+import numpy as np
+import pandas as pd
+from scipy.interpolate import CubicHermiteSpline
+
+from pyjoystick.fmu import Fmu, FmuRunError, Plan, Value
+from pyjoystick.forced_motion.periodic.maps import CentralDifferences
+from pyjoystick.forced_motion.predictability import trusted_until
+from pyjoystick.model import JoystickParameters, angle_of_travel
+from pyjoystick.support import FloatArray, ParameterError, UnknownParameterError, positive, whole_number
+
+#: Rows of the torque's table in a period. Straight lines between samples of a sine, divided by sinc^2, have
+#: its fundamental exactly; what is left moves the state after a period by 3e-11 rad and 2e-9 rad/s (0.6 N m
+#: at 4 Hz), and falls with the fourth power of the number.
+ROWS: Final = 512
+#: Of the FMU's integrator.
+TOLERANCE: Final = 1e-12
+#: Steps of differences, as a part of the scales: 5e-7 rad, small beside the steep segments of Table 1.
+_DIFFERENCE: Final = 1e-5
+#: So many runs take less time one after the other than a batch takes to start its threads.
+_FEW: Final = 12
+_THETA_SCALE: Final = 0.05
+_OUTPUTS: Final = ("theta", "omega")
+_STATES: Final = ("theta_start", "omega_start")
+#: Parameters of the shaking; any other is one of the joystick.
+FREQUENCY: Final = "frequency"
+TORQUE: Final = "torque"
+
+
+@dataclass(frozen=True, slots=True)
+class Shaking:
+    """The torque A sin(2 pi f t).
+
+    Attributes:
+        torque: A (N m), above zero
+        frequency: f (Hz), above zero
+    """
+
+    torque: float
+    frequency: float
+
+    def __post_init__(self) -> None:
+        positive("torque", self.torque, "N.m")
+        positive("frequency", self.frequency, "Hz")
+
+
+@dataclass(frozen=True, eq=False)
+class Orbit:
+    """A motion over one or several periods.
+
+    Attributes:
+        time: s, shape (n,)
+        theta: rad, shape (n,)
+        omega: rad/s, shape (n,)
+    """
+
+    time: FloatArray
+    theta: FloatArray
+    omega: FloatArray
+
+    @cached_property
+    def extremes(self) -> tuple[float, float]:
+        """Largest and smallest angle (rad), between the samples too, by cubic Hermite interpolation."""
+        path = CubicHermiteSpline(self.time, self.theta, self.omega)
+        values = np.append(path(path.derivative().roots(extrapolate=False)), self.theta)
+        return float(np.nanmax(values)), float(np.nanmin(values))
+
+    @property
+    def amplitude(self) -> float:
+        """Half of the distance between largest and smallest angle (rad)."""
+        high, low = self.extremes
+        return 0.5 * (high - low)
+
+
+class ShakenJoystick:
+    """A joystick's FMU under A sin(2 pi f t), one parameter of which is free.
+
+    The state is (theta, omega) at the instants 0, kT, 2kT ... where the torque passes zero upward.
+    """
+
+    def __init__(
+        self,
+        fmu: Fmu,
+        joystick: JoystickParameters,
+        shaking: Shaking,
+        *,
+        free: str = FREQUENCY,
+        periods: int = 1,
+        tolerance: float = TOLERANCE,
+    ) -> None:
+        """Set what stays.
+
+        Args:
+            fmu: of the joystick, with its damping law
+            joystick: the parameters
+            shaking: the torque
+            free: ``frequency``, ``torque``, or the FMU's name of a parameter of the joystick
+            periods: k, periods of the torque from one state to the next
+            tolerance: of the FMU's integrator
+
+        Raises:
+            ParameterError: the joystick has dry friction, by which motions from different states become one
+                and the same, so that there are no derivatives to search by; or a value is not allowed
+            UnknownParameterError: the joystick has no parameter of that name
+        """
+        if joystick.friction:
+            allowed = "none: where a joystick sticks, its motion has no derivatives to search by"
+            raise ParameterError("friction", joystick.friction, allowed)
+        self.fmu, self.joystick, self.shaking, self.free = fmu, joystick, shaking, free
+        self.periods = whole_number("periods", periods, 1)
+        self._tolerance = tolerance
+        self._plan = lru_cache(maxsize=4)(self._new_plan)
+        values = {TORQUE: shaking.torque, FREQUENCY: shaking.frequency, **joystick.to_names()}
+        if free not in values:
+            raise UnknownParameterError(free, values)
+        self.value = float(values[free])
+
+    def with_periods(self, periods: int) -> ShakenJoystick:
+        """The same, seen every k-th period."""
+        return ShakenJoystick(
+            self.fmu,
+            self.joystick,
+            self.shaking,
+            free=self.free,
+            periods=periods,
+            tolerance=self._tolerance,
+        )
+
+    @property
+    def scales(self) -> FloatArray:
+        """Sizes of theta (rad), omega (rad/s) and the free parameter, shape (3,)."""
+        omega = _THETA_SCALE * 2.0 * math.pi * self.shaking.frequency
+        return np.array([_THETA_SCALE, omega, self._parameter_scale])
+
+    @property
+    def _parameter_scale(self) -> float:
+        return abs(self.value) or 1.0
+
+    def smooth(self) -> CentralDifferences:
+        """The map with its derivatives, by differences of runs."""
+        return CentralDifferences(self.images, self.scales[:2], self._parameter_scale, step=_DIFFERENCE)
+
+    def period(self, value: float) -> float:
+        """K T (s) at a value of the free parameter."""
+        return self.periods / self._at(value)[0].frequency
+
+    def images(self, states: FloatArray, value: float) -> FloatArray:
+        """The states k periods later, one run each in one batch.
+
+        Args:
+            states: shape (runs, 2)
+            value: of the free parameter
+
+        Returns:
+            shape (runs, 2); NaN where a run fails, an angle is not below pi/2, or the value is not allowed
+        """
+        try:
+            plan = self._plan(value, False)
+        except ParameterError:
+            return np.full(states.shape, np.nan)
+        allowed = np.all(np.isfinite(states), axis=1) & (np.abs(states[:, 0]) < 0.5 * math.pi)
+        found = np.full(states.shape, np.nan)
+        if not np.any(allowed):
+            return found
+        if len(states) <= _FEW:
+            found[allowed] = [_end(plan, state) for state in states[allowed]]
+            return found
+        batch = plan.run_batch(states[allowed], on_progress=lambda *_: None)
+        if batch.interrupted:
+            raise KeyboardInterrupt
+        assert batch.values is not None
+        found[allowed] = batch.values[:, -1]
+        return found
+
+    def orbit(self, state: FloatArray, value: float) -> Orbit:
+        """The motion over the k periods from a state on; raises FmuRunError if the run fails."""
+        plan = self._plan(value, True)
+        theta, omega = plan.run(state).T
+        return Orbit(plan.time, theta, omega)
+
+    def kinks(self, value: float) -> dict[str, float]:
+        """The angles (rad) at which the contact force has a kink: ``forward x_0`` and so on."""
+        joystick = self._at(value)[1]
+        sides = (("forward", joystick.forward, 1.0), ("backward", joystick.backward, -1.0))
+        return {
+            f"{side} x_{i}": sign * angle_of_travel(joystick, x)
+            for side, assembly, sign in sides
+            for i, x in enumerate(assembly.kinks)
+        }
+
+    def _at(self, value: float) -> tuple[Shaking, JoystickParameters]:
+        if self.free == FREQUENCY:
+            return Shaking(self.shaking.torque, value), self.joystick
+        if self.free == TORQUE:
+            return Shaking(value, self.shaking.frequency), self.joystick
+        return self.shaking, self.joystick.replace({self.free: value})
+
+    def trusted_until(self, state: FloatArray, periods: int) -> float:
+        """When the error of a run from a state has grown to 1 % of its largest angle (s).
+
+        As `pyjoystick.forced_motion.trusted_until`, at its tolerance; infinite if it has not after `periods`
+        periods of the torque.
+        """
+        torque = _torque(self.shaking, periods)
+        parameters: dict[str, Value] = {**self.joystick.to_names(), "omega_start": float(state[1])}
+        return trusted_until(
+            self.fmu, torque.index, theta_start=float(state[0]), inputs=torque, parameters=parameters
+        )
+
+    def _new_plan(self, value: float, is_recorded: bool) -> Plan:
+        shaking, joystick = self._at(value)
+        torque = _torque(shaking, self.periods)
+        time = torque.index.to_numpy()
+        return self.fmu.plan(
+            time if is_recorded else time[[0, -1]],
+            varied=_STATES,
+            parameters=joystick.to_names(),
+            inputs=torque,
+            outputs=_OUTPUTS,
+            tolerance=self._tolerance,
+        )
+
+
+def _torque(shaking: Shaking, periods: int) -> pd.DataFrame:
+    """The torque (N m) as an input table."""
+    rows = np.arange(periods * ROWS + 1)
+    sine = np.sin(2.0 * np.pi * (rows % ROWS) / ROWS) / np.sinc(1.0 / ROWS) ** 2
+    return pd.DataFrame({"T": shaking.torque * sine}, index=rows / (ROWS * shaking.frequency))
+
+
+def _end(plan: Plan, state: FloatArray) -> FloatArray:
+    try:
+        samples = plan.run(state)
+    except FmuRunError:
+        return np.full(len(state), np.nan)
+    end: FloatArray = samples[-1]
+    return end

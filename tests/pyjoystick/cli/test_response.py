@@ -1,0 +1,59 @@
+"""``pyjoystick response``."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pandas as pd
+import pytest
+
+from tests.pyjoystick.cli.conftest import Command
+
+
+def test_the_motions_at_one_frequency(command: Command, tmp_path: Path) -> None:
+    outcome = command("response", "--json", "r.json", "--plot", "r.png")
+    assert outcome.code == 0
+    assert "| periodic, T |               25.57 |" in outcome.out
+    assert "| chaotic" in outcome.out
+    assert "no period is claimed" in outcome.err
+    content = json.loads((tmp_path / "r.json").read_text())
+    large, small = content["attractors"]
+    assert large["exponents"][0][0] == pytest.approx(-0.5 * 0.045 / 0.01135, rel=1e-6)
+    assert small["kind"] == "chaotic"
+    assert small["exponent"] > 3.0 * small["exponent_error"]
+    assert small["trusted_until"] < 4.0
+    assert (tmp_path / "r.png").stat().st_size > 1e4
+
+
+def test_branches_over_a_parameter(command: Command, tmp_path: Path) -> None:
+    options = ("--torque", "12", "--frequency", "6", "--vary", "torque", "11.9", "12")
+    outcome = command("response", *options, "--csv", "r.csv", "--plot", "r.svg")
+    assert outcome.code == 0, outcome.err
+    assert "| branch |" in outcome.out
+    table = pd.read_csv(tmp_path / "r.csv")
+    assert table["torque"].between(11.89, 12.01).all()
+    assert (table["stable"]).any()
+    assert "</svg>" in (tmp_path / "r.svg").read_text()
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (("--torque", "0"), r"torque = 0.0: must be a finite number above 0 N.m"),
+        (("--frequency", "-4"), r"frequency = -4.0: must be a finite number above 0 Hz"),
+        (("--set", "friction.T_c=0.01"), "no derivatives to search by"),
+        (("--vary", "frequency", "5", "3"), "the first below the second"),
+        (("--vary", "damping.D", "0", "1"), "there is no parameter 'damping.D'"),
+    ],
+)
+def test_what_cannot_be_searched_is_refused(command: Command, options: tuple[str, ...], message: str) -> None:
+    outcome = command("response", *options)
+    assert outcome.code == 1
+    assert message in outcome.message
+
+
+def test_branches_need_a_range(command: Command) -> None:
+    outcome = command("response", "--csv", "r.csv")
+    assert outcome.code == 2
+    assert "needs --vary" in outcome.err
