@@ -160,6 +160,7 @@ def measure_angle(
     rest_radius = (flat[still] - pivot).mean(axis=0)
     theta[seen] = angle("rest_angle", rest_angle) + _angle(flat - pivot, rest_radius)
     notes = [
+        *markers.notes,
         *_rest_notes(np.degrees(theta[seen][still])),
         *_plane_notes(plane),
         *(_base_notes(markers.time, (first + second) / 2.0, arc.radius) if base_motion == "still" else ()),

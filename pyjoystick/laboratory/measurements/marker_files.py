@@ -14,6 +14,7 @@ from typing import Final
 import numpy as np
 
 from pyjoystick.laboratory.measurements.c3d_file import read_c3d
+from pyjoystick.laboratory.measurements.lost_markers import without_lost
 from pyjoystick.laboratory.measurements.markers import Markers, length_factor
 from pyjoystick.laboratory.measurements.nexus_csv import is_nexus_csv, read_nexus_csv
 from pyjoystick.motion import TIME, Heading, RecordError, TableHead, open_text, read_table_file
@@ -26,6 +27,8 @@ _COLUMN: Final = re.compile(r"(?P<marker>.*\S)[\s._:](?P<axis>[xyzXYZ])")
 def read_markers(path: str | PathLike[str], *, unit: str | None = None) -> Markers:
     """Read marker trajectories from C3D, the CSV export of Vicon Nexus, or plain CSV.
 
+    A marker that jumps to exactly 0, 0, 0 counts as lost there, with a note (see `without_lost`).
+
     Args:
         path: the file; ``.c3d`` names a C3D file, anything else is text
         unit: unit of the coordinates (m, cm or mm), in place of the file's own in C3D and Nexus files, and
@@ -37,10 +40,11 @@ def read_markers(path: str | PathLike[str], *, unit: str | None = None) -> Marke
     """
     file = Path(path)
     if file.suffix.casefold() == ".c3d":
-        return read_c3d(file, unit=unit)
+        return without_lost(read_c3d(file, unit=unit))
     with open_text(file, "name a C3D file .c3d, export a table as CSV in UTF-8") as opened:
         text = opened.read()
-    return read_nexus_csv(file, text, unit=unit) if is_nexus_csv(text) else read_marker_csv(file, unit=unit)
+    read = read_nexus_csv(file, text, unit=unit) if is_nexus_csv(text) else read_marker_csv(file, unit=unit)
+    return without_lost(read)
 
 
 def read_marker_csv(path: Path, *, unit: str | None = None) -> Markers:

@@ -30,6 +30,7 @@ class Markers:
         positions: coordinates (m), shape (n, k, 3), NaN where a marker was not seen
         residuals: how well the cameras agree on each point (m), shape (n, k); None where the file has none
         rows: row of each frame, shape (n,): line numbers of a text file, frame numbers of a C3D file
+        notes: what is doubtful, a sentence each
 
     Raises:
         RecordError: fewer than three frames, the time does not increase or is likely in another unit, two
@@ -42,6 +43,7 @@ class Markers:
     positions: FloatArray
     residuals: FloatArray | None = None
     rows: NDArray[np.int64] = dataclasses.field(default_factory=lambda: np.empty(0, dtype=np.int64))
+    notes: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         rows = self.rows if len(self.rows) else np.arange(len(self.time), dtype=np.int64)

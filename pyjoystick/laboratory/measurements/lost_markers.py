@@ -1,0 +1,64 @@
+"""Markers that a file puts at the origin in frames in which they were lost."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Iterator
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pyjoystick.laboratory.measurements.markers import Markers, unseen
+from pyjoystick.motion import rows_in_words
+from pyjoystick.support import FloatArray
+
+#: A marker that is so many times its longest step between two frames from the origin did not go there.
+_STEPS_AWAY: Final = 3.0
+
+
+def without_lost(markers: Markers) -> Markers:
+    """The markers with NaN where 0, 0, 0 stands for a marker that was not seen; notes say where.
+
+    Cameras do not give three coordinates of exactly zero: that is how much software writes a lost marker. A
+    marker whose path leads through the origin keeps its zeros: in the frames beside them it is near.
+    """
+    positions, notes = markers.positions.copy(), [*markers.notes]
+    lost = np.zeros(positions.shape[:2], dtype=np.bool_)
+    for i, name in enumerate(markers.names):
+        zero = (positions[:, i] == 0.0).all(axis=1)
+        if zero.any() and not (zero | unseen(positions[:, i])).all():
+            lost[:, i] = _far_from_origin(positions[:, i], zero)
+        elif zero.any():
+            notes.append(f"marker {name} is at 0, 0, 0 wherever it is seen: was it lost in every frame?")
+    positions[lost] = np.nan
+    residuals = markers.residuals
+    if residuals is not None:
+        residuals = np.where(lost, np.nan, residuals)
+    notes += _notes(markers, lost)
+    return dataclasses.replace(markers, positions=positions, residuals=residuals, notes=tuple(notes))
+
+
+def _far_from_origin(path: FloatArray, zero: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Which zeros, shape (n,), are too far from the nearest frames with another position, shape (n, 3)."""
+    known = np.flatnonzero(~zero & ~unseen(path))
+    steps = np.linalg.norm(np.diff(path[known], axis=0), axis=1)[np.diff(known) == 1]
+    longest = float(np.max(steps)) if steps.size else 0.0
+    distance = np.linalg.norm(path[known], axis=1)
+    frames = np.flatnonzero(zero)
+    after = np.searchsorted(known, frames)
+    beside = np.minimum(
+        distance[np.clip(after, 0, len(known) - 1)], distance[np.clip(after - 1, 0, len(known) - 1)]
+    )
+    found = np.zeros(len(path), dtype=np.bool_)
+    found[frames[beside > _STEPS_AWAY * longest]] = True
+    return found
+
+
+def _notes(markers: Markers, lost: NDArray[np.bool_]) -> Iterator[str]:
+    for name, frames in zip(markers.names, lost.T, strict=True):
+        if frames.any():
+            yield (
+                f"marker {name} counts as lost in {np.count_nonzero(frames)} frames in which the file has it "
+                f"at exactly 0, 0, 0 ({rows_in_words(markers.rows[frames].tolist())})"
+            )
