@@ -18,14 +18,18 @@ from .logs.scales import scale_of as scale_of
 from .peaks import find_peaks as find_peaks, periods as periods
 from .record_peaks import MeasuredPeaks as MeasuredPeaks, measured_peaks as measured_peaks
 from .records.errors import RecordError as RecordError, rows_in_words as rows_in_words
-from .records.free_oscillation import Side as Side, check_free_oscillation as check_free_oscillation
+from .records.free_oscillation import (
+    Side as Side,
+    check_free_oscillation as check_free_oscillation,
+    require_no_growth as require_no_growth,
+)
 from .records.reading import read_record as read_record, read_repeats as read_repeats
 from .records.record import (
     MISSING_ADVICE as MISSING_ADVICE,
     Record as Record,
     require_sampling as require_sampling,
 )
-from .records.swings import find_swings as find_swings
+from .records.swings import Swing as Swing, find_swings as find_swings
 from .release_peaks import (
     DISPLACEMENT_PEAKS as DISPLACEMENT_PEAKS,
     VELOCITY_PEAKS as VELOCITY_PEAKS,

@@ -13,7 +13,8 @@ from scipy.stats import linregress
 from pyjoystick.laboratory.inertia.budget import Measured, combined
 from pyjoystick.laboratory.inertia.decay import fitted_decay
 from pyjoystick.laboratory.inertia.swing import SwingPeriod, amplitude_factor
-from pyjoystick.motion import Record, RecordError, find_swings
+from pyjoystick.laboratory.inertia.swing_checks import check_swings, widest_gap
+from pyjoystick.motion import Record, RecordError, Swing, find_swings
 from pyjoystick.support import FloatArray
 
 _FEWEST_SWINGS: Final = 5
@@ -38,10 +39,13 @@ def period_of_record(record: Record) -> SwingPeriod:
         record: the joystick as a pendulum, five half swings or more above a fifth of the largest angle
 
     Raises:
-        RecordError: too few half swings, or too few samples in one
+        RecordError: too few half swings, or too few samples in one; a second release; a gap that may hide a
+            turn; an angle that stays at the end of the instrument's range
     """
     # The zero of the angle need not be where the pendulum rests: the tops say where that is.
-    theta = record.theta - _middle(record, record.theta - float(np.mean(record.theta)), record.theta)
+    centered = record.theta - float(np.mean(record.theta))
+    check_swings(record, centered, _whole_swings(record, centered))
+    theta = record.theta - _middle(record, centered, record.theta)
     tops, passages = _tops_and_passages(record, theta)
     heights = np.abs(tops)
     inner = amplitude_factor(heights[1:-1])
@@ -81,35 +85,46 @@ def _middle(record: Record, centered: FloatArray, theta: FloatArray) -> float:
 
 
 def _tops_and_passages(record: Record, theta: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Angles of the tops of the half swings, shape (n,), and instants of the passages between, shape (n-1,).
-
-    The first and the last half swing may be cut off, so that they are left out.
-    """
-    largest = float(np.max(np.abs(theta)))
-    swings = find_swings(theta, _THRESHOLD * largest)[1:-1]
-    if len(swings) < _FEWEST_SWINGS:
-        reason = f"has {len(swings)} whole half swings that count; at least {_FEWEST_SWINGS} are needed"
-        raise RecordError(record.source, reason, "record the pendulum for longer", column="theta")
+    """Angles of the tops of the half swings, shape (n,), and instants of the passages between, shape (n-1,)."""
+    swings = _whole_swings(record, theta)
     tops = np.empty(len(swings))
     for i, swing in enumerate(swings):
         span = slice(swing.first, swing.last + 1)
         time, height = record.time[span], theta[span] * swing.sign
         top = height > _TOP * np.max(height)
-        curve = _polynomial(record, time[top], height[top], 4)
+        curve = _polynomial(record, span, time[top], height[top], 4)
         grid = np.linspace(time[top][0], time[top][-1], 201)
         tops[i] = swing.sign * np.max(curve(grid))
     passages = np.empty(len(swings) - 1)
     for i, (before, after) in enumerate(pairwise(swings)):
         span = slice(before.extreme, after.extreme + 1)
         time, angle = record.time[span], theta[span]
+        around = slice(before.first, after.last + 1)
         near = np.abs(angle) < _PASSAGE * min(abs(tops[i]), abs(tops[i + 1]))
         # Time as a function of the angle, so that the passage is its value at 0.
-        passages[i] = _polynomial(record, angle[near], time[near], 3)(0.0)
+        passages[i] = _polynomial(record, around, angle[near], time[near], 3)(0.0)
     return tops, passages
 
 
-def _polynomial(record: Record, x: FloatArray, y: FloatArray, degree: int) -> Polynomial:
+def _whole_swings(record: Record, theta: FloatArray) -> list[Swing]:
+    """The half swings that count; the first and the last may be cut off, so that they are left out."""
+    swings = find_swings(theta, _THRESHOLD * float(np.max(np.abs(theta))))[1:-1]
+    if len(swings) < _FEWEST_SWINGS:
+        reason = f"has {len(swings)} whole half swings that count; at least {_FEWEST_SWINGS} are needed"
+        raise RecordError(record.source, reason, "record the pendulum for longer", column="theta")
+    return swings
+
+
+def _polynomial(record: Record, span: slice, x: FloatArray, y: FloatArray, degree: int) -> Polynomial:
+    """A polynomial through some of the samples of one stretch or of two that are neighbors."""
     if len(x) < _FEWEST_SAMPLES:
         reason = f"has {len(x)} samples where {_FEWEST_SAMPLES} are needed for a top or a passage of zero"
-        raise RecordError(record.source, reason, "record with more samples a second", column="theta")
+        rows, advice = record.rows[[span.start, span.stop - 1]], "record with more samples a second"
+        # The samples that a gap lacks may be those at the end of the stretch.
+        gap = widest_gap(record, slice(max(span.start - 1, 0), span.stop + 1))
+        if gap is not None:
+            missing = float(record.time[gap + 1] - record.time[gap])
+            reason += f": {missing:.4g} s are missing"
+            rows, advice = record.rows[[gap, gap + 1]], "cut the record before the gap, or record it again"
+        raise RecordError(record.source, reason, advice, column="theta", rows=rows)
     return Polynomial.fit(x, y, degree)

@@ -63,7 +63,7 @@ def check_free_oscillation(record: Record, *, released: Side | None = None) -> R
     largest = float(np.max(np.abs(record.theta)))
     swings = find_swings(record.theta, THRESHOLD * largest) if largest > 0.0 else []
     _require_oscillation(record, swings)
-    _require_no_growth(record, swings, largest)
+    require_no_growth(record, swings, largest)
     _require_decay(record, swings)
     _require_side(record, swings[0], released)
     notes = [
@@ -98,7 +98,14 @@ def _require_oscillation(record: Record, swings: Sequence[Swing]) -> None:
         )
 
 
-def _require_no_growth(record: Record, swings: Sequence[Swing], largest: float) -> None:
+def require_no_growth(record: Record, swings: Sequence[Swing], largest: float) -> None:
+    """Raise RecordError where a swing goes farther than the one before on its side, which no free one does.
+
+    Args:
+        record: what was measured
+        swings: of its angle, alternating in side
+        largest: angle (rad) of which 10 % more are allowed
+    """
     for before, swing in zip(swings, swings[2:], strict=False):
         if abs(swing.value) > abs(before.value) + GROWTH * largest:
             raise RecordError(
