@@ -149,7 +149,12 @@ def _design(knots: FloatArray, time: FloatArray) -> FloatArray:
 def _least_squares(
     time: FloatArray, theta: FloatArray, release: float, passages: FloatArray
 ) -> tuple[FloatArray, float] | None:
-    """Coefficients and the sum of squares; None where the samples do not determine them."""
+    """Coefficients and the sum of squares; None where the samples do not determine them.
+
+    Passages that change places, or come before the release, leave no swing between them.
+    """
+    if not np.all(np.diff(passages, prepend=release) > 0.0):
+        return None
     design = _design(_knots(release, passages, time), time)
     coefficients, _, rank, _ = np.linalg.lstsq(design, theta, rcond=_WORST_CONDITION)
     if rank < design.shape[1]:

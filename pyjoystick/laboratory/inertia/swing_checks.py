@@ -78,7 +78,8 @@ def _require_unclipped(record: Record, theta: FloatArray, swings: Sequence[Swing
     raise RecordError(
         record.source,
         f"the angle stays at its largest value for {end - first + 1} samples, in {len(clipped)} half "
-        f"swing{'s' * (len(clipped) > 1)}: the range of the instrument ends there, and the decay would look like friction",
+        f"swing{'s' * (len(clipped) > 1)}: the range of the instrument ends there, and the decay "
+        "would look like friction",
         advice,
         column="theta",
         rows=np.concatenate([record.rows[a : b + 1] for _, (a, b) in clipped]).tolist(),

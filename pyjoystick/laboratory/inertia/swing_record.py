@@ -85,7 +85,7 @@ def _middle(record: Record, centered: FloatArray, theta: FloatArray) -> float:
 
 
 def _tops_and_passages(record: Record, theta: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Angles of the tops of the half swings, shape (n,), and instants of the passages between, shape (n-1,)."""
+    """Angles of the tops of the half swings, shape (n,); instants of the passages between, shape (n-1,)."""
     swings = _whole_swings(record, theta)
     tops = np.empty(len(swings))
     for i, swing in enumerate(swings):

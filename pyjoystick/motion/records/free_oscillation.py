@@ -3,9 +3,10 @@
 Refused (`RecordError`) is what would make every later number wrong or meaningless: no oscillation, too few
 peaks for a line through them, a motion that does not die away, one that grows again (a second release), a
 gap in which a peak may hide (all later peaks would be counted wrongly), the wrong side of release, a velocity
-that is not that of the angle. Flagged, as a sentence in the notes of the record, is what a reader should know
-but can live with: shorter gaps, uneven times, fewer peaks than eq. (12) judges, swings of few samples, angles
-beyond the stops, a zero of the angle that is not where the joystick rests. Nothing is repaired.
+that is not that of the angle, an angle that jumps as a counter does that wraps around. Flagged, as a
+sentence in the notes of the record, is what a reader should know but can live with: shorter gaps, uneven
+times, fewer peaks than eq. (12) judges, swings of few samples, samples that repeat while the joystick moves,
+angles beyond the stops, a zero of the angle that is not where the joystick rests. Nothing is repaired.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ from typing import Final, Literal
 import numpy as np
 
 from pyjoystick.motion.records.errors import RecordError, rows_in_words
+from pyjoystick.motion.records.instrument import repeated_angles, require_no_jump
 from pyjoystick.motion.records.record import Record
 from pyjoystick.motion.records.swings import THRESHOLD, Swing, find_swings
 
@@ -60,6 +62,7 @@ def check_free_oscillation(record: Record, *, released: Side | None = None) -> R
     Raises:
         RecordError: the record is no such motion, or was released on the other side; see the module
     """
+    require_no_jump(record)
     largest = float(np.max(np.abs(record.theta)))
     swings = find_swings(record.theta, THRESHOLD * largest) if largest > 0.0 else []
     _require_oscillation(record, swings)
@@ -70,6 +73,7 @@ def check_free_oscillation(record: Record, *, released: Side | None = None) -> R
         *_gaps(record, swings),
         *_unevenness(record),
         *_velocity(record),
+        *repeated_angles(record, swings, HELD),
         *_peak_count(record, swings),
         *_stops(record, largest),
         *_rest(record, largest),

@@ -15,6 +15,7 @@ from pyjoystick.motion.logs.reading import read_log_table
 from pyjoystick.motion.records.errors import RecordError
 from pyjoystick.motion.records.free_oscillation import Side, check_free_oscillation
 from pyjoystick.motion.records.record import MISSING_ADVICE, Record
+from pyjoystick.motion.records.swings import THRESHOLD, Swing, find_swings
 from pyjoystick.motion.table_files import TIME, Column
 from pyjoystick.motion.units import UNITS
 from pyjoystick.support import FloatArray
@@ -115,17 +116,22 @@ def _require_another(record: Record, other: Record) -> None:
 
 
 def _require_same_side(record: Record, other: Record) -> None:
-    signs = [np.sign(one.theta[np.argmax(np.abs(one.theta))]) for one in (record, other)]
-    if signs[0] != signs[1]:
-        furthest = int(np.argmax(np.abs(record.theta)))
+    # The first swing, not the largest angle: a zero that is off can make the swing after it the larger one.
+    release, before = (_release(one) for one in (record, other))
+    if release.sign != before.sign:
         raise RecordError(
             record.source,
             f"is released from the other side than {other.source}: wrong sign?",
             "give angles that are positive forward; if both are meant, pyjoystick fit takes --both-sides",
             column="theta",
-            rows=[record.rows[furthest]],
-            value=f"{math.degrees(record.theta[furthest]):+.2f} degrees",
+            rows=[record.rows[release.extreme]],
+            value=f"{math.degrees(release.value):+.2f} degrees",
         )
+
+
+def _release(record: Record) -> Swing:
+    """The swing in which a free oscillation is held and released."""
+    return find_swings(record.theta, THRESHOLD * float(np.max(np.abs(record.theta))))[0]
 
 
 def _small_degrees(theta: FloatArray) -> tuple[str, ...]:

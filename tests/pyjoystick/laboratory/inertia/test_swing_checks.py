@@ -63,4 +63,6 @@ def test_a_gap_in_which_the_pendulum_turns_is_refused_and_a_short_one_named() ->
 def test_a_gap_between_two_samples_of_a_passage_does_no_harm() -> None:
     kept = np.arange(len(RECORD)) != 400
     record = Record("gap", RECORD.time[kept], RECORD.theta[kept])
-    assert period_of_record(record).period.value == pytest.approx(period_of_record(RECORD).period.value, rel=1e-4)
+    assert period_of_record(record).period.value == pytest.approx(
+        period_of_record(RECORD).period.value, rel=1e-4
+    )

@@ -167,6 +167,15 @@ def test_a_repeat_given_twice_is_refused(tmp_path: Path) -> None:
         read_repeats(paths)
 
 
+def test_the_side_is_that_of_the_release_where_zero_is_off(tmp_path: Path) -> None:
+    """Half the motion, with zero off by 2 degrees: from -8 degrees, then farther to the other side."""
+    time, theta, _ = motion()
+    first = write(tmp_path / "a.csv", rows(time, theta))
+    second = write(tmp_path / "b.csv", rows(time, 0.5 * theta + 2.0))
+    record = read_repeats([first, second])[1]
+    assert record.theta[np.argmax(np.abs(record.theta))] > 0.0
+
+
 def test_a_repeat_with_the_other_sign_is_refused(tmp_path: Path) -> None:
     time, theta, _ = motion()
     paths = [write(tmp_path / f"{sign}.csv", rows(time, sign * theta)) for sign in (1, -1)]

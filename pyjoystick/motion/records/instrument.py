@@ -1,0 +1,82 @@
+"""Faults of an instrument that show in the samples of an angle: counters that wrap, sensors that freeze."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+from typing import Final
+
+import numpy as np
+
+from pyjoystick.motion.records.errors import RecordError, rows_in_words
+from pyjoystick.motion.records.record import Record
+from pyjoystick.motion.records.swings import Swing
+
+#: A joystick moves at up to 12 rad/s; a step that is faster than this, ...
+_FASTEST: Final = 30.0
+#: ... goes over this part of all angles, and has neighbors of less than this part of it, is none.
+_FAR: Final = 0.5
+_BESIDE: Final = 0.25
+#: So many equal samples are looked at.
+_EQUAL: Final = 3
+#: A step of a motion after equal samples is at most four times the resolution, the rounding of both included.
+_CATCH_UP: Final = 5.0
+#: Angles closer than this (rad) are one: it is rounding.
+_SAME_ANGLE: Final = 1e-12
+
+
+def require_no_jump(record: Record) -> None:
+    """Raise RecordError where the angle jumps in a steady motion, as a counter makes it that wraps."""
+    steps = np.abs(np.diff(record.theta))
+    beside = np.maximum(np.append(0.0, steps[:-1]), np.append(steps[1:], 0.0))
+    jumps = np.flatnonzero(
+        (steps > _FASTEST * np.diff(record.time))
+        & (steps > _FAR * np.ptp(record.theta))
+        & (beside < _BESIDE * steps)
+    )
+    if not jumps.size:
+        return
+    i = int(jumps[0])
+    first, second = np.degrees(record.theta[i : i + 2])
+    raise RecordError(
+        record.source,
+        f"the angle jumps by {math.degrees(steps[i]):.4g} degrees between rows {record.rows[i]} and "
+        f"{record.rows[i + 1]}, faster than any joystick moves, in {len(jumps)} "
+        f"place{'s' * (len(jumps) > 1)}: did a counter wrap around?",
+        "add the whole range of the counter from each jump on, or export an angle that does not wrap",
+        column="theta",
+        rows=record.rows[np.unique(np.concatenate((jumps, jumps + 1)))],
+        value=f"{first:+.4g} and {second:+.4g} degrees",
+    )
+
+
+def repeated_angles(record: Record, swings: Sequence[Swing], held: float) -> Iterator[str]:
+    """A note where the angle stays exactly the same in the middle of the motion, then catches up.
+
+    Equal samples alone prove nothing: coarse angles repeat at every turn and at rest. There the angle goes on
+    by a few times its resolution; a sensor that froze goes on by all that it missed.
+
+    Args:
+        record: what was measured
+        swings: of its angle
+        held: part of the release angle above which the joystick is still held
+    """
+    theta = record.theta
+    edges = np.flatnonzero(np.abs(np.diff(theta)) > _SAME_ANGLE)
+    values = np.diff(np.unique(theta))
+    values = values[values > _SAME_ANGLE]
+    resolution = float(np.min(values)) if values.size else math.inf
+    frozen: list[tuple[int, int]] = []
+    for before, last in pairwise([-1, *edges.tolist()]):
+        moves = theta[last] / swings[0].value < held and last < swings[-1].last
+        caught_up = abs(theta[last + 1] - theta[last]) > _CATCH_UP * resolution
+        if last - before >= _EQUAL and moves and caught_up:
+            frozen.append((before + 1, last))
+    if frozen:
+        most = max(last - first + 1 for first, last in frozen)
+        rows = rows_in_words(int(record.rows[i]) for first, last in frozen for i in range(first, last + 1))
+        yield (
+            f"the angle stays exactly the same for up to {most} samples while the joystick moves ({rows}): "
+            "did the sensor freeze, reach the end of its range, or is it slower than the record?"
+        )
