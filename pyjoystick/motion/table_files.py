@@ -28,6 +28,9 @@ DELIMITERS: Final = ",;\t"
 LARGEST: Final = 1e60
 #: Cells that hold no number, in lower case.
 EMPTY: Final = ("", "nan", "na", "n/a", "null", "none", "-")
+#: Quantities that `pyjoystick import record` finds under other headings.
+_OF_RECORDS: Final = ("time", "theta", "omega", "T", "F")
+_BY_IMPORT: Final = ", as `pyjoystick import record` does"
 _HEADING: Final = re.compile(r"(?P<name>.*?)\s*[(\[](?P<unit>[^()\[\]]*)[)\]]\s*")
 
 
@@ -113,7 +116,7 @@ class TableHead:
         Args:
             columns: what is wanted
             headings: headings by name of the column, with their units or without, where they are others
-            units: units by name of the column, where the headings have none
+            units: units by name of the column, where the headings have none or unknown ones
 
         Raises:
             RecordError: a column is missing or there twice; it has no unit, an unknown one, or not the
@@ -146,6 +149,8 @@ class TableHead:
         texts = ", ".join(repr(heading.text) for heading in self.headings)
         reason = f"has {len(found) or 'no'} column{'s' * bool(found)} {name!r}"
         advice = f"which column holds {column.name}? There are {texts}: --column {column.name}=HEADING"
+        if column.name in _OF_RECORDS:
+            advice += f", or rename it{_BY_IMPORT}"
         if found:
             advice = f"choose one by its whole heading; there are {texts}"
         elif len(self.headings) == 1:
@@ -158,7 +163,10 @@ class TableHead:
         written = "" if heading.text == column.name else heading.unit
         unit, known = written or given or column.default_unit, ", ".join(column.units)
         value = None
-        if written and given and plain_unit(written) != plain_unit(given):
+        is_known = not any(column.units) or plain_unit(written) in map(plain_unit, column.units)
+        if written and given and not is_known:
+            unit = given
+        if written and given and is_known and plain_unit(written) != plain_unit(given):
             reason = f"has the unit {written} in its heading, but {given} is given"
             advice = "leave one of the two out"
         elif not unit and "" not in column.units:
@@ -170,7 +178,11 @@ class TableHead:
             for one in column.units:
                 if plain_unit(unit) == plain_unit(one) or not any(column.units):
                     return one
-            advice = f"known are {known}: --unit {column.name}=UNIT"
+            imported = _BY_IMPORT if column.name in _OF_RECORDS else ""
+            advice = (
+                f"known are {known}: if it is one of them under another name, --unit {column.name}=UNIT; "
+                f"else convert the column{imported}"
+            )
             reason, value = "has an unknown unit", unit
         raise RecordError(str(self.path), reason, advice, column=heading.text, rows=self._rows, value=value)
 
@@ -263,9 +275,10 @@ class TableFile:
 def no_number(path: Path, heading: Heading, row: int, cell: str) -> RecordError:
     """The error of a cell that is not a number."""
     advice = "write numbers with a decimal point" if "," in cell else "write a number"
-    return RecordError(
-        str(path), "is not a number", advice, column=heading.text, rows=[row], value=repr(cell)
-    )
+    reason = "is not a number"
+    if cell == heading.text:
+        reason, advice = "the headings are repeated here", "keep one record a file: cut it before this row"
+    return RecordError(str(path), reason, advice, column=heading.text, rows=[row], value=repr(cell))
 
 
 def read_table_file(path: Path) -> TableFile:

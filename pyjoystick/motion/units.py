@@ -11,6 +11,11 @@ from typing import Final
 #: Standard gravity (m/s2), which is also the unit g of an acceleration.
 GRAVITY: Final = 9.80665
 
+#: The inch (m), the pound-force and the kilogram-force (N), exactly.
+_INCH: Final = 0.0254
+_POUND_FORCE: Final = 4.4482216152605
+_KILOGRAM_FORCE: Final = GRAVITY
+
 _DEGREE: Final = math.radians(1.0)
 
 #: Factors to SI units by kind of quantity and unit; spelled as `plain_unit` spells them.
@@ -19,9 +24,17 @@ UNITS: Final[Mapping[str, Mapping[str, float]]] = {
     "angle": {"rad": 1.0, "deg": _DEGREE, "mrad": 1e-3},
     "angular velocity": {"rad/s": 1.0, "deg/s": _DEGREE},
     "angular acceleration": {"rad/s2": 1.0, "deg/s2": _DEGREE},
-    "length": {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6},
-    "force": {"N": 1.0, "kN": 1e3, "mN": 1e-3},
-    "torque": {"N.m": 1.0, "N.mm": 1e-3, "N.cm": 1e-2, "mN.m": 1e-3, "kN.m": 1e3},
+    "length": {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6, "in": _INCH},
+    "force": {"N": 1.0, "kN": 1e3, "mN": 1e-3, "kgf": _KILOGRAM_FORCE, "lbf": _POUND_FORCE},
+    "torque": {
+        "N.m": 1.0,
+        "N.mm": 1e-3,
+        "N.cm": 1e-2,
+        "mN.m": 1e-3,
+        "kN.m": 1e3,
+        "lbf.in": _POUND_FORCE * _INCH,
+        "lbf.ft": _POUND_FORCE * 12.0 * _INCH,
+    },
     "mass": {"kg": 1.0, "g": 1e-3},
     "moment of inertia": {"kg.m2": 1.0, "g.m2": 1e-3, "kg.mm2": 1e-6, "g.cm2": 1e-7, "g.mm2": 1e-9},
     "acceleration": {"m/s2": 1.0, "mm/s2": 1e-3, "g": GRAVITY},

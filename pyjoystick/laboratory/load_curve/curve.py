@@ -27,7 +27,7 @@ _FEWEST_SAMPLES = 20
 #: sample that goes furthest need not be the last of loading.
 _TURN = 0.005
 #: Largest travel and force of a record: least, most, unit. Wide: what is outside is in another unit.
-_SIZES: Final = {"travel": (1e-7, 1.0, "m"), "force": (1e-4, 1e5, "N")}
+_SIZES: Final = {"travel": (1e-4, 1.0, "m"), "force": (1e-4, 1e5, "N")}
 _COLUMNS: Final = (Column("travel", UNITS["length"]), Column("force", UNITS["force"]))
 
 
@@ -102,7 +102,11 @@ class LoadCurve:
             if not least <= abs(extreme) <= most:
                 reason = f"the largest {name} is not from {least:g} to {most:g} {unit}"
                 value = f"{extreme:g} {unit}"
-                raise RecordError(source, reason, "is its unit right?", column=name, value=value)
+                advice = "is its unit right?"
+                for size, factor in (("larger", 1e3), ("smaller", 1e-3)):
+                    if least <= factor * abs(extreme) <= most:
+                        advice = f"did you mean a unit that is 1000 times {size}? Correct the heading"
+                raise RecordError(source, reason, advice, column=name, value=value)
             if extreme < 0.0:
                 series[name] = -values
                 notes.append(

@@ -17,6 +17,9 @@ _LEAST_PART: Final = 0.02
 #: A branch; with fewer the standard errors, which are those of a smooth problem, are too small.
 _FEWEST_IN_SEGMENT: Final = 3
 _LARGEST_ERROR: Final = 0.2
+#: A force that stays at its largest value for so many samples and this part of the travel is saturated.
+_FLAT_SAMPLES: Final = 5
+_FLAT_TRAVEL: Final = 0.01
 _LARGEST_MISFIT: Final = 1.5
 
 
@@ -44,6 +47,36 @@ def require_contact_within(curve: LoadCurve, force_noise: float) -> None:
             f"unloading lies {-between:.3g} N above loading",
             "friction cannot do that: are the rows in the order in which they were recorded?",
             column="force",
+        )
+
+
+def require_no_saturation(curve: LoadCurve) -> None:
+    """Refuse a force that stays at its largest value while travel goes on, as that of a load cell at its end.
+
+    Coarse forces stay too, but everywhere in contact: a stretch at the top must be twice as long as others.
+
+    Raises:
+        RecordError: it does
+    """
+    loading = curve.loading
+    edges = np.flatnonzero(np.diff(loading.force) != 0.0)
+    firsts, lasts = np.append(0, edges + 1), np.append(edges, len(loading.force) - 1)
+    lengths = loading.travel[lasts] - loading.travel[firsts]
+    level, top = loading.force[firsts], float(np.max(loading.force))
+    at_top = (level == top) & (lasts - firsts + 1 >= _FLAT_SAMPLES)
+    others = lengths[(level > 0.5 * top) & (level < top)]
+    usual = float(np.max(others)) if others.size else 0.0
+    flat = at_top & (lengths > max(2.0 * usual, _FLAT_TRAVEL * np.ptp(loading.travel)))
+    if flat.any():
+        i = int(np.flatnonzero(flat)[0])
+        raise RecordError(
+            curve.source,
+            f"the force is flat at its largest value from {1e3 * loading.travel[firsts[i]]:.4g} mm on: the "
+            "load cell or its amplifier is at the end of its range",
+            "record with more range, or end the record before that",
+            column="force",
+            rows=loading.rows[firsts[i] : lasts[i] + 1].tolist(),
+            value=f"{top:.4g} N",
         )
 
 

@@ -21,15 +21,18 @@ from pyjoystick.laboratory.load_curve.curve import Branch, LoadCurve
 from pyjoystick.laboratory.load_curve.doubts import (
     doubts,
     require_contact_within,
+    require_no_saturation,
     require_samples_before_contact,
 )
 from pyjoystick.laboratory.load_curve.polyline import corners, signed_distances
 from pyjoystick.model import ActuatorAssembly, SegmentTable
 from pyjoystick.motion import RecordError
-from pyjoystick.support import Drawn, FloatArray, positive
+from pyjoystick.support import Drawn, FloatArray, ParameterError, positive
 
 #: Least noise in parts of the range, for records that have none.
 _LEAST_NOISE: Final = 1e-6
+#: Of an actuator, whose two springs they make (Fig. 7c).
+_SEGMENTS: Final = 4
 _MEDIAN_TO_DEVIATION: Final = 1.4826
 
 
@@ -81,9 +84,20 @@ class LoadCurveFit(Drawn):
         """The return and the balance spring.
 
         Raises:
-            ParameterError: not four segments, or stiffnesses that no pair of restrained springs has
+            ParameterError: not four segments
+            RecordError: stiffnesses that no pair of restrained springs has
         """
-        return ActuatorAssembly.from_table(self.table.x, self.table.k)
+        try:
+            return ActuatorAssembly.from_table(self.table.x, self.table.k)
+        except ParameterError as error:
+            if len(self.table.x) != _SEGMENTS:
+                raise
+            reason = f"its four segments are not those of two preloaded springs: {error}"
+            advice = (
+                "does the record end before the second spring, or show fewer kinks? Fit those with --segments "
+                "2, or record the whole travel"
+            )
+            raise RecordError(self.curve.source, reason, advice, column="force") from error
 
     def springs(self) -> dict[str, tuple[float, float]]:
         """Value and standard error by name: ``returnSpring.k_s``, ``.k_h``, ``.F_0``, ``.x_0``, and so on.
@@ -91,7 +105,7 @@ class LoadCurveFit(Drawn):
         The errors follow from those of x and k, with their correlation, to first order.
 
         Raises:
-            ParameterError: as `assembly`
+            ParameterError, RecordError: as `assembly`
         """
         assembly = self.assembly
         x, k = np.array(self.table.x), np.array(self.table.k)
@@ -118,7 +132,7 @@ class LoadCurveFit(Drawn):
 
 def fit_load_curve(
     curve: LoadCurve,
-    segments: int = 4,
+    segments: int = _SEGMENTS,
     *,
     travel_noise: float | None = None,
     force_noise: float | None = None,
@@ -136,7 +150,8 @@ def fit_load_curve(
 
     Raises:
         ParameterError: no segment, or a noise that is not above 0
-        RecordError: the record begins in contact, unloading lies above loading, or too few samples
+        RecordError: the record begins in contact, unloading lies above loading, the force is flat at its
+            largest value, or too few samples
     """
     if segments < 1:
         positive("segments", 0)
@@ -150,6 +165,7 @@ def fit_load_curve(
         reason = f"has {len(curve.loading.rows)} samples of loading for {segments} segments"
         raise RecordError(curve.source, reason, "record more slowly or more often")
     require_contact_within(curve, noise[1])
+    require_no_saturation(curve)
     model = _Model(curve, segments, noise)
     solution = least_squares(model.residuals, model.start(), method="trf", x_scale="jac", max_nfev=300)
     if not solution.success:
@@ -160,9 +176,9 @@ def fit_load_curve(
     misfit = float(np.sqrt(np.sum(distances**2) / freedom))
     covariance = _covariance(model, natural) * max(misfit, 1.0) ** 2
     if not (np.diag(covariance) >= 0.0).all():
-        raise RecordError(
-            curve.source, f"does not determine {segments} segments", "try another number of segments"
-        )
+        reason = f"does not determine {segments} segments"
+        advice = "try fewer, such as --segments 2 where the record ends before the second spring"
+        raise RecordError(curve.source, reason, advice)
     x, k, friction, zero = model.parted(natural)
     table = SegmentTable(tuple(np.maximum(x, 0.0)), tuple(k))
     require_samples_before_contact(curve, table)

@@ -32,8 +32,10 @@ _SPELLINGS: Final[Mapping[str, Mapping[str, str]]] = {
         "N.cm": "Ncm N-cm",
         "mN.m": "mNm",
         "kN.m": "kNm",
+        "lbf.in": "lbf-in lbfin in-lb in-lbf in.lb in.lbf lb-in lb.in inlb lbin inch-pound inch-pounds",
+        "lbf.ft": "lbf-ft lbfft ft-lb ft-lbf ft.lb ft.lbf lb-ft lb.ft ftlb lbft foot-pound foot-pounds",
     },
-    "force": {"N": "newton newtons"},
+    "force": {"N": "newton newtons", "kgf": "kp kilopond", "lbf": "pound-force"},
     "voltage": {"V": "volt volts v", "mV": "millivolt millivolts"},
     "count": {
         "count": "count counts cts digit digits inc increment increments inkrement inkremente tick ticks "

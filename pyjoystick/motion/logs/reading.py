@@ -25,6 +25,7 @@ from pyjoystick.motion.logs.layout import Layout, Scale
 from pyjoystick.motion.logs.sheets import form_of, load
 from pyjoystick.motion.logs.text_files import decoded, delimiter_name, find_in_rows, find_in_text
 from pyjoystick.motion.records.errors import RecordError, rows_in_words
+from pyjoystick.motion.records.free_oscillation import GAP
 from pyjoystick.motion.records.record import Record
 from pyjoystick.motion.table_files import TIME, Column, Heading, Match, TableFile, read_table_file
 from pyjoystick.motion.units import UNITS
@@ -75,19 +76,23 @@ class LogTable:
             headings: headings by name of the column, where they are others
             units: units by name of the column, where the headings have none or unknown ones
             scales: calibrations by name of the column, of readings in V, mV or counts
-            override: whether `units` also replaces known units in headings
+            override: whether `units` also replaces known units in headings, but for those of torque and
+                force: a wrong factor of an angle or a time is seen, one of a torque is not
 
         Raises:
             RecordError: as `TableHead.match`; or more than one column or unit may be the one that is wanted
         """
-        named, given, wanted = dict(headings or {}), units or {}, []
+        named, given, wanted = dict(headings or {}), dict(units or {}), []
         found = list(self.file.head.headings)
         for column in columns:
+            if column.name in given:
+                given[column.name] = spelled(kind_of(column), given[column.name]) or given[column.name]
             scale = (scales or {}).get(column.name)
             one = self._chosen(column, named, certain=bool(scale) or column.name in given)
             if one is not None:
                 named[column.name] = one.text
-                drop = column.name in given and (override or not is_unit(one.unit))
+                replaced = override and column.name not in _SYMBOLIC
+                drop = column.name in given and (replaced or not is_unit(one.unit))
                 adapted = replace(one, unit="") if drop else one
                 found[found.index(one)] = adapted
                 if not scale and column.name not in given:
@@ -246,7 +251,7 @@ def read_log(
     Args:
         path: the file
         columns: headings by quantity (time, theta, omega, T, F) where they are not understood
-        units: units by quantity; they replace those of the headings
+        units: units by quantity; they replace those of the headings, but no known one of a torque or force
         layout: the form of the file, where that is to be given
         scales: calibrations by quantity, of readings in V, mV or counts
         rate: samples a second (Hz), instead of a column of times
@@ -282,7 +287,10 @@ def read_log(
         series={name: one[inside] for name, one in series.items()},
         rows=table.file.rows[inside],
         left_out=table.file.rows[~known],
-        notes=tuple(_notes(table, found, table.file.rows[~known])),
+        notes=(
+            *_notes(table, found, table.file.rows[~known]),
+            *_longest_gap(series["time"][inside], table.file.rows[inside]),
+        ),
     )
     record_of(log)  # refuses what no motion can be
     return log
@@ -307,6 +315,16 @@ def _notes(table: LogTable, found: Mapping[str, Match], left_out: NDArray[np.int
             yield f"{heading.text!r} is left alone: --column and --unit say what it is"
     if left_out.size:
         yield f"{len(left_out)} rows without a number are left out: {rows_in_words(left_out)}"
+
+
+def _longest_gap(time: FloatArray, rows: NDArray[np.int64]) -> Iterator[str]:
+    """A note on the longest gap between instants (s), if there is any."""
+    steps = np.diff(time)
+    gaps = int(np.sum(steps > GAP * np.median(steps))) if steps.size else 0
+    if gaps:
+        i = int(np.argmax(steps))
+        count = "a gap" if gaps == 1 else f"{gaps} gaps, the longest"
+        yield f"{count} of {steps[i]:.4g} s between rows {rows[i]} and {rows[i + 1]}: one record a file?"
 
 
 def record_of(log: Log, name: str | None = None) -> Record:

@@ -66,8 +66,8 @@ def test_wrong_usage_and_bad_files(command: Command, tmp_path: Path) -> None:
         assert command("import", "load-curve", "curve.csv", *arguments).code == 2
     both = ("--side", "forward", "-p", "a.toml", "--segments", "3")
     assert command("import", "load-curve", "curve.csv", *both).code == 2
-    (tmp_path / "bad.csv").write_text((tmp_path / "curve.csv").read_text().replace("(N)", "(lbf)"))
+    (tmp_path / "bad.csv").write_text((tmp_path / "curve.csv").read_text().replace("(N)", "(dyn)"))
     outcome = command("import", "load-curve", "bad.csv", "--side", "forward", "-p", "a.toml")
     assert outcome.code == 1
-    assert outcome.message.startswith("bad.csv, column 'force (lbf)', row 2: has an unknown unit")
+    assert outcome.message.startswith("bad.csv, column 'force (dyn)', row 2: has an unknown unit")
     assert not (tmp_path / "a.toml").exists()

@@ -31,6 +31,11 @@ def _file(folder: Path, text: str) -> Path:
         ("length", "um", 1 / 1000000),
         ("force", "kN", 1000),
         ("force", "mN", 1 / 1000),
+        ("force", "kgf", 9.80665),
+        ("force", "lbf", 4.4482216152605),
+        ("length", "in", 0.0254),
+        ("torque", "lbf.in", 0.1129848290276167),
+        ("torque", "lbf.ft", 1.3558179483314004),
         ("mass", "g", 1 / 1000),
         ("moment of inertia", "g.m2", 1 / 1000),
         ("moment of inertia", "kg.mm2", 1 / 1000**2),
@@ -162,3 +167,24 @@ def test_the_head_alone_needs_no_rows(tmp_path: Path) -> None:
     head = read_table_head(_file(tmp_path, "\n# made\ntime (s);theta (deg)\n"))
     assert [heading.name for heading in head.headings] == ["time", "theta"]
     assert (head.line, head.delimiter) == (3, ";")
+
+
+def test_an_option_replaces_an_unknown_unit_and_no_known_one(tmp_path: Path) -> None:
+    column = Column("force", UNITS["force"])
+    path = _file(tmp_path, "force (Newton),x\n2,1\n3,1\n")
+    with pytest.raises(RecordError, match=r"found Newton\); known are N, .* --unit force=UNIT"):
+        read_table_file(path).read([column])
+    assert read_table_file(path).read([column], units={"force": "N"})["force"].tolist() == [2.0, 3.0]
+    path = _file(tmp_path, "force (lbf),x\n2,1\n3,1\n")
+    assert read_table_file(path).read([column])["force"][0] == pytest.approx(8.896443230521, rel=1e-15)
+    with pytest.raises(RecordError, match="has the unit lbf in its heading, but N is given"):
+        read_table_file(path).read([column], units={"force": "N"})
+
+
+def test_a_missing_quantity_of_a_record_leads_to_the_import(tmp_path: Path) -> None:
+    path = _file(tmp_path, "time (s),Hand (lbf.in)\n0,1\n")
+    torque = Column("T", {"N.m": 1.0})
+    with pytest.raises(RecordError, match=r"which column holds T.* `pyjoystick import record`"):
+        read_table_file(path).read([torque])
+    with pytest.raises(RecordError, match="convert the column, as `pyjoystick import record` does"):
+        read_table_file(path).read([torque], headings={"T": "Hand"})

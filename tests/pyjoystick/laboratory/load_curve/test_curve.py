@@ -55,8 +55,8 @@ def test_compression_counted_negative_is_turned_and_told() -> None:
             "row 3: has 4 cells under 2 headings; was the file cut",
         ),
         (
-            lambda t: t.replace("(N)", "(lbf)"),
-            "column 'force (lbf)', row 2: has an unknown unit (found lbf); known are N",
+            lambda t: t.replace("(N)", "(dyn)"),
+            "column 'force (dyn)', row 2: has an unknown unit (found dyn); known are N",
         ),
         (
             lambda t: t.replace(" (mm)", ""),
@@ -88,9 +88,13 @@ def test_travel_that_turns_back_names_its_row(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("sizes", "message"),
     [
-        ((1e-301, 1.0), "column 'travel': the largest travel is not from 1e-07 to 1 m; is its unit right?"),
-        ((1e3, 1.0), "column 'travel': the largest travel is not from 1e-07 to 1 m; is its unit right?"),
-        ((1.0, 1e6), "column 'force': the largest force is not from 0.0001 to 100000 N; is its unit right?"),
+        ((1e-301, 1.0), "column 'travel': the largest travel is not from 0.0001 to 1 m; is its unit right?"),
+        ((1e3, 1.0), "not from 0.0001 to 1 m; did you mean a unit that is 1000 times smaller?"),
+        ((1e-3, 1.0), "not from 0.0001 to 1 m; did you mean a unit that is 1000 times larger?"),
+        (
+            (1.0, 1e6),
+            "column 'force': the largest force is not from 0.0001 to 100000 N; did you mean a unit that",
+        ),
     ],
 )
 def test_sizes_that_no_spring_has(sizes: tuple[float, float], message: str) -> None:

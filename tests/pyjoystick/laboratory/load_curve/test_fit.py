@@ -200,3 +200,26 @@ def test_a_travel_of_six_steps_is_refused() -> None:
     steps = np.round(np.interp(travel, (travel.min(), travel.max()), (0.0, 5.0))) * 1e-3
     with pytest.raises(RecordError, match="4 segments"):
         fit_load_curve(LoadCurve.from_cycle(steps, force))
+
+
+def test_a_record_that_ends_before_the_second_spring_is_refused_by_name() -> None:
+    travel, force = cycle(FORWARD_TABLE, 1)
+    kept = travel < 0.8 * FORWARD_TABLE.x[2]
+    short = LoadCurve.from_cycle(travel[kept], force[kept], source="short.csv")
+    with pytest.raises(RecordError, match=r"^short.csv.*--segments 2"):
+        fit_load_curve(short).springs()
+    assert fit_load_curve(short, 2).table.k[1] == pytest.approx(FORWARD_TABLE.k[1], rel=0.01)
+
+
+@pytest.mark.parametrize("resolution", [0.0, 0.1])
+def test_a_load_cell_at_the_end_of_its_range_is_refused_with_its_rows(resolution: float) -> None:
+    travel, force = cycle(FORWARD_TABLE, 1)
+    if resolution:
+        force = resolution * np.round(force / resolution)
+        fit_load_curve(LoadCurve.from_cycle(travel, force))  # coarse forces alone are none
+    limit = float(np.floor(0.8 * np.max(force)))
+    with pytest.raises(RecordError, match=r"the force is flat at its largest value from .* mm on") as caught:
+        fit_load_curve(LoadCurve.from_cycle(travel, np.minimum(force, limit)))
+    rows = list(caught.value.rows)
+    assert len(rows) > 100
+    assert (force[rows] >= limit).all()

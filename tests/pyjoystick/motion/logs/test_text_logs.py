@@ -319,7 +319,10 @@ def test_a_log_of_two_meanings_is_refused_and_read_with_the_option(name: str, tm
         ),
         ("time (s),angle (deg)\n" + "".join(f"0.5,{i}\n" for i in range(9)), "times are repeated"),
         ("time (s),angle (deg)\n" + "".join(f"{9 - i}.5,{i}\n" for i in range(9)), "time runs backward"),
-        (_with_inserted(_german(), 40, "Zeit [s];Winkel [Grad];Drehmoment [Nm]"), "row 41: is not a number"),
+        (
+            _with_inserted(_german(), 40, "Zeit [s];Winkel [Grad];Drehmoment [Nm]"),
+            "row 41: the headings are repeated here",
+        ),
         (_with_inserted(_german(), 40, "0,158;7,5"), "row 41: has 2 cells under 3 headings"),
         (_with_inserted(_german(), 40, "0,158;7;5;1"), "row 41: has 4 cells under 3 headings"),
         (text(("time (s)", "angle (kg)"), TIME, ANGLE), "column 'angle .kg.', row 1: has an unknown unit"),
@@ -368,3 +371,56 @@ def test_an_encoding_that_is_given_is_taken(tmp_path: Path) -> None:
         read_log(path, layout=Layout(encoding="utf-8"))
     with pytest.raises(RecordError, match="is not text in latin-77"):
         read_log(path, layout=Layout(encoding="latin-77"))
+
+
+@pytest.mark.parametrize(
+    ("unit", "factor"),
+    [
+        ("lbf.in", 0.1129848290276167),
+        ("in-lb", 0.1129848290276167),
+        ("In-Lbs", None),
+        ("in.lbf", 0.1129848290276167),
+        ("lb-in", 0.1129848290276167),
+        ("lbf ft", 1.3558179483314004),
+        ("ft-lb", 1.3558179483314004),
+    ],
+)
+def test_torques_in_pounds(unit: str, factor: float | None, tmp_path: Path) -> None:
+    """Exact: 1 in = 0.0254 m, 1 lbf = 4.4482216152605 N."""
+    path = written(
+        tmp_path / "log.csv", text(("time (s)", "angle (deg)", f"Torque ({unit})"), TIME, ANGLE, TORQUE)
+    )
+    if factor is None:
+        with pytest.raises(RecordError, match="has an unknown unit"):
+            read_log(path, columns={"T": f"Torque ({unit})"})
+    else:
+        expected = pytest.approx(factor * np.asarray(TORQUE), rel=1e-8)
+        assert read_log(path).series["T"] == expected
+        assert read_log(path, units={"T": unit}).series["T"] == expected
+
+
+def test_a_unit_that_contradicts_the_known_one_of_a_torque_is_refused(tmp_path: Path) -> None:
+    path = written(
+        tmp_path / "log.csv", text(("time (s)", "angle (deg)", "Torque (in-lb)"), TIME, ANGLE, TORQUE)
+    )
+    with pytest.raises(RecordError, match=r"row 1: has the unit lbf.in in its heading, but N.m is given"):
+        read_log(path, columns={"T": "Torque (in-lb)"}, units={"T": "N.m"})
+    path = written(tmp_path / "b.csv", text(("time (s)", "angle (deg)", "Torque (oz)"), TIME, ANGLE, TORQUE))
+    log = read_log(path, columns={"T": "Torque (oz)"}, units={"T": "N.mm"})
+    assert log.series["T"] == pytest.approx(1e-3 * np.asarray(TORQUE), rel=1e-8)
+    assert "'Torque (oz)' is read in N.mm, as given" in log.notes
+
+
+def test_headings_that_are_repeated_are_named(tmp_path: Path) -> None:
+    lines = text(("time (s)", "angle (deg)"), TIME, ANGLE).splitlines()
+    path = written(tmp_path / "log.csv", "\n".join([*lines[:20], lines[0], *lines[20:], ""]))
+    with pytest.raises(RecordError, match=r"row 21: the headings are repeated here .*one record a file"):
+        read_log(path)
+
+
+def test_a_hole_between_two_records_is_noted(tmp_path: Path) -> None:
+    time = np.asarray(TIME) + np.where(np.arange(COUNT) < 10, 0.0, 30.0)
+    path = written(tmp_path / "log.csv", text(("time (s)", "angle (deg)"), time, ANGLE))
+    [note] = read_log(path).notes
+    assert note.startswith("a gap of 30")
+    assert "between rows 11 and 12" in note
