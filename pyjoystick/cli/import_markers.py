@@ -86,7 +86,7 @@ def run(
     ] = None,
     released: options.Released = None,
     unit: Annotated[
-        str | None, typer.Option("--unit", metavar="UNIT", help="m, cm or mm, if the file gives no unit.")
+        str | None, typer.Option("--unit", metavar="UNIT", help="m, cm, mm or in, if the file gives no unit.")
     ] = None,
     rate: options.Rate = _PAPER.rate,
     cutoff: options.Cutoff = _PAPER.low_pass.cutoff,

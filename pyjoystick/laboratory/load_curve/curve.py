@@ -98,15 +98,7 @@ class LoadCurve:
             if extreme == 0.0 or np.ptp(values) == 0.0:
                 reason = "never changes" if extreme else "is zero throughout"
                 raise RecordError(source, reason, "was the right column chosen?", column=name)
-            least, most, unit = _SIZES[name]
-            if not least <= abs(extreme) <= most:
-                reason = f"the largest {name} is not from {least:g} to {most:g} {unit}"
-                value = f"{extreme:g} {unit}"
-                advice = "is its unit right?"
-                for size, factor in (("larger", 1e3), ("smaller", 1e-3)):
-                    if least <= factor * abs(extreme) <= most:
-                        advice = f"did you mean a unit that is 1000 times {size}? Correct the heading"
-                raise RecordError(source, reason, advice, column=name, value=value)
+            _require_size(source, name, extreme)
             if extreme < 0.0:
                 series[name] = -values
                 notes.append(
@@ -140,6 +132,19 @@ class LoadCurve:
                 reason = f"has {len(branch.rows)} samples in a branch; at least {_FEWEST_SAMPLES} are needed"
                 raise RecordError(source, reason, "record more slowly or more often")
         return cls(source, found[0], found[1] if len(found) > 1 else None, tuple(notes))
+
+
+def _require_size(source: str, name: str, extreme: float) -> None:
+    """Refuse a largest travel (m) or force (N) that is likely in another unit."""
+    least, most, unit = _SIZES[name]
+    if least <= abs(extreme) <= most:
+        return
+    advice = "is its unit right?"
+    for size, factor in (("larger", 1e3), ("smaller", 1e-3)):
+        if least <= factor * abs(extreme) <= most:
+            advice = f"did you mean a unit that is 1000 times {size}? Correct the heading"
+    reason = f"the largest {name} is not from {least:g} to {most:g} {unit}"
+    raise RecordError(source, reason, advice, column=name, value=f"{extreme:g} {unit}")
 
 
 def _require_no_jump(source: str, travel: FloatArray, rows: NDArray[np.int64]) -> None:

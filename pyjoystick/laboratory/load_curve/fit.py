@@ -94,8 +94,8 @@ class LoadCurveFit(Drawn):
                 raise
             reason = f"its four segments are not those of two preloaded springs: {error}"
             advice = (
-                "does the record end before the second spring, or show fewer kinks? Fit those with --segments "
-                "2, or record the whole travel"
+                "does the record end before the second spring, or show fewer kinks? Fit those with --segments"
+                " 2, or record the whole travel"
             )
             raise RecordError(self.curve.source, reason, advice, column="force") from error
 

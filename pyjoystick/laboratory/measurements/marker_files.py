@@ -31,8 +31,8 @@ def read_markers(path: str | PathLike[str], *, unit: str | None = None) -> Marke
 
     Args:
         path: the file; ``.c3d`` names a C3D file, anything else is text
-        unit: unit of the coordinates (m, cm or mm), in place of the file's own in C3D and Nexus files, and
-            for headings without one in plain CSV
+        unit: unit of the coordinates, a length of `UNITS`, in place of the file's own in C3D and Nexus files,
+            and for headings without one in plain CSV
 
     Raises:
         RecordError: the file is none of these or cannot be used; see `read_c3d`, `read_nexus_csv` and

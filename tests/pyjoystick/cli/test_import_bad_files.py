@@ -44,7 +44,7 @@ def _refused(command: Command, arguments: tuple[str, ...], file: str, words: tup
         (PLAIN.replace(",", ";").replace(".", ","), ("'time (s)'", "row 3", "decimal point")),
         (NEXUS.replace(",", ";").replace(".", ","), ("'Joystick:TOP X'", "row 11", "not commas")),
         (PLAIN.replace("TOP", "TIP"), ("no marker 'TOP'", "did you mean TIP?")),
-        (PLAIN.replace("(mm)", "(ft)"), ("'TOP x (in)'", "unknown unit", "known are m, cm, mm")),
+        (PLAIN.replace("(mm)", "(ft)"), ("'TOP x (ft)'", "unknown unit", "known are m, cm, mm")),
         (_row(PLAIN, 9, PLAIN.splitlines()[5]), ("'time'", "row 9", "does not increase")),
         (_row(NEXUS, 20, NEXUS.splitlines()[14]), ("'Frame'", "row 20", "does not come after")),
         ("", ("has no headings", "begin with a line such as: time (s)")),
