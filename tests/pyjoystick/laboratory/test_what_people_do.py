@@ -110,7 +110,7 @@ def test_samples_that_do_not_determine_the_segments(tmp_path: Path, monkeypatch:
         raise np.linalg.LinAlgError("Singular matrix")
 
     monkeypatch.setattr("numpy.linalg.inv", singular)
-    with pytest.raises(RecordError, match=r"curve\.csv: does not determine 4 segments; try another number"):
+    with pytest.raises(RecordError, match=r"curve\.csv: does not determine 4 segments; try fewer"):
         fit_load_curve(curve)
 
 
