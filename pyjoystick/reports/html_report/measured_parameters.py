@@ -60,16 +60,16 @@ def _source(found: Measurements, one: FmuValue) -> str:
         error = " and error budget" if found.budget is not None and one.name in found.budget.fitted else ""
         return f"fit to {records}{error}" if records else f"fit{error}"
     is_of_parts = found.parts is not None and one.name in ("m", "h", "J")
-    if is_of_parts and _is_rounded(one.value, getattr(found.parts, one.name)):
+    if is_of_parts and is_rounded(one.value, getattr(found.parts, one.name)):
         return f"parts, {found.parts_source}"
-    if found.swing is not None and one.name == "J" and _is_rounded(one.value, found.swing.inertia):
+    if found.swing is not None and one.name == "J" and is_rounded(one.value, found.swing.inertia):
         return f"swing test, {found.swing.source}"
     if found.fit is not None and one.source.startswith("fit to"):
         return "not from the fit; the file names no other source"
     return one.source or "the file names no source"
 
 
-def _is_rounded(value: float, estimate: Estimate) -> bool:
+def is_rounded(value: float, estimate: Estimate) -> bool:
     """Whether a value of the file is this estimate, which the file has to a hundredth of its uncertainty."""
     return abs(estimate.value - value) <= 0.02 * estimate.uncertainty
 
