@@ -99,6 +99,8 @@ def fit_section(found: Measurements) -> Section:
     if not fit.is_complete:
         verdict += " It was stopped before it was complete."
     against = [paragraph(f"{one.sentence}.") for one in found_contradictions(found)]
+    if against:
+        verdict += " What was measured without the records contradicts it."
     checks = [[name, "passed" if passed else "FAILED", message] for name, passed, message in fit.checks]
     return Section(
         "Fit to the records",
