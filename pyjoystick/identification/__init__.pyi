@@ -4,7 +4,7 @@ from .bench import (
     Bench as Bench,
     stated_uncertainties as stated_uncertainties,
 )
-from .contradictions import (
+from .contradiction import (
     Contradiction as Contradiction,
     combined_uncertainties_apart as combined_uncertainties_apart,
     contradictions as contradictions,

@@ -31,10 +31,9 @@ _HEADER: Final = ("", "value", "standard uncertainty", "unit", "from")
 
 def parameter_section(found: Measurements) -> Section:
     """All numbers of the joystick, to the digits that are known, and where each is from."""
-    values = [one for one in fmu_values(found.file) if one.table not in SIDES]
-    parts = [
-        TextTable(_HEADER, [_row(found, one) for one in values]).html("Body, geometry and damping.", texts=2)
-    ]
+    values = [_row(found, one) for one in fmu_values(found.file) if one.table not in SIDES]
+    rows = [*values, *_handle_rows(found)]
+    parts = [TextTable(_HEADER, rows).html("Body, geometry and damping.", texts=2)]
     for side in SIDES:
         rows = [*_segment_rows(found, side), *_spring_rows(found, side)]
         caption = f"Springs, {side}: the curve of Table 1 and the two springs that it stands for. From: "
@@ -50,6 +49,15 @@ def _row(found: Measurements, one: FmuValue) -> list[str]:
     factor, unit = _SHOWN.get(one.unit, (1.0, one.unit.replace(".", " ")))
     value, error = with_uncertainty(one.value, uncertainty_of(found, one), factor)
     return [_NAMES.get(one.name, one.name), value, error, unit, _source(found, one)]
+
+
+def _handle_rows(found: Measurements) -> Iterator[list[str]]:
+    """The length of the handle, which the motion does not depend on, but forces at its top do."""
+    top = found.file.pivot_to_top
+    if top is not None:
+        value = with_uncertainty(top, found.file.uncertainties.get("geometry.pivot_to_top"), 1e3)
+        source = found.file.sources.get("geometry", "") or "the file names no source"
+        yield ["pivot to the top of the handle", *value, "mm", source]
 
 
 def _source(found: Measurements, one: FmuValue) -> str:

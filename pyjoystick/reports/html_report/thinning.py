@@ -9,8 +9,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-#: Of two dots nearer than this (pt), less than half a dot, one is drawn.
-_NEAR: Final = 1.0
+#: Of dots nearer than this (pt), a quarter of a dot, one is drawn.
+_NEAR: Final = 0.5
 _POINTS_PER_INCH: Final = 72.0
 
 

@@ -15,10 +15,10 @@ import pytest
 from pyjoystick.cli import main
 from pyjoystick.fmu import Fmu
 from pyjoystick.identification import (
+    CONSTANT_DAMPING,
     BudgetDocument,
     Contribution,
     FittedValue,
-    CONSTANT_DAMPING,
     Free,
     Uncertainty,
     as_json,
@@ -148,6 +148,7 @@ def test_each_number_says_where_it_is_from(page: str) -> None:
     rows = dict(re.findall(r'<th scope="row">([^<]*)</th>(?:<td[^<]*</td>){3}<td>([^<]*)</td>', page))
     assert rows["damping coefficient, C"] == "fit to release -20, release 18"
     assert rows["mass, m"] == "not from the fit; the file names no other source"
+    assert rows["pivot to the top of the handle"] == "Rogers et al. (2004), Table 2"
     assert "it stands for. From: load-deflection curve, forward.csv." in page
     assert "it stands for. From: a drawing." in page
     assert "No uncertainty is stated in joystick.toml for" in page
