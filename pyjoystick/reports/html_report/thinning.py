@@ -33,7 +33,8 @@ def _thin(line: Line2D, axes: Axes, dots_per_point: float) -> None:
     size = line.get_markersize() * dots_per_point
     with np.errstate(invalid="ignore"):
         at = axes.transData.transform(data)
-        inside = np.all((at >= axes.bbox.min - size) & (at <= axes.bbox.max + size), axis=1)
+        low, high = np.asarray(axes.bbox.min) - size, np.asarray(axes.bbox.max) + size
+        inside = np.all((at >= low) & (at <= high), axis=1)
     cells = np.floor(at[inside] / (_NEAR * dots_per_point))
     first = np.sort(np.unique(cells, axis=0, return_index=True)[1])
     line.set_data(*data[np.flatnonzero(inside)[first]].T)
