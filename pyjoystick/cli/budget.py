@@ -7,7 +7,7 @@ from typing import Annotated, Final
 
 import typer
 
-from pyjoystick import fmu, identification, laboratory, model, motion, runs
+from pyjoystick import fmu, identification, laboratory, model, motion
 from pyjoystick.cli import options
 from pyjoystick.cli.console import messages, output, print_error, print_note, write
 from pyjoystick.cli.fit import DOUBTFUL, failed_checks
@@ -25,17 +25,6 @@ Examples:
 
 The parameter file must come from the same curves (`pyjoystick import load-curve`).
 """
-#: Quantities that may have an uncertainty, and their places in a parameter file.
-_PLACES: Final = {
-    "m": "body.m",
-    "h": "body.h",
-    "J": "body.J",
-    "g": "gravity.g",
-    "a": "geometry.a",
-    "b": "geometry.b",
-}
-#: Relative uncertainties of the records, which no residual shows.
-_RELATIVE: Final = ("scale", "time_base")
 
 
 def run(
@@ -60,7 +49,8 @@ def run(
     uncertainties: Annotated[
         list[str] | None,
         options.uncertainty(
-            "m, h, J, g, a or b (SI units), or scale and time_base, the relative ones of angle and clock"
+            "m, h, J, g, a, b, friction.T_c, friction.F_c, friction.T_s or friction.omega_s (SI units), or "
+            "scale and time_base, the relative ones of angle and clock"
         ),
     ] = None,
     release_angle: options.ReleaseAngle = options.DEFAULT_RELEASE_ANGLE,
@@ -83,13 +73,16 @@ def run(
     bench = _bench(before, options.parse_curves(curves), errors)
     releases = motion.read_repeats(records)
     with (
-        fmu.Fmu(found_or_built(runs.fmu_of_joystick(bench.joystick))) as opened,
+        fmu.Fmu(found_or_built(bench.fmu)) as opened,
         messages().status("fitting"),
     ):
         found, contributions = identification.fit_contributions(releases, bench, opened, release_angle=angle)
     output().print(identification.contribution_table(contributions), markup=False)
     write(csv, lambda path: write_text(path, identification.contribution_csv(contributions)))
-    write(json, lambda path: write_text(path, identification.contribution_json(found, contributions)))
+    write(
+        json,
+        lambda path: write_text(path, identification.contribution_json(found, contributions, bench.exact)),
+    )
     names = identification.FITTED
     values = [found.value(name) for name in names]
     parts = identification.combined(contributions)
@@ -112,25 +105,24 @@ def _bench(
     file: model.ParameterFile, curves: dict[model.Side, Path], errors: dict[str, float]
 ) -> identification.Bench:
     """The measurements of the file and the options; quantities without an uncertainty are reported."""
+    allowed = (*identification.UNCERTAIN, *identification.OF_RECORDS)
     for name, value in errors.items():
-        if name not in (*_PLACES, *_RELATIVE):
-            raise ParameterError(name, value, f"one of {', '.join((*_PLACES, *_RELATIVE))}")
-    require_uncertainties(errors, file.joystick.to_names() | dict.fromkeys(_RELATIVE, 1.0))
+        if name not in allowed:
+            raise ParameterError(name, value, f"one of {', '.join(allowed)}")
+    of_records = dict.fromkeys(identification.OF_RECORDS, 1.0)
+    require_uncertainties(errors, file.joystick.to_names() | of_records)
     if file.law != "constant":
         raise typer.BadParameter("the file must choose constant damping", param_hint="--parameters")
-    stated = {name: file.uncertainties.get(place, 0.0) for name, place in _PLACES.items()}
-    exact = [name for name in ("m", "h", "a") if not errors.get(name, stated[name]) > 0.0]
-    exact += [f"load curve {side}" for side in model.SIDES if side not in curves]
-    exact += [name for name in _RELATIVE if not errors.get(name, 0.0) > 0.0]
-    if exact:
-        print_note(f"taken as exact: {', '.join(exact)}")
-    return identification.Bench(
+    given = {name: value for name, value in errors.items() if name in identification.UNCERTAIN}
+    bench = identification.Bench(
         joystick=file.joystick,
         curves=_fitted(file, curves),
-        uncertainties={**stated, **{name: value for name, value in errors.items() if name in _PLACES}},
-        scale=errors.get("scale", 0.0),
-        time_base=errors.get("time_base", 0.0),
+        uncertainties=identification.stated_uncertainties(file) | given,
+        **{name: errors.get(name, 0.0) for name in of_records},
     )
+    if bench.exact:
+        print_note(f"taken as exact: {', '.join(bench.exact)}")
+    return bench
 
 
 def _fitted(

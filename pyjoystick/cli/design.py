@@ -30,7 +30,8 @@ Examples:
 
     pyjoystick design -p joystick.toml --torque strokes.csv --torque sine.csv
 
-A torque is a CSV file with the columns time (s) and T (N.m), as it would be applied to the joystick at rest.
+A torque is a CSV file with the columns time (s) and T (N.m), as it would be applied to the joystick at rest;
+its first row is the beginning of the motion.
 """
 
 
@@ -101,7 +102,8 @@ def run(
         planned = identification.PlannedFit(settings, joystick.to_names(), sigma, opened)
         with messages().status("looking at what each experiment tells"):
             found = [planned.information(one) for one in experiments]
-        known = _known(file, found[0].names, joystick)
+        # Settings go before the file and are not added to it: both may have the same measurement.
+        known = _known(file, found[0].names, joystick) | planned.uncertainties
         best = identification.best_design(found, records, determine=determine, uncertainties=known)
         rows = {f"the best {records}": best} | _others(best, planned, rate, duration)
         trial = _tried(best, planned, check)
@@ -145,6 +147,7 @@ def _experiments(
     description: fmu.FmuDescription,
 ) -> list[identification.Experiment]:
     """The releases to choose from, or the torques, which act from rest in the middle."""
+    support.positive("--rate", rate, "Hz"), support.positive("--duration", duration, "s")
     if not torques:
         given = [options.parse_angle(text, "--angle") for text in angles or ()]
         given = given or [math.radians(sign * angle) for angle in _ANGLES for sign in (-1.0, 1.0)]
@@ -153,8 +156,10 @@ def _experiments(
     found = []
     for path in torques:
         table = fmu.read_inputs(path, description)
-        time = np.arange(math.floor(float(table.index[-1]) * rate) + 1) / rate
-        series = {name: np.interp(time, table.index, table[name]) for name in settings.inputs}
+        # The joystick is at rest when the file begins, whatever its clock says then.
+        since = table.index.to_numpy(dtype=np.float64) - float(table.index[0])
+        time = np.arange(math.floor(since[-1] * rate) + 1) / rate
+        series = {name: np.interp(time, since, table[name]) for name in settings.inputs}
         found.append(identification.Experiment(path.stem, time, inputs=series))
     return found
 

@@ -1,3 +1,14 @@
+from .bench import (
+    OF_RECORDS as OF_RECORDS,
+    UNCERTAIN as UNCERTAIN,
+    Bench as Bench,
+    stated_uncertainties as stated_uncertainties,
+)
+from .contradiction import (
+    Contradiction as Contradiction,
+    combined_uncertainties_apart as combined_uncertainties_apart,
+    contradictions as contradictions,
+)
 from .design.choice import Design as Design, best_design as best_design
 from .design.experiment import (
     HOLD as HOLD,
@@ -78,7 +89,6 @@ from .fitting.text_report import report as report, summary as summary
 from .joystick_of_fit import fitted_joystick as fitted_joystick, require_joystick_in as require_joystick_in
 from .laboratory_errors import (
     FITTED as FITTED,
-    Bench as Bench,
     Contribution as Contribution,
     combined as combined,
     contribution_csv as contribution_csv,

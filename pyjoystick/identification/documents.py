@@ -15,6 +15,7 @@ from scipy.stats import t as student
 from pyjoystick.identification.fitting.json_report import as_json
 from pyjoystick.identification.fitting.result import Fit
 from pyjoystick.identification.laboratory_errors import Contribution
+from pyjoystick.laboratory import Measured
 from pyjoystick.support import FloatArray, InputFileError
 
 
@@ -84,6 +85,7 @@ class FitDocument:
         values: what was fitted
         tied: values that follow from it, by name
         fixed: what was taken as known, by name
+        known: names of what was fitted with regard to its measurement
         open: what the records cannot determine, a sentence each
         checks: name, passed, message
         series: measured and fitted, record by record
@@ -98,6 +100,7 @@ class FitDocument:
     values: tuple[FittedValue, ...]
     tied: Mapping[str, float]
     fixed: Mapping[str, float]
+    known: tuple[str, ...]
     open: tuple[str, ...]
     checks: tuple[tuple[str, bool, str], ...]
     series: tuple[FittedSeries, ...]
@@ -111,6 +114,14 @@ class FitDocument:
         """The fitted values that all records share, by name."""
         return {one.name: one for one in self.values if not one.record}
 
+    def freely(self) -> dict[str, Measured]:
+        """Those that the records determine alone, with the standard errors of their noise."""
+        return {
+            name: Measured(one.value, one.error)
+            for name, one in self.shared().items()
+            if one.is_determined and name not in self.known
+        }
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BudgetDocument:
@@ -120,11 +131,13 @@ class BudgetDocument:
         source: the file
         fitted: values and combined standard uncertainties by name
         contributions: of each quantity
+        exact: what was taken as exact
     """
 
     source: str
     fitted: Mapping[str, tuple[float, float]]
     contributions: tuple[Contribution, ...]
+    exact: tuple[str, ...]
 
 
 def read_fit(path: Path) -> FitDocument:
@@ -187,6 +200,7 @@ def _fit(content: Mapping[str, Any], source: str) -> FitDocument:
             for name, value in settings["fixed"].items()
             if isinstance(value, int | float) and not isinstance(value, bool)
         },
+        known=tuple(one["name"] for one in settings["free"] if one["uncertainty"] is not None),
         open=tuple(map(str, content["identifiability"]["open"])),
         checks=tuple((one["name"], bool(one["passed"]), one["message"]) for one in content["checks"]),
         series=() if peaks else tuple(part for one in content["records"] for part in _series(one)),
@@ -242,6 +256,7 @@ def _budget(content: Mapping[str, Any], source: str) -> BudgetDocument:
             )
             for one in content["contributions"]
         ),
+        exact=tuple(map(str, content["exact"])),
     )
 
 

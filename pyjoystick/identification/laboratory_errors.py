@@ -16,6 +16,7 @@ import numpy as np
 import pandas as pd
 
 from pyjoystick.fmu import Fmu
+from pyjoystick.identification.bench import UNCERTAIN, Bench
 from pyjoystick.identification.fitting.fit import fit, fitted_values
 from pyjoystick.identification.fitting.problem.settings import (
     RELEASE,
@@ -30,32 +31,11 @@ from pyjoystick.laboratory import REST_TIME, LoadCurveFit, mean_period
 from pyjoystick.model import ActuatorAssembly, JoystickParameters, Side, simulate
 from pyjoystick.motion import Record
 from pyjoystick.runs import fmu_of_joystick
-from pyjoystick.support import TextTable, json_text
+from pyjoystick.support import ParameterError, TextTable, json_text
 
 #: What `refit` finds.
 FITTED: Final = ("J", "damping.C")
-#: Parameters of the bench that are single numbers, in the order of the table.
-BODY: Final = ("m", "h", "J", "g", "a", "b")
 _TIME: Final = np.arange(901) / 600.0
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Bench:
-    """What was measured without cameras, with standard uncertainties.
-
-    Attributes:
-        joystick: the joystick, with constant damping; its J and C are where a fit begins
-        curves: fits of the load-deflection curves, as far as there are any
-        uncertainties: of the names in `BODY`, in SI units
-        scale: of the angle's scale, in parts of it: that of the radius of the top marker
-        time_base: of the clock of the records, in parts of their duration
-    """
-
-    joystick: JoystickParameters
-    curves: Mapping[Side, LoadCurveFit]
-    uncertainties: Mapping[str, float]
-    scale: float = 0.0
-    time_base: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -164,7 +144,7 @@ def fit_contributions(
     Args:
         records: releases, whose zero is the middle position
         bench: what was measured before
-        fmu: the FMU with constant damping
+        fmu: the FMU that `Bench.fmu` names
         release_angle: angle of release of the runs that are compared (rad)
 
     Raises:
@@ -218,11 +198,19 @@ def _moved_joysticks(joystick: JoystickParameters, bench: Bench) -> dict[str, li
     """Joysticks with one quantity moved, by what it is called."""
     moved = {f"load curve, {side}": curve_axes(joystick, side, curve) for side, curve in bench.curves.items()}
     values = joystick.to_names()
-    for name in BODY:
+    for name in UNCERTAIN:
         error = bench.uncertainties.get(name, 0.0)
         if error > 0.0:
-            moved[f"{name} +- {error:.1g}"] = [joystick.replace({name: values[name] + error})]
+            moved[f"{name} +- {error:.1g}"] = [_moved(joystick, name, values.get(name, 0.0), error)]
     return moved
+
+
+def _moved(joystick: JoystickParameters, name: str, value: float, error: float) -> JoystickParameters:
+    """A joystick with one quantity moved up or, where there is no such joystick (T_c > T_s), down."""
+    try:
+        return joystick.replace({name: value + error})
+    except ParameterError:
+        return joystick.replace({name: value - error})
 
 
 def _with_fitted(
@@ -266,11 +254,18 @@ def contribution_csv(contributions: Sequence[Contribution]) -> str:
     return pd.DataFrame(contributions).rename(columns=headings).to_csv(index=False, lineterminator="\n")
 
 
-def contribution_json(found: Fit, contributions: Sequence[Contribution]) -> str:
-    """The fitted values with their combined standard uncertainties (SI units), and the contributions."""
+def contribution_json(found: Fit, contributions: Sequence[Contribution], exact: Sequence[str]) -> str:
+    """The fitted values with their combined standard uncertainties (SI units), and the contributions.
+
+    Args:
+        found: the fit
+        contributions: to its errors
+        exact: what was taken as exact, see `Bench.exact`
+    """
     fitted = {
         name: {"value": found.value(name), "standard_uncertainty": abs(found.value(name)) * part}
         for name, part in zip(FITTED, combined(contributions), strict=True)
     }
     stages = [dataclasses.asdict(one) for one in contributions]
-    return json_text({"fitted": fitted, "trusted": found.trusted, "contributions": stages})
+    content = {"fitted": fitted, "trusted": found.trusted, "contributions": stages, "exact": list(exact)}
+    return json_text(content)

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Final
 
 from pyjoystick import laboratory, model
-from pyjoystick.project import evaluating, measuring, publishing
+from pyjoystick.project import concluding, evaluating, measuring, publishing
 from pyjoystick.project.laboratory import FILE, Laboratory, MarkerSource, TableSource
 from pyjoystick.project.sources import spring_names
 from pyjoystick.project.steps import Find, Missing, Step
@@ -17,6 +17,12 @@ from pyjoystick.support import SettingsError
 
 #: What makes a name a pattern.
 _WILD: Final = frozenset("*?[")
+#: What the numbers of the body are called, and the tables that measure them.
+_BODY: Final = {
+    "m": ("mass", "[parts]"),
+    "h": ("center of mass", "[parts]"),
+    "J": ("moment of inertia", "[parts], [swing]"),
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,16 +130,25 @@ class _Assembler:
             readings = f"{len(lab.swing.times)} readings"
             self.sources["J"] = f"swing test {Path(lab.swing.file).name or readings}"
             yield measuring.SWING
+        self._unmeasured()
+
+    def _unmeasured(self) -> None:
+        """Say which numbers of the body and the geometry are those of the base."""
+        lab = self.lab
         known = {*self.sources, *lab.given.values}
-        for name, what in (("m", "mass"), ("h", "center of mass")):
-            if name not in known:
-                reason = f"{FILE} has neither [parts] nor {name} in [body]"
-                if not lab.parts:
-                    self.missing.append(Missing(what, reason))
-                self.notes.append(f"the {what} is that of {self._base()}")
-        if "a" not in known:
-            self.missing.append(Missing("geometry", f"{FILE} has no a in [geometry]"))
-            self.notes.append(f"the geometry is that of {self._base()}")
+        fitted = bool(lab.markers or lab.tables) and evaluating.frees(lab, "J")
+        for name, (what, tables) in _BODY.items():
+            if name in known or (name == "J" and fitted):
+                continue
+            if not lab.parts:
+                self.missing.append(Missing(what, f"{FILE} has neither {tables} nor {name} in [body]"))
+            self.notes.append(f"the {what} is that of {self._base()}")
+        lengths = [name for name in ("a", "b") if name not in known]
+        if lengths:
+            self.missing.append(
+                Missing("geometry", f"{FILE} has no {' and no '.join(lengths)} in [geometry]")
+            )
+            self.notes.append(f"the geometry ({', '.join(lengths)}) is that of {self._base()}")
 
     def _base(self) -> str:
         return self.lab.base_file or "the paper's joystick"
@@ -211,4 +226,4 @@ class _Assembler:
             self.notes.append(f"the damping is that of {self._base()}")
         if with_budget:
             self.steps.append(evaluating.budget(lab, records, sides, self.find))
-        self.steps.append(evaluating.joystick(lab, with_fit=with_fit, with_budget=with_budget))
+        self.steps.append(concluding.joystick(lab, self.sources, with_fit=with_fit, with_budget=with_budget))

@@ -1,8 +1,7 @@
-"""The steps from records to the fitted joystick and the errors of its parameters."""
+"""The steps from records to the fit and the errors of its parameters."""
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -10,11 +9,11 @@ from typing import Final
 
 import numpy as np
 
-from pyjoystick import fmu, identification, laboratory, model, motion, runs, support
+from pyjoystick import fmu, identification, model, motion, runs, support
 from pyjoystick.project.laboratory import Laboratory, plain
 from pyjoystick.project.measuring import MEASURED, fitted_curve
 from pyjoystick.project.sources import table_of, table_sources
-from pyjoystick.project.steps import FMUS, RESULTS, Done, Find, Step, Tell, content_of, with_error
+from pyjoystick.project.steps import FMUS, RESULTS, Done, Find, Step, Tell, content_of
 from pyjoystick.support import PyJoystickError, read_toml, write_text
 
 PEAKS: Final = f"{RESULTS}/peaks"
@@ -24,11 +23,6 @@ BUDGET_JSON: Final = f"{BUDGET}/budget.json"
 #: The joystick of a fit that passed its checks.
 FIT_JSON: Final = f"{FIT}/fit.json"
 FITTED: Final = f"{FIT}/joystick.toml"
-#: The result.
-JOYSTICK: Final = f"{RESULTS}/joystick.toml"
-
-#: Places of what the budget is made for.
-_BUDGETED: Final = {"J": "body.J", "damping.C": "damping.constant.C"}
 
 
 def peaks(lab: Laboratory, records: tuple[str, ...], find: Find) -> Step:
@@ -135,6 +129,16 @@ def _settings(lab: Laboratory, find: Find) -> identification.FitSettings:
     return identification.read_fit_settings(root, find)
 
 
+def frees(lab: Laboratory, name: str) -> bool:
+    """Whether the fit finds a parameter."""
+    if not lab.fit.file:
+        return any(one.name == name for one in _standard(lab).free)
+    try:
+        return name in read_toml(lab.root / lab.fit.file).table("free").content
+    except PyJoystickError:  # the step itself will say what is wrong
+        return True
+
+
 def _law_of(opened: fmu.Fmu) -> model.LawName:
     return "power-law" if "damping.alpha" in opened.description.variables else "constant"
 
@@ -211,30 +215,25 @@ def budget(lab: Laboratory, records: tuple[str, ...], curves: tuple[model.Side, 
         bench = identification.Bench(
             joystick=file.with_law("constant"),
             curves={side: fitted_curve(lab.root, lab.curves[side]) for side in curves},
-            uncertainties={
-                name: file.uncertainties.get(place, 0.0) for name, place in laboratory.PLACES.items()
-            },
+            uncertainties=identification.stated_uncertainties(file),
             scale=scale,
             time_base=lab.time_base,
         )
         read = motion.read_repeats([lab.root / one for one in records])
         tell("fitting")
-        with fmu.Fmu(find(runs.fmu_of_joystick(bench.joystick))) as opened:
+        with fmu.Fmu(find(bench.fmu)) as opened:
             found, contributions = identification.fit_contributions(
                 read, bench, opened, release_angle=lab.release_angle
             )
         table = identification.contribution_table(contributions)
         write_text(lab.root / report, f"# Error budget of J and C\n\n{table}\n")
         write_text(lab.root / csv, identification.contribution_csv(contributions))
-        write_text(lab.root / result, identification.contribution_json(found, contributions))
+        write_text(lab.root / result, identification.contribution_json(found, contributions, bench.exact))
         parts = zip(identification.FITTED, identification.combined(contributions), strict=True)
-        exact = [name for name in ("m", "h", "a") if bench.uncertainties[name] == 0.0]
-        exact += [f"springs {side}" for side in model.SIDES if side not in curves]
-        exact += [] if scale > 0.0 else ["scale of the angle"]
         return Done(
             files=(report, csv, result),
             remark=", ".join(f"{name} to {100.0 * part:.2g} %" for name, part in parts),
-            notes=(f"taken as exact: {', '.join(exact)}",) if exact else (),
+            notes=(f"taken as exact: {', '.join(bench.exact)}",) if bench.exact else (),
         )
 
     return Step(
@@ -249,48 +248,4 @@ def budget(lab: Laboratory, records: tuple[str, ...], curves: tuple[model.Side, 
             "FMU": content_of(standard_fmus(lab)[0], find),
         },
         work=work,
-    )
-
-
-def joystick(lab: Laboratory, *, with_fit: bool, with_budget: bool) -> Step:
-    """The parameter file of the joystick, the result of the project."""
-    before, result = FITTED if with_fit else MEASURED, BUDGET_JSON
-
-    def work(tell: Tell) -> Done:
-        file = model.read_parameter_file(lab.root / before)
-        values: dict[str, float] = {}
-        errors: dict[str, float] = {}
-        if with_budget:
-            fitted = json.loads((lab.root / result).read_text(encoding="utf-8"))["fitted"]
-            for name, place in _BUDGETED.items():
-                errors[place] = model.rounded_error(fitted[name]["standard_uncertainty"])
-                values[name] = model.rounded(fitted[name]["value"], errors[place])
-        found = file.joystick.replace(values)
-        tables = {table: file.sources[table] for table in map(_table_of, errors)}
-        budgeted = {table: f"{source}; uncertainty from the budget" for table, source in tables.items()}
-        title = lab.title or lab.root.resolve().name
-        text = model.updated_text(file, found, title=title, uncertainties=errors, sources=budgeted)
-        write_text(lab.root / JOYSTICK, text)
-        return Done(files=(JOYSTICK,), remark=_remark(found, {**file.uncertainties, **errors}))
-
-    return Step(
-        name="joystick",
-        inputs=(before, *((result,) if with_budget else ())),
-        outputs=(JOYSTICK,),
-        settings={"title": lab.title},
-        work=work,
-    )
-
-
-def _table_of(place: str) -> str:
-    return place.rpartition(".")[0]
-
-
-def _remark(found: model.JoystickParameters, uncertainties: Mapping[str, float]) -> str:
-    """J and, where it is constant, C, as far as they are known."""
-    values = found.to_names()
-    return ", ".join(
-        f"{name.removeprefix('damping.')} = {with_error(values[name], uncertainties.get(place, 0.0))} {unit}"
-        for (name, place), unit in zip(_BUDGETED.items(), ("kg m2", "N m s/rad"), strict=True)
-        if name in values
     )

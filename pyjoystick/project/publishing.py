@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from pyjoystick import fmu, model, reports, runs
-from pyjoystick.project.evaluating import BUDGET_JSON, FIT_JSON, JOYSTICK, standard_fmus
+from pyjoystick.project.concluding import JOYSTICK
+from pyjoystick.project.evaluating import BUDGET_JSON, FIT_JSON, standard_fmus
 from pyjoystick.project.laboratory import Laboratory, plain
 from pyjoystick.project.measuring import fitted_curve
 from pyjoystick.project.steps import RESULTS, Done, Find, Step, Tell, content_of

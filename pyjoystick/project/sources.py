@@ -31,7 +31,9 @@ def table_sources(
         base: has all others
     """
     grouped: dict[str, dict[str, list[str]]] = {}
-    for name in dict.fromkeys((*joystick.to_names(), *sources)):
+    # No parameter of the motion, but it stands in the table of those that are.
+    top = ("pivot_to_top",) if base.pivot_to_top is not None else ()
+    for name in dict.fromkeys((*joystick.to_names(), *top, *sources)):
         table = table_of(name, joystick)
         source = sources.get(name, base.sources.get(table, "not stated"))
         grouped.setdefault(table, {}).setdefault(source, []).append(name.removeprefix(f"{table}."))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import traceback
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any, Final
@@ -13,9 +14,11 @@ from doit.task import Task
 from pyjoystick import identification
 from pyjoystick.project.state import digest, standing
 from pyjoystick.project.steps import Step
-from pyjoystick.support import PyJoystickError, version_of
+from pyjoystick.support import OutputFileError, PyJoystickError, version_of, write_text
 
 _VERSION: Final = "pyjoystick"
+#: Where tracebacks are, relative to the project.
+FAULTS: Final = ".pyjoystick/faults"
 
 
 class Same:
@@ -82,7 +85,7 @@ def task(step: Step, root: Path, tell: Callable[[Step, str], None]) -> Task:
         except PyJoystickError as error:
             return TaskFailed(str(error), report=False)
         except Exception as error:  # one step's fault must not keep others from being done
-            return TaskFailed(f"internal error: {type(error).__name__}: {error}", error)
+            return TaskFailed(_fault(step, root, error), error)
         return {"remark": done.remark, "notes": list(done.notes), "files": files}
 
     return Task(
@@ -93,6 +96,17 @@ def task(step: Step, root: Path, tell: Callable[[Step, str], None]) -> Task:
         uptodate=[Same(step), Kept(root)],
         io={"capture": False},
     )
+
+
+def _fault(step: Step, root: Path, error: Exception) -> str:
+    """What a fault of this package is called; how it came about is written to a file for its makers."""
+    name = f"{FAULTS}/{quote(step.name, safe=' ').replace(' ', '_')}.txt"
+    what = f"internal error: {type(error).__name__}: {error}"
+    try:
+        write_text(root / name, "".join(traceback.format_exception(error)))
+    except OutputFileError:
+        return what
+    return f"{what} (traceback in {name})"
 
 
 def _flat(settings: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:

@@ -51,7 +51,8 @@ def plateaus(run: Trajectory) -> pd.DataFrame:
     """The plateau around each turning point of a free oscillation that starts at rest.
 
     Args:
-        run: a motion without torque, as `sampled_closely` gives it: the ends of plateaus lie on its instants
+        run: a motion without torque; the ends of plateaus lie on its instants, which `sampled_closely` has
+            close together there
 
     Returns:
         one row a turning point with a swing before and after it: ``time`` (s), ``theta`` (rad), ``energy``
@@ -61,22 +62,26 @@ def plateaus(run: Trajectory) -> pd.DataFrame:
     power = np.abs((run.M_d + run.M_f) * run.omega)
     if not power.any():
         return pd.DataFrame(columns=_COLUMNS, dtype=np.float64)
-    turns = np.array([run.time[0], *(point.time for point in run.turning_points)])
+    points = run.turning_points
+    turns = np.array([run.time[0], *(point.time for point in points)])
     at = np.searchsorted(run.time, turns)
+    # No power is taken where the velocity is zero: between samples the energy is level.
+    energy = np.interp(turns, run.time, run.E)
+    lost = -np.diff(energy)
     rows = []
-    for (before, here), after in zip(pairwise(at), at[2:], strict=False):
+    for i, ((before, here), after) in enumerate(zip(pairwise(at), at[2:], strict=False)):
         rest = REST * min(np.max(power[before:here]), np.max(power[here:after]))
         start = before + int(np.flatnonzero(power[before:here] >= rest)[-1]) + 1
         end = here + int(np.flatnonzero(power[here:after] >= rest)[0]) - 1
         rows.append(
             {
-                "time": run.time[here],
-                "theta": run.theta[here],
-                "energy": run.E[here],
+                "time": points[i].time,
+                "theta": points[i].theta,
+                "energy": energy[i + 1],
                 "start": run.time[start],
                 "end": run.time[end],
                 "lost": run.E[start] - run.E[end],
-                "swing_lost": run.E[before] - run.E[here],
+                "swing_lost": lost[i],
             }
         )
     return pd.DataFrame(rows, columns=_COLUMNS, dtype=np.float64)

@@ -97,6 +97,8 @@ class PlannedFit:
 
     Attributes:
         settings: of the fit, which begins at the known values and knows the noise
+        uncertainties: standard uncertainties that the settings give, by name; they count once for the whole
+            design and not in each record: hand them to `best_design`
         values: the joystick's parameters by name, in the units of the FMU
         sigma: standard deviation of the noise by output, in its unit
         fmu: the FMU of the settings
@@ -119,7 +121,11 @@ class PlannedFit:
             sigma={name: positive(f"noise of {name}", sigma.get(name, 0.0)) for name in settings.outputs}
         )
         settings = with_values(settings, values, replace_starts=True)
-        self.settings = dataclasses.replace(settings, noise=noise)
+        self.uncertainties = {
+            one.name: one.uncertainty for one in settings.free if one.uncertainty is not None
+        }
+        alone = tuple(dataclasses.replace(one, uncertainty=None) for one in settings.free)
+        self.settings = dataclasses.replace(settings, free=alone, noise=noise)
         self.values = dict(values)
         self.sigma = dict(sigma)
         self.fmu = fmu

@@ -29,14 +29,23 @@ def releases_report(releases: Sequence[MeasuredPeaks]) -> str:
     rows = [
         [
             one.name,
-            f"{one.release_time:.4f} +- {one.release_time_error:.4f}",
-            f"{math.degrees(one.release_angle):+.2f} +- {math.degrees(one.release_angle_error):.2f}",
+            _with_error(one.release_time, one.release_time_error, ".4f"),
+            _with_error(math.degrees(one.release_angle), math.degrees(one.release_angle_error), "+.2f"),
             f"{math.degrees(one.noise):.3f}",
             f"{len(one.displacement)} and {len(one.velocity)}",
         ]
         for one in releases
     ]
     return TextTable(["record", "release (s)", "angle (deg)", "noise (deg)", "peaks"], rows).markdown()
+
+
+def _with_error(value: float, error: float, form: str) -> str:
+    """Both with the digits of the form, or with as many more as show the error."""
+    places = int(form.strip("+.f"))
+    if 0.0 < error < math.inf:
+        places = max(places, -math.floor(math.log10(error)))
+    sign = "+" if "+" in form else ""
+    return f"{value:{sign}.{places}f} +- {error:.{places}f}"
 
 
 def damping_report(

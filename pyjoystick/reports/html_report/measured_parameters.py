@@ -31,10 +31,9 @@ _HEADER: Final = ("", "value", "standard uncertainty", "unit", "from")
 
 def parameter_section(found: Measurements) -> Section:
     """All numbers of the joystick, to the digits that are known, and where each is from."""
-    values = [one for one in fmu_values(found.file) if one.table not in SIDES]
-    parts = [
-        TextTable(_HEADER, [_row(found, one) for one in values]).html("Body, geometry and damping.", texts=2)
-    ]
+    values = [_row(found, one) for one in fmu_values(found.file) if one.table not in SIDES]
+    rows = [*values, *_handle_rows(found)]
+    parts = [TextTable(_HEADER, rows).html("Body, geometry and damping.", texts=2)]
     for side in SIDES:
         rows = [*_segment_rows(found, side), *_spring_rows(found, side)]
         caption = f"Springs, {side}: the curve of Table 1 and the two springs that it stands for. From: "
@@ -52,6 +51,15 @@ def _row(found: Measurements, one: FmuValue) -> list[str]:
     return [_NAMES.get(one.name, one.name), value, error, unit, _source(found, one)]
 
 
+def _handle_rows(found: Measurements) -> Iterator[list[str]]:
+    """The length of the handle, which the motion does not depend on, but forces at its top do."""
+    top = found.file.pivot_to_top
+    if top is not None:
+        value = with_uncertainty(top, found.file.uncertainties.get("geometry.pivot_to_top"), 1e3)
+        source = found.file.sources.get("geometry", "") or "the file names no source"
+        yield ["pivot to the top of the handle", *value, "mm", source]
+
+
 def _source(found: Measurements, one: FmuValue) -> str:
     """Where a number of the body, the geometry or the damping is from."""
     fitted = found.fit.shared() if found.fit is not None else {}
@@ -60,16 +68,16 @@ def _source(found: Measurements, one: FmuValue) -> str:
         error = " and error budget" if found.budget is not None and one.name in found.budget.fitted else ""
         return f"fit to {records}{error}" if records else f"fit{error}"
     is_of_parts = found.parts is not None and one.name in ("m", "h", "J")
-    if is_of_parts and _is_rounded(one.value, getattr(found.parts, one.name)):
+    if is_of_parts and is_rounded(one.value, getattr(found.parts, one.name)):
         return f"parts, {found.parts_source}"
-    if found.swing is not None and one.name == "J" and _is_rounded(one.value, found.swing.inertia):
+    if found.swing is not None and one.name == "J" and is_rounded(one.value, found.swing.inertia):
         return f"swing test, {found.swing.source}"
     if found.fit is not None and one.source.startswith("fit to"):
         return "not from the fit; the file names no other source"
     return one.source or "the file names no source"
 
 
-def _is_rounded(value: float, estimate: Estimate) -> bool:
+def is_rounded(value: float, estimate: Estimate) -> bool:
     """Whether a value of the file is this estimate, which the file has to a hundredth of its uncertainty."""
     return abs(estimate.value - value) <= 0.02 * estimate.uncertainty
 

@@ -8,8 +8,8 @@ from typing import Final
 
 import numpy as np
 
-from pyjoystick.identification import FittedValue, combined
-from pyjoystick.laboratory import Estimate, plot_load_curve
+from pyjoystick.identification import FittedValue, combined, combined_uncertainties_apart
+from pyjoystick.laboratory import Estimate, Measured, plot_load_curve
 from pyjoystick.model import SIDES, fmu_values
 from pyjoystick.reports.html_report.known_digits import with_uncertainty
 from pyjoystick.reports.html_report.measured_figures import (
@@ -18,8 +18,8 @@ from pyjoystick.reports.html_report.measured_figures import (
     plot_residual_distribution,
     plot_swing,
 )
-from pyjoystick.reports.html_report.measured_parameters import parameter_section, uncertainty_of
-from pyjoystick.reports.html_report.measurements import Measurements
+from pyjoystick.reports.html_report.measured_parameters import is_rounded, parameter_section, uncertainty_of
+from pyjoystick.reports.html_report.measurements import Measurements, SwingTest, found_contradictions
 from pyjoystick.reports.html_report.page import Section, figure, paragraph
 from pyjoystick.support import TextTable
 
@@ -98,11 +98,15 @@ def fit_section(found: Measurements) -> Section:
     )
     if not fit.is_complete:
         verdict += " It was stopped before it was complete."
+    against = [paragraph(f"{one.sentence}.") for one in found_contradictions(found)]
+    if against:
+        verdict += " What was measured without the records contradicts it."
     checks = [[name, "passed" if passed else "FAILED", message] for name, passed, message in fit.checks]
     return Section(
         "Fit to the records",
         [
             paragraph(verdict),
+            *against,
             TextTable(header, rows).html(
                 "Fitted values. The standard errors are of the noise alone, with all else taken as known.",
                 texts=1,
@@ -121,7 +125,10 @@ def unidentified_section(found: Measurements) -> Section:
     unstated = [one.name for one in fmu_values(found.file) if uncertainty_of(found, one) is None]
     if unstated:
         names = ", ".join(unstated)
-        sentences.append(f"{found.file.path.name} states no uncertainty for {names}: taken as exact here")
+        # A file's name is no word that a sentence could begin with.
+        sentences.append(
+            f"no uncertainty is stated in {found.file.path.name} for {names}: taken as exact here"
+        )
     absent = {
         "load-deflection curves": len(found.curves) == len(SIDES),
         "a swing test": found.swing is not None,
@@ -146,8 +153,10 @@ def budget_section(found: Measurements) -> Section:
     def cell(part: float) -> str:
         return "" if math.isnan(part) else f"{100.0 * part:.2g}"
 
-    rows = [[one.stage, cell(one.period), cell(one.J), cell(one.C)] for one in budget.contributions]
+    cells = [[one.stage, cell(one.period), cell(one.J), cell(one.C)] for one in budget.contributions]
+    rows = [row for row in cells if any(row[1:])]
     rows.append(["all", "", *map(cell, combined(budget.contributions))])
+    exact = ", ".join(budget.exact)
     header = ("quantity", "period of a run (%)", "fitted J (%)", "fitted C (%)")
     return Section(
         "Error budget",
@@ -155,6 +164,7 @@ def budget_section(found: Measurements) -> Section:
             paragraph(
                 "Each quantity alone is moved by its standard uncertainty, and the fit is repeated. The last "
                 "row is the root of the sum of squares."
+                + (f" Taken as exact, because no uncertainty was given: {exact}." if exact else "")
             ),
             TextTable(header, rows).html(f"From {budget.source}: one standard uncertainty, relative."),
         ],
@@ -183,26 +193,35 @@ def swing_section(found: Measurements) -> Section:
         _estimate("period of small swings, T", swing.period.period, "s"),
         _estimate("moment of inertia about the pivot, J", swing.inertia, "kg m2"),
     ]
-    joystick = found.file.joystick.J
-    error = found.file.uncertainties.get("body.J", 0.0)
-    apart = abs(swing.inertia.value - joystick) / math.hypot(swing.inertia.uncertainty, error)
     shares = ", ".join(
         f"{name} {100.0 * part / swing.inertia.value:.2g} %"
         for name, part in swing.inertia.budget.items()
         if part
     )
     alt = "The angle of the pendulum over time, as recorded."
-    value, text = with_uncertainty(joystick, error)
     return Section(
         "Swing test as measured",
         [
             figure(plot_swing(swing.record), f"The joystick as a pendulum: {swing.source}.", alt=alt),
             TextTable(("", "value", "standard uncertainty", "unit"), rows).html("From the record.", texts=1),
             paragraph(
-                f"Contributions to the relative uncertainty of this J: {shares}. The joystick of this report "
-                f"has J = {value} kg m2 (standard uncertainty {text}): {apart:.1f} of them off."
+                f"Contributions to the relative uncertainty of this J: {shares}. "
+                + _beside_the_joystick(found, swing)
             ),
         ],
+    )
+
+
+def _beside_the_joystick(found: Measurements, swing: SwingTest) -> str:
+    """The moment of inertia of the swing beside that of the joystick."""
+    joystick = Measured(found.file.joystick.J, found.file.uncertainties.get("body.J", 0.0))
+    if is_rounded(joystick.value, swing.inertia):
+        return "It is the J of this report."
+    value, text = with_uncertainty(joystick.value, joystick.uncertainty)
+    apart = combined_uncertainties_apart(joystick, swing.inertia)
+    return (
+        f"The joystick of this report has J = {value} kg m2 (standard uncertainty {text}); the two differ by "
+        f"{apart:.1f} combined standard uncertainties."
     )
 
 

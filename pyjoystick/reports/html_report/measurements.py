@@ -8,7 +8,15 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 
-from pyjoystick.identification import BudgetDocument, FitDocument, curve_axes, read_budget, read_fit
+from pyjoystick.identification import (
+    BudgetDocument,
+    Contradiction,
+    FitDocument,
+    contradictions,
+    curve_axes,
+    read_budget,
+    read_fit,
+)
 from pyjoystick.laboratory import (
     Estimate,
     LoadCurveFit,
@@ -123,6 +131,32 @@ def read_measurements(
     if budget is not None and found.budget is not None:
         _require_same(file, budget, _budget_values(file, found.budget), "`pyjoystick budget --update`")
     return found
+
+
+def found_contradictions(found: Measurements) -> list[Contradiction]:
+    """What was measured and comes out of the fit as another number."""
+    fitted = found.fit.freely() if found.fit is not None else {}
+    values = found.file.joystick.to_names()
+    # The file has the whole uncertainty where there is a budget, and never less than the noise.
+    whole = {
+        name: Measured(values.get(name, one.value), max(one.uncertainty, _uncertainty(found.file, name)))
+        for name, one in fitted.items()
+    }
+    return list(contradictions(whole, dict(_measured(found))))
+
+
+def _measured(found: Measurements) -> Iterator[tuple[str, tuple[Measured, str]]]:
+    """Parameters as measured before the fit, by FMU name, and by what; a swing tells J better than parts."""
+    if found.parts is not None:
+        for name in ("m", "h", "J"):
+            one = getattr(found.parts, name)
+            yield name, (Measured(one.value, one.uncertainty), f"parts {found.parts_source}")
+    if found.swing is not None:
+        inertia = found.swing.inertia
+        yield "J", (Measured(inertia.value, inertia.uncertainty), f"swing test {found.swing.source}")
+    for side, curve in found.curves.items():
+        for name, spring in curve.springs().items():
+            yield f"{side}.{name}", (Measured(*spring), f"load-deflection curve {found.curve_sources[side]}")
 
 
 def moved_joysticks(found: Measurements, joystick: JoystickParameters) -> Iterator[JoystickParameters]:

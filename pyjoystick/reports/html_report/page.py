@@ -9,6 +9,7 @@ from importlib import resources
 
 from matplotlib.figure import Figure
 
+from pyjoystick.reports.html_report.thinning import thin_dots
 from pyjoystick.support import figure_as_html
 
 
@@ -34,10 +35,11 @@ def figure(content: Figure, caption: str, *, alt: str) -> str:
     """A figure as vector graphics inside the page.
 
     Args:
-        content: the figure
+        content: the figure; dots that do not show are taken out of it
         caption: stands below it
         alt: what it shows, for those who cannot see it
     """
+    thin_dots(content)
     return f"<figure>{figure_as_html(content, alt=alt)}\n<figcaption>{escape(caption)}</figcaption></figure>"
 
 

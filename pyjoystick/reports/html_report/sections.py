@@ -227,6 +227,7 @@ def torque_section(study: Study) -> Section:
         "damping (%)",
         "loss (mJ)",
     )
+    handle = f"{pivot_to_handle:g} m" + ("" if study.pivot_to_top else ", that of the paper's joystick")
     caption = f"Torque, eq. (13), for a minimum-jerk motion to 18 degrees in {_STROKES[0]:g} s and back."
     alt = f"Stiffness, damping, inertia and total torque over time; the total has a peak of {rows[0][1]} N m."
     return Section(
@@ -235,7 +236,7 @@ def torque_section(study: Study) -> Section:
             figure(plot_torque({study.law: shown}), caption, alt=alt),
             TextTable(header, rows).html(
                 "Peaks over a motion to 18 degrees and back, force at the top of the handle "
-                f"({pivot_to_handle:g} m), peaks of the parts over the peak of the torque, and energy lost.",
+                f"({handle}), peaks of the parts over the peak of the torque, and energy lost.",
             ),
         ],
     )

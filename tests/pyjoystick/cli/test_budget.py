@@ -35,7 +35,7 @@ def test_what_is_uncertain_has_a_row_and_the_file_the_whole(command: Command, re
         "budget", record, "-p", "joystick.toml", "--uncertainty", "scale=0.002", "--update", *SAVED
     )
     assert outcome.code == 0, outcome.err
-    assert "taken as exact: h, a, load curve forward, load curve backward" in outcome.err
+    assert "taken as exact: h, g, a, b, load curve forward, load curve backward, time base" in outcome.err
     parts = [
         [float(cell or 0.0) for cell in cells(outcome.out, stage)[3:]]
         for stage in (
@@ -69,7 +69,7 @@ def test_what_is_uncertain_has_a_row_and_the_file_the_whole(command: Command, re
 @pytest.mark.parametrize(
     ("options", "code", "words"),
     [
-        (("--uncertainty", "k=1"), 1, "k = 1.0: must be one of m, h, J, g, a, b, scale"),
+        (("--uncertainty", "k=1"), 1, "k = 1.0: must be one of m, h, J, g, a, b, friction.T_c, friction.F_c"),
         (("--curve", "left=a.csv"), 2, "must be forward or backward"),
         (("--curve", "forward=none.csv"), 1, "none.csv: cannot be read"),
     ],

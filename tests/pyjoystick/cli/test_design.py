@@ -61,6 +61,9 @@ def test_friction_wants_releases_of_all_sizes(tmp_path: Path) -> None:
         (["--angle", "0deg"], "not zero"),
         (["--free", "nonsense"], "nonsense"),
         (["--noise", "0"], "noise of theta"),
+        (["--rate", "0"], "--rate = 0.0: must be a finite number above 0 Hz"),
+        (["--torque", "nowhere.csv", "--rate", "0"], "--rate = 0.0: must be"),
+        (["--duration", "0"], "--duration = 0.0: must be"),
         (["--torque", "nowhere.csv", "--angle", "3deg"], "for releases"),
         (["--torque", "nowhere.csv"], "nowhere.csv"),
         (["--settings", "driven.toml"], "offer torques"),
@@ -98,3 +101,28 @@ def test_a_driven_fit_is_planned_with_its_delay(tmp_path: Path, capsys: pytest.C
     alone = json.loads(out.read_text())["designs"][0]["standard_errors"]
     assert set(alone) == {"damping.C", "delay"}
     assert alone["damping.C"] < best["standard_errors"]["damping.C"]
+
+
+@pytest.mark.usefixtures("fmus_by_name")
+def test_a_torque_begins_where_its_file_does(tmp_path: Path) -> None:
+    """Whatever the clock says then: before the first row there is no torque."""
+    found = []
+    for begin in (0.0, 2.0):
+        file, out = tmp_path / "sine.csv", tmp_path / "design.json"
+        rows = [f"{begin + k / 100},{2.0 * math.cos(4.0 * math.pi * k / 100)}" for k in range(51)]
+        file.write_text("\n".join(["time (s),T (N.m)", *rows, ""]))
+        assert main(["design", "--torque", str(file), "--json", str(out)]) == 0
+        found.append(json.loads(out.read_text())["designs"][0]["standard_errors"])
+    assert found[1] == pytest.approx(found[0], rel=1e-6)
+
+
+@pytest.mark.usefixtures("fmus_by_name")
+def test_an_uncertainty_of_the_settings_is_knowledge_too(tmp_path: Path) -> None:
+    settings, out = tmp_path / "fit.toml", tmp_path / "design.json"
+    settings.write_text(
+        '[fmu]\npath = "Joystick"\n[free]\nJ = { start = 0.01135, uncertainty = 1e-8 }\n'
+        '"damping.C" = {}\ntheta_start = { per_record = true }\n'
+    )
+    assert main([*FEW, "--settings", str(settings), "--json", str(out)]) == 0
+    error = json.loads(out.read_text())["designs"][0]["standard_errors"]["J"]
+    assert error == pytest.approx(1e-8, rel=1e-3)

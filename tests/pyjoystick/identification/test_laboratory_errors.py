@@ -119,3 +119,19 @@ def test_the_table_leaves_out_what_has_no_part_and_adds_up() -> None:
     cells = [[cell.strip() for cell in line.split("|")[1:-1]] for line in table[2:]]
     assert cells[0] == ["a", "0.500", "", "", "0.300", ""]
     assert cells[-1] == ["all", "", "", "", "0.500", "1.000"]
+
+
+@pytest.mark.usefixtures("fmus_by_name")
+def test_friction_that_is_uncertain_reaches_the_fitted_values() -> None:
+    """As much as a plunger that rubs more than was thought misleads the fit."""
+    rubbing = NOMINAL.replace({"friction.F_c": 0.3})
+    bench = Bench(joystick=rubbing, curves={}, uncertainties={"friction.F_c": 0.03})
+    with Fmu(bench.fmu) as fmu:
+        _, contributions = fit_contributions(
+            [_record(rubbing, noise=2e-4)], bench, fmu, release_angle=RELEASE
+        )
+        rougher = _record(NOMINAL.replace({"friction.F_c": 0.33}))
+        misled = fitted_values([rougher], settings_of_refit(rubbing), fmu)
+    friction = next(one for one in contributions if one.stage.startswith("friction.F_c"))
+    assert pytest.approx(_off(misled), rel=0.05) == (friction.J, friction.C)
+    assert friction.C > 3e-3

@@ -123,3 +123,30 @@ def test_names_must_lead_to_one_file(text: str, message: str, tmp_path: Path) ->
     with pytest.raises(SettingsError) as caught:
         _assembly(tmp_path, text, "x/a.c3d", "y/A.csv", "b.csv")
     assert message in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("text", "names"),
+    [
+        ("[body]\nm = 0.8\n[geometry]\na = 0.025", ["center of mass", "moment of inertia", "geometry (b)"]),
+        ("[body]\nm = 0.8\nh = 0.08\nJ = 0.01", ["geometry (a, b)"]),
+        ("[body]\nm = 0.8\nh = 0.08\n[[record]]\nfiles = 'r.csv'", ["geometry (a, b)"]),
+        (
+            "[body]\nm = 0.8\nh = 0.08\n[[record]]\nfiles = 'r.csv'\n[fit]\nlaw = 'power-law'",
+            ["moment of inertia", "geometry (a, b)"],
+        ),
+        (
+            "[body]\nm = 0.8\nh = 0.08\n[[record]]\nfiles = 'r.csv'\n[fit]\nsettings = 'fit.toml'",
+            ["moment of inertia", "geometry (a, b)"],
+        ),
+    ],
+)
+def test_every_number_of_the_paper_is_named(text: str, names: list[str], tmp_path: Path) -> None:
+    """J of the constant law is fitted; eq. (11) is fitted with J as it is known."""
+    (tmp_path / "fit.toml").write_text('[free]\n"damping.C" = {}\n', encoding="utf-8")
+    (tmp_path / "r.csv").touch()
+    notes = _assembly(tmp_path, text).notes
+    base = "is that of the paper's joystick"
+    assert [note for note in notes if "springs" not in note and "damping" not in note] == [
+        f"the {name} {base}" for name in names
+    ]

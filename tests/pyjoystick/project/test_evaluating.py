@@ -98,3 +98,27 @@ def test_a_fit_takes_what_was_measured_and_no_other_file(
     steps = run(LABORATORY, FIT.replace('path = "Joystick"', 'path = "Joystick"\nparameters = "other.toml"'))
     assert steps["fit"].state == "failed"
     assert '[fmu] parameters = "other.toml": must be left out in a project' in steps["fit"].remark
+
+
+@pytest.mark.parametrize(("slow", "contradicts"), [(1.0, False), (1.02, True)])
+def test_a_fit_that_contradicts_a_measurement_is_doubted(
+    run: Callable[[str, str], dict[str, StepState]], tmp_path: Path, slow: float, contradicts: bool
+) -> None:
+    """The clock of the records is 2 % slow, which leaves no trace in the residuals and makes J 4 % larger."""
+    for number in (1, 2):
+        path = tmp_path / f"synthetic_constant_{number}.csv"
+        lines = path.read_text(encoding="utf-8").splitlines()
+        rows = [line.split(",") for line in lines[3:]]
+        scaled = [f"{slow * float(time):.6f},{angle}" for time, angle in rows]
+        path.write_text("\n".join([*lines[:3], *scaled, ""]), encoding="utf-8")
+    swing = f'{LABORATORY}[body]\nJ = {NOMINAL.J}\nu_J = 5e-5\nsource = "swing test"\n'
+    steps = run(swing, FIT.replace("[parameters]\nJ = 0.01135\n[free]", "[free]\nJ = {}"))
+    assert steps["fit"].remark.startswith("J = "), steps["fit"]
+    body = read_parameter_file(tmp_path / "results" / "joystick.toml").sources["body"]
+    notes = steps["joystick"].notes
+    assert bool(notes) == contradicts
+    assert ("J is " in body) == contradicts
+    if contradicts:
+        assert "of the fit contradicts 0.01135 +- 5e-05 of the swing test" in notes[0]
+        assert notes[0].endswith("Check the clock of the records, the scale of their angle and h")
+        assert "combined standard uncertainties off the swing test" in body

@@ -185,7 +185,9 @@ def test_a_fault_of_a_step_does_not_end_the_others(toy: Toy) -> None:
     toy.hook = fault
     run = toy.run()
     assert [one.state for one in run.steps] == ["failed", "done", "not done"]
-    assert run.steps[0].remark == "internal error: ZeroDivisionError: a fault"
+    name = ".pyjoystick/faults/make_a.txt.txt"
+    assert run.steps[0].remark == f"internal error: ZeroDivisionError: a fault (traceback in {name})"
+    assert "in fault" in toy.read(name)
 
 
 @pytest.mark.parametrize("how", [KeyboardInterrupt, FitInterruptedError])
@@ -300,3 +302,15 @@ def _assert_right(toy: Toy) -> None:
     toy.run()
     assert toy.done == []
     assert time.perf_counter() - started < 2.0
+
+
+def test_an_outdated_result_that_someone_changed_does_not_come_back(done: Toy) -> None:
+    """Among the results it would pass for what the step made."""
+    done.write("a.txt", "bad")
+    done.run()
+    done.write("results/outdated/both.txt", "by hand")
+    done.run()
+    assert not (done.root / "results/both.txt").exists()
+    done.write("a.txt", "a.txt")
+    done.run()
+    assert done.read("results/both.txt") == "A.TXTB.TXT"

@@ -117,3 +117,16 @@ def test_what_cannot_be_planned(planned: PlannedFit) -> None:
     peaks = FitSettings(fmu="Joystick", free=(Free("damping.C"), *RELEASE), comparison="peaks")
     with pytest.raises(ParameterError, match="comparison"):
         PlannedFit(peaks, values, SIGMA, planned.fmu)
+
+
+def test_what_the_settings_know_counts_once_for_all_records(planned: PlannedFit) -> None:
+    """A short release tells little of J beside a swing test, a hundred of them no hundred times the test."""
+    known = FitSettings(fmu="Joystick", free=(Free("J", 0.01, uncertainty=1e-5), Free("damping.C"), *RELEASE))
+    experiment = Experiment.release(math.radians(5.0), rate=30.0, duration=0.1)
+    with_test = PlannedFit(known, NOMINAL.to_names(), SIGMA, planned.fmu)
+    told = with_test.information(experiment)
+    design = best_design([told], 100, uncertainties=with_test.uncertainties)
+    alone = 100.0 * planned.information(experiment).matrix
+    expected = np.sqrt(np.diag(np.linalg.inv(alone + np.diag([1e10, 0.0]))))
+    assert design.errors == pytest.approx(expected, rel=1e-6)
+    assert design.errors[0] > 5e-6

@@ -58,3 +58,19 @@ def test_errors_at_some_values_and_the_minima() -> None:
     assert [cell.strip() for cell in lines[2].split("|")[1:-1]] == ["C = 0.03", *["9.0"] * 4]
     least = ["1.0 at 0.045", "2.0 at 0.045", "3.0 at 0.045", "4.0 at 0.045"]
     assert [cell.strip() for cell in lines[3].split("|")[1:-1]] == ["C, smallest", *least]
+
+
+def test_no_standard_error_is_printed_as_zero() -> None:
+    plain = linear_release(J, 0.045, 30.0)
+    measured = MeasuredPeaks(
+        name="trial",
+        release_time=0.25,
+        release_angle=math.radians(-14.0),
+        displacement=plain.displacement,
+        velocity=plain.velocity,
+        release_time_error=0.00003,
+        release_angle_error=math.radians(0.0042),
+        noise=math.radians(0.05),
+    )
+    cells = [cell.strip() for cell in releases_report([measured]).splitlines()[2].split("|")[1:-1]]
+    assert cells[1:3] == ["0.25000 +- 0.00003", "-14.000 +- 0.004"]

@@ -16,6 +16,9 @@ from pyjoystick.cli import main
 from pyjoystick.fmu import Fmu
 from pyjoystick.identification import (
     CONSTANT_DAMPING,
+    BudgetDocument,
+    Contribution,
+    FittedValue,
     Free,
     Uncertainty,
     as_json,
@@ -24,11 +27,20 @@ from pyjoystick.identification import (
     read_fit,
     with_values,
 )
-from pyjoystick.laboratory import fit_load_curve, read_load_curve, synthetic_load_cycle, synthetic_record
+from pyjoystick.laboratory import (
+    Estimate,
+    fit_load_curve,
+    period_of_record,
+    read_load_curve,
+    synthetic_load_cycle,
+    synthetic_record,
+    synthetic_swing,
+)
 from pyjoystick.model import FORWARD_TABLE, NOMINAL, read_parameter_file, write_parameters
 from pyjoystick.reports import Measurements, Study, joystick_report, read_measurements
 from pyjoystick.reports.html_report.known_digits import with_uncertainty
-from pyjoystick.reports.html_report.measurements import moved_joysticks
+from pyjoystick.reports.html_report.measured_sections import SECTIONS as MEASURED_SECTIONS
+from pyjoystick.reports.html_report.measurements import SwingTest, moved_joysticks
 from pyjoystick.reports.html_report.sections import SECTIONS
 from pyjoystick.support import InputFileError, ParameterError
 from tests.pyjoystick.reports.html_report.reading import read_page
@@ -136,9 +148,10 @@ def test_each_number_says_where_it_is_from(page: str) -> None:
     rows = dict(re.findall(r'<th scope="row">([^<]*)</th>(?:<td[^<]*</td>){3}<td>([^<]*)</td>', page))
     assert rows["damping coefficient, C"] == "fit to release -20, release 18"
     assert rows["mass, m"] == "not from the fit; the file names no other source"
+    assert rows["pivot to the top of the handle"] == "Rogers et al. (2004), Table 2"
     assert "it stands for. From: load-deflection curve, forward.csv." in page
     assert "it stands for. From: a drawing." in page
-    assert "states no uncertainty for" in page
+    assert "No uncertainty is stated in joystick.toml for" in page
     assert "Not given to this report: load-deflection curves, a swing test, an error budget." in page
 
 
@@ -230,3 +243,50 @@ def test_what_is_no_fit_is_refused(bench: Bench, tmp_path: Path, content: str, m
     path.write_text(content)
     with pytest.raises(InputFileError, match=message):
         read_measurements(read_parameter_file(bench.parameters), fit=path)
+
+
+def test_a_measurement_that_the_fit_contradicts_is_named_where_the_fit_is(bench: Bench) -> None:
+    """And where the swing test is; a J of the report's own is not compared with itself."""
+    file = read_parameter_file(bench.parameters)
+    record = synthetic_swing(NOMINAL, amplitude=0.1, random=np.random.default_rng(5))
+    period = period_of_record(record)
+
+    def measured(inertia: float, error: float) -> Measurements:
+        swing = SwingTest(
+            source="swing.csv",
+            record=record,
+            period=period,
+            inertia=Estimate(inertia, error, math.inf, {"T": error}),
+        )
+        fit = read_fit(bench.folder / "fit.json")
+        free = FittedValue(
+            name="J",
+            record="",
+            unit="kg.m2",
+            value=NOMINAL.J,
+            error=1e-6,
+            interval=(NOMINAL.J - 2e-6, NOMINAL.J + 2e-6),
+            is_determined=True,
+        )
+        known = dataclasses.replace(file, uncertainties={**file.uncertainties, "body.J": 3e-5})
+        return Measurements(file=known, fit=dataclasses.replace(fit, values=(*fit.values, free)), swing=swing)
+
+    off = measured(NOMINAL.J - 2e-4, 4e-5)
+    text = "".join(MEASURED_SECTIONS["fit"][0](off).parts)
+    assert "contradicts 0.01115 +- 4e-05 of the swing test swing.csv: 4.0 combined" in text
+    assert "Check the clock of the records, the scale of their angle and h." in text
+    swing = "".join(MEASURED_SECTIONS["swing test"][0](off).parts)
+    assert "the two differ by 4.0 combined standard uncertainties." in swing
+    near = measured(NOMINAL.J, 4e-5)
+    assert "contradicts" not in "".join(MEASURED_SECTIONS["fit"][0](near).parts)
+    assert "It is the J of this report." in "".join(MEASURED_SECTIONS["swing test"][0](near).parts)
+
+
+def test_the_budget_has_rows_with_numbers_and_says_what_is_exact(bench: Bench) -> None:
+    rows = (Contribution("zero, noise at rest", theta=1e-4), Contribution("m +- 0.001", J=1e-3, C=2e-3))
+    budget = BudgetDocument(source="budget.json", fitted={}, contributions=rows, exact=("b", "time base"))
+    found = Measurements(file=read_parameter_file(bench.parameters), budget=budget)
+    text = "".join(MEASURED_SECTIONS["error budget"][0](found).parts)
+    assert "zero, noise" not in text
+    assert "m +- 0.001" in text
+    assert "Taken as exact, because no uncertainty was given: b, time base." in text

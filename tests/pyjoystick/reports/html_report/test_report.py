@@ -86,6 +86,7 @@ def test_about_another_joystick_it_has_that_ones_numbers_and_no_claims(constant:
     read = read_page(text)
     assert "0.91" in read.cells
     assert "pivot to top" not in read.cells
+    assert "force at the top of the handle (0.266 m, that of the paper&#x27;s joystick)" in text
     assert "Constant: 0.05 N m s/rad." in text
     assert not any("paper says" in heading for heading in read.headings)
 

@@ -1,0 +1,116 @@
+"""The joystick of a project: what was measured and fitted, and whether the two agree."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping
+from typing import Final
+
+from pyjoystick import identification, laboratory, model
+from pyjoystick.project.evaluating import BUDGET_JSON, FIT_JSON, FITTED
+from pyjoystick.project.laboratory import Laboratory
+from pyjoystick.project.measuring import MEASURED, fitted_curve
+from pyjoystick.project.sources import table_of
+from pyjoystick.project.steps import RESULTS, Done, Step, Tell, with_error
+from pyjoystick.support import write_text
+
+#: The result.
+JOYSTICK: Final = f"{RESULTS}/joystick.toml"
+#: Places of what the budget is made for.
+_BUDGETED: Final = {"J": "body.J", "damping.C": "damping.constant.C"}
+
+
+def joystick(lab: Laboratory, sources: Mapping[str, str], *, with_fit: bool, with_budget: bool) -> Step:
+    """The parameter file of the joystick, the result of the project.
+
+    Args:
+        lab: the laboratory
+        sources: what was measured before the fit, by FMU name, and from what
+        with_fit: whether there is a fit
+        with_budget: whether there is an error budget
+    """
+    before = FITTED if with_fit else MEASURED
+
+    def work(tell: Tell) -> Done:
+        file = model.read_parameter_file(lab.root / before)
+        budgeted = _budgeted(lab) if with_budget else {}
+        values = {name: one.value for name, one in budgeted.items()}
+        errors = {_BUDGETED[name]: one.uncertainty for name, one in budgeted.items()}
+        found = file.joystick.replace(values)
+        doubts = _contradictions(lab, sources, budgeted) if with_fit else []
+        texts = {table: file.sources[table] for table in (_table_of(place) for place in errors)}
+        texts = {table: f"{source}; uncertainty from the budget" for table, source in texts.items()}
+        for doubt in doubts:
+            table = table_of(doubt.name, found)
+            texts[table] = f"{texts.get(table) or file.sources[table]}; {doubt.short}"
+        title = lab.title or lab.root.resolve().name
+        text = model.updated_text(file, found, title=title, uncertainties=errors, sources=texts)
+        write_text(lab.root / JOYSTICK, text)
+        return Done(
+            files=(JOYSTICK,),
+            remark=_remark(found, {**file.uncertainties, **errors}),
+            notes=tuple(doubt.sentence for doubt in doubts),
+        )
+
+    return Step(
+        name="joystick",
+        inputs=(
+            before,
+            *((MEASURED, FIT_JSON) if with_fit else ()),
+            *((BUDGET_JSON,) if with_budget else ()),
+        ),
+        outputs=(JOYSTICK,),
+        settings={"title": lab.title, "sources": dict(sources) if with_fit else {}},
+        work=work,
+    )
+
+
+def _budgeted(lab: Laboratory) -> dict[str, laboratory.Measured]:
+    """J and C with all that is uncertain, to the digits that are known."""
+    fitted = json.loads((lab.root / BUDGET_JSON).read_text(encoding="utf-8"))["fitted"]
+    errors = {name: model.rounded_error(fitted[name]["standard_uncertainty"]) for name in _BUDGETED}
+    return {
+        name: laboratory.Measured(model.rounded(fitted[name]["value"], error), error)
+        for name, error in errors.items()
+    }
+
+
+def _contradictions(
+    lab: Laboratory, sources: Mapping[str, str], budgeted: Mapping[str, laboratory.Measured]
+) -> list[identification.Contradiction]:
+    """What was measured and comes out of the fit as another number."""
+    fitted = identification.read_fit(lab.root / FIT_JSON).freely()
+    both = {name: budgeted.get(name, one) for name, one in fitted.items() if name in sources}
+    measured = {name: (one, sources[name]) for name, one in _measured(lab, both)}
+    return list(identification.contradictions(both, measured))
+
+
+def _measured(
+    lab: Laboratory, names: Mapping[str, laboratory.Measured]
+) -> Iterator[tuple[str, laboratory.Measured]]:
+    """Some of the parameters that were measured, those of springs with the correlations of their curve."""
+    file = model.read_parameter_file(lab.root / MEASURED)
+    curves = {one.table for one in model.fmu_values(file) if one.name in names} & set(lab.curves)
+    springs = {
+        f"{side}.{name}": laboratory.Measured(*one)
+        for side in lab.curves
+        if side in curves
+        for name, one in fitted_curve(lab.root, lab.curves[side]).springs().items()
+    }
+    for one in model.fmu_values(file):
+        if one.name in names:
+            yield one.name, springs.get(one.name, laboratory.Measured(one.value, one.uncertainty or 0.0))
+
+
+def _table_of(place: str) -> str:
+    return place.rpartition(".")[0]
+
+
+def _remark(found: model.JoystickParameters, uncertainties: Mapping[str, float]) -> str:
+    """J and, where it is constant, C, as far as they are known."""
+    values = found.to_names()
+    return ", ".join(
+        f"{name.removeprefix('damping.')} = {with_error(values[name], uncertainties.get(place, 0.0))} {unit}"
+        for (name, place), unit in zip(_BUDGETED.items(), ("kg m2", "N m s/rad"), strict=True)
+        if name in values
+    )
