@@ -7,8 +7,12 @@ model StickSlip "Dry friction of a shaft that slides or sticks"
     annotation (Placement(transformation(extent = {{100, -60}, {120, -40}})));
   Integer mode(start = 0) "1: slides forward, -1: slides backward, 0: is stuck";
 protected
-  final parameter Real never = if T_c > 0 or T_s > 0 or F_c > 0 then 0 else 1e9
-    "Without friction there is nothing to decide, and rounding errors about a rest must not make events";
+  // Without friction there is nothing to decide, and rounding errors about a rest must not make events.
+  final parameter Boolean isRubbing = T_c > 0 or T_s > 0 or F_c > 0 "True where there is friction";
+  final parameter Units.AngularVelocity omega_never = if isRubbing then 0 else 1e9
+    "Velocity that is never reached, where there is no friction";
+  final parameter Units.Torque M_never = if isRubbing then 0 else 1e9
+    "Moment that is never reached, where there is no friction";
   Boolean isForward "True where the angle rises";
   Boolean isBackward "True where the angle falls";
   Boolean isPushedForward "True where sticking cannot hold against a push towards positive angles";
@@ -16,10 +20,10 @@ protected
 equation
   // Only trial steps see a motion against the mode. With the friction at rest there, none leaps over its narrow peak.
   M_stribeck = T_more*noEvent(if mode*omega > 0 then exp(-(omega/omega_more)^2) else 1);
-  isForward = omega > -never;
-  isBackward = omega < -never;
-  isPushedForward = M > M_max + never;
-  isPushedBackward = M < -M_max - never;
+  isForward = omega > -omega_never;
+  isBackward = omega < -omega_never;
+  isPushedForward = M > M_max + M_never;
+  isPushedBackward = M < -M_max - M_never;
   when initial() then
     mode = if isForward then 1 elseif isBackward then -1 elseif isPushedForward then 1
       elseif isPushedBackward then -1 else 0;

@@ -23,6 +23,7 @@ from pyjoystick.identification.errors import DampingEstimateError
 from pyjoystick.identification.peak_method.estimate import CONSTANTS, LINES, DampingEstimate, estimate_damping
 from pyjoystick.model import ConstantDamping, JoystickParameters
 from pyjoystick.motion import ReleasePeaks
+from pyjoystick.support import SimulationError
 
 #: The peaks of a joystick released at an angle (rad).
 Simulate = Callable[[JoystickParameters, float], ReleasePeaks]
@@ -103,6 +104,9 @@ def line_bias(
         release_angle: angle of release of the simulation (rad)
         simulate: gives the peaks of a release
 
+    Raises:
+        DampingEstimateError: the law of the lines cannot be simulated
+
     Returns:
         bias by name: ``A_pos``, ``n_pos``, ``A_neg``, ``n_neg``, ``B``, ``m``
     """
@@ -110,7 +114,14 @@ def line_bias(
     biases = {}
     for alpha, lines in ((1.0, LINES[:2]), (0.0, LINES[2:])):
         damped = dataclasses.replace(joystick, damping=estimate.law(alpha))
-        found = estimate_damping([simulate(damped, release_angle)], damped.J)
+        try:
+            found = estimate_damping([simulate(damped, release_angle)], damped.J)
+        except SimulationError as error:
+            exponents = ", ".join(f"{names[one][1]} = {estimate.lines[one].exponent:.3g}" for one in lines)
+            reason = (
+                f"a joystick with {exponents} cannot be simulated: have the records a zero offset? ({error})"
+            )
+            raise DampingEstimateError(reason) from error
         for line in lines:
             ours, theirs = estimate.lines[line], found.lines[line]
             coefficient, exponent = names[line]

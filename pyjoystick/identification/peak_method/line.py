@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,6 +12,9 @@ from scipy.stats import t as student
 
 from pyjoystick.identification.errors import DampingEstimateError
 from pyjoystick.support import FloatArray
+
+#: A coefficient is between exp(-this) and exp(this) N m s/rad.
+_LARGEST: Final = 50.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -73,7 +77,8 @@ def fit_power_line(height: ArrayLike, damping: ArrayLike, *, name: str) -> Power
         name: what the line is called in messages
 
     Raises:
-        DampingEstimateError: fewer than three points, a point that is not above zero, or all of one height
+        DampingEstimateError: fewer than three points, a point that is not above zero, all of one height, or a
+            coefficient beyond all damping
     """
     heights, values = np.asarray(height, dtype=np.float64), np.asarray(damping, dtype=np.float64)
     if len(heights) < 3:
@@ -89,6 +94,11 @@ def fit_power_line(height: ArrayLike, damping: ArrayLike, *, name: str) -> Power
         raise DampingEstimateError(f"{name}: all points have the same height; a line needs two heights")
     slope = float(np.sum((x - center) * y)) / spread
     intercept = float(np.mean(y)) - slope * center
+    if abs(intercept) > _LARGEST:
+        raise DampingEstimateError(
+            f"{name}: the line is C = exp({intercept:.3g})*height**{slope:.3g}, which is no damping: "
+            "have the records a zero offset?"
+        )
     squares = float(np.sum((y - intercept - slope * x) ** 2))
     scatter = math.sqrt(squares / (len(x) - 2))
     return PowerLine(math.exp(intercept), slope, len(x), scatter, center, spread)

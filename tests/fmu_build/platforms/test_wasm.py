@@ -118,7 +118,8 @@ def test_runs_agree_with_those_of_the_binary(module_of: Modules, name: str) -> N
             for one in description.variables.values()
             if one.type == "Real" and one.causality in ("output", "local")
         ]
-        moving = {one: 0.1 * np.sin(9.0 * _TIME) for one in description.names("input") if one != "W"}
+        # Not below zero, which a hand's grip may not be.
+        moving = {one: 0.1 * np.abs(np.sin(9.0 * _TIME)) for one in description.names("input") if one != "W"}
         inputs = pd.DataFrame(moving, index=_TIME)
         for parameters in _parameters(description, _JOYSTICKS):
             settings = {

@@ -15,6 +15,8 @@ from pyjoystick.identification import (
     preload_factors,
 )
 from pyjoystick.model import NOMINAL, ActuatorAssembly, JoystickParameters, RestrainedSpring
+from pyjoystick.motion import ReleasePeaks
+from pyjoystick.support import SimulationError
 from tests.pyjoystick.releases import reference_release
 
 NEVER = RestrainedSpring(k_s=1.0, k_h=1.0, F_0=0.0, x_0=1.0)
@@ -94,3 +96,14 @@ def test_the_lines_are_corrected_towards_the_truth() -> None:
         assert biases[coefficient].estimate * heights ** biases[exponent].estimate != pytest.approx(
             0.045, rel=0.15
         )
+
+
+def test_lines_that_no_joystick_can_follow_are_told() -> None:
+    angle = math.radians(-20.0)
+    estimate = estimate_damping([reference_release(NOMINAL, angle)], NOMINAL.J)
+
+    def fails(joystick: JoystickParameters, start: float) -> ReleasePeaks:
+        raise SimulationError("Joystick.fmu", 0.1, "too stiff")
+
+    with pytest.raises(DampingEstimateError, match=r"n_pos = .*, n_neg = .* cannot be simulated.*too stiff"):
+        line_bias(estimate, NOMINAL, angle, fails)
