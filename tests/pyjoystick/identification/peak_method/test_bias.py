@@ -103,7 +103,7 @@ def test_lines_that_no_joystick_can_follow_are_told() -> None:
     estimate = estimate_damping([reference_release(NOMINAL, angle)], NOMINAL.J)
 
     def fails(joystick: JoystickParameters, start: float) -> ReleasePeaks:
-        raise SimulationError("Joystick.fmu", 0.1, "too stiff")
+        raise SimulationError(0.1, "too stiff")
 
     with pytest.raises(DampingEstimateError, match=r"n_pos = .*, n_neg = .* cannot be simulated.*too stiff"):
         line_bias(estimate, NOMINAL, angle, fails)
