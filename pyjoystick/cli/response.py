@@ -78,13 +78,15 @@ def run(
         messages().status("releasing") as status,
     ):
         once = forced_motion.ShakenJoystick(joystick_fmu, joystick, shaking)
-        releases = np.radians([sign * angle for sign in (-1.0, 1.0) for angle in _RELEASES])
-        found = forced_motion.basins(once, releases, on_progress=status.update)
+        # Made first, because it refuses what cannot be varied before anything takes long.
         if vary is not None:
             shaken = forced_motion.ShakenJoystick(joystick_fmu, joystick, shaking, free=vary[0])
             response = forced_motion.Response(
                 shaken, vary[1:], most_periods=periods, on_progress=status.update
             )
+        releases = np.radians([sign * angle for sign in (-1.0, 1.0) for angle in _RELEASES])
+        found = forced_motion.basins(once, releases, on_progress=status.update)
+        if response is not None:
             response.search()
         note_stops(max(one.largest for one in found.attractors))
         output().print(forced_motion.attractor_report(found, once), markup=False)
