@@ -32,9 +32,7 @@ def run(
         list[Path] | None,
         typer.Option("--record", metavar="RECORD.csv", help="Measured free oscillation; repeatable."),
     ] = None,
-    title: Annotated[
-        str, typer.Option("--title", help="Heading. Default: the title of --parameters.", show_default=False)
-    ] = "",
+    title: options.Title = "",
 ) -> None:
     """Write a page in which the joystick runs live: sliders, plots, the mechanism in motion, records.
 

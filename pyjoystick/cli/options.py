@@ -336,4 +336,7 @@ AccelerationPoints = Annotated[
     typer.Option("--acceleration-points", metavar="N", help="Points of the second derivative: 3, 5 or 7."),
 ]
 
+Title = Annotated[
+    str, typer.Option("--title", help="Heading. Default: the title of --parameters.", show_default=False)
+]
 HtmlFile = Annotated[Path, file("--output", "-o", text="HTML file to write.", suffixes=(".html", ".htm"))]

@@ -46,9 +46,7 @@ def run(
         Path | None,
         typer.Option("--budget", metavar="FILE.json", help="Error budget: `pyjoystick budget --json`."),
     ] = None,
-    title: Annotated[
-        str, typer.Option("--title", help="Heading. Default: the title of --parameters.", show_default=False)
-    ] = "",
+    title: options.Title = "",
 ) -> None:
     """Write a report on a joystick: a self-contained HTML file with figures, tables, parameters and versions.
 

@@ -12,8 +12,17 @@ import numpy as np
 
 from pyjoystick.forced_motion.motions import ForwardAndReturn
 from pyjoystick.forced_motion.samples import Samples
-from pyjoystick.laboratory import BASE, GAP, TOP, Chain, MarkerLayout, measure_angle, synthetic_markers
-from pyjoystick.motion import MISSING_ADVICE, UNITS, Column, Record, RecordError, read_log_table, read_record
+from pyjoystick.laboratory import BASE, TOP, Chain, MarkerLayout, measure_angle, synthetic_markers
+from pyjoystick.motion import (
+    GAP,
+    MISSING_ADVICE,
+    UNITS,
+    Column,
+    Record,
+    RecordError,
+    read_log_table,
+    read_record,
+)
 
 _ALPHA: Final = Column("alpha", UNITS["angular acceleration"], required=False, advice=MISSING_ADVICE)
 

@@ -59,7 +59,6 @@ from .measurements.comparison import (
 from .measurements.low_pass import LowPass as LowPass
 from .measurements.marker_files import read_markers as read_markers
 from .measurements.markers import Markers as Markers
-from .measurements.resampling import GAP as GAP
 from .measurements.results import (
     acceleration_report as acceleration_report,
     chain_report as chain_report,

@@ -25,6 +25,8 @@ from .records.free_oscillation import (
 )
 from .records.reading import read_record as read_record, read_repeats as read_repeats
 from .records.record import (
+    GAP as GAP,
+    HIDING as HIDING,
     MISSING_ADVICE as MISSING_ADVICE,
     Record as Record,
     require_sampling as require_sampling,

@@ -8,13 +8,9 @@ from typing import Final
 
 import numpy as np
 
-from pyjoystick.motion import Record, RecordError, Swing, require_no_growth
+from pyjoystick.motion import GAP, HIDING, Record, RecordError, Swing, require_no_growth
 from pyjoystick.support import FloatArray
 
-#: Steps of more than this many usual ones are gaps.
-_GAP: Final = 1.5
-#: A gap of this part of the usual half swing may hide a turn.
-_HIDING: Final = 0.75
 #: So many equal samples in a row at a turn are clipped, beyond those that resolution and sampling explain.
 _CLIPPED: Final = 3
 _MARGIN: Final = 1.3
@@ -36,14 +32,14 @@ def check_swings(record: Record, theta: FloatArray, swings: Sequence[Swing]) -> 
 def widest_gap(record: Record, span: slice) -> int | None:
     """Index of the sample before the widest gap between the samples of a stretch; None without any."""
     steps = np.diff(record.time[span])
-    if not steps.size or float(np.max(steps)) <= _GAP * record.interval:
+    if not steps.size or float(np.max(steps)) <= GAP * record.interval:
         return None
     return int(span.start) + int(np.argmax(steps))
 
 
 def _require_no_gap(record: Record, swings: Sequence[Swing]) -> None:
     turns = record.time[[swing.extreme for swing in swings]]
-    allowed = _HIDING * float(np.median(np.diff(turns)))
+    allowed = HIDING * float(np.median(np.diff(turns)))
     i = widest_gap(record, slice(swings[0].first, swings[-1].last + 1))
     if i is None or (missing := float(record.time[i + 1] - record.time[i])) <= allowed:
         return

@@ -9,10 +9,9 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from pyjoystick.motion import GAP
 from pyjoystick.support import FloatArray, SeriesError, not_negative, positive
 
-#: A step of more than this many usual ones is a gap.
-GAP: Final = 1.5
 #: A stretch of fewer samples gets no spline.
 FEWEST: Final = 4
 #: So many even instants are hours: a time is wrong, or its unit.

@@ -25,8 +25,7 @@ from pyjoystick.motion.logs.layout import Layout, Scale
 from pyjoystick.motion.logs.sheets import form_of, load
 from pyjoystick.motion.logs.text_files import decoded, delimiter_name, find_in_rows, find_in_text
 from pyjoystick.motion.records.errors import RecordError, rows_in_words
-from pyjoystick.motion.records.free_oscillation import GAP
-from pyjoystick.motion.records.record import Record
+from pyjoystick.motion.records.record import GAP, Record
 from pyjoystick.motion.table_files import TIME, Column, Heading, Match, TableFile, read_table_file
 from pyjoystick.motion.units import UNITS
 from pyjoystick.support import FloatArray

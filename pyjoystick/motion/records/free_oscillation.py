@@ -20,7 +20,7 @@ import numpy as np
 
 from pyjoystick.motion.records.errors import RecordError, rows_in_words
 from pyjoystick.motion.records.instrument import repeated_angles, require_no_jump
-from pyjoystick.motion.records.record import Record
+from pyjoystick.motion.records.record import GAP, HIDING, Record
 from pyjoystick.motion.records.swings import THRESHOLD, Swing, find_swings
 
 Side = Literal["forward", "backward"]
@@ -33,11 +33,8 @@ WANTED_PEAKS: Final = 9
 GROWTH: Final = 0.1
 #: The last swing on the side of release must stay below this part of the release angle.
 DECAYED: Final = 0.9
-#: A gap is a step of more than this many usual ones; between the two the times are uneven.
-GAP: Final = 1.5
+#: Times are uneven where steps that are no gaps differ by this part of the usual one.
 UNEVEN: Final = 0.02
-#: A gap of less than this part of a neighboring swing cannot hide a swing, even one that is shorter by a bit.
-HIDING: Final = 0.75
 #: Above this part of the release angle the joystick is still held: free, it never comes back there.
 HELD: Final = 0.95
 #: Samples at the end of a record that are looked at for the rest position.

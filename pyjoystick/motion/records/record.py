@@ -18,6 +18,10 @@ from pyjoystick.support import FloatArray
 FEWEST_SAMPLES = 3
 #: Time between two samples (s): a joystick swings a few times a second, and no instrument is faster.
 _INTERVALS: Final = (1e-7, 1.0)
+#: A step of more than this many usual ones is a gap.
+GAP: Final = 1.5
+#: A gap of less than this part of a neighboring swing cannot hide a swing, even one that is shorter by a bit.
+HIDING: Final = 0.75
 #: Samples closer than this (s) are of one instant.
 _SAME_INSTANT: Final = 1e-12
 #: No instrument resolves an angle as small as this (rad).

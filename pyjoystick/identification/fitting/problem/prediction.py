@@ -21,6 +21,7 @@ from pyjoystick.identification.fitting.problem.instrument import (
     Instrument,
 )
 from pyjoystick.identification.fitting.problem.measurement import Measurement
+from pyjoystick.motion import GAP
 from pyjoystick.support import FloatArray
 
 #: Plans of the last clocks are kept: a search comes back to the point that it left.
@@ -30,8 +31,6 @@ _FEW = 24
 #: Curves are drawn in steps of this (s), and of no more points than this.
 _CURVE_STEP = 1e-3
 _MOST_POINTS = 20_000
-#: Samples lack where two are further apart than this many of the usual steps.
-_GAP = 1.5
 
 
 class Prediction(NamedTuple):
@@ -184,7 +183,7 @@ class TrajectoryPredictor:
         )
         steps = np.diff(self.record.time)
         before = np.clip(np.searchsorted(self.record.time, time, side="right") - 1, 0, len(steps) - 1)
-        lacking = (steps[before] > _GAP * np.median(steps)) & ~np.isin(time, self.record.time)
+        lacking = (steps[before] > GAP * np.median(steps)) & ~np.isin(time, self.record.time)
         moving = np.unique(time[time > instrument.origin])
         numbers = np.full((len(time), len(self.outputs)), np.nan)
         if moving.size:
