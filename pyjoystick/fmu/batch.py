@@ -31,8 +31,9 @@ NewRunner = Callable[[], AnyRunner]
 _LARGEST_PIECE: Final = 64
 #: Time between two looks at how far the threads are (s).
 _INTERVAL: Final = 0.1
-#: Time to wait for threads that have been asked to stop (s); the step they are in may never end.
-_GRACE: Final = 0.5
+#: Time to wait for threads that have been asked to stop (s); the step they are in may never end. On a busy
+#: machine even a short one can take a second, and what is not back by then leaves its temporary folder.
+_GRACE: Final = 5.0
 
 
 @dataclass(frozen=True, slots=True)
