@@ -85,9 +85,9 @@ def run(
         found = laboratory.measured_springs(fit, side, f"load-deflection curve {file.name}")
         if friction:
             source = f"hysteresis of the load-deflection curve {file.name}"
-            rubbing = laboratory.measured_friction(fit, source)
-            _tell_of_replaced(before, rubbing)
-            found = found.with_more(rubbing)
+            measured = laboratory.measured_friction(fit, source)
+            _tell_of_replaced(before, measured)
+            found = found.with_more(measured)
         write_measured(parameters, before, found)
 
 

@@ -47,7 +47,7 @@ class Drive:
             getattr(fmi, f"set{one.variable.type}")([one.variable.value_reference], [value])
 
 
-class Attendance:
+class IntermediateUpdate:
     """What answers the questions of one instance.
 
     Attributes:

@@ -17,7 +17,7 @@ from fmpy.fmi1 import FMICallException
 from fmpy.fmi2 import fmi2LastSuccessfulTime, fmi2Terminated
 
 from pyjoystick.fmu.description import FmuDescription, Variable
-from pyjoystick.fmu.drive import Attendance
+from pyjoystick.fmu.drive import IntermediateUpdate
 from pyjoystick.fmu.errors import THE_END, FmuEndedError, FmuRunError
 from pyjoystick.fmu.interface import c_interface
 from pyjoystick.fmu.log import FmuLog
@@ -36,7 +36,7 @@ class Instance:
         is_new: no run has started yet
         is_broken: a run failed or ended before its time, and another one needs another instance
         is_lost: it must not even be freed; the standard forbids every call after a fatal error
-        attendance: gives it the inputs that it asks for within its steps; None where it does not ask
+        intermediate_update: gives it the inputs that it asks for within its steps; None where it does not ask
     """
 
     description: FmuDescription
@@ -45,7 +45,7 @@ class Instance:
     is_new: bool = True
     is_broken: bool = False
     is_lost: bool = False
-    attendance: Attendance | None = None
+    intermediate_update: IntermediateUpdate | None = None
     _workspace: Workspace | None = field(default=None, init=False)
 
     def workspace(self, raw_size: int) -> Workspace:

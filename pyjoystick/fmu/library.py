@@ -17,7 +17,7 @@ from fmpy.fmi3 import FMU3Model, FMU3Slave
 from numpy.typing import NDArray
 
 from pyjoystick.fmu.description import FmuDescription, Interface, Variable
-from pyjoystick.fmu.drive import Attendance, inputs_asked_for
+from pyjoystick.fmu.drive import IntermediateUpdate, inputs_asked_for
 from pyjoystick.fmu.errors import FmuFileError, UnsupportedFmuError
 from pyjoystick.fmu.instance import Instance
 from pyjoystick.fmu.log import FmuLog
@@ -95,18 +95,18 @@ class FmuLibrary:
         fmi = copy.copy(self.fmi)
         log = FmuLog(place)
         asked = inputs_asked_for(self.description) if asks else []
-        attendance = Attendance(fmi) if asked else None
+        intermediate_update = IntermediateUpdate(fmi) if asked else None
         try:
             if self.description.fmi_version.startswith("2"):
                 fmi.instantiate(callbacks=log.callbacks, loggingOn=False)
             else:
                 categories = self.description.log_categories
-                _instantiate_with_log(fmi, log, categories, attendance, asked)
+                _instantiate_with_log(fmi, log, categories, intermediate_update, asked)
         except Exception as error:  # FMPy has no type of its own for it
             log.close()
             said = "; ".join(log.messages()) or "no message"
             raise FmuFileError(self.description.path, f"cannot be instantiated: {said}") from error
-        return Instance(self.description, fmi, log, attendance=attendance)
+        return Instance(self.description, fmi, log, intermediate_update=intermediate_update)
 
     def close(self) -> None:
         """Unload the binary and delete what was unpacked."""
@@ -117,7 +117,7 @@ def _instantiate_with_log(
     fmi: Any,
     log: FmuLog,
     categories: tuple[str, ...],
-    attendance: Attendance | None,
+    intermediate_update: IntermediateUpdate | None,
     asked: Sequence[Variable],
 ) -> None:
     """Of FMI 3: logging is on, which else would be off, but for problems alone where they have categories."""
@@ -126,9 +126,12 @@ def _instantiate_with_log(
         log.add(text.replace(b"##", b"#"))
 
     settings: dict[str, Any] = {}
-    if attendance is not None:
+    if intermediate_update is not None:
         references = [one.value_reference for one in asked]
-        settings = {"intermediateUpdate": attendance.answer, "requiredIntermediateVariables": references}
+        settings = {
+            "intermediateUpdate": intermediate_update.answer,
+            "requiredIntermediateVariables": references,
+        }
     fmi.instantiate(logMessage=receive, loggingOn=True, **settings)
     problems = [category for category in categories if category.startswith("logStatus")]
     if problems:
@@ -223,7 +226,7 @@ class InstancePool(Pool[Instance]):
         self._lock: threading.Lock = threading.Lock() if first is None else first._lock
         super().__init__(description)
 
-    def attended(self) -> InstancePool:
+    def updating(self) -> InstancePool:
         """Instances that ask for their inputs within their steps, which takes time: a pool of their own."""
         if self._asks:
             return self

@@ -86,7 +86,7 @@ class Runner:
             job: the runs
             loop: from `stepping.engine`
         """
-        self._pool = pool if job.preparation.drive is None else pool.attended()
+        self._pool = pool if job.preparation.drive is None else pool.updating()
         self._job = job
         self._loop = loop
         self._rows_address = job.rows.ctypes.data
@@ -152,8 +152,8 @@ class Runner:
         if instance.log.interrupted:
             instance.log.interrupted = False
             raise KeyboardInterrupt
-        if instance.attendance is not None and instance.attendance.failure is not None:
-            raise instance.attendance.failure
+        if instance.intermediate_update is not None and instance.intermediate_update.failure is not None:
+            raise instance.intermediate_update.failure
         if job.preparation.texts is not None:
             job.preparation.texts.check()
         if status in _GOOD or place[FUNCTION] != RESET:
@@ -206,9 +206,9 @@ class Runner:
         self._has_instance = True
         self._instance.log.attach()
         self._instance.log.clear()
-        if self._instance.attendance is not None:
-            self._instance.attendance.drive = self._job.preparation.drive
-            self._instance.attendance.failure = None
+        if self._instance.intermediate_update is not None:
+            self._instance.intermediate_update.drive = self._job.preparation.drive
+            self._instance.intermediate_update.failure = None
         size = self._job.instants.size * self._job.preparation.program.outputs_stride
         self._workspace = self._instance.workspace(size)
 

@@ -88,7 +88,7 @@ def parameter_schema() -> Schema:
     }
     tables = {name: numbers(keys, ("pivot_to_top",)) for name, keys in model.PLAIN_TABLES.items()}
     damping = _table(("law",), law={"enum": list(laws)}, **laws)
-    rubbing = tuple(name.removeprefix("friction.") for name in model.FRICTION_NAMES)
+    friction = tuple(name.removeprefix("friction.") for name in model.FRICTION_NAMES)
     required = (*model.PLAIN_TABLES, *model.SIDES, "damping")
     return _table(
         required,
@@ -97,7 +97,7 @@ def parameter_schema() -> Schema:
         **tables,
         **dict.fromkeys(model.SIDES, side),
         damping=damping,
-        friction=numbers(rubbing, rubbing),
+        friction=numbers(friction, friction),
     )
 
 

@@ -21,7 +21,7 @@ _VERSION: Final = "pyjoystick"
 FAULTS: Final = ".pyjoystick/faults"
 
 
-class Same:
+class SameSettings:
     """Whether settings and version are those with which a step was done before."""
 
     def __init__(self, step: Step) -> None:
@@ -46,7 +46,7 @@ class Same:
         ]
 
 
-class Kept:
+class SameFiles:
     """Whether the files that a step wrote are as it left them."""
 
     def __init__(self, root: Path) -> None:
@@ -93,7 +93,7 @@ def task(step: Step, root: Path, tell: Callable[[Step, str], None]) -> Task:
         [act],
         file_dep=list(step.inputs),
         targets=list(step.outputs),
-        uptodate=[Same(step), Kept(root)],
+        uptodate=[SameSettings(step), SameFiles(root)],
         io={"capture": False},
     )
 

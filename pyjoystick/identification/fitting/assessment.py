@@ -131,18 +131,18 @@ def _residual_checks(
     view = ResidualView(problem, x)
     times = [one.times for one in records]
     yield residual_checks.check_outliers(view.outliers(), names, times, robust=settings.noise.robust)
-    guilty, judged, imitated = _guilty(problem, settings, x, view, make)
-    yield _whiteness(problem, x, view, explained=bool(guilty))
+    causes, judged, imitated = _causes(problem, settings, x, view, make)
+    yield _whiteness(problem, x, view, explained=bool(causes))
     own = sum(one.per_record for one in settings.free)
     shared = len(settings.free) - own
     if not settings.inputs:
         lack = residual_checks.check_repeats(view.repeats, view.innovations, shared, own)
         if lack is not None:
             yield lack
-    yield residual_checks.check_suspects(guilty, judged, imitated)
+    yield residual_checks.check_suspects(causes, judged, imitated)
 
 
-def _guilty(
+def _causes(
     problem: Problem, settings: FitSettings, x: FloatArray, view: ResidualView, make: Make
 ) -> tuple[list[Finding], int, list[str]]:
     """What would explain the residuals better than noise, of how many suspects, and which were not judged."""
@@ -151,12 +151,12 @@ def _guilty(
         known.setdefault(suspect.name, []).append(suspect)
     every = [one for several in known.values() for one in several]
     findings = score_test(problem, view.residuals, view.jacobian, every)
-    guilty = significant(findings, 2.0 * residual_checks.CHANCE)
-    if guilty:
+    causes = significant(findings, 2.0 * residual_checks.CHANCE)
+    if causes:
         first = {name: several[0] for name, several in known.items()}
-        guilty = tried(guilty, first, problem, settings, x, make)
+        causes = tried(causes, first, problem, settings, x, make)
     judged = {one.name for one in findings}
-    return guilty, len(judged), [name for name in known if name not in judged]
+    return causes, len(judged), [name for name in known if name not in judged]
 
 
 def _whiteness(problem: Problem, x: FloatArray, view: ResidualView, *, explained: bool) -> trust.Check:

@@ -113,10 +113,10 @@ def updated_text(
     if law not in before.laws:
         damping[law] = tomlkit.table()
     wanted = _values(joystick, before)
-    rubbing = _friction_values(joystick.friction, document, uncertainties or {})
-    if rubbing and "friction" not in document:
+    friction = _friction_values(joystick.friction, document, uncertainties or {})
+    if friction and "friction" not in document:
         document["friction"] = tomlkit.table()
-    wanted |= rubbing
+    wanted |= friction
     top = before.pivot_to_top if pivot_to_top is None else float(pivot_to_top)
     if top is not None:
         wanted["geometry", "pivot_to_top"] = top

@@ -166,16 +166,16 @@ def repeats_freedom(repeats: Repeats, shared: int, own: int) -> tuple[float, flo
     return groups - shared - own * releases, samples - groups - own * (sum(repeats.releases) - releases)
 
 
-def check_suspects(guilty: Sequence[Finding], judged: int, imitated: Sequence[str]) -> Check:
+def check_suspects(causes: Sequence[Finding], judged: int, imitated: Sequence[str]) -> Check:
     """Whether something that the model lacks would explain the residuals better than noise.
 
     Args:
-        guilty: what would, most likely first
+        causes: what would, most likely first
         judged: how many suspects could be told from the fitted variables
         imitated: names of the others
     """
-    if guilty:
-        return Check("missing physics", False, f"the residuals are not noise: {explanation(guilty)}")
+    if causes:
+        return Check("missing physics", False, f"the residuals are not noise: {explanation(causes)}")
     kinds = f"{judged} kinds of physics and instrument errors"
     text = f"none of {kinds} would explain the residuals better than noise"
     if imitated:

@@ -48,8 +48,10 @@ def tried(
         make: makes the problem of other settings on the same records
     """
     with ExitStack() as stack:
-        rubbing = _with_friction(settings, stack)
-        found = [_refitted(one, suspects[one.name], problem, settings, x, rubbing, make) for one in findings]
+        with_friction = _with_friction(settings, stack)
+        found = [
+            _refitted(one, suspects[one.name], problem, settings, x, with_friction, make) for one in findings
+        ]
     return sorted(found, key=lambda one: -one.evidence)
 
 
@@ -69,12 +71,12 @@ def _refitted(
     problem: Problem,
     settings: FitSettings,
     x: FloatArray,
-    rubbing: Fmu | None,
+    with_friction: Fmu | None,
     make: Make,
 ) -> Finding:
     """The finding as a fit has it; as the score test had it where that fit cannot be made or is no better."""
-    rubs = any(one.name.startswith(_FRICTION) for one in suspect.free)
-    if not suspect.free or (rubs and rubbing is None):
+    needs_friction = any(one.name.startswith(_FRICTION) for one in suspect.free)
+    if not suspect.free or (needs_friction and with_friction is None):
         return finding
     wider = dataclasses.replace(
         settings,
@@ -82,7 +84,7 @@ def _refitted(
         fixed={name: value for name, value in settings.fixed.items() if name not in _names(suspect)},
     )
     try:
-        rival = make(wider, rubbing if rubs else None)
+        rival = make(wider, with_friction if needs_friction else None)
     except (FitError, ParameterError):
         return finding
     rival.weights, rival.shares, rival.memories = problem.weights, problem.shares, problem.memories

@@ -222,8 +222,8 @@ class FitSettings:
         """The parameters of `Search.scan`, or what stands for them."""
         if self.search.scan is not None:
             return self.search.scan
-        rubbing = (PIVOT_FRICTION.name, PLUNGER_FRICTION.name)
-        return tuple(one.name for one in self.free if one.name in rubbing and not one.per_record)
+        friction = (PIVOT_FRICTION.name, PLUNGER_FRICTION.name)
+        return tuple(one.name for one in self.free if one.name in friction and not one.per_record)
 
     def _check_peaks(self) -> None:
         if len(self.outputs) != 1:
