@@ -149,6 +149,13 @@ MEANINGS = (
         (r"(?<![\w.])NAME\s*(?:\[[^\[\]]*\]\s*)?:?=",),
     ),
     Meaning(
+        rf"redeclaration of `{_NAME}` violates constrainedby: "
+        r"`(?P<new>[^`]+)` is not a subtype of `(?P<old>[^`]+)`",
+        UnsupportedModelError,
+        "{new} cannot replace {old}: supported are classes that extend the one that they replace",
+        (r"\bredeclare\s[^;]*?\bNAME\b",),
+    ),
+    Meaning(
         r"if-equation branches have mismatched equation counts",
         ModelicaError,
         "the branches of an if-equation have different numbers of equations",

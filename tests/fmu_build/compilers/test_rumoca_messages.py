@@ -30,6 +30,13 @@ def _function(body: str, local: str = "") -> str:
 
 
 _CASES = {
+    "redeclared by a class of its own with the same members": Case(
+        "model A Real z = time; end A; model B Real z = 2*time; end B; "
+        "model C replaceable A a; end C; C c(redeclare B a);",
+        "",
+        UnsupportedModelError,
+        "M.mo:2:101: M.B cannot replace M.A: supported are classes that extend the one that they replace",
+    ),
     "edge of an expression": Case(
         _X + _N,
         "der(x) = 1; when edge(x > 0.5) then n = 1; end when;",
