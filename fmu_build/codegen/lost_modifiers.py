@@ -2,7 +2,7 @@
 
 Where a class is extended, only the outermost modifiers are merged: ``extends B(a(s(k = 9)))`` replaces the
 whole modifier ``s(...)`` that B gives to a, although Modelica merges the two (Modelica 3.6, section 7.2.3).
-Modifiers of redeclared and constraining classes can be lost, too.
+Modifiers of redeclared and constraining classes can be lost, too; see also `redeclared_modifiers`.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from fmu_build.codegen.lowered import LoweredModel
+from fmu_build.codegen.redeclared_modifiers import changed_modifiers
 from fmu_build.modelica_source.constructs import Construct, ModelText
 from fmu_build.modelica_source.modifiers import Path as NamePath, assigned, closing
 from fmu_build.modelica_source.places import located
@@ -41,6 +42,8 @@ def reject_lost_modifiers(model: LoweredModel) -> None:
     for pattern, why in (_REDECLARED_CLASS, _CONSTRAINING_CLASS):
         for construct in text.find([pattern]):
             raise _rejection(model, why, construct)
+    for why, redeclaration in changed_modifiers(text):
+        raise _rejection(model, why, redeclaration)
     for extension in (*text.find([_EXTENSION]), *text.find([_SHORT_CLASS])):
         for why in _faults(text, extension.plain):
             raise _rejection(model, why, extension)

@@ -1,4 +1,4 @@
-"""``make fuzz SECONDS=60``: half of the time random FMI calls, half of it damaged files for every reader.
+"""``make fuzz SECONDS=60``: a third of the time each for random FMI calls, damaged files and random models.
 
 The FMI calls of a seed are the same each time from an empty folder only: what was found stays in the corpus.
 """
@@ -12,8 +12,9 @@ import sys
 from pathlib import Path
 
 from tests.fuzz import fmi_calls
+from tests.fuzz.models import campaign as models
 from tests.fuzz.outcome import Outcome
-from tests.fuzz.readers import campaign
+from tests.fuzz.readers import campaign as readers
 from tests.fuzz.readers.trial import trial
 
 
@@ -27,27 +28,33 @@ def main() -> int:
     each = "so many {} instead of for a time: with a seed, the same each time"
     parser.add_argument("--calls", type=int, help=each.format("inputs of each model with random calls"))
     parser.add_argument("--files", type=int, help=each.format("damaged files"))
+    parser.add_argument("--models", type=int, help=each.format("random Modelica models"))
     parser.add_argument("--folder", type=Path, default=Path("build/fuzz"), help="for programs and corpora")
-    parser.add_argument("--only", choices=("calls", "readers"), help="one of the two, for all of the time")
+    parser.add_argument(
+        "--only", choices=("calls", "readers", "models"), help="one of them, for all of the time"
+    )
     parser.add_argument("--case", type=int, help="repeat this one damaged file alone")
     settings = parser.parse_args()
     folder = settings.folder.absolute()
     if settings.case is not None:
-        campaign.fuzz_all(folder, 0.0, 0, 0, 1)
+        readers.fuzz_all(folder, 0.0, 0, 0, 1)
         fault = trial(settings.case, folder / "readers", folder / "faults")
         print(fault or "no fault")
         return int(fault is not None)
     print(f"seed {settings.seed}", flush=True)
-    seconds = settings.seconds if settings.only else settings.seconds / 2.0
+    chosen = [settings.only] if settings.only else ["calls", "readers", "models"]
+    seconds = settings.seconds / len(chosen)
     processes = os.cpu_count() or 1
     outcomes: list[Outcome] = []
-    if settings.only != "readers":
+    if "calls" in chosen:
         try:
             outcomes += fmi_calls.fuzz_all(folder, seconds, settings.calls, settings.seed, processes)
         except fmi_calls.NoFuzzerError as error:
             print(f"random FMI calls: skipped, {error}", flush=True)
-    if settings.only != "calls":
-        outcomes += campaign.fuzz_all(folder, seconds, settings.files, settings.seed, processes)
+    if "readers" in chosen:
+        outcomes += readers.fuzz_all(folder, seconds, settings.files, settings.seed, processes)
+    if "models" in chosen:
+        outcomes += models.fuzz_all(seconds, settings.models, settings.seed, processes)
     return _told(outcomes)
 
 

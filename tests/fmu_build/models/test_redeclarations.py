@@ -1,0 +1,87 @@
+"""What a declaration gives to its component or class, and what of it a redeclaration keeps (7.3.2)."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from fmu_build import UnsupportedModelError, build_fmu
+from fmu_build.compilers.rumoca import generate_model
+from fmu_build.support.request import BuildRequest
+from pyjoystick import Fmu
+
+PACKAGE = """
+package R
+  model A
+    parameter Real g = 1;
+    parameter Real f = 0;
+    Real z = g + f;
+  end A;
+  model B
+    extends A;
+    parameter Real w = 2;
+  end B;
+  model Component
+    replaceable A h(g = 5);
+  end Component;
+  model ConstrainedComponent
+    replaceable A c(g = 5) constrainedby A;
+  end ConstrainedComponent;
+  model Class
+    replaceable model X = A(g = 5);
+    X h;
+  end Class;
+  model ConstrainedClass
+    replaceable model Y = A(g = 5) constrainedby A;
+    Y h;
+  end ConstrainedClass;
+  model M
+    {}
+  end M;
+end R;
+"""
+
+
+def _library(folder: Path, declarations: str) -> Path:
+    file = folder / "R.mo"
+    file.write_text(PACKAGE.replace("{}", declarations), "utf-8")
+    return file
+
+
+def test_what_is_kept_and_what_is_dropped(tmp_path: Path) -> None:
+    """What Modelica keeps has the value 5, what it drops 1."""
+    values = {
+        "Component a(redeclare B h);": 5.0,
+        "Component b(redeclare replaceable B h(w = 3));": 5.0,
+        "Component c(redeclare B h(g = 3));": 3.0,
+        "ConstrainedComponent d(redeclare B c(g = 4));": 4.0,
+        "ConstrainedClass e(redeclare model Y = B);": 1.0,
+        "model Inside extends ConstrainedComponent; redeclare B c; end Inside; Inside f;": 1.0,
+        "model Short extends ConstrainedClass; redeclare model Y = B; end Short; Short g;": 1.0,
+        "model Again extends Component; redeclare B h(g = 7); end Again; Again i;": 7.0,
+    }
+    built = build_fmu("R.M", tmp_path, library=_library(tmp_path, "\n".join(values)))
+    names = ["a.h.z", "b.h.z", "c.h.z", "d.c.z", "e.h.z", "f.c.z", "g.h.z", "i.h.z"]
+    with Fmu(built.path) as fmu:
+        found = fmu.run([0.0, 1.0], outputs=names).iloc[0]
+    assert dict(found) == dict(zip(names, values.values(), strict=True))
+
+
+@pytest.mark.parametrize(
+    ("declaration", "message"),
+    [
+        ("ConstrainedComponent a(redeclare B c);", "gives to g would be kept"),
+        ("ConstrainedComponent a(redeclare B c(f = 1));", "gives to g would be kept"),
+        ("Class a(redeclare model X = B);", "gives to g would be lost"),
+        ("extends Class(redeclare model X = B);", "gives to g would be lost"),
+        ("extends Class; redeclare model X = B;", "gives to g would be lost"),
+        ("extends Component; redeclare B h;", "gives to g would be lost"),
+        ("extends Component; redeclare replaceable B h(f = 1);", "gives to g would be lost"),
+    ],
+)
+def test_what_the_compiler_would_get_wrong_is_refused(tmp_path: Path, declaration: str, message: str) -> None:
+    file = _library(tmp_path, declaration)
+    with pytest.raises(UnsupportedModelError, match=message) as caught:
+        generate_model(BuildRequest("R.M", tmp_path, file))
+    assert str(caught.value).startswith(f"{file}:27:")
