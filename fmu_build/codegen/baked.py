@@ -3,14 +3,16 @@
 Array sizes, the arguments of ``sample()``, conditions of conditional components and the like are evaluated
 when the model is compiled, and rumoca's output does not say which parameters they depend on. Trial
 compilations with other values show this: a parameter is free if its value does not change the equations and
-if every parameter that depends on it is computed from it when the FMU is initialized.
+if every parameter that depends on it is computed from it when the FMU is initialized. `probes` says how
+choices are found.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +20,7 @@ import rumoca
 
 from fmu_build.codegen.functions.definitions import bodies
 from fmu_build.codegen.lowered import LoweredModel, read_mapping
+from fmu_build.codegen.probes import probe_values, thresholds
 from fmu_build.codegen.source import SETTING_PREFIX, ModelSource, Setting
 from fmu_build.codegen.start_values import StartValues
 
@@ -27,7 +30,8 @@ _TARGET = Path(__file__).parent / "target" / "variant"
 
 def baked_parameters(source: ModelSource, model: LoweredModel, starts: StartValues) -> frozenset[str]:
     """Return the names of the parameters (arrays as a whole) that cannot be set after compilation."""
-    candidates = list(_candidates(model, starts))
+    compared = thresholds(model.name, {Path(path): content for _, path, content in model.source_files})
+    candidates = list(_candidates(model, starts, compared))
     return frozenset(_search(source, _computed(model), candidates)) if candidates else frozenset()
 
 
@@ -38,6 +42,8 @@ class _Candidate:
     names: tuple[str, ...]
     present: Setting
     other: Setting
+    probes: tuple[Setting, ...]
+    """More values, by which other branches of the equations may be chosen; as many for each candidate."""
     fallback: _Candidate | None = None
     """Another way to set them, tried if they do not prove free in this way."""
 
@@ -80,7 +86,10 @@ def _is_free(source: ModelSource, computed: frozenset[str], group: Sequence[_Can
         for name, value in present["values"].items()
         if value != other["values"].get(name) and not name.startswith(SETTING_PREFIX)
     }
-    return changed <= computed | {name for candidate in group for name in candidate.names}
+    if not changed <= computed | {name for candidate in group for name in candidate.names}:
+        return False
+    probes = (_variant(source, settings) for settings in zip(*(one.probes for one in group), strict=True))
+    return all(probe is None or probe["equations"] == present["equations"] for probe in probes)
 
 
 def _variant(source: ModelSource, settings: Sequence[Setting]) -> dict[str, Any] | None:
@@ -91,7 +100,9 @@ def _variant(source: ModelSource, settings: Sequence[Setting]) -> dict[str, Any]
         return None
 
 
-def _candidates(model: LoweredModel, starts: StartValues) -> Iterator[_Candidate]:
+def _candidates(
+    model: LoweredModel, starts: StartValues, compared: tuple[float, ...] | None
+) -> Iterator[_Candidate]:
     """Yield every parameter that can be set unless it is baked."""
     finals = model.flat.get("variable_final_flags", {})
     groups: dict[str, list[Mapping[str, Any]]] = {}
@@ -100,23 +111,34 @@ def _candidates(model: LoweredModel, starts: StartValues) -> Iterator[_Candidate
         is_open = flat is not None and not flat["is_protected"] and not finals.get(entry["name"], False)
         if entry["role"] == "parameter" and is_open and entry["attributes"]["tunable"]:
             groups.setdefault(_SUBSCRIPTS.sub("", entry["name"]), []).append(entry)
-    for path, entries in groups.items():
-        candidate = _candidate(model, starts, path, entries)
+    for number, (path, entries) in enumerate(groups.items()):
+        probe = (
+            partial(probe_values, number=number, compared=compared) if compared is not None else _no_probes
+        )
+        candidate = _candidate(model, starts, path, entries, probe)
         if candidate is not None:
             yield candidate
 
 
+def _no_probes(_: float) -> list[float]:
+    return []
+
+
 def _candidate(
-    model: LoweredModel, starts: StartValues, path: str, entries: Sequence[Mapping[str, Any]]
+    model: LoweredModel,
+    starts: StartValues,
+    path: str,
+    entries: Sequence[Mapping[str, Any]],
+    probe: Callable[[float], list[float]],
 ) -> _Candidate | None:
     """Return the candidate for a parameter, in all components of an array if they form one."""
     bindings = model.solve["layout"]["bindings"]
     scalars = [scalar for entry in entries for scalar in entry["scalar_names"] if scalar in bindings]
     values = [starts.of(("p", bindings[scalar]["P"]["index"])) for scalar in scalars]
-    texts = [_texts(model, starts, entries[0], value) for value in values]
+    texts = [_texts(model, starts, entries[0], value, probe(value)) for value in values]
     if not texts or None in texts:
         return None
-    present, other = zip(*(text for text in texts if text), strict=True)
+    present, other, *probes = zip(*(text for text in texts if text), strict=True)
     last = [int(n) for group in _SUBSCRIPTS.findall(entries[-1]["name"]) for n in group[1:-1].split(",")]
     dimensions = (*last, *entries[0]["value_type"]["dimensions"])
     kind = _kind(model, starts, entries[0])
@@ -125,12 +147,15 @@ def _candidate(
         names,
         Setting(path, kind, dimensions, _array(present, dimensions)),
         Setting(path, kind, dimensions, _array(other, dimensions)),
+        tuple(Setting(path, kind, dimensions, _array(one, dimensions)) for one in probes),
     )
     if len(names) == 1 or len(set(present)) > 1:
         return whole
     # A modifier for the whole array does not replace one that was given with "each".
-    one, another = (Setting(path, kind, (), value, each=True) for value in (present[0], other[0]))
-    return _Candidate(names, one, another, fallback=whole)
+    one, another, *more = (
+        Setting(path, kind, (), value[0], each=True) for value in (present, other, *probes)
+    )
+    return _Candidate(names, one, another, tuple(more), fallback=whole)
 
 
 def _kind(model: LoweredModel, starts: StartValues, entry: Mapping[str, Any]) -> str:
@@ -141,23 +166,22 @@ def _kind(model: LoweredModel, starts: StartValues, entry: Mapping[str, Any]) ->
 
 
 def _texts(
-    model: LoweredModel, starts: StartValues, entry: Mapping[str, Any], value: float
-) -> tuple[str, str] | None:
-    """Return the Modelica text of a value and of a different one of its type; None if there is no other."""
+    model: LoweredModel, starts: StartValues, entry: Mapping[str, Any], value: float, probes: Sequence[float]
+) -> tuple[str, ...] | None:
+    """Return the Modelica texts of a value, another of its type and the probes; None if there is no other."""
     match entry["value_type"]["scalar"]:
         case "real":
-            return repr(value), repr(value * 1.0625 + 0.03125)
+            return tuple(map(repr, (value, value * 1.0625 + 0.03125, *probes)))
         case "integer":
-            return str(int(value)), str(int(value) + 1)
+            return tuple(str(round(one)) for one in (value, value + 1, *probes))
         case "boolean":
-            return ("true", "false") if value else ("false", "true")
+            return tuple("true" if one else "false" for one in (value, not value, *(p > 0 for p in probes)))
     enumeration = starts.enumeration_of(model.flat["variable_type_names"].get(entry["name"], ""))
     if enumeration is None or len(enumeration.literals) < 2:
         return None
-    present = int(value) - 1
-    other = (present + 1) % len(enumeration.literals)
-    names = [f"{enumeration.name}.{enumeration.literals[i][0]}" for i in (present, other)]
-    return names[0], names[1]
+    numbers = [int(value) - 1, int(value), *(int(value) + 1 + i for i in range(len(probes)))]
+    literals = enumeration.literals
+    return tuple(f"{enumeration.name}.{literals[n % len(literals)][0]}" for n in numbers)
 
 
 def _array(values: Sequence[str], dimensions: Sequence[int]) -> str:

@@ -1,0 +1,51 @@
+"""Values with which trial compilations find choices that hang on parameters.
+
+In a when-clause such as ``when c then d = if q > 3 then pre(d) + 1 else 0; end when;`` rumoca evaluates the
+condition while it compiles, and keeps the branch of the present values. A slightly different q would show
+nothing: the values here lie on both sides of every number with which the source compares something, and
+change the order of any two of the parameters.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from pathlib import Path
+
+from fmu_build.modelica_source.constructs import ModelText
+
+_CHOICE_IN_WHEN = r"\b(?<!end )when\b(?:(?!\bend\s+when\b).)*?\bif\b"
+_NUMBER = r"\d+(?:\.\d*)?(?:[eE][+-]?\d+)?"
+_RELATION = r"(?:<=|>=|==|<>|<|>)"
+_COMPARED = re.compile(rf"{_RELATION}\s*(-?\s*{_NUMBER})|(-?\s*{_NUMBER})\s*{_RELATION}")
+#: So many parameters have different orders of their values.
+_ORDERS = 8
+
+
+def thresholds(model: str, texts: Mapping[Path, str]) -> tuple[float, ...] | None:
+    """Return the numbers with which a model compares something; None without a choice in a when-clause."""
+    source = ModelText(model, texts, around=False)
+    if not source.find([f"(?s:{_CHOICE_IN_WHEN})"]):
+        return None
+    found = {
+        float((match[1] or match[2]).replace(" ", ""))
+        for construct in source.find([_COMPARED.pattern])
+        if (match := _COMPARED.fullmatch(construct.plain))
+    }
+    return tuple(sorted(found))
+
+
+def probe_values(value: float, number: int, compared: tuple[float, ...]) -> list[float]:
+    """Return values of one parameter, as many for each: about what is compared, then far from the present.
+
+    Rounded, those about a whole number are that number and the next.
+
+    Args:
+        value: the present one
+        number: of the parameter
+        compared: see `thresholds`
+    """
+    near = [one for c in compared for one in (c - 1e-3 * (abs(c) or 1.0), c + 0.501)]
+    far = 10.0 * (1.0 + abs(value))
+    bits = (number % _ORDERS & 1 << place for place in range(_ORDERS.bit_length() - 1))
+    return near + [value + sign * far for bit in bits for sign in ((1.0, -1.0) if bit else (-1.0, 1.0))]
