@@ -7,7 +7,7 @@
 #             platform (PLATFORMS=all: Linux, Windows and macOS; PLATFORMS="x86_64-linux x86_64-windows": those);
 #             FMI=3: of FMI 3.0, in build/fmi3/; FMI="2 3": both
 # make ssp    operator and joystick as one system: build/joystick.ssp
-# make fuzz  random FMI calls (with clang) and damaged files, SECONDS=60 in all; corpora in build/fuzz/
+# make fuzz  random FMI calls (with clang), damaged files, random models, SECONDS=60 in all; corpora in build/fuzz/
 # make lint   ruff, mypy, the C compilers with every warning an error, the Modelica checks
 # make lint-js  the JavaScript of the pages by Biome, which npm gets; skipped where it cannot
 # make bench  speed as ratios within one run

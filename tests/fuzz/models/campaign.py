@@ -1,4 +1,4 @@
-"""Many trials of random models, shared among processes: one that ends its process is a fault like any other."""
+"""Many trials of random models, shared among processes: one that ends its process is a fault, too."""
 
 from __future__ import annotations
 

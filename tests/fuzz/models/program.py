@@ -1,4 +1,4 @@
-"""Random Modelica models: functions, components, classes that extend others, events, differential equations."""
+"""Random Modelica models: functions, components, classes that extend others, events, states."""
 
 from __future__ import annotations
 
@@ -145,7 +145,8 @@ def _parts(w: _Writer) -> None:
     first, body = Terms(w.random, Scope(reals=("k",))).real(1), Terms(w.random, inner).real(2)
     w.package.append(
         f"  model Part\n    parameter Real k = 0.5;\n    parameter Real c = {first.text};\n"
-        f"    parameter Integer n = 2;\n    Real u;\n    Real y;\n  equation\n    y = {body.text};\n  end Part;"
+        "    parameter Integer n = 2;\n    Real u;\n    Real y;\n  equation\n"
+        f"    y = {body.text};\n  end Part;"
     )
     n = w.random.randint(1, 4)
     constant = Scope(reals=("p1", "p2", "q1"), integers=("n1",), booleans=("b1",))
@@ -196,7 +197,8 @@ def _derived(w: _Writer) -> None:
         w.declarations.append(f"Derived base(f = {e.text});")
     elif form == 1:
         w.package.append(
-            "  model Derived\n    parameter Real f = 1;\n    extends Base(e = 2*f, redeclare B h);\n  end Derived;"
+            "  model Derived\n    parameter Real f = 1;\n    extends Base(e = 2*f, redeclare B h(g = 2));\n"
+            "  end Derived;"
         )
         w.declarations.append(f"Derived base(f = {e.text});")
     else:
@@ -205,7 +207,6 @@ def _derived(w: _Writer) -> None:
 
     def value(v: dict[str, Any]) -> float:
         own = {"e": e.value(v) if form == 2 else 2 * e.value(v), "time": v["time"]}
-        # What follows constrainedby holds for a redeclaration too, the modifier g = e does not (section 7.3.2).
         of_g = {0: own["e"], 1: 2.0, 2: g.value(v)}[form]
         own["h.z"] = inner.value({"g": of_g, "time": v["time"]})
         return x.value(own)
@@ -229,9 +230,10 @@ def _discrete(w: _Writer) -> None:
         w.meaning.starts[name] = Term("", lambda _, start=start: start)
     new_d = [Terms(random, constant).real(2) for _ in range(2)]
     first, second = sorted(round(random.uniform(0.1, 1.9), 3) for _ in range(2))
-    w.equations.append(
-        f"when time >= {first} then d = {new_d[0].text}; elsewhen time >= {second} then d = {new_d[1].text}; end when;"
+    one, other = (
+        f"time >= {due} then d = {new.text};" for due, new in zip((first, second), new_d, strict=True)
     )
+    w.equations.append(f"when {one} elsewhen {other} end when;")
     w.meaning.whens.append(When((first,), None, (("d", new_d[0]),)))
     w.meaning.whens.append(When((second,), None, (("d", new_d[1]),)))
     start, period = round(random.uniform(0.01, 0.5), 3), round(random.uniform(0.11, 0.6), 3)

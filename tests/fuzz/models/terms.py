@@ -1,4 +1,4 @@
-"""Random Modelica expressions, each beside a Python function of what it means by the language's specification."""
+"""Random Modelica expressions, each beside a Python function of what the specification says it means."""
 
 from __future__ import annotations
 
@@ -116,10 +116,11 @@ class Terms:
             return Term(
                 "{" + ", ".join(one.text for one in parts) + "}", lambda v: [one.value(v) for one in parts]
             )
-        rules = [self._added, self._scaled, self._elementwise, self._mapped, self._comprehension]
-        rules += [self._transformed, self._picked, self._filled, self._crossed]
+        rules = [self._added, self._scaled, self._elementwise, self._mapped, self._transformed]
+        # What the compiler often refuses is rare.
+        rules = 4 * [*rules, self._picked, self._filled] + [self._comprehension, self._crossed]
         if not self.scope.is_smooth:
-            rules.append(self._chosen)
+            rules += 4 * [self._chosen]
         return self.random.choice(rules)(depth - 1)
 
     # Scalars
