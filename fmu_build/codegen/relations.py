@@ -82,15 +82,13 @@ class Relations:
         return memory
 
     def freeze_step(self, node: Expression) -> Expression:
-        """Return the memory of floor(u), ceil(u) or trunc(u), adding it and its two crossings if needed."""
+        """Return the memory of floor(u), ceil(u) or trunc(u), adding it and its crossings if needed."""
         if node not in self.floors:
             memory = ex.p(self.n_p)
             self.floors[node] = self.n_p
             self.n_p += 1
-            argument = node.arguments[0]
-            low, high = _interval(node.operator, memory)
-            self._add(self.crossings, binary("Sub", argument, low), node.operator != "Floor")
-            self._add(self.crossings, binary("Sub", high, argument), node.operator == "Floor")
+            for root, holds_at_zero in _departures(node.operator, node.arguments[0], memory):
+                self._add(self.crossings, root, holds_at_zero)
         return ex.p(self.floors[node])
 
     def freeze(self, node: Expression, unwatched: frozenset[tuple[Expression, bool]]) -> Expression | None:
@@ -114,15 +112,23 @@ def _memory(index: int, negated: bool) -> Expression:
     return ex.unary("Not", memory) if negated else memory
 
 
-def _interval(operator: str, value: Expression) -> tuple[Expression, Expression]:
-    """Return the bounds of the argument between which floor, ceil or trunc has this value."""
+def _departures(operator: str, u: Expression, value: Expression) -> list[tuple[Expression, bool]]:
+    """Return what becomes negative where floor, ceil or trunc of u leaves it, and whether zero is outside.
+
+    The interval of trunc(u) begins with its value on the side of zero, and ends before the next on the other.
+    """
     above, below = binary("Add", value, ex.ONE), binary("Sub", value, ex.ONE)
     if operator == "Floor":
-        return value, above
+        return [(binary("Sub", u, value), False), (binary("Sub", above, u), True)]
     if operator == "Ceil":
-        return below, value
-    low = ex.select(Expression("Gt", (value, ZERO)), value, below)
-    return low, ex.select(Expression("Lt", (value, ZERO)), value, above)
+        return [(binary("Sub", u, below), True), (binary("Sub", value, u), False)]
+    is_above, is_below = Expression("Gt", (value, ZERO)), Expression("Lt", (value, ZERO))
+    return [
+        (ex.select(is_above, binary("Sub", u, value), ex.ONE), False),
+        (ex.select(is_above, ex.ONE, binary("Sub", u, below)), True),
+        (ex.select(is_below, binary("Sub", value, u), ex.ONE), False),
+        (ex.select(is_below, ex.ONE, binary("Sub", above, u)), True),
+    ]
 
 
 def _as_root(node: Expression) -> tuple[Expression, bool, bool]:

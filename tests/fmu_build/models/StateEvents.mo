@@ -302,6 +302,15 @@ package StateEvents "Models whose events are found by zero crossings of continuo
     der(w) = d;
   end IntegerEvents;
 
+  model ExactSteps "A line that meets whole numbers exactly, with no other event that would hide a missed one"
+    Real u "From 3 to -3";
+    Real d, r;
+  equation
+    u = 3 - time;
+    d = div(u, 1);
+    r = rem(u, 1);
+  end ExactSteps;
+
   model NoEvents "noEvent and smooth: the same kinks without events"
     Real x(start=-1, fixed=true);
     Real kinked "max(x, 0) written with noEvent";

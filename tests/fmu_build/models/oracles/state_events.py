@@ -244,6 +244,11 @@ def integer_events(t: Array) -> Values:
     }
 
 
+def exact_steps(t: Array) -> Values:
+    u = 3.0 - t
+    return {"d": np.trunc(u), "r": u - np.trunc(u)}
+
+
 def no_events_model(t: Array) -> Values:
     x = t - 1
     kinked, shifted = np.maximum(x, 0), np.maximum(x - 0.5, 0)
@@ -271,6 +276,7 @@ CASES = (
     Case("StateEvents.AfterInitial", 1.0, after_initial, events=at(0.5)),
     Case("StateEvents.TrueAtStart", 15.0, true_at_start, events=cosine_crossings),
     Case("StateEvents.ReinitChain", 1.0, reinit_chain, events=at(0.5)),
+    Case("StateEvents.ExactSteps", 6.0, exact_steps, events=at(0.0, 1.0, 2.0, 4.0, 5.0, 6.0)),
     Case("StateEvents.IntegerEvents", 8.0, integer_events, events=integer_events_times),
     Case("StateEvents.NoEvents", 3.0, no_events_model),
 )
