@@ -13,7 +13,8 @@ from typing import Any, Final, Literal
 from fmu_build import build_fmu
 from fmu_build.support.errors import BuildError, UnsupportedModelError
 from pyjoystick.fmu import Fmu, run_model_exchange
-from tests.fuzz.models.program import END, Program, random_program
+from tests.fuzz.models.dynamics import END
+from tests.fuzz.models.program import Program, random_program
 
 #: What rounding and cancellation may leave, of the size of the value.
 _ROUNDING: Final = 1e-9
