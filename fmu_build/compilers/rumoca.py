@@ -32,6 +32,7 @@ from fmu_build.compilers.library_path import (
     used_libraries,
 )
 from fmu_build.compilers.rumoca_errors import native_stderr, syntax_errors, translated_errors
+from fmu_build.modelica_source.builtins import with_known_functions
 from fmu_build.modelica_source.reached import IN_MEMORY, ReachedSource
 from fmu_build.packaging import check_request, package_fmu
 from fmu_build.support.description import GeneratedModel
@@ -152,7 +153,7 @@ def _loaded_in_part(reached: ReachedSource, model: str) -> tuple[rumoca.Session,
     for file, text in reached.texts.items():
         # The session keeps each text, then fails to compile a model that does not exist.
         with suppress(rumoca.CompileError):
-            session.loads(text, model=_NONE, filename=f"{IN_MEMORY}{file}")
+            session.loads(with_known_functions(text), model=_NONE, filename=f"{IN_MEMORY}{file}")
     return session, session.loads(f"package {_NONE} end {_NONE};", model=model)
 
 

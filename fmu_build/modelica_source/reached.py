@@ -3,8 +3,9 @@
 A compiler that reads the whole Modelica Standard Library for one model spends most of a build on classes that
 the model never names. A name refers to a class only through words of the text: every part of it is declared
 in an enclosing scope, in a package that is named, or in a base class that is named. So it suffices to keep
-the classes whose simple name is a word of a class that is kept, and that are declared in one that is kept.
-This is more than the model needs, and never less.
+the classes whose simple name is a word of a class that is kept, and that are declared in one that is kept;
+beside those that the language uses without a name, such as constructors. This is more than the model needs,
+and never less.
 """
 
 from __future__ import annotations
@@ -24,6 +25,21 @@ _WORD = re.compile(r"'(?:[^'\\\n]|\\.)*'|[A-Za-z_]\w*")
 _PREFIXES = re.compile(
     r"(?:\b(?:final|redeclare|replaceable|encapsulated|partial|expandable|pure|impure|operator)\s+)+\Z"
 )
+_IMPLICIT = frozenset(
+    (
+        "constructor",
+        "destructor",
+        "equalityConstraint",
+        "'constructor'",
+        "'String'",
+        "'0'",
+        "'not'",
+        "'and'",
+        "'or'",
+    )
+).union(f"'{operator}'" for operator in ("+", "-", "*", "/", "^", "==", "<>", "<", "<=", ">", ">="))
+"""Classes that the language uses without their name."""
+
 _PREFIXES_AT_MOST = 100
 """Characters before a class in which its prefixes are looked for."""
 
@@ -62,7 +78,7 @@ class ReachedSource:
         self._inner: dict[str, list[SourceClass]] = defaultdict(list)
         self._words: set[str] = set()
         self._unnamed: dict[str, list[SourceClass]] = defaultdict(list)
-        waiting = self._named(frozenset(model.split(".")))
+        waiting = self._named(_IMPLICIT.union(model.split(".")))
         waiting += self._offered(SourceClass(name, path) for name, path in roots.items())
         while waiting:
             waiting += self._keep(waiting.pop())
