@@ -31,7 +31,7 @@ _messages = Console(stderr=True, highlight=False, soft_wrap=True)
 def main(
     library: Annotated[
         Path,
-        typer.Option(metavar="DIR", exists=True, help="Folder Modelica of the Modelica Standard Library."),
+        typer.Option(metavar="DIR", exists=True, help="Folder Modelica of the library."),
     ],
     reference: Annotated[
         Path,
@@ -39,9 +39,7 @@ def main(
             metavar="DIR", exists=True, help="Folder Modelica of its reference results, of the same version."
         ),
     ],
-    only: Annotated[
-        str, typer.Option(metavar="PATTERN", help="Part of the name of the examples to try.")
-    ] = "",
+    only: Annotated[str, typer.Option(metavar="PATTERN", help="Part of the names of examples.")] = "",
     seconds: Annotated[float, typer.Option(min=1, help="Longest time for one example.")] = 120.0,
 ) -> None:
     """Build examples of the Modelica Standard Library, run them and compare them with reference results.
@@ -54,9 +52,9 @@ def main(
     for name, folder in _examples(reference):
         if only in name:
             _messages.print(escape(name), end=" ")
-            outcomes[name] = _in_a_process(f"Modelica.{name}", library, folder, seconds)
+            outcomes[name] = _in_a_process(f"Modelica.{name}", library.resolve(), folder, seconds)
             _messages.print(escape(f"{outcomes[name].verdict}: {outcomes[name].detail}"))
-    typer.echo(_table(outcomes), nl=False)
+    typer.echo(_table(outcomes).replace(f"{library.resolve().parent}/", ""), nl=False)
 
 
 def _examples(reference: Path) -> Iterator[tuple[str, Path]]:
@@ -94,5 +92,8 @@ def _cell(outcome: Outcome) -> str:
     return _PLACE.sub("", first).replace("|", r"\|")
 
 
+app = typer.Typer(add_completion=False, pretty_exceptions_enable=False)
+app.command()(main)
+
 if __name__ == "__main__":
-    typer.run(main)
+    app(prog_name="python -m benchmarks.msl")

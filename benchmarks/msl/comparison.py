@@ -13,13 +13,13 @@ from numpy.typing import NDArray
 TOLERANCE = 1e-4
 """Of the range of a signal."""
 NEAR = 1e-3
-"""Of the range: reference results are computed with tolerances of 1e-4 to 1e-6, so may be off by this much."""
+"""Of the range: a reference result may itself be off by this much."""
 TIME_TOLERANCE = 1e-6
 """Of the length of the run: how far apart a jump may lie in the two results."""
 _LEAST_RANGE = 1e-6
 _LEAST_SHARE = 1e-3
-"""The range of a signal counts as at least this, and as this share of its largest magnitude: what is constant in
-a reference result varies by rounding there."""
+"""The range of a signal counts as at least this, and as this share of its largest magnitude: what is constant
+in a reference result varies by rounding there."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -47,9 +47,9 @@ def try_example(model: str, library: Path, reference_folder: Path) -> Outcome:
                 result = fmu.run(reference.instants, outputs=reference.signals, tolerance=_RUN_TOLERANCE)
         except PyJoystickError as error:
             return Outcome("fails", str(error), built.seconds)
-    error, signal = largest_error(reference, result)
-    verdict: Verdict = "right" if error <= TOLERANCE else "near" if error <= NEAR else "wrong"
-    return Outcome(verdict, f"{error:.0e} {signal}".strip(), built.seconds)
+    distance, signal = largest_error(reference, result)
+    verdict: Verdict = "right" if distance <= TOLERANCE else "near" if distance <= NEAR else "wrong"
+    return Outcome(verdict, f"{distance:.0e} {signal}".strip(), built.seconds)
 
 
 if __name__ == "__main__":

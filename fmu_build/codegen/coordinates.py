@@ -21,8 +21,7 @@ _COORDINATE = "$state_coordinates"
 def with_named_states(model: LoweredModel, equations: Equations) -> LoweredModel:
     """Return the model with the name of a variable for every state.
 
-    Raises `UnsupportedModelError` if the choice of states is not valid for the whole motion, or an event
-    sets one of the variables.
+    Raises `UnsupportedModelError` if the choice of states is not valid for the whole motion.
     """
     names: list[str] = model.solve["solve_layout"]["solver_maps"]["names"]
     coordinates = [i for i in range(equations.n_states) if names[i].startswith(_COORDINATE)]
@@ -34,8 +33,6 @@ def with_named_states(model: LoweredModel, equations: Equations) -> LoweredModel
             "states that rumoca selects are valid for part of the motion only; write the model in "
             "independent coordinates"
         )
-    if any(row.kind == "reinit" for row in equations.discrete):
-        raise model.unsupported("reinit() in a model with constraints between its states is not supported")
     taken = {index: _variable_equal_to(index, model, equations) for index in coordinates}
     return _renamed(model, taken)
 

@@ -7,7 +7,7 @@ import re
 _NAMES = "sin|cos|tan|asin|acos|atan|atan2|sinh|cosh|tanh|exp|log|log10"
 _EXTERNAL = re.compile(
     rf'\bexternal\s*"builtin"\s*(?P<result>\w+)\s*=\s*(?P<call>(?:{_NAMES})\s*\([\w\s,]*\))\s*;'
-    r"(?P<annotation>\s*annotation\s*\()"
+    r"(?P<annotation>\s*annotation\s*\()(?P<others>(?!\s*\)))?"
 )
 _INTERPOLATE = re.compile(
     r"(?P<head>\bfunction\s+interpolate\b.*?\boutput\s+Integer\s+iNew\b[^;]*;\s*)"
@@ -29,8 +29,12 @@ def with_known_functions(text: str) -> str:
 
     A function declared as ``external "builtin" y = sin(u)`` calls the built-in one in an algorithm.
     """
-    text = _EXTERNAL.sub(r"algorithm \g<result> := \g<call>;\g<annotation>Inline = true, ", text)
-    return _INTERPOLATE.sub(_interpolation, text)
+    return _INTERPOLATE.sub(_interpolation, _EXTERNAL.sub(_built_in, text))
+
+
+def _built_in(found: re.Match[str]) -> str:
+    separator = "" if found["others"] is None else ", "
+    return f"algorithm {found['result']} := {found['call']};{found['annotation']}Inline = true{separator}"
 
 
 def _interpolation(found: re.Match[str]) -> str:
