@@ -44,7 +44,7 @@ def build_fmu(
     output: str | PathLike[str],
     *,
     compiler: str = "rumoca",
-    library: str | PathLike[str] | None = None,
+    library: str | PathLike[str] | Sequence[str | PathLike[str]] | None = None,
     fmi_version: FmiVersion = "2.0",
     fmi_types: Sequence[FmiType] = ("me", "cs"),
     platforms: Sequence[str] = (),
@@ -59,6 +59,7 @@ def build_fmu(
         output: folder that receives ``<last part of the class name>.fmu``; created if it is missing.
         compiler: name of the Modelica compiler; see `compiler_names`.
         library: Modelica file or package folder with the model; the PreloadedSprings library by default.
+            Several, if the model uses others that are neither beside its own nor in MODELICAPATH.
             A library of your own may use PreloadedSprings without naming it here.
         fmi_version: version of the FMI standard; some versions of OpenModelica cannot build 3.0.
         fmi_types: Model Exchange, Co-Simulation, or both in one FMU.
@@ -73,10 +74,13 @@ def build_fmu(
         BuildError: its subclasses and messages name the fault and its place. The output folder is then
             left unchanged.
     """
+    given = () if library is None else (library,) if isinstance(library, str | PathLike) else library
+    libraries = tuple(map(Path, given))
     request = BuildRequest(
         model=model,
         output=Path(output),
-        library=None if library is None else Path(library),
+        library=libraries[0] if libraries else None,
+        further=libraries[1:],
         fmi_version=fmi_version,
         fmi_types=tuple(fmi_types),
         platforms=tuple(platforms),

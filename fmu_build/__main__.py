@@ -81,10 +81,11 @@ def main(
         typer.Option(callback=_known_compiler, help=f"Modelica compiler: {', '.join(compiler_names())}."),
     ] = "rumoca",
     library: Annotated[
-        Path | None,
+        list[Path] | None,
         typer.Option(
             metavar="PATH",
-            help="Modelica file or package folder with the models; default: PreloadedSprings.",
+            help="Modelica file or package folder with the models, or that they use, repeatable; libraries "
+            "beside these and in MODELICAPATH are found by name. Default: PreloadedSprings.",
             show_default=False,
         ),
     ] = None,

@@ -8,6 +8,7 @@ from fmu_build.codegen.annotations import default_experiment, documentation, ter
 from fmu_build.codegen.baked import baked_parameters
 from fmu_build.codegen.c_model import write_model
 from fmu_build.codegen.compact import compact
+from fmu_build.codegen.coordinates import with_named_states
 from fmu_build.codegen.equations import Equations, n_named_slots, read_equations
 from fmu_build.codegen.functions import FunctionLibrary
 from fmu_build.codegen.lowered import lower
@@ -34,6 +35,7 @@ def generate(source: ModelSource, sensitivity: SensitivityRequest | None = None)
     reject_unsupported(lowered)
     functions = FunctionLibrary(lowered)
     equations = compact(read_equations(lowered, functions.name_of), n_named_slots(lowered))
+    lowered = with_named_states(lowered, equations)
     starts = StartValues(lowered)
     baked = baked_parameters(source, lowered, starts)
     variables = VariableReader(lowered, equations, starts, baked).read()

@@ -12,6 +12,7 @@ import rumoca
 
 from fmu_build.codegen.compiled import CompiledModel
 from fmu_build.codegen.not_lowered import not_lowered
+from fmu_build.modelica_source.reached import IN_MEMORY
 from fmu_build.support.errors import UnsupportedModelError
 
 SOLVE_SCHEMA = 71
@@ -44,7 +45,7 @@ def lower(model: rumoca.Model) -> LoweredModel:
     compiled = CompiledModel(
         name=model.name,
         flat=model.to_dict("flat"),
-        source_files=tuple((number, path, text) for number, path, text in files),
+        source_files=tuple((number, path.removeprefix(IN_MEMORY), text) for number, path, text in files),
     )
     try:
         rendered = model.codegen(str(_TARGET))

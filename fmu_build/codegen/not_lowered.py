@@ -82,12 +82,21 @@ def _dependent_equations(_: CompiledModel, message: re.Match[str]) -> Obstacles:
     )
 
 
+def _reinitialized_dependents(_: CompiledModel, __: re.Match[str]) -> Obstacles:
+    yield (
+        "reinit() is not supported for a variable that follows from a state by a constraint; "
+        "apply it to the state",
+        None,
+    )
+
+
 _FINDERS: tuple[tuple[str, Callable[[CompiledModel, re.Match[str]], Obstacles]], ...] = (
     ("", _strings),
     ("", _external_functions),
     ("depends on a runtime coordinate", _variable_attributes),
     ("checked recursion limit", _recursive_functions),
     ("clock activation owners", _partly_sampled_clauses),
+    ("missing state mapping for event reinitialization", _reinitialized_dependents),
     (r"structurally singular system: (\d+) matched out of (\d+) equations", _dependent_equations),
 )
 """Pattern of rumoca's message, and finder; Strings and external functions may cause any message."""

@@ -96,6 +96,8 @@ class ProgramReader:
                 return Expression(fields["op"], (registers[fields["lhs"]], registers[fields["rhs"]]))
             case "Select":
                 return ex.select(*(registers[fields[name]] for name in ("cond", "if_true", "if_false")))
+        if kind.startswith("Table"):
+            raise self._model.unsupported("tables (CombiTable1Ds, CombiTimeTable) are not supported", span)
         detail = f" {fields['op']}" if "op" in fields else ""
         raise self._model.unsupported(f"operation {kind}{detail} of the Solve IR is not supported", span)
 

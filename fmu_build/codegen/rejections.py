@@ -13,7 +13,7 @@ from fmu_build.codegen.lowered import LoweredModel
 def reject_unsupported(model: LoweredModel) -> None:
     """Raise `UnsupportedModelError` for the first construct that would be translated wrongly."""
     _reject_operators(model)
-    _reject_dynamic_state_selection(model)
+    _reject_initial_manifold(model)
     _reject_surplus_initial_equations(model)
     _reject_undetermined_parameters(model)
     _reject_repeated_assignments(model)
@@ -27,10 +27,8 @@ def _reject_operators(model: LoweredModel) -> None:
             raise model.unsupported(f"{kind}() is not supported", call["provenance"]["span"])
 
 
-def _reject_dynamic_state_selection(model: LoweredModel) -> None:
-    names = model.solve["solve_layout"]["solver_maps"]["names"]
-    chosen = any(name.startswith("$state_coordinates") for name in names)
-    if chosen or model.solve["initialization"]["manifold_row_count"]:
+def _reject_initial_manifold(model: LoweredModel) -> None:
+    if model.solve["initialization"]["manifold_row_count"]:
         raise model.unsupported(
             "the model has constraints between its states (an index above one), and the states that rumoca "
             "selects are valid for part of the motion only; write the model in independent coordinates"

@@ -53,6 +53,15 @@ def entry_file(library: Path) -> Path:
     return library
 
 
+def top_level_classes(library: Path) -> list[str]:
+    """Return the top-level classes of a library: a package folder has one.
+
+    Raises `ModelNotFoundError` if there is no library.
+    """
+    names = (declared.name for declared in declarations(read_text(entry_file(library))))
+    return list(dict.fromkeys(name for name in names if "." not in name))
+
+
 def source_files(library: Path) -> list[Path]:
     """Return all Modelica files of a library."""
     return sorted(library.rglob("*.mo")) if library.is_dir() else [library]
@@ -65,18 +74,20 @@ def readable_files(library: Path) -> list[Path]:
     return list({file.resolve(): file for file in (*own, *beside, *source_files(library))}.values())
 
 
-def needed_files(library: Path) -> list[Path]:
+def needed_files(library: Path, given: Sequence[Path] = ()) -> list[Path]:
     """Return the entry files to open for a library: those of the libraries that it needs, then its own.
 
-    It needs this project's library or, if it is a single file, others in its folder, if it mentions their
-    top-level classes, directly or through others. Raises `ModelNotFoundError` if there is no library.
+    It needs this project's library, those `given` or, if it is a single file, others in its folder, if it
+    mentions their top-level classes, directly or through others. Raises `ModelNotFoundError` if there is no
+    library.
     """
     entry = entry_file(library)
-    own = {name for name in read_classes(library) if "." not in name}
+    own = top_level_classes(library)
     others = {DEFAULT_LIBRARY: default_library()}
+    others.update((name, other) for other in given for name in top_level_classes(other))
     if not library.is_dir():
         for file in sorted(library.parent.glob("*.mo")):
-            others.update((name, file) for name in read_classes(file) if "." not in name)
+            others.update((name, file) for name in top_level_classes(file))
     needed: list[Path] = []
     waiting = [library]
     while waiting:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import os
 import time
 import traceback
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, suppress
 from dataclasses import replace
 from importlib import metadata
 from pathlib import Path
@@ -14,7 +16,6 @@ from fmu_build.compilers.input_steps import input_steps_file, read_input_steps
 from fmu_build.compilers.library import (
     DEFAULT_LIBRARY,
     MODEL_KINDS,
-    ModelicaClass,
     default_library,
     entry_file,
     mentions,
@@ -23,7 +24,16 @@ from fmu_build.compilers.library import (
     readable_files,
     source_files,
 )
+from fmu_build.compilers.library_path import (
+    VARIABLE,
+    Libraries,
+    find_libraries,
+    reached_source,
+    used_libraries,
+)
 from fmu_build.compilers.rumoca_errors import native_stderr, syntax_errors, translated_errors
+from fmu_build.modelica_source.builtins import with_known_functions
+from fmu_build.modelica_source.reached import IN_MEMORY, ReachedSource
 from fmu_build.packaging import check_request, package_fmu
 from fmu_build.support.description import GeneratedModel
 from fmu_build.support.errors import ToolchainError
@@ -31,6 +41,9 @@ from fmu_build.support.request import BuildRequest, BuildResult
 
 if TYPE_CHECKING:
     import rumoca
+
+_NONE = "FmuBuildNone"
+"""The name of no class."""
 
 
 class RumocaCompiler:
@@ -63,26 +76,28 @@ class RumocaCompiler:
 
 def generate_model(request: BuildRequest) -> tuple[GeneratedModel, str]:
     """Return the C model and rumoca's log; raises as `RumocaCompiler.build` does."""
+    libraries = find_libraries(request.model, request.libraries)
     try:
-        return _generated(request)
+        with _without_modelica_path():
+            return _generated(request, libraries)
     except BaseException as error:
         _release_sessions(error)
         raise
 
 
-def _generated(request: BuildRequest) -> tuple[GeneratedModel, str]:
+def _generated(request: BuildRequest, libraries: Libraries) -> tuple[GeneratedModel, str]:
     from fmu_build.codegen import ModelSource, generate
 
-    library = request.library or default_library()
-    entry = entry_file(library)
-    classes = read_classes(library)
-    known = classes.get(request.model)
+    library = libraries.own
+    entry_file(library)
+    reached = reached_source(request.model, libraries)
+    known = reached.classes.get(request.model)
     if known is None or known.kind not in MODEL_KINDS:
-        raise not_found(request.model, library, classes, syntax_errors(source_files(library)))
-    files = readable_files(library)
+        raise not_found(request.model, library, read_classes(library), syntax_errors(source_files(library)))
+    alone = all(_is_read_with(library, used) for used in used_libraries(libraries, reached))
+    files = readable_files(library) if alone else list(reached.texts)
     with native_stderr() as loading, translated_errors(request.model, known.file, files):
-        session = _session(library, classes)
-        model = session.load(str(entry), model=request.model)
+        session, model = _loaded(library, request.model) if alone else _loaded_in_part(reached, request.model)
     request.on_stage("generating C")
     with native_stderr() as generating, translated_errors(request.model, known.file, files):
         generated = generate(ModelSource(session, model), request.sensitivity)
@@ -109,16 +124,45 @@ def _with_input_steps(model: GeneratedModel, library: Path) -> GeneratedModel:
     return replace(model, description=replace(description, default_experiment=experiment))
 
 
-def _session(library: Path, classes: dict[str, ModelicaClass]) -> rumoca.Session:
-    """Return a session, with this project's library if the user's library mentions it."""
+def _is_read_with(library: Path, other: Path) -> bool:
+    """Return whether `_loaded` has rumoca read the other library: it reads all files beside a file."""
+    beside = library.is_file() and other.is_file() and other.absolute().parent == library.absolute().parent
+    return other in (library, default_library()) or beside
+
+
+def _loaded(library: Path, model: str) -> tuple[rumoca.Session, rumoca.Model]:
+    """Compile a model of a library that uses no other than this project's, if it mentions that."""
     import rumoca
 
     roots = []
-    if DEFAULT_LIBRARY not in classes and mentions(library, DEFAULT_LIBRARY):
+    if library != default_library() and mentions(library, DEFAULT_LIBRARY):
         roots = [str(default_library())]
     session = rumoca.Session(roots=roots)
     if roots:
         # rumoca reads a root only if the text that it is given mentions it, and package.mo of a package does
         # not mention what its models use.
         session.loads(f"model Import import {DEFAULT_LIBRARY}; end Import;", model="Import")
-    return session
+    return session, session.load(str(entry_file(library)), model=model)
+
+
+def _loaded_in_part(reached: ReachedSource, model: str) -> tuple[rumoca.Session, rumoca.Model]:
+    """Compile a model from the part of its libraries that it reaches."""
+    import rumoca
+
+    session = rumoca.Session()
+    for file, text in reached.texts.items():
+        # The session keeps each text, then fails to compile a model that does not exist.
+        with suppress(rumoca.CompileError):
+            session.loads(with_known_functions(text), model=_NONE, filename=f"{IN_MEMORY}{file}")
+    return session, session.loads(f"package {_NONE} end {_NONE};", model=model)
+
+
+@contextmanager
+def _without_modelica_path() -> Iterator[None]:
+    """Hide MODELICAPATH from rumoca, which would read all that is in it, again for every text."""
+    value = os.environ.pop(VARIABLE, None)
+    try:
+        yield
+    finally:
+        if value is not None:
+            os.environ[VARIABLE] = value

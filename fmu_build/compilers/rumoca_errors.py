@@ -14,6 +14,7 @@ from fmu_build.compilers.library import read_text
 from fmu_build.compilers.rumoca_messages import meaning_of
 from fmu_build.modelica_source.constructs import ModelText
 from fmu_build.modelica_source.places import located
+from fmu_build.modelica_source.reached import IN_MEMORY
 from fmu_build.support.errors import BuildError, ModelicaError, UnsupportedModelError
 
 _LOCATED = re.compile(r"(?:; )?(?P<text>.+?) \[(?P<place>[^\[\]\n]+\.mo:\d+:\d+)\]", re.DOTALL)
@@ -65,12 +66,12 @@ def translated_errors(model: str, file: Path, files: Iterable[Path]) -> Iterator
     except BuildError:
         raise
     except (rumoca.RumocaError, RuntimeError) as error:
-        raise _translated(str(error), model, file, files) from error
+        raise _translated(str(error).replace(IN_MEMORY, ""), model, file, files) from error
     except BaseException as error:
         # A panic in Rust code: its class derives from BaseException and cannot be imported.
         if type(error).__module__ != "pyo3_runtime":
             raise
-        raise _panic(str(error), model, file, files) from error
+        raise _panic(str(error).replace(IN_MEMORY, ""), model, file, files) from error
 
 
 def syntax_errors(files: Iterable[Path]) -> list[str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import tempfile
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated, NoReturn
 
@@ -37,10 +38,11 @@ def _main(
         typer.Option(metavar="FILE.toml", help="What the page shows: the [explore] table of this file."),
     ] = None,
     library: Annotated[
-        Path | None,
+        list[Path] | None,
         typer.Option(
             metavar="PATH",
-            help="Modelica file or package folder with the model; default: PreloadedSprings.",
+            help="Modelica file or package folder with the model, or that it uses, repeatable; "
+            "default: PreloadedSprings.",
             show_default=False,
         ),
     ] = None,
@@ -55,7 +57,7 @@ def _main(
     try:
         chosen = read_settings(settings) if settings else Settings()
         with tempfile.TemporaryDirectory(prefix="fmu_build-") as folder:
-            fmu = Path(model) if model.endswith(".fmu") else _built(model, Path(folder), library)
+            fmu = Path(model) if model.endswith(".fmu") else _built(model, Path(folder), library or ())
             page = explore_page(fmu, chosen)
         with replacing(output, page.encode()):
             pass
@@ -64,11 +66,11 @@ def _main(
     typer.echo(output)
 
 
-def _built(model: str, folder: Path, library: Path | None) -> Path:
+def _built(model: str, folder: Path, libraries: Sequence[Path]) -> Path:
     request = BuildRequest(
         model,
         folder,
-        library=library,
+        further=libraries,
         fmi_types=("cs",),
         platforms=("wasm32",),
         on_stage=lambda stage: _messages.print(escape(stage)),

@@ -50,7 +50,8 @@ class BuildRequest:
     """A request to build an FMU.
 
     `model` is a qualified Modelica class name; `library` is the Modelica file or package folder that declares
-    it (default: the PreloadedSprings library of this project); `output` is the folder that receives
+    it (default: the PreloadedSprings library of this project, or a library in MODELICAPATH); `further` are
+    other libraries, any of which may declare the model, too; `output` is the folder that receives
     ``<last part of the class name>.fmu``.
     """
 
@@ -68,6 +69,12 @@ class BuildRequest:
     """The sensitivities that the FMU computes; only some compilers can."""
     on_stage: Callable[[str], None] = _ignore
     """Called with a short text, such as ``generating C``, when a stage of the build begins."""
+    further: Sequence[Path] = field(default_factory=tuple)
+
+    @property
+    def libraries(self) -> tuple[Path, ...]:
+        """The libraries that were given, in this order."""
+        return (*(() if self.library is None else (self.library,)), *self.further)
 
 
 def check_fmi(request: BuildRequest) -> None:

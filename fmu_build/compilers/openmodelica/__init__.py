@@ -10,14 +10,8 @@ from contextlib import nullcontext
 from dataclasses import dataclass
 from pathlib import Path
 
-from fmu_build.compilers.library import (
-    MODEL_KINDS,
-    ModelicaClass,
-    default_library,
-    needed_files,
-    not_found,
-    read_classes,
-)
+from fmu_build.compilers.library import MODEL_KINDS, ModelicaClass, needed_files, not_found, read_classes
+from fmu_build.compilers.library_path import find_libraries
 from fmu_build.compilers.openmodelica.build import Attempt, identifier, read_attempt, statements
 from fmu_build.compilers.openmodelica.finding import find_omc, omc_version
 from fmu_build.compilers.openmodelica.messages import failure
@@ -78,8 +72,8 @@ class OpenModelicaCompiler:
 
 
 def _sources(request: BuildRequest) -> _Sources:
-    library = (request.library or default_library()).absolute()
-    files, classes = needed_files(library), read_classes(library)
+    library = find_libraries(request.model, request.libraries).own.absolute()
+    files, classes = needed_files(library, request.libraries), read_classes(library)
     if not _CLASS_NAME.fullmatch(request.model):  # it becomes part of a statement
         raise not_found(request.model, library, classes)
     return _Sources(library, classes, files)

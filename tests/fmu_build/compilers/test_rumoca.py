@@ -166,7 +166,7 @@ def test_an_interruption_passes(library: Path, monkeypatch: pytest.MonkeyPatch) 
     def interrupted(*arguments: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(backend, "_session", interrupted)
+    monkeypatch.setattr(backend, "_loaded", interrupted)
     with pytest.raises(KeyboardInterrupt):
         _generate("Lib.Good", library)
 
@@ -179,7 +179,7 @@ def test_an_error_of_the_code_generator_passes_unchanged(
     def refusing(*arguments: object) -> None:
         raise original
 
-    monkeypatch.setattr(backend, "_session", refusing)
+    monkeypatch.setattr(backend, "_loaded", refusing)
     with pytest.raises(UnsupportedModelError) as caught:
         _generate("Lib.Good", library)
     assert caught.value is original

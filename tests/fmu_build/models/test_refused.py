@@ -41,6 +41,9 @@ REFUSALS = (
     Refusal("BooleanIndex", UnsupportedModelError, r"'x'"),
     Refusal("BooleanLoop", ModelicaError, r"`a`"),
     Refusal("CartesianPendulum", UnsupportedModelError, r"constraints between its states"),
+    Refusal(
+        "ConstrainedReinit", UnsupportedModelError, r"reinit\(\) is not supported for a variable that follows"
+    ),
     Refusal("ContradictoryStart", UnsupportedModelError, r"more initial equations"),
     Refusal("Delayed", UnsupportedModelError, r"delay\(\)"),
     Refusal("DerivativeOfProduct", UnsupportedModelError, r"der\(x\*x\)"),
@@ -66,6 +69,7 @@ REFUSALS = (
     Refusal("SequentialAlgorithm", UnsupportedModelError, r"`y`"),
     Refusal("StartFromInput", UnsupportedModelError, r"start"),
     Refusal("StringVariable", UnsupportedModelError, r"String"),
+    Refusal("SwitchedConstraint", UnsupportedModelError, r"constraints between its states"),
     Refusal("SyntaxError", ModelicaError, r"unexpected `;`"),
     Refusal("TooFewEquations", ModelicaError, r"2 equations, 3 unknowns"),
     Refusal("TooManyEquations", ModelicaError, r"2 equations, 1 unknowns"),

@@ -6,6 +6,7 @@ from ..case import Case
 from . import (
     algebraic,
     components,
+    constraints,
     discrete,
     friction,
     initialization,
@@ -24,5 +25,6 @@ CASES: tuple[Case, ...] = (
     *initialization.CASES,
     *smooth.CASES,
     *components.CASES,
+    *constraints.CASES,
     *springs.CASES,
 )

@@ -1,0 +1,127 @@
+"""States of a model with constraints between its states: those that rumoca has chosen get their names.
+
+rumoca reduces the index of ``phi_a = ratio*phi_b`` and the like: it takes some of the variables as
+coordinates, ``$state_coordinates[i]``, and computes the others from them. Where the constraints are linear,
+with parameters as coefficients, the choice is valid for the whole motion; otherwise only near the start.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from fmu_build.codegen import expression as ex
+from fmu_build.codegen.algebraics import Assignment, Step
+from fmu_build.codegen.equations import Equations
+from fmu_build.codegen.expression import Expression
+from fmu_build.codegen.lowered import LoweredModel
+
+_COORDINATE = "$state_coordinates"
+
+
+def with_named_states(model: LoweredModel, equations: Equations) -> LoweredModel:
+    """Return the model with the name of a variable for every state.
+
+    Raises `UnsupportedModelError` if the choice of states is not valid for the whole motion.
+    """
+    names: list[str] = model.solve["solve_layout"]["solver_maps"]["names"]
+    coordinates = [i for i in range(equations.n_states) if names[i].startswith(_COORDINATE)]
+    if not coordinates:
+        return model
+    if not _is_linear(model, equations):
+        raise model.unsupported(
+            "the model has constraints between its states (an index above one) that are not linear, and the "
+            "states that rumoca selects are valid for part of the motion only; write the model in "
+            "independent coordinates"
+        )
+    taken = {index: _variable_equal_to(index, model, equations) for index in coordinates}
+    return _renamed(model, taken)
+
+
+def _variable_equal_to(state: int, model: LoweredModel, equations: Equations) -> int:
+    """Return the place of the first variable of the source that is a copy of a state."""
+    names = model.solve["solve_layout"]["solver_maps"]["names"]
+    declared = {name for entry in model.dae["variables"] for name in entry["scalar_names"]}
+    copies = {ex.y(state)}
+    for step in equations.algebraics:
+        if isinstance(step, Assignment) and step.value in copies:
+            if names[step.unknown] in declared:
+                return step.unknown
+            copies.add(ex.y(step.unknown))
+    raise model.unsupported("the model has constraints between its states, and one of them has no name")
+
+
+def _renamed(model: LoweredModel, taken: dict[int, int]) -> LoweredModel:
+    """Return the model in which the variables in the places `taken` are the states themselves."""
+    layout, solve_layout = model.solve["layout"], model.solve["solve_layout"]
+    names = list(solve_layout["solver_maps"]["names"])
+    bindings = dict(layout["bindings"])
+    for index, place in taken.items():
+        names[index], names[place] = names[place], names[index]
+        bindings[names[index]], bindings[names[place]] = bindings[names[place]], bindings[names[index]]
+    maps = {**solve_layout["solver_maps"], "names": names}
+    solve = {
+        **model.solve,
+        "layout": {**layout, "bindings": bindings},
+        "solve_layout": {**solve_layout, "solver_maps": maps},
+    }
+    return replace(model, solve=solve)
+
+
+def _is_linear(model: LoweredModel, equations: Equations) -> bool:
+    """Return whether the variables that were states in the source are linear in the coordinates."""
+    bindings = model.solve["layout"]["bindings"]
+    constant = {
+        ex.p(bindings[name]["P"]["index"])
+        for entry in model.dae["variables"]
+        if entry["role"] in ("parameter", "constant")
+        for name in entry["scalar_names"]
+        if "P" in bindings.get(name, {})
+    }
+    waiting = [
+        bindings[name]["Y"]["index"]
+        for entry in model.dae["variables"]
+        if entry["role"] == "state"
+        for name in entry["scalar_names"]
+        if "Y" in bindings.get(name, {})
+    ]
+    steps = {unknown: step for step in equations.algebraics for unknown in _unknowns(step)}
+    seen: set[int] = set()
+    while waiting:
+        index = waiting.pop()
+        if index in seen or index not in steps:
+            continue
+        seen |= set(_unknowns(steps[index]))
+        for expression in _expressions(steps[index]):
+            if not _is_affine(expression, constant):
+                return False
+            waiting += [leaf.index for leaf in ex.leaves(expression) if leaf.operator == "y"]
+    return True
+
+
+def _unknowns(step: Step) -> tuple[int, ...]:
+    return (step.unknown,) if isinstance(step, Assignment) else tuple(step.unknowns)
+
+
+def _expressions(step: Step) -> tuple[Expression, ...]:
+    return (step.value,) if isinstance(step, Assignment) else tuple(step.residuals)
+
+
+def _is_affine(expression: Expression, constant: set[Expression]) -> bool:
+    """Return whether an expression is affine in y, with coefficients of numbers and of `constant` leaves."""
+    if not _reads_y(expression) or expression.operator == "y":
+        return True
+    first, *others = expression.arguments
+    if expression.operator in ("Add", "Sub", "Neg"):
+        return all(_is_affine(argument, constant) for argument in expression.arguments)
+    if expression.operator == "Mul":
+        factor, rest = (others[0], first) if _reads_y(first) else (first, others[0])
+        return _is_constant(factor, constant) and _is_affine(rest, constant)
+    return expression.operator == "Div" and _is_constant(others[0], constant) and _is_affine(first, constant)
+
+
+def _reads_y(expression: Expression) -> bool:
+    return any(leaf.operator == "y" for leaf in ex.leaves(expression))
+
+
+def _is_constant(expression: Expression, constant: set[Expression]) -> bool:
+    return constant.issuperset(ex.leaves(expression))

@@ -1,0 +1,42 @@
+"""Functions of the Modelica Standard Library that rumoca cannot compile as they are written."""
+
+from __future__ import annotations
+
+import re
+
+_NAMES = "sin|cos|tan|asin|acos|atan|atan2|sinh|cosh|tanh|exp|log|log10"
+_EXTERNAL = re.compile(
+    rf'\bexternal\s*"builtin"\s*(?P<result>\w+)\s*=\s*(?P<call>(?:{_NAMES})\s*\([\w\s,]*\))\s*;'
+    r"(?P<annotation>\s*annotation\s*\()(?P<others>(?!\s*\)))?"
+)
+_INTERPOLATE = re.compile(
+    r"(?P<head>\bfunction\s+interpolate\b.*?\boutput\s+Integer\s+iNew\b[^;]*;\s*)"
+    r"protected\b.*?\balgorithm\b.*?\biNew\s*:=\s*i\s*;\s*end\s+if\s*;(?=\s*annotation\b)",
+    re.DOTALL,
+)
+_INTERPOLATION = (
+    "protected Integer i; Integer j; Real d; algorithm "
+    "i := 1 + sum(if xi >= x[k] then 1 else 0 for k in 2:size(x, 1) - 1); "
+    "j := min(i + 1, size(x, 1)); d := if j > i then x[j] - x[i] else 1; "
+    "yi := y[i] + (y[j] - y[i])*(xi - x[i])/d; iNew := i;"
+)
+"""`Modelica.Math.Vectors.interpolate` without its while loops, which search in both directions from iLast. A
+vector that does not increase gives a division by zero, so not a number, in place of a failed assertion."""
+
+
+def with_known_functions(text: str) -> str:
+    """Return a text in which these functions are written in another way, on the same lines.
+
+    A function declared as ``external "builtin" y = sin(u)`` calls the built-in one in an algorithm.
+    """
+    return _INTERPOLATE.sub(_interpolation, _EXTERNAL.sub(_built_in, text))
+
+
+def _built_in(found: re.Match[str]) -> str:
+    separator = "" if found["others"] is None else ", "
+    return f"algorithm {found['result']} := {found['call']};{found['annotation']}Inline = true{separator}"
+
+
+def _interpolation(found: re.Match[str]) -> str:
+    lines = found[0].count("\n") - found["head"].count("\n")
+    return found["head"] + _INTERPOLATION + "\n" * lines
