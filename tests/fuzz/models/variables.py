@@ -72,19 +72,16 @@ def enumeration(w: Writer) -> None:
 
 
 def record(w: Writer) -> None:
-    """A record that a function returns, and one of parameters."""
+    """A record of parameters, and one of variables that a function makes."""
     w.package.append(
-        "  record Data\n    Real a = 0.5;\n    Real b = 2;\n  end Data;\n"
-        "  function made\n    input Real u;\n    input Data given;\n    output Data y;\n  algorithm\n"
-        "    y.a := u + given.a;\n    y.b := u*given.b;\n  end made;"
+        "  record Data\n    Real a;\n    Real b;\n  end Data;\n"
+        "  function made\n    input Real u;\n    input Real b;\n    output Data y;\n  algorithm\n"
+        "    y.a := u + 1;\n    y.b := u*b;\n  end made;"
     )
     u, a = w.terms().real(2), w.random.choice((0.25, 3.0))
-    w.declarations += [f"parameter Data given(a = {a});", "Data data;"]
-    w.equations.append(f"data = made({u.text}, given);")
-    w.meaning.steps += [
-        ("data.a", lambda v: u.value(v) + a),
-        ("data.b", lambda v: u.value(v) * 2),
-    ]
+    w.declarations += [f"parameter Data given(a = {a}, b = 2);", "Data data;"]
+    w.equations.append(f"data = made({u.text}, given.b);")
+    w.meaning.fixed.append(("given.a", lambda _: a))
+    w.meaning.steps += [("data.a", lambda v: u.value(v) + 1), ("data.b", lambda v: u.value(v) * 2)]
     w.observed += ["data.a", "data.b"]
     w.scope = w.scope.more(reals=("data.a", "data.b", "given.a"))
-    w.meaning.fixed.append(("given.a", lambda _: a))
