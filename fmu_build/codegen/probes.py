@@ -2,7 +2,7 @@
 
 In a when-clause such as ``when c then d = if q > 3 then pre(d) + 1 else 0; end when;`` rumoca evaluates the
 condition while it compiles, and keeps the branch of the present values. A slightly different q would show
-nothing: the values here lie on both sides of every number with which the source compares something, and
+nothing: the values here lie on both sides of every number with which such a class compares something, and
 change the order of any two of the parameters.
 """
 
@@ -14,7 +14,7 @@ from pathlib import Path
 
 from fmu_build.modelica_source.constructs import ModelText
 
-_CHOICE_IN_WHEN = r"\b(?<!end )when\b(?:(?!\bend\s+when\b).)*?\bif\b"
+_CHOICE_IN_WHEN = re.compile(r"\b(?<!end )when\b(?:(?!\bend\s+when\b).)*?\bif\b", re.DOTALL)
 _NUMBER = r"\d+(?:\.\d*)?(?:[eE][+-]?\d+)?"
 _RELATION = r"(?:<=|>=|==|<>|<|>)"
 _COMPARED = re.compile(rf"{_RELATION}\s*(-?\s*{_NUMBER})|(-?\s*{_NUMBER})\s*{_RELATION}")
@@ -23,14 +23,15 @@ _ORDERS = 8
 
 
 def thresholds(model: str, texts: Mapping[Path, str]) -> tuple[float, ...] | None:
-    """Return the numbers with which a model compares something; None without a choice in a when-clause."""
+    """Return the numbers that classes with choices in when-clauses compare with; None without any."""
     source = ModelText(model, texts, around=False)
-    if not source.find([f"(?s:{_CHOICE_IN_WHEN})"]):
+    choosing = [text for text in source.classes() if _CHOICE_IN_WHEN.search(text)]
+    if not choosing:
         return None
     found = {
         float((match[1] or match[2]).replace(" ", ""))
-        for construct in source.find([_COMPARED.pattern])
-        if (match := _COMPARED.fullmatch(construct.plain))
+        for text in choosing
+        for match in _COMPARED.finditer(text)
     }
     return tuple(sorted(found))
 

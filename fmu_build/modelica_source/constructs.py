@@ -62,6 +62,10 @@ class ModelText:
         """Return the texts, without comments and strings, of the classes of that simple name."""
         return [text for name, text in self._classes.items() if name.rpartition(".")[2] == simple_name]
 
+    def classes(self) -> list[str]:
+        """Return the texts of all classes, without comments and strings."""
+        return list(self._classes.values())
+
     def _plain_text(self, part: _Part) -> str:
         plain = blanked(self._texts[part.file])
         return " ".join(plain[start:end] for start, end in part.spans)
