@@ -8,6 +8,7 @@ case, and drops all others.
 from __future__ import annotations
 
 import re
+from collections import defaultdict
 from collections.abc import Iterator
 
 from fmu_build.modelica_source.constructs import Construct, ModelText
@@ -18,23 +19,29 @@ _ARRAY = r"(?:\[[^\]]*\]\s*)?"
 _CLASS = rf"{_KIND}\s+(?P<class>\w+)\s*=\s*[\w.]+\s*{_ARRAY}\(?"
 _COMPONENT = rf"(?!{_KIND}\b|replaceable\b)[\w.]+\s+(?P<component>\w+)\s*{_ARRAY}\(?"
 _REDECLARE = rf"redeclare\s+(?:replaceable\s+)?(?:{_CLASS}|{_COMPONENT})"
+_DECLARATION = rf"(?:redeclare\s+)?(?:replaceable\s+)?(?:{_CLASS}|{_COMPONENT})"
 _IN_A_MODIFIER = rf"(?<=[(,])\s*(?:(?:each|final)\s+)*{_REDECLARE}"
 _AS_AN_ELEMENT = rf"(?<![(,\s])(?<!\beach)(?<!\bfinal)\s+{_REDECLARE}"
 
 
 def changed_modifiers(text: ModelText) -> Iterator[tuple[str, Construct]]:
     """Yield what is wrong with redeclarations of components and short classes, and which."""
-    for pattern, in_a_modifier in ((_IN_A_MODIFIER, True), (_AS_AN_ELEMENT, False)):
-        for redeclaration in text.find([pattern]):
-            found = re.search(_REDECLARE, redeclaration.plain)
-            assert found is not None  # by the pattern
-            is_kept = in_a_modifier and found["component"] is not None
-            now = _modifiers(redeclaration.plain[found.start() :])
-            for declaration in _declarations(text, found["class"], found["component"]):
-                given = sorted(".".join(path) for path in _modifiers(declaration) - now)
-                is_constrained = re.search(r"\bconstrainedby\b", declaration) is not None
-                if given and is_kept == is_constrained:
-                    yield _explanation(given, is_kept=is_kept), redeclaration
+    redeclarations = [
+        (construct, in_a_modifier)
+        for pattern, in_a_modifier in ((_IN_A_MODIFIER, True), (_AS_AN_ELEMENT, False))
+        for construct in text.find([pattern])
+    ]
+    declared = _declarations(text) if redeclarations else {}
+    for redeclaration, in_a_modifier in redeclarations:
+        found = re.search(_REDECLARE, redeclaration.plain)
+        assert found is not None  # by the pattern
+        is_kept = in_a_modifier and found["component"] is not None
+        now = _modifiers(redeclaration.plain[found.start() :])
+        for declaration in declared.get((found["class"], found["component"]), ()):
+            given = sorted(".".join(path) for path in _modifiers(declaration) - now)
+            is_constrained = re.search(r"\bconstrainedby\b", declaration) is not None
+            if given and is_kept == is_constrained:
+                yield _explanation(given, is_kept=is_kept), redeclaration
 
 
 def _explanation(given: list[str], *, is_kept: bool) -> str:
@@ -47,16 +54,19 @@ def _explanation(given: list[str], *, is_kept: bool) -> str:
     return f"what the declaration gives to {names} would be lost; repeat it in the redeclaration"
 
 
-def _declarations(text: ModelText, class_name: str | None, component: str | None) -> Iterator[str]:
-    """Yield the replaceable declarations of that name, up to their semicolons."""
-    what = rf"{_KIND}\s+{class_name}\s*=" if component is None else rf"[\w.]+\s+{component}\b"
-    for construct in text.find([rf"(?<!\bredeclare)\s+replaceable\s+{what}[^;]*"]):
-        yield construct.plain
+def _declarations(text: ModelText) -> dict[tuple[str | None, str | None], list[str]]:
+    """Return the replaceable declarations up to their semicolons, by the name of class or component."""
+    declared = defaultdict(list)
+    for construct in text.find([r"(?<!redeclare )\breplaceable\b[^;]*"]):
+        found = re.match(_DECLARATION, construct.plain)
+        if found is not None:
+            declared[found["class"], found["component"]].append(construct.plain)
+    return declared
 
 
 def _modifiers(declaration: str) -> set[Path]:
     """Return what the modifiers behind the name of a component, or of the class behind a name, set."""
-    found = re.match(rf"\s*(?:redeclare\s+)?(?:replaceable\s+)?(?:{_CLASS}|{_COMPONENT})", declaration)
+    found = re.match(_DECLARATION, declaration)
     if found is None or not found[0].endswith("("):
         return set()
     return assigned(declaration[found.end() : closing(declaration, found.end() - 1) - 1])
