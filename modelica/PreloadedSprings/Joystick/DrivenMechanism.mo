@@ -40,6 +40,9 @@ partial model DrivenMechanism "Mechanism that a torque drives: the joystick with
   Interfaces.Signals.EnergyOutput E "Kinetic and potential energy, zero at rest in the neutral position"
     annotation (Placement(transformation(extent = {{200, -160}, {220, -140}}),
       iconTransformation(extent = {{100, -98}, {116, -82}})));
+  Interfaces.RotationalFlange flange "Shaft of the handle, to be loaded or driven"
+    annotation (Placement(transformation(extent = {{-210, 100}, {-190, 120}}),
+      iconTransformation(extent = {{-110, 50}, {-90, 70}})));
 protected
   DrivingTorque drive "Torque from outside"
     annotation (Placement(transformation(extent = {{-160, -20}, {-120, 20}})));
@@ -55,6 +58,8 @@ equation
   E = handle.E + gravity.E + forward.E + backward.E;
   connect(drive.flange, handle.flange)
     annotation (Line(points = {{-120, 0}, {-80, 0}, {-80, 110}, {-30, 110}}, color = {64, 64, 64}));
+  connect(flange, handle.flange)
+    annotation (Line(points = {{-200, 110}, {-30, 110}}, color = {64, 64, 64}));
   connect(gravity.M_g, M_g)
     annotation (Line(points = {{22, 180}, {210, 180}}, color = {0, 0, 127}));
   connect(camPlate.x, x)

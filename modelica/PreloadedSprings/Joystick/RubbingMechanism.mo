@@ -13,7 +13,7 @@ equation
   friction.omega = omega;
   friction.isForwardInContact = forward.returnSpring.isEngaged;
   friction.isBackwardInContact = backward.returnSpring.isEngaged;
-  friction.M = drive.T + M_g - M_s - M_d;
+  friction.M = drive.T + flange.tau + M_g - M_s - M_d;
   alpha = if isStuck then 0 else handle.alpha;
   when change(friction.mode) then
     reinit(omega, 0);
