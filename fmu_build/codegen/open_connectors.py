@@ -1,8 +1,8 @@
 """Connectors to which nothing is connected: they cost nothing, and those of the model itself leave no trace.
 
 The flow of such a connector is zero: the equations do without it. Connectors of the model itself cannot be
-connected once it is an FMU. Their potentials are second names of what they are connected to inside, so the FMU
-lists the same variables, and has the same operations in the same order, as one without the connector.
+connected once it is an FMU, and their potentials are second names of what they are connected to inside. So the
+FMU lists the same variables, and has the same operations in the same order, as one without the connector.
 """
 
 from __future__ import annotations
@@ -34,9 +34,7 @@ def without_open_connectors(model: LoweredModel, equations: Equations) -> tuple[
     A connector of the model itself is left out as a whole, unless one of its variables says more: a flow that
     the model gives itself, or a potential that is no second name, such as a state.
     """
-    values = {
-        ex.y(step.unknown): step.value for step in equations.algebraics if isinstance(step, Assignment)
-    }
+    values = {ex.y(step.unknown): step.value for step in equations.algebraics if isinstance(step, Assignment)}
     connectors = _connectors(model)
     replacements = {
         member.leaf: ZERO

@@ -12,7 +12,7 @@ from fmu_build import FmiVersion
 from pyjoystick.fmu import Fmu
 from pyjoystick.model import NOMINAL, simulate
 from tests.joystick_fmu.driver import model_exchange
-from tests.modelica.physics import J, Array, constant_damping, integrated, power_law_damping, shaft_torque
+from tests.modelica.physics import Array, J, constant_damping, integrated, power_law_damping, shaft_torque
 from tests.shared_fmus import SharedFmus
 
 TIMES = np.linspace(0.0, 1.5, 301)
