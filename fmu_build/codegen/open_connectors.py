@@ -1,8 +1,8 @@
 """Connectors to which nothing is connected: they cost nothing, and those of the model itself leave no trace.
 
 The flow of such a connector is zero: the equations do without it. Connectors of the model itself cannot be
-connected once it is an FMU, and their potentials are second names of what they are connected to inside. So the
-FMU lists the same variables, and has the same operations in the same order, as one without the connector.
+connected once it is an FMU, and their potentials are second names of what they are connected to inside. So
+the FMU lists the same variables, and has the same operations in the same order, as one without the connector.
 """
 
 from __future__ import annotations
