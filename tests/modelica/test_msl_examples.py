@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import fmpy
 import numpy as np
 import pytest
@@ -26,8 +28,8 @@ def _drivetrain(times: Array) -> dict[str, Array]:
 
     def derivatives(time: float, state: Array) -> list[float]:
         theta, omega, phi, w = state
-        twist = 40.0 * (phi - theta)
-        torque = RATIO * _ramp(time, 0.25, 0.3, 0.1)
+        twist = 40.0 * (phi - theta) + 0.05 * (w - omega)
+        torque = RATIO * 0.2 * math.sin(4.0 * math.pi * time)
         return [
             omega,
             (shaft_torque(theta, omega, constant_damping) + twist) / J,

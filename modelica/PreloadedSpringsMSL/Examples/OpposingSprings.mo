@@ -8,8 +8,7 @@ model OpposingSprings "Mass between two opposing preloaded springs"
   Modelica.Mechanics.Translational.Components.Mass mass(m = 0.5, s(start = 4e-3, fixed = true),
     v(start = 0, fixed = true)) "Mass, released off center"
     annotation (Placement(transformation(extent = {{20, -10}, {40, 10}})));
-  Modelica.Mechanics.Translational.Components.Damper damper(d = 3, stateSelect = StateSelect.avoid)
-    "Losses in the guide of the mass"
+  Modelica.Mechanics.Translational.Components.Damper damper(d = 3) "Losses in the guide of the mass"
     annotation (Placement(transformation(extent = {{-40, -50}, {-20, -30}})));
 equation
   connect(fixed.flange, springs.flange_a)
