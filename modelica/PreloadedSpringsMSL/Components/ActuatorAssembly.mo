@@ -1,7 +1,7 @@
 within PreloadedSpringsMSL.Components;
 model ActuatorAssembly "Return spring, and a balance spring that engages later, side by side"
   extends Modelica.Mechanics.Translational.Interfaces.PartialTwoFlanges;
-  SI.Distance s_rel "Relative distance (= flange_b.s - flange_a.s)";
+  SI.Position s_rel "Relative distance (= flange_b.s - flange_a.s)";
   SI.Force f "Force between flanges (= flange_b.f)";
   PreloadedSpring returnSpring(c = 2625, c_r = 427375, f_preload = 52.7808125, s_rel0 = -0.075e-3)
     "Return spring: engages after the clearance"

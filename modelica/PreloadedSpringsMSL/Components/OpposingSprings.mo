@@ -5,7 +5,7 @@ model OpposingSprings "Two opposing preloaded springs that center one flange to 
   parameter SI.TranslationalSpringConstant c_r(final min = 0, start = 4e5) "Spring constant of either restraint";
   parameter SI.Force f_preload(final min = 0, start = 40) "Preload of either spring";
   parameter SI.Distance clearance(final min = 0) = 0 "Play to either side of the middle";
-  SI.Distance s_rel "Relative distance (= flange_b.s - flange_a.s)";
+  SI.Position s_rel "Relative distance (= flange_b.s - flange_a.s)";
   SI.Force f "Force between flanges (= flange_b.f)";
   PreloadedSpring shortening(final c = c, final c_r = c_r, final f_preload = f_preload, final s_rel0 = -clearance)
     "Spring that is compressed where s_rel is negative"

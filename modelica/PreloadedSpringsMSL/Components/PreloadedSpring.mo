@@ -6,7 +6,7 @@ model PreloadedSpring "1D translational spring that a restraint keeps compressed
     "Spring constant of the restraint (rod or housing)";
   parameter SI.Force f_preload(final min = 0, start = 52.7808125) "Preload";
   parameter SI.Position s_rel0 = 0 "Relative distance at which the contact begins";
-  SI.Distance s_compressed "Compression from the preloaded position, negative without contact";
+  SI.Position s_compressed "Compression from the preloaded position, negative without contact";
   Boolean contact "= true, if contact, otherwise no contact";
   Boolean released "= true, if the restraint carries no force any more";
 equation
