@@ -6,6 +6,8 @@
 #             COMPILER_OPTIONS="omc=/opt/openmodelica" with one that is not on the path), for this machine's
 #             platform (PLATFORMS=all: Linux, Windows and macOS; PLATFORMS="x86_64-linux x86_64-windows": those);
 #             FMI=3: of FMI 3.0, in build/fmi3/; FMI="2 3": both
+# make fmu-msl  FMUs of the examples that need the Modelica Standard Library, in build/msl/; skipped where MODELICAPATH
+#             does not lead to it
 # make ssp    operator and joystick as one system: build/joystick.ssp
 # make fuzz  random FMI calls (with clang), damaged files, random models, SECONDS=60 in all; corpora in build/fuzz/
 # make lint   ruff, mypy, the C compilers with every warning an error, the Modelica checks
@@ -56,7 +58,7 @@ INSTALL = $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-
 unexport PYTHONDONTWRITEBYTECODE
 
 .DELETE_ON_ERROR:
-.PHONY: FORCE run env test test-quick fuzz fmu ssp lint lint-js bench figure figures claims docs docs-links wheel lock clean distclean
+.PHONY: FORCE run env test test-quick fuzz fmu fmu-msl ssp lint lint-js bench figure figures claims docs docs-links wheel lock clean distclean
 
 run: fmu
 	$(BIN)/python scenarios/free_oscillation.py
@@ -82,6 +84,13 @@ build/fmi%/.built: $(FMU_SOURCES) $(RUN_READY) build/fmi%/.settings
 build/fmi%/.settings: FORCE
 	@mkdir -p $(@D)
 	@echo "$(FMU_SETTINGS)" | cmp -s - $@ || echo "$(FMU_SETTINGS)" > $@
+
+MSL_MODELS := $(addprefix PreloadedSpringsMSL.Examples.,ForceFeedback Drivetrain OpposingSprings ActuatorLoadCurve)
+
+fmu-msl: $(RUN_READY)
+	@if [ -z "$(wildcard $(addsuffix /Modelica*/package.mo,$(subst :, ,$(MODELICAPATH))))" ]; then \
+	echo "fmu-msl: skipped, MODELICAPATH names no folder that contains Modelica"; \
+	else $(BIN)/python -m fmu_build $(MSL_MODELS) --output build/msl $(FMU_SETTINGS); fi
 
 ssp: fmu
 	$(BIN)/python -m pyjoystick ssp build/joystick.ssp

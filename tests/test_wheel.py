@@ -106,10 +106,9 @@ def test_the_wheel_has_the_files_of_the_checkout(wheel: Path) -> None:
         for path in (ROOT / package).rglob("*")
         if path.is_file() and "__pycache__" not in path.parts
     }
-    library = ROOT / "modelica" / "PreloadedSprings"
     expected |= {
-        f"fmu_build/modelica/PreloadedSprings/{path.relative_to(library).as_posix()}"
-        for path in library.rglob("*")
+        f"fmu_build/{path.relative_to(ROOT).as_posix()}"
+        for path in (ROOT / "modelica").rglob("*")
         if path.is_file()
     }
     expected |= {f"pyjoystick/fmus/{name}.fmu" for name in MODELS}

@@ -1,4 +1,4 @@
-"""The directive ``modelica-library``: the Modelica library, class by class."""
+"""The directive ``modelica-library``: a Modelica library of the project, class by class."""
 
 from __future__ import annotations
 
@@ -14,16 +14,21 @@ from sphinx.util.typing import ExtensionMetadata
 
 from extensions.modelica_library import ModelicaClass, Parameter, read_packages
 
-LIBRARY: Final = Path(__file__).parents[2] / "modelica" / "PreloadedSprings"
+LIBRARIES: Final = Path(__file__).parents[2] / "modelica"
 
 
 class ModelicaLibrary(SphinxDirective):
-    """A section for each package, and in it one for each class: its documentation and parameters."""
+    """A section for each package, and in it one for each class: its documentation and parameters.
+
+    The argument is the name of the library.
+    """
+
+    required_arguments = 1
 
     def run(self) -> list[nodes.Node]:
         """The sections."""
         sections: list[nodes.Node] = []
-        for package, *classes in read_packages(LIBRARY):
+        for package, *classes in read_packages(LIBRARIES / self.arguments[0]):
             section = _section(package, package.name)
             section.extend(_section(one, one.name.rpartition(".")[2]) for one in classes)
             sections.append(section)
@@ -44,10 +49,12 @@ def _section(described: ModelicaClass, title: str) -> nodes.section:
 
 
 def _html(documentation: str) -> str:
-    """The documentation of a class with its links leading to sections of the same page."""
-    linked = re.sub(
-        r'href="modelica://([\w.]+)"', lambda link: f'href="#{nodes.make_id(link[1])}"', documentation
-    )
+    """The documentation of a class with its links leading to sections of the same page.
+
+    What the Modelica Standard Library documents has none there: of a link to it, the text remains.
+    """
+    own = re.sub(r'<a href="modelica://Modelica\b[\w.]*">(.*?)</a>', r"\1", documentation, flags=re.DOTALL)
+    linked = re.sub(r'href="modelica://([\w.]+)"', lambda link: f'href="#{nodes.make_id(link[1])}"', own)
     # The site's look for tables instead of the attributes that Modelica tools need.
     return re.sub(r"<table[^>]*>", '<table class="docutils">', linked)
 

@@ -13,6 +13,7 @@ from fmu_build.codegen.equations import Equations, n_named_slots, read_equations
 from fmu_build.codegen.functions import FunctionLibrary
 from fmu_build.codegen.lowered import lower
 from fmu_build.codegen.names import modelica_texts
+from fmu_build.codegen.open_connectors import without_open_connectors
 from fmu_build.codegen.rejections import reject_unsupported
 from fmu_build.codegen.sensitivities import extend, find_wanted
 from fmu_build.codegen.source import ModelSource
@@ -36,15 +37,16 @@ def generate(source: ModelSource, sensitivity: SensitivityRequest | None = None)
     functions = FunctionLibrary(lowered)
     equations = compact(read_equations(lowered, functions.name_of), n_named_slots(lowered))
     lowered = with_named_states(lowered, equations)
+    equations, left_out = without_open_connectors(lowered, equations)
     starts = StartValues(lowered)
     baked = baked_parameters(source, lowered, starts)
-    variables = VariableReader(lowered, equations, starts, baked).read()
+    variables = VariableReader(lowered, equations, starts, baked, left_out).read()
     if sensitivity is not None:
         wanted = find_wanted(lowered.name, variables, sensitivity)
         extended = extend(lowered, equations, variables, wanted)
         lowered, equations = extended.model, extended.equations
         starts = StartValues(lowered)
-        variables = extended.marked(VariableReader(lowered, equations, starts, baked).read())
+        variables = extended.marked(VariableReader(lowered, equations, starts, baked, left_out).read())
     structure = Structure(equations, variables)
     texts = modelica_texts(lowered, equations)
     tangents, notes = _tangents(equations, variables)

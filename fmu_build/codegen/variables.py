@@ -51,7 +51,12 @@ class VariableReader:
     """Reads the variables of one model in the order of their declaration."""
 
     def __init__(
-        self, model: LoweredModel, equations: Equations, starts: StartValues, baked: frozenset[str]
+        self,
+        model: LoweredModel,
+        equations: Equations,
+        starts: StartValues,
+        baked: frozenset[str],
+        left_out: frozenset[str] = frozenset(),
     ) -> None:
         self._model = model
         self._equations = equations
@@ -62,6 +67,7 @@ class VariableReader:
         self._tunable = self._parameters_in_use()
         self._given = _given_by_when(equations)
         self._baked = baked
+        self._left_out = left_out
         self._copies = {
             step.unknown: step.value
             for step in equations.algebraics
@@ -89,6 +95,8 @@ class VariableReader:
 
     def _is_visible(self, entry: dict[str, Any]) -> bool:
         """Return whether FMI lists the variable: protected variables are hidden, except for states."""
+        if entry["name"] in self._left_out:
+            return False
         flat = self._model.flat["variables"].get(entry["name"])
         is_hidden = flat is not None and flat["is_protected"] and entry["role"] != "state"
         return entry["attributes"]["origin"] == "source" and not is_hidden

@@ -2,7 +2,9 @@ package PreloadedSprings "Dynamics of mechanical systems with opposing restraine
   extends PreloadedSprings.Icons.Package;
 
   annotation (
+    preferredView = "info",
     version = "1.0.0",
+    versionDate = "2026-11-23",
     Icon(coordinateSystem(extent = {{-100, -100}, {100, 100}}), graphics = {
       Rectangle(extent = {{-22, 26}, {22, -26}}, lineColor = {0, 127, 0}, fillColor = {160, 205, 160},
         fillPattern = FillPattern.Solid),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import tomllib
+from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
@@ -13,7 +14,7 @@ import typer
 from pyjoystick import cli
 from tests.docs.commands import command_lines, read
 from tests.docs.pages import blocks
-from tests.modelica.library import ROOT as LIBRARY, library_classes
+from tests.modelica.library import MSL_ROOT, ROOT as LIBRARY, library_classes
 
 pytest.importorskip("sphinx", reason="the extra docs is not installed")
 
@@ -83,9 +84,10 @@ def test_signatures_are_python() -> None:
     assert returns is None
 
 
-def test_every_class_of_the_library_is_there() -> None:
-    read = [one for package in read_packages(LIBRARY) for one in package]
-    assert sorted(one.name for one in read) == sorted(one.qualified for one in library_classes())
+@pytest.mark.parametrize("library", [LIBRARY, MSL_ROOT], ids=lambda library: library.name)
+def test_every_class_of_a_library_is_there(library: Path) -> None:
+    read = [one for package in read_packages(library) for one in package]
+    assert sorted(one.name for one in read) == sorted(one.qualified for one in library_classes(library))
     assert all(one.documentation.startswith("<") for one in read)
 
 

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 MODELICA_PATH = Path(__file__).parents[2] / "modelica"
 ROOT = MODELICA_PATH / "PreloadedSprings"
+MSL_ROOT = MODELICA_PATH / "PreloadedSpringsMSL"
 
 _STRING = r'"(?:[^"\\]|\\.)*"'
 _HEADER = re.compile(
@@ -48,6 +49,7 @@ class Simulate(Protocol):
 class LibraryClass:
     """One .mo file."""
 
+    library: str
     name: str
     """Qualified, without the library's own name; empty for the library itself."""
     kind: str
@@ -58,7 +60,7 @@ class LibraryClass:
     @property
     def qualified(self) -> str:
         """The name that a compiler takes."""
-        return ".".join(filter(None, ["PreloadedSprings", self.name]))
+        return ".".join(filter(None, [self.library, self.name]))
 
     @property
     def code(self) -> str:
@@ -75,9 +77,9 @@ class LibraryClass:
 
 
 @cache
-def library_classes() -> tuple[LibraryClass, ...]:
-    """Every class of the library."""
-    return tuple(_read(file) for file in sorted(ROOT.rglob("*.mo")))
+def library_classes(root: Path = ROOT) -> tuple[LibraryClass, ...]:
+    """Every class of a library, by default that which needs no other."""
+    return tuple(_read(file, root) for file in sorted(root.rglob("*.mo")))
 
 
 def concrete_models() -> list[str]:
@@ -88,6 +90,23 @@ def concrete_models() -> list[str]:
 def examples() -> list[str]:
     """The qualified names of the examples."""
     return [name for name in concrete_models() if re.fullmatch(r"PreloadedSprings\.Examples\.\w+", name)]
+
+
+def msl_examples() -> list[str]:
+    """The qualified names of the examples that use the Modelica Standard Library."""
+    return [c.qualified for c in library_classes(MSL_ROOT) if c.kind == "model" and "Examples" in c.name]
+
+
+def comparison_signals(example: str) -> list[str]:
+    """The variables of an example by which tools compare their results, without the time."""
+    folders = example.split(".")
+    time, *names = (
+        MODELICA_PATH.joinpath(folders[0], "Resources", "Reference", *folders, "comparisonSignals.txt")
+        .read_text()
+        .splitlines()
+    )
+    assert time == "time", example
+    return names
 
 
 @cache
@@ -149,10 +168,10 @@ def _closing_parenthesis(text: str, start: int) -> int:
     raise AssertionError(f"no closing parenthesis after {text[start : start + 60]!r}")
 
 
-def _read(file: Path) -> LibraryClass:
+def _read(file: Path, root: Path) -> LibraryClass:
     text = file.read_text()
     header = _HEADER.search(text)
     assert header, file
-    parts = file.relative_to(ROOT).with_suffix("").parts
+    parts = file.relative_to(root).with_suffix("").parts
     name = ".".join(parts[:-1] if parts[-1] == "package" else parts)
-    return LibraryClass(name, header["kind"], bool(header["partial"]), file, text)
+    return LibraryClass(root.name, name, header["kind"], bool(header["partial"]), file, text)

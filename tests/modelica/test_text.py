@@ -6,9 +6,22 @@ import re
 
 import pytest
 
-from tests.modelica.library import ROOT, LibraryClass, library_classes, split_statements, without_annotations
+from tests.modelica.library import (
+    MSL_ROOT,
+    ROOT,
+    LibraryClass,
+    comparison_signals,
+    examples,
+    flat_variables,
+    library_classes,
+    msl_examples,
+    split_statements,
+    without_annotations,
+)
 
-CLASSES = {c.qualified: c for c in library_classes()}
+CLASSES = {c.qualified: c for root in (ROOT, MSL_ROOT) for c in library_classes(root)}
+#: Names of the Modelica Standard Library, in which nothing is looked up here.
+STANDARD = "Modelica."
 
 
 def _packages() -> list[LibraryClass]:
@@ -54,7 +67,7 @@ def _has_icon(found: LibraryClass) -> bool:
     if re.search(r"Icon\(coordinateSystem\([^)]*\), graphics = \{\s*\w", found.text):
         return True
     bases = re.findall(r"^  extends ([\w.]+)", found.code, re.M)
-    return any(_has_icon(_resolve(base, found)) for base in bases)
+    return any(base.startswith(STANDARD) or _has_icon(_resolve(base, found)) for base in bases)
 
 
 def _resolve(name: str, user: LibraryClass) -> LibraryClass:
@@ -94,15 +107,45 @@ def test_every_component_of_a_diagram_is_placed_and_every_connection_drawn(name:
         r"^  (?!parameter|constant|final|extends)[A-Z][\w.]* \w+.*?;", text, re.M | re.S
     ):
         type_name = statement.split()[0]
-        if not type_name.startswith("Units.") and type_name not in ("Boolean", "Integer"):
+        if not type_name.startswith(("Units.", "SI.")) and type_name not in ("Boolean", "Integer"):
             assert "Placement(" in statement, statement
 
 
 def test_the_library_uses_no_other_library() -> None:
     """Names of the Modelica Standard Library occur in texts for the reader only."""
-    for found in CLASSES.values():
+    for found in library_classes(ROOT):
         code = re.sub(r'"(?:[^"\\]|\\.)*"', "", found.text)
         assert not re.search(r"\bModelica\b|\buses\b", code), found.file
+
+
+def test_libraries_say_their_version_and_what_they_use() -> None:
+    for found in (CLASSES["PreloadedSprings"], CLASSES["PreloadedSpringsMSL"]):
+        for attribute in ('preferredView = "info"', "version =", "versionDate ="):
+            assert attribute in found.text, found.name
+    used = re.search(r"uses\((.*)\)", CLASSES["PreloadedSpringsMSL"].text)
+    assert used
+    own = re.search(r'version = "([^"]*)"', CLASSES["PreloadedSprings"].text)
+    assert own
+    assert f'PreloadedSprings(version = "{own[1]}")' in used[1]
+    assert "Modelica(version = " in used[1]
+
+
+@pytest.mark.parametrize("example", examples())
+def test_comparison_signals_are_variables(example: str) -> None:
+    assert set(comparison_signals(example)) <= set(flat_variables(example))
+
+
+def test_examples_and_comparison_signals_are_the_same() -> None:
+    for root in (ROOT, MSL_ROOT):
+        files = (root / "Resources" / "Reference").rglob("comparisonSignals.txt")
+        found = {".".join(file.parts[file.parts.index("Reference") + 1 : -1]) for file in files}
+        assert found == set(examples() if root == ROOT else msl_examples())
+
+
+def test_texts_of_icons_have_the_attribute_of_texts() -> None:
+    """Modelica 3.4: the color of a Text is its textColor, no longer its lineColor."""
+    for found in CLASSES.values():
+        assert not re.search(r"\bText\([^()]*\blineColor", found.text), found.file
 
 
 def test_links_of_the_documentation_lead_somewhere() -> None:
@@ -112,7 +155,7 @@ def test_links_of_the_documentation_lead_somewhere() -> None:
         for link in re.findall(r"modelica://([\w.]+)", found.text)
     ]
     assert len(links) > 30
-    assert [link for link in links if link[1] not in CLASSES] == []
+    assert [link for link in links if link[1] not in CLASSES and not f"{link[1]}.".startswith(STANDARD)] == []
 
 
 def test_kinks_are_relations() -> None:
@@ -129,7 +172,7 @@ def test_kinks_are_relations() -> None:
 
 
 def test_files_are_short() -> None:
-    for file in ROOT.rglob("*.mo"):
+    for file in (*ROOT.rglob("*.mo"), *MSL_ROOT.rglob("*.mo")):
         lines = file.read_text().splitlines()
         assert len(lines) <= 300, file
         assert max(map(len, lines)) <= 120, file

@@ -10,7 +10,7 @@ initial equation
   annotation (
     defaultComponentName = "damping",
     Icon(coordinateSystem(extent = {{-100, -100}, {100, 100}}), graphics = {
-      Text(extent = {{10, 30}, {76, -30}}, lineColor = {64, 64, 64}, textString = "C")}),
+      Text(extent = {{10, 30}, {76, -30}}, textColor = {64, 64, 64}, textString = "C")}),
     Documentation(info = "<html>
 <p>The coefficient of eq. (1) as a number. The paper finds that 0.045 N.m.s/rad reproduces the times of
 its measured peaks best.</p>

@@ -13,7 +13,7 @@ equation
 
   annotation (
     Icon(coordinateSystem(extent = {{-100, -100}, {100, 100}}), graphics = {
-      Text(extent = {{-150, 100}, {150, 60}}, lineColor = {0, 0, 255}, textString = "%name")}),
+      Text(extent = {{-150, 100}, {150, 60}}, textColor = {0, 0, 255}, textString = "%name")}),
     Documentation(info = "<html>
 <p>The travel <code>x</code> is zero where both flanges have the same position. An extending class gives
 the relation between the travel and the forces at its flanges, and the stored energy <code>E</code>,

@@ -23,7 +23,7 @@ equation
       Rectangle(extent = {{-20, 26}, {4, -26}}, lineColor = {64, 64, 64}, fillColor = {192, 192, 192},
         fillPattern = FillPattern.Solid),
       Line(points = {{-40, -36}, {-40, -56}}, color = {64, 64, 64}),
-      Text(extent = {{20, -86}, {140, -116}}, lineColor = {0, 0, 255}, textString = "%name")}),
+      Text(extent = {{20, -86}, {140, -116}}, textColor = {0, 0, 255}, textString = "%name")}),
     Documentation(info = "<html>
 <p>The moment is <code>M_d = coefficient*omega</code>, the second term of eq. (1). An extending class gives the
 coefficient as a function of the angle <code>flange.phi</code>, of <code>omega</code> and of the side

@@ -59,7 +59,7 @@ initial equation
       Line(points = {{-24, -38}, {-12, -26}}, color = {64, 64, 64}),
       Line(points = {{0, -38}, {12, -26}}, color = {64, 64, 64}),
       Line(points = {{24, -38}, {36, -26}}, color = {64, 64, 64}),
-      Text(extent = {{20, -86}, {140, -116}}, lineColor = {0, 0, 255}, textString = "%name")}),
+      Text(extent = {{20, -86}, {140, -116}}, textColor = {0, 0, 255}, textString = "%name")}),
     Documentation(info = "<html>
 <p>Dry friction acts against the motion with the moment</p>
 <blockquote><code>M_slide = T_c + (T_s - T_c)*exp(-(omega/omega_s)^2) + F_c*abs(dx/dtheta)</code></blockquote>

@@ -47,7 +47,7 @@ initial equation
       Line(points = {{-80, -90}, {-80, -40}}, color = {0, 127, 0}, thickness = 0.5),
       Ellipse(extent = {{-88, -26}, {-72, -42}}, lineColor = {0, 127, 0}, fillColor = {160, 205, 160},
         fillPattern = FillPattern.Solid),
-      Text(extent = {{-66, -60}, {66, -90}}, lineColor = {0, 0, 255}, textString = "%name")}),
+      Text(extent = {{-66, -60}, {66, -90}}, textColor = {0, 0, 255}, textString = "%name")}),
     Documentation(info = "<html>
 <p>The plate turns about the pivot. Its lower surface lies the distance <code>b</code> below the pivot and
 touches the hemispherical heads of two plungers, whose axes run at the distance <code>a</code> on either side

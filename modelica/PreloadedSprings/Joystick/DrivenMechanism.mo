@@ -40,6 +40,9 @@ partial model DrivenMechanism "Mechanism that a torque drives: the joystick with
   Interfaces.Signals.EnergyOutput E "Kinetic and potential energy, zero at rest in the neutral position"
     annotation (Placement(transformation(extent = {{200, -160}, {220, -140}}),
       iconTransformation(extent = {{100, -98}, {116, -82}})));
+  Interfaces.RotationalFlange flange "Shaft of the handle, to be loaded or driven"
+    annotation (Placement(transformation(extent = {{-210, 100}, {-190, 120}}),
+      iconTransformation(extent = {{-110, -90}, {-90, -70}})));
 protected
   DrivingTorque drive "Torque from outside"
     annotation (Placement(transformation(extent = {{-160, -20}, {-120, 20}})));
@@ -55,6 +58,8 @@ equation
   E = handle.E + gravity.E + forward.E + backward.E;
   connect(drive.flange, handle.flange)
     annotation (Line(points = {{-120, 0}, {-80, 0}, {-80, 110}, {-30, 110}}, color = {64, 64, 64}));
+  connect(flange, handle.flange)
+    annotation (Line(points = {{-200, 110}, {-30, 110}}, color = {64, 64, 64}));
   connect(gravity.M_g, M_g)
     annotation (Line(points = {{22, 180}, {210, 180}}, color = {0, 0, 127}));
   connect(camPlate.x, x)
@@ -67,27 +72,27 @@ equation
   annotation (
     __pyjoystick(terminals(shaft(inflow(tau = "T"), signal(phi = "theta", w = "omega", a = "alpha")))),
     Icon(coordinateSystem(extent = {{-100, -100}, {100, 100}}), graphics = {
-      Text(extent = {{-96, 18}, {-56, -18}}, lineColor = {0, 0, 127}, textString = "T"),
-      Text(extent = {{70, 98}, {98, 82}}, lineColor = {0, 0, 127}, textString = "theta"),
-      Text(extent = {{70, 78}, {98, 62}}, lineColor = {0, 0, 127}, textString = "omega"),
-      Text(extent = {{70, 58}, {98, 42}}, lineColor = {0, 0, 127}, textString = "alpha"),
-      Text(extent = {{70, 38}, {98, 22}}, lineColor = {0, 0, 127}, textString = "x"),
-      Text(extent = {{70, 18}, {98, 2}}, lineColor = {0, 0, 127}, textString = "f_x"),
-      Text(extent = {{70, -2}, {98, -18}}, lineColor = {0, 0, 127}, textString = "M_s"),
-      Text(extent = {{70, -22}, {98, -38}}, lineColor = {0, 0, 127}, textString = "M_d"),
-      Text(extent = {{70, -42}, {98, -58}}, lineColor = {0, 0, 127}, textString = "M_g"),
-      Text(extent = {{70, -62}, {98, -78}}, lineColor = {0, 0, 127}, textString = "C"),
-      Text(extent = {{70, -82}, {98, -98}}, lineColor = {0, 0, 127}, textString = "E")}),
+      Text(extent = {{-96, 18}, {-56, -18}}, textColor = {0, 0, 127}, textString = "T"),
+      Text(extent = {{70, 98}, {98, 82}}, textColor = {0, 0, 127}, textString = "theta"),
+      Text(extent = {{70, 78}, {98, 62}}, textColor = {0, 0, 127}, textString = "omega"),
+      Text(extent = {{70, 58}, {98, 42}}, textColor = {0, 0, 127}, textString = "alpha"),
+      Text(extent = {{70, 38}, {98, 22}}, textColor = {0, 0, 127}, textString = "x"),
+      Text(extent = {{70, 18}, {98, 2}}, textColor = {0, 0, 127}, textString = "f_x"),
+      Text(extent = {{70, -2}, {98, -18}}, textColor = {0, 0, 127}, textString = "M_s"),
+      Text(extent = {{70, -22}, {98, -38}}, textColor = {0, 0, 127}, textString = "M_d"),
+      Text(extent = {{70, -42}, {98, -58}}, textColor = {0, 0, 127}, textString = "M_g"),
+      Text(extent = {{70, -62}, {98, -78}}, textColor = {0, 0, 127}, textString = "C"),
+      Text(extent = {{70, -82}, {98, -98}}, textColor = {0, 0, 127}, textString = "E")}),
     Diagram(coordinateSystem(extent = {{-220, -220}, {220, 220}}), graphics = {
       Line(points = {{200, 150}, {0, 150}, {0, 143}}, color = {0, 0, 127}, pattern = LinePattern.Dash),
-      Text(extent = {{90, 166}, {190, 154}}, lineColor = {64, 64, 64}, textString = "d(omega)/dt"),
+      Text(extent = {{90, 166}, {190, 154}}, textColor = {64, 64, 64}, textString = "d(omega)/dt"),
       Line(points = {{200, 110}, {30, 110}}, color = {0, 0, 127}, pattern = LinePattern.Dash),
-      Text(extent = {{90, 126}, {190, 114}}, lineColor = {64, 64, 64}, textString = "angle of the shaft"),
+      Text(extent = {{90, 126}, {190, 114}}, textColor = {64, 64, 64}, textString = "angle of the shaft"),
       Line(points = {{200, 65}, {0, 65}, {0, 77}}, color = {0, 0, 127}, pattern = LinePattern.Dash),
       Line(points = {{0, 65}, {0, 53}}, color = {0, 0, 127}, pattern = LinePattern.Dash),
-      Text(extent = {{90, 81}, {190, 69}}, lineColor = {64, 64, 64}, textString = "d(theta)/dt"),
-      Text(extent = {{90, -144}, {190, -156}}, lineColor = {64, 64, 64}, textString = "sum of all energies"),
-      Text(extent = {{-210, -190}, {-60, -202}}, lineColor = {64, 64, 64}, textString = "dashed lines: equations")}),
+      Text(extent = {{90, 81}, {190, 69}}, textColor = {64, 64, 64}, textString = "d(theta)/dt"),
+      Text(extent = {{90, -144}, {190, -156}}, textColor = {64, 64, 64}, textString = "sum of all energies"),
+      Text(extent = {{-210, -190}, {-60, -202}}, textColor = {64, 64, 64}, textString = "dashed lines: equations")}),
     Documentation(info = "<html>
 <p>What <a href=\"modelica://PreloadedSprings.Joystick.Joystick\">Joystick</a> and
 <a href=\"modelica://PreloadedSprings.Joystick.JoystickPowerLaw\">JoystickPowerLaw</a> have in common. A model
@@ -99,5 +104,8 @@ that extends this adds a component <code>damping</code> that is a
 <a href=\"modelica://PreloadedSprings.Operator.HeldMechanism\">held joystick</a> also that of the hand. It also
 makes <code>alpha</code> that of the handle, or zero where
 <a href=\"modelica://PreloadedSprings.Joystick.RubbingMechanism\">dry friction</a> holds it.</p>
+<p>The <code>flange</code> is the shaft itself: what is connected to it, of this library or of
+<code>Modelica.Mechanics.Rotational</code>, turns with the handle, loads it or drives it, beside the torque
+<code>T</code>. Not connected, it has no effect.</p>
 </html>"));
 end DrivenMechanism;

@@ -15,7 +15,7 @@ equation
         thickness = 1, arrow = {Arrow.None, Arrow.Filled}, arrowSize = 12),
       Rectangle(extent = {{-10, 10}, {40, -10}}, lineColor = {64, 64, 64}, fillColor = {192, 192, 192},
         fillPattern = FillPattern.Solid),
-      Text(extent = {{-150, -60}, {150, -100}}, lineColor = {0, 0, 255}, textString = "%name")}),
+      Text(extent = {{-150, -60}, {150, -100}}, textColor = {0, 0, 255}, textString = "%name")}),
     Documentation(info = "<html>
 <p>The torque <code>T</code> that eq. (13) adds to the right-hand side of eq. (1), such as an operator's.</p>
 </html>"));

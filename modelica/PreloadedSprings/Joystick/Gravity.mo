@@ -28,8 +28,8 @@ initial equation
         fillPattern = FillPattern.Solid),
       Line(points = {{20, 40}, {20, -50}}, color = {160, 60, 40}, thickness = 1,
         arrow = {Arrow.None, Arrow.Filled}, arrowSize = 12),
-      Text(extent = {{26, -20}, {60, -60}}, lineColor = {160, 60, 40}, textString = "mg"),
-      Text(extent = {{40, 90}, {160, 50}}, lineColor = {0, 0, 255}, textString = "%name")}),
+      Text(extent = {{26, -20}, {60, -60}}, textColor = {160, 60, 40}, textString = "mg"),
+      Text(extent = {{40, 90}, {160, 50}}, textColor = {0, 0, 255}, textString = "%name")}),
     Documentation(info = "<html>
 <p>The right-hand side of eq. (1), <code>m*g*h*sin(theta)</code>: the center of mass lies above the pivot, so the
 weight turns the handle away from the middle. The potential energy <code>m*g*h*(cos(theta) - 1)</code> is written

@@ -24,7 +24,7 @@ initial equation
         fillColor = {160, 60, 40}, fillPattern = FillPattern.Solid),
       Ellipse(extent = {{-32, -46}, {-8, -70}}, lineColor = {64, 64, 64}, fillColor = {255, 255, 255},
         fillPattern = FillPattern.Solid),
-      Text(extent = {{24, -20}, {104, -50}}, lineColor = {0, 0, 255}, textString = "%name")}),
+      Text(extent = {{24, -20}, {104, -50}}, textColor = {0, 0, 255}, textString = "%name")}),
     Documentation(info = "<html>
 <p>The first term of eq. (1): the torque <code>J*alpha</code> that accelerates the handle.</p>
 <p>The derivatives of the angle are inputs, not taken here. Where the motion is computed, the joystick

@@ -32,6 +32,8 @@ states are <code>theta</code> and <code>omega</code>, which start from <code>the
 the state, not integrated. Without a torque it changes by <code>dE/dt = -C*omega^2</code> (Fig. 12).</p>
 <p>State events are the changes of the sign of <code>theta</code> and, on either side, of the contact state of
 the two springs: the beginnings <code>x_0</code> to <code>x_3</code> of the segments of Table 1.</p>
+<p>What is connected to the <code>flange</code>, such as a motor or a load, adds its torque and its moment of inertia.
+<code>E</code> is the energy of the joystick alone.</p>
 <p>The damping law can be replaced:
 <code>Joystick(redeclare PreloadedSprings.Damping.PowerLaw damping)</code>.</p>
 </html>"));

@@ -63,7 +63,7 @@ equation
       Ellipse(extent = {{-12, -16}, {12, -40}}, lineColor = {64, 64, 64}, fillColor = {255, 255, 255},
         fillPattern = FillPattern.Solid),
       Line(points = {{-70, -88}, {70, -88}}, color = {64, 64, 64}, thickness = 0.5),
-      Text(extent = {{-150, 140}, {150, 105}}, lineColor = {0, 0, 255}, textString = "%name")}),
+      Text(extent = {{-150, 140}, {150, 105}}, textColor = {0, 0, 255}, textString = "%name")}),
     Diagram(coordinateSystem(extent = {{-220, -220}, {220, 220}})),
     Documentation(info = "<html>
 <p>What <a href=\"modelica://PreloadedSprings.Joystick.Joystick\">Joystick</a> and

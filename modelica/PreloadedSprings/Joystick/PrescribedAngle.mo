@@ -18,7 +18,7 @@ equation
         color = {40, 90, 140}, thickness = 0.5, smooth = Smooth.Bezier),
       Rectangle(extent = {{-40, 14}, {40, -14}}, lineColor = {64, 64, 64}, fillColor = {192, 192, 192},
         fillPattern = FillPattern.Solid),
-      Text(extent = {{-150, -40}, {150, -80}}, lineColor = {0, 0, 255}, textString = "%name")}),
+      Text(extent = {{-150, -40}, {150, -80}}, textColor = {0, 0, 255}, textString = "%name")}),
     Documentation(info = "<html>
 <p>Makes the shaft follow the angle <code>theta</code> and reports the torque <code>T</code> that this takes,
 eq. (13).</p>

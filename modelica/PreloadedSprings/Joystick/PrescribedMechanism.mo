@@ -62,21 +62,21 @@ equation
 
   annotation (
     Icon(coordinateSystem(extent = {{-100, -100}, {100, 100}}), graphics = {
-      Text(extent = {{-98, 72}, {-58, 48}}, lineColor = {0, 0, 127}, textString = "theta"),
-      Text(extent = {{-98, 12}, {-58, -12}}, lineColor = {0, 0, 127}, textString = "omega"),
-      Text(extent = {{-98, -48}, {-58, -72}}, lineColor = {0, 0, 127}, textString = "alpha"),
-      Text(extent = {{62, 72}, {98, 48}}, lineColor = {0, 0, 127}, textString = "T"),
-      Text(extent = {{62, 30}, {98, 10}}, lineColor = {0, 0, 127}, textString = "inertia"),
-      Text(extent = {{62, -10}, {98, -30}}, lineColor = {0, 0, 127}, textString = "damping"),
-      Text(extent = {{62, -50}, {98, -70}}, lineColor = {0, 0, 127}, textString = "stiffness"),
-      Text(extent = {{62, -73}, {98, -86}}, lineColor = {0, 0, 127}, textString = "friction"),
-      Text(extent = {{62, -88}, {98, -101}}, lineColor = {0, 0, 127}, textString = "band")}),
+      Text(extent = {{-98, 72}, {-58, 48}}, textColor = {0, 0, 127}, textString = "theta"),
+      Text(extent = {{-98, 12}, {-58, -12}}, textColor = {0, 0, 127}, textString = "omega"),
+      Text(extent = {{-98, -48}, {-58, -72}}, textColor = {0, 0, 127}, textString = "alpha"),
+      Text(extent = {{62, 72}, {98, 48}}, textColor = {0, 0, 127}, textString = "T"),
+      Text(extent = {{62, 30}, {98, 10}}, textColor = {0, 0, 127}, textString = "inertia"),
+      Text(extent = {{62, -10}, {98, -30}}, textColor = {0, 0, 127}, textString = "damping"),
+      Text(extent = {{62, -50}, {98, -70}}, textColor = {0, 0, 127}, textString = "stiffness"),
+      Text(extent = {{62, -73}, {98, -86}}, textColor = {0, 0, 127}, textString = "friction"),
+      Text(extent = {{62, -88}, {98, -101}}, textColor = {0, 0, 127}, textString = "band")}),
     Diagram(coordinateSystem(extent = {{-220, -220}, {220, 220}}), graphics = {
       Line(points = {{200, 110}, {30, 110}}, color = {0, 0, 127}, pattern = LinePattern.Dash),
-      Text(extent = {{90, 126}, {190, 114}}, lineColor = {64, 64, 64}, textString = "torque on the handle"),
+      Text(extent = {{90, 126}, {190, 114}}, textColor = {64, 64, 64}, textString = "torque on the handle"),
       Line(points = {{200, -102}, {46, -102}}, color = {0, 0, 127}, pattern = LinePattern.Dash),
-      Text(extent = {{90, -86}, {190, -98}}, lineColor = {64, 64, 64}, textString = "M_s - M_g"),
-      Text(extent = {{-210, -190}, {-150, -202}}, lineColor = {64, 64, 64}, textString = "dashed line: equation")}),
+      Text(extent = {{90, -86}, {190, -98}}, textColor = {64, 64, 64}, textString = "M_s - M_g"),
+      Text(extent = {{-210, -190}, {-150, -202}}, textColor = {64, 64, 64}, textString = "dashed line: equation")}),
     Documentation(info = "<html>
 <p>What <a href=\"modelica://PreloadedSprings.Joystick.JoystickInverse\">JoystickInverse</a> and
 <a href=\"modelica://PreloadedSprings.Joystick.JoystickInversePowerLaw\">JoystickInversePowerLaw</a> have in common. A

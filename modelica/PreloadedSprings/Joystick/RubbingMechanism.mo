@@ -13,7 +13,7 @@ equation
   friction.omega = omega;
   friction.isForwardInContact = forward.returnSpring.isEngaged;
   friction.isBackwardInContact = backward.returnSpring.isEngaged;
-  friction.M = drive.T + M_g - M_s - M_d;
+  friction.M = drive.T + flange.tau + M_g - M_s - M_d;
   alpha = if isStuck then 0 else handle.alpha;
   when change(friction.mode) then
     reinit(omega, 0);
@@ -28,14 +28,14 @@ equation
 
   annotation (
     Icon(coordinateSystem(extent = {{-100, -100}, {100, 100}}), graphics = {
-      Text(extent = {{-60, -84}, {-20, -100}}, lineColor = {0, 0, 127}, textString = "M_f"),
-      Text(extent = {{20, -84}, {60, -100}}, lineColor = {255, 0, 255}, textString = "isStuck")}),
+      Text(extent = {{-60, -84}, {-20, -100}}, textColor = {0, 0, 127}, textString = "M_f"),
+      Text(extent = {{20, -84}, {60, -100}}, textColor = {255, 0, 255}, textString = "isStuck")}),
     Documentation(info = "<html>
 <p>What <a href=\"modelica://PreloadedSprings.Joystick.JoystickFriction\">JoystickFriction</a> and
 <a href=\"modelica://PreloadedSprings.Joystick.JoystickFrictionPowerLaw\">JoystickFrictionPowerLaw</a> have in common:
 the <a href=\"modelica://PreloadedSprings.Joystick.DrivenMechanism\">DrivenMechanism</a>, held or slowed by
 <a href=\"modelica://PreloadedSprings.Friction.StickSlip\">dry friction</a>. The friction needs to know the moment of
-everything else on the shaft, <code>drive.T + M_g - M_s - M_d</code>. Where the motion turns, or begins or ends to
-stick, <code>omega</code> is set to zero; while it sticks, <code>alpha</code> is zero.</p>
+everything else on the shaft, <code>drive.T + flange.tau + M_g - M_s - M_d</code>. Where the motion turns, or begins or
+ends to stick, <code>omega</code> is set to zero; while it sticks, <code>alpha</code> is zero.</p>
 </html>"));
 end RubbingMechanism;

@@ -32,7 +32,7 @@ initial equation
         fillPattern = FillPattern.Solid),
       Line(points = {{70, -30}, {30, -30}}, color = {64, 64, 64}, thickness = 0.5),
       Line(points = {{-24, -8}, {30, -8}, {30, -52}, {-24, -52}}, color = {64, 64, 64}, thickness = 0.5),
-      Text(extent = {{-150, 140}, {150, 105}}, lineColor = {0, 0, 255}, textString = "%name")}),
+      Text(extent = {{-150, 140}, {150, 105}}, textColor = {0, 0, 255}, textString = "%name")}),
     Documentation(info = "<html>
 <p>The mechanical impedance of hand and arm without their mass: a spring and a damper between the wanted angle and
 the actual one, <code>T = K*(theta_ref - theta) + D*(omega_ref - omega)</code>. The mass of the hand moves with the

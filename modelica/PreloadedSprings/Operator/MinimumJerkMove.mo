@@ -29,9 +29,9 @@ initial equation
       Line(points = {{-88, -60}, {30, -60}}, color = {192, 192, 192}),
       Line(points = {{-88, -60}, {-80, -60}, {-72, -52}, {-64, -5}, {-56, 42}, {-48, 50}, {-28, 50}, {-20, 42},
         {-12, -5}, {-4, -52}, {4, -60}, {30, -60}}, color = {0, 0, 127}, thickness = 0.5),
-      Text(extent = {{40, 52}, {98, 28}}, lineColor = {0, 0, 127}, textString = "theta"),
-      Text(extent = {{40, -28}, {98, -52}}, lineColor = {0, 0, 127}, textString = "omega"),
-      Text(extent = {{-150, 140}, {150, 105}}, lineColor = {0, 0, 255}, textString = "%name")}),
+      Text(extent = {{40, 52}, {98, 28}}, textColor = {0, 0, 127}, textString = "theta"),
+      Text(extent = {{40, -28}, {98, -52}}, textColor = {0, 0, 127}, textString = "omega"),
+      Text(extent = {{-150, 140}, {150, 105}}, textColor = {0, 0, 255}, textString = "%name")}),
     Documentation(info = "<html>
 <p>Either way is the polynomial <code>10*s^3 - 15*s^4 + 6*s^5</code> of the time <code>s</code> that has
 passed, as a share of <code>move_time</code>: of all moves between two points of rest it has the smallest integral of

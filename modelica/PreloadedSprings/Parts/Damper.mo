@@ -20,7 +20,7 @@ initial equation
       Line(points = {{-60, 30}, {60, 30}, {60, -30}, {-60, -30}}, color = {64, 64, 64}, thickness = 0.5),
       Line(points = {{-10, 24}, {-10, -24}}, color = {0, 127, 0}, thickness = 1),
       Line(points = {{-40, 0}, {-10, 0}}, color = {0, 127, 0}, thickness = 0.5),
-      Text(extent = {{-150, -50}, {150, -80}}, lineColor = {0, 0, 0}, textString = "d = %d")}),
+      Text(extent = {{-150, -50}, {150, -80}}, textColor = {0, 0, 0}, textString = "d = %d")}),
     Documentation(info = "<html>
 <p>The force is <code>d</code> times the velocity of compression. Unlike a spring of this library, it also
 pulls. Nothing is stored: <code>E</code> is zero.</p>

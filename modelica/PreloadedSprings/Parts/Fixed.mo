@@ -14,7 +14,7 @@ equation
       Line(points = {{40, -40}, {0, -80}}, color = {64, 64, 64}),
       Line(points = {{0, -40}, {-40, -80}}, color = {64, 64, 64}),
       Line(points = {{-40, -40}, {-80, -80}}, color = {64, 64, 64}),
-      Text(extent = {{-150, -90}, {150, -130}}, lineColor = {0, 0, 255}, textString = "%name")}),
+      Text(extent = {{-150, -90}, {150, -130}}, textColor = {0, 0, 255}, textString = "%name")}),
     Documentation(info = "<html>
 <p>Holds its flange at the position zero, whatever the force.</p>
 </html>"));

@@ -25,8 +25,8 @@ initial equation
       Line(points = {{-90, 0}, {90, 0}}, color = {0, 127, 0}, thickness = 0.5),
       Rectangle(extent = {{-60, 40}, {60, -40}}, lineColor = {0, 127, 0}, fillColor = {160, 205, 160},
         fillPattern = FillPattern.Solid),
-      Text(extent = {{-150, 90}, {150, 50}}, lineColor = {0, 0, 255}, textString = "%name"),
-      Text(extent = {{-150, -50}, {150, -80}}, lineColor = {0, 0, 0}, textString = "m = %m")}),
+      Text(extent = {{-150, 90}, {150, 50}}, textColor = {0, 0, 255}, textString = "%name"),
+      Text(extent = {{-150, -50}, {150, -80}}, textColor = {0, 0, 0}, textString = "m = %m")}),
     Documentation(info = "<html>
 <p>Newton's law for the forces at both sides. The length of the mass is left out: both flanges have the
 position <code>s</code>.</p>

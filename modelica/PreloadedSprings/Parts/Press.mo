@@ -19,8 +19,8 @@ equation
         fillPattern = FillPattern.Solid),
       Polygon(points = {{-60, 10}, {-20, 10}, {-20, 28}, {6, 0}, {-20, -28}, {-20, -10}, {-60, -10}, {-60, 10}},
         lineColor = {0, 127, 0}, fillColor = {0, 127, 0}, fillPattern = FillPattern.Solid),
-      Text(extent = {{-150, 110}, {150, 70}}, lineColor = {0, 0, 255}, textString = "%name"),
-      Text(extent = {{-150, -70}, {150, -100}}, lineColor = {0, 0, 0}, textString = "v = %v")}),
+      Text(extent = {{-150, 110}, {150, 70}}, textColor = {0, 0, 255}, textString = "%name"),
+      Text(extent = {{-150, -70}, {150, -100}}, textColor = {0, 0, 0}, textString = "v = %v")}),
     Documentation(info = "<html>
 <p>The crosshead of a testing machine, for load-deflection curves such as that of Fig. 7.</p>
 </html>"));

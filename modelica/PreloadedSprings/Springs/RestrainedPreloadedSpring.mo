@@ -34,7 +34,7 @@ initial equation
       Line(points = {{-62, 0}, {-54, 34}, {-38, -34}, {-22, 34}, {-6, -34}, {10, 34}, {26, -34}, {42, 34}, {54, -34},
         {62, 0}}, color = {0, 127, 0}, thickness = 0.5),
       Line(points = {{62, 0}, {90, 0}}, color = {0, 127, 0}, thickness = 0.5),
-      Text(extent = {{-150, -60}, {150, -90}}, lineColor = {0, 0, 0}, textString = "F_0 = %F_0")}),
+      Text(extent = {{-150, -60}, {150, -90}}, textColor = {0, 0, 0}, textString = "F_0 = %F_0")}),
     Documentation(info = "<html>
 <p>A helical spring of stiffness <code>k_s</code> that is held compressed with the force <code>F_0</code> by a
 restraint of stiffness <code>k_h</code>: a central rod, or the housing around it (Figs. 1 and 8 of the paper).

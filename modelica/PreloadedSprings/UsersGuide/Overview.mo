@@ -29,7 +29,9 @@ force for large travel. Joysticks, snubbers and switches are built that way.</p>
 <a href=\"modelica://PreloadedSprings.Parts\">masses and walls</a> by their flanges, as
 <a href=\"modelica://PreloadedSprings.Examples.OpposingSprings\">OpposingSprings</a> does. A measured
 load-deflection curve becomes a
-<a href=\"modelica://PreloadedSprings.Springs.TableAssembly\">TableAssembly</a>. For a damping law of your own,
+<a href=\"modelica://PreloadedSprings.Springs.TableAssembly\">TableAssembly</a>. Motors and loads connect to the
+<code>flange</code> of a joystick; <code>PreloadedSpringsMSL</code> shows this with components of the Modelica
+Standard Library. For a damping law of your own,
 extend <a href=\"modelica://PreloadedSprings.Interfaces.DampingLaw\">Interfaces.DampingLaw</a> and write
 <code>Joystick(redeclare MyLaw damping)</code>.</p>
 </html>"));

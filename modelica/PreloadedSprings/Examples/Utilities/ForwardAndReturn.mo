@@ -32,10 +32,10 @@ initial equation
       Line(points = {{-88, -60}, {14, -60}}, color = {192, 192, 192}),
       Line(points = {{-88, -60}, {-72, -58}, {-64, -46}, {-57, -20}, {-50, 14}, {-44, 42}, {-38, 52},
         {-32, 42}, {-26, 14}, {-19, -20}, {-12, -46}, {-4, -58}, {14, -60}}, color = {0, 0, 127}, thickness = 0.5),
-      Text(extent = {{30, 72}, {98, 48}}, lineColor = {0, 0, 127}, textString = "theta"),
-      Text(extent = {{30, 12}, {98, -12}}, lineColor = {0, 0, 127}, textString = "omega"),
-      Text(extent = {{30, -48}, {98, -72}}, lineColor = {0, 0, 127}, textString = "alpha"),
-      Text(extent = {{-150, 140}, {150, 105}}, lineColor = {0, 0, 255}, textString = "%name")}),
+      Text(extent = {{30, 72}, {98, 48}}, textColor = {0, 0, 127}, textString = "theta"),
+      Text(extent = {{30, 12}, {98, -12}}, textColor = {0, 0, 127}, textString = "omega"),
+      Text(extent = {{30, -48}, {98, -72}}, textColor = {0, 0, 127}, textString = "alpha"),
+      Text(extent = {{-150, 140}, {150, 105}}, textColor = {0, 0, 255}, textString = "%name")}),
     Documentation(info = "<html>
 <p>The angle follows the fourth power of a half-wave of a sine, so that its first three derivatives are
 continuous at both ends of the motion. Angular velocity and acceleration are its exact derivatives.</p>

@@ -8,7 +8,7 @@ connector BooleanInput = input Boolean "Truth value as a signal going in"
     Diagram(coordinateSystem(extent = {{-100, -100}, {100, 100}}), graphics = {
       Polygon(points = {{0, 50}, {100, 0}, {0, -50}, {0, 50}}, lineColor = {255, 0, 255},
         fillColor = {255, 0, 255}, fillPattern = FillPattern.Solid),
-      Text(extent = {{-10, 85}, {-10, 60}}, lineColor = {255, 0, 255}, textString = "%name")}),
+      Text(extent = {{-10, 85}, {-10, 60}}, textColor = {255, 0, 255}, textString = "%name")}),
     Documentation(info = "<html>
 <p>A truth value. It changes at events only.</p>
 </html>"));

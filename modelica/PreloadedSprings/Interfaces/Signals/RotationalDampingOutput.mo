@@ -8,7 +8,7 @@ connector RotationalDampingOutput = output Units.RotationalDamping "Damping coef
     Diagram(coordinateSystem(extent = {{-100, -100}, {100, 100}}), graphics = {
       Polygon(points = {{-100, 50}, {0, 0}, {-100, -50}, {-100, 50}}, lineColor = {0, 0, 127},
         fillColor = {255, 255, 255}, fillPattern = FillPattern.Solid),
-      Text(extent = {{30, 110}, {30, 60}}, lineColor = {0, 0, 127}, textString = "%name")}),
+      Text(extent = {{30, 110}, {30, 60}}, textColor = {0, 0, 127}, textString = "%name")}),
     Documentation(info = "<html>
 <p>A signal of type <a href=\"modelica://PreloadedSprings.Units.RotationalDamping\">Units.RotationalDamping</a>.</p>
 </html>"));

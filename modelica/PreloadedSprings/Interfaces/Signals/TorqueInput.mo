@@ -8,7 +8,7 @@ connector TorqueInput = input Units.Torque "Torque as a signal going in"
     Diagram(coordinateSystem(extent = {{-100, -100}, {100, 100}}), graphics = {
       Polygon(points = {{0, 50}, {100, 0}, {0, -50}, {0, 50}}, lineColor = {0, 0, 127},
         fillColor = {0, 0, 127}, fillPattern = FillPattern.Solid),
-      Text(extent = {{-10, 85}, {-10, 60}}, lineColor = {0, 0, 127}, textString = "%name")}),
+      Text(extent = {{-10, 85}, {-10, 60}}, textColor = {0, 0, 127}, textString = "%name")}),
     Documentation(info = "<html>
 <p>A signal of type <a href=\"modelica://PreloadedSprings.Units.Torque\">Units.Torque</a>.</p>
 </html>"));
