@@ -2,7 +2,7 @@
 # make test   everything that is tested
 # make env    the whole environment, with Numba and the tools of tests and documentation (make run needs a third)
 # make test-quick  what takes less than a minute: no compiler, no site; with the FMUs that make fmu made
-# make fmu    the ten FMUs in build/fmi2/ (COMPILER=openmodelica makes them with an installed OpenModelica,
+# make fmu    the ten FMUs in build/fmi2/, and two with sensitivities in build/fmi2/sensitivities/ (COMPILER=openmodelica makes them with an installed OpenModelica,
 #             COMPILER_OPTIONS="omc=/opt/openmodelica" with one that is not on the path), for this machine's
 #             platform (PLATFORMS=all: Linux, Windows and macOS; PLATFORMS="x86_64-linux x86_64-windows": those);
 #             FMI=3: of FMI 3.0, in build/fmi3/; FMI="2 3": both
@@ -41,6 +41,10 @@ MODELS := $(addprefix PreloadedSprings.,Joystick.Joystick Joystick.JoystickPower
 	Joystick.JoystickFriction Joystick.JoystickFrictionPowerLaw Joystick.JoystickInverse \
 	Joystick.JoystickInversePowerLaw Operator.Operator Operator.HeldJoystick \
 	Operator.HeldJoystickPowerLaw Examples.OperatedJoystick)
+# Beside some of them, in sensitivities/: the same with derivatives by what fits ask for, which rumoca can.
+SENSITIVE := Joystick JoystickPowerLaw
+SENSITIVITY_Joystick := theta,omega:theta_start,damping.C,J
+SENSITIVITY_JoystickPowerLaw := theta,omega:theta_start,damping.A_pos,damping.n_pos,damping.A_neg,damping.n_neg,damping.B,damping.m
 FMU_SOURCES := $(shell find modelica fmu_build -name '*.mo' -o -name 'package.order' -o -name '*.[ch]' \
 	-o -name '*.py' -o -name '*.toml' -o -name '*.jinja' -o -name '*.csv')
 
@@ -77,6 +81,10 @@ fmu: $(FMI:%=build/fmi%/.built)
 
 build/fmi%/.built: $(FMU_SOURCES) $(RUN_READY) build/fmi%/.settings
 	$(BIN)/python -m fmu_build $(MODELS) --fmi $* --output build/fmi$* $(FMU_SETTINGS)
+	rm -rf build/fmi$*/sensitivities
+	$(if $(filter rumoca,$(COMPILER)),$(foreach name,$(SENSITIVE),$(BIN)/python -m fmu_build \
+		PreloadedSprings.Joystick.$(name) --fmi $* --output build/fmi$*/sensitivities $(FMU_SETTINGS) \
+		--sensitivity $(SENSITIVITY_$(name)) &&) true)
 	touch $@
 
 # Changes with the settings that are asked for, and then only, so that FMUs with others are made anew.

@@ -21,6 +21,12 @@ MODELS = (
     "Operator.HeldJoystickPowerLaw",
     "Examples.OperatedJoystick",
 )
+#: What those in ``sensitivities/`` compute besides, by name.
+SENSITIVITIES = {
+    "Joystick": "theta,omega:theta_start,damping.C,J",
+    "JoystickPowerLaw": "theta,omega:theta_start,damping.A_pos,damping.n_pos,damping.A_neg,damping.n_neg,"
+    "damping.B,damping.m",
+}
 #: With the WebAssembly module, live pages and sandboxes need no compiler either.
 PLATFORMS = ("all", "wasm32")
 
@@ -36,9 +42,14 @@ class CustomBuildHook(BuildHookInterface):
         from fmu_build import build_fmu
 
         self._folder = tempfile.TemporaryDirectory()
-        for model in MODELS:
-            result = build_fmu(f"PreloadedSprings.{model}", Path(self._folder.name), platforms=PLATFORMS)
-            build_data["force_include"][str(result.path)] = f"pyjoystick/fmus/{result.path.name}"
+        folder = Path(self._folder.name)
+        sensitive = folder / "sensitivities"
+        builds = [(model, folder, None) for model in MODELS]
+        builds += [(f"Joystick.{name}", sensitive, request) for name, request in SENSITIVITIES.items()]
+        for model, output, request in builds:
+            result = build_fmu(f"PreloadedSprings.{model}", output, platforms=PLATFORMS, sensitivity=request)
+            place = result.path.relative_to(folder).as_posix()
+            build_data["force_include"][str(result.path)] = f"pyjoystick/fmus/{place}"
 
     def finalize(self, version: str, build_data: dict[str, Any], artifact_path: str) -> None:
         """Remove what was built only to be packed."""

@@ -12,7 +12,7 @@ import pytest
 from playwright.sync_api import Browser
 
 from fmu_build import FmiVersion
-from pyjoystick.fmu import MODELS
+from pyjoystick.fmu import MODELS, SENSITIVITIES
 from tests import browser as browsers
 from tests.omc import Omc, opened, why_not
 from tests.shared_fmus import SharedFmus
@@ -112,21 +112,28 @@ def _made_or_new(fmi_version: FmiVersion, shared_fmus: SharedFmus, request: pyte
     if _is_up_to_date(made):
         return made
     if request.config.getoption("--quick"):
-        if all((made / f"{name}.fmu").is_file() for name in MODELS):
+        if all(fmu.is_file() for fmu in _of_this_project(made)):
             return made
         pytest.skip(f"the FMUs are missing: make fmu FMI={fmi_version[0]}")
     (folder,) = {shared_fmus.fmu(model, fmi_version=fmi_version).parent for model in MODELS.values()}
+    for name, request_of in SENSITIVITIES.items():
+        shared_fmus.fmu(MODELS[name], fmi_version=fmi_version, sensitivity=request_of, beside=folder)
     return folder
 
 
 def _is_up_to_date(folder: Path) -> bool:
-    fmus = [folder / f"{name}.fmu" for name in MODELS]
+    fmus = _of_this_project(folder)
     if not all(fmu.is_file() for fmu in fmus):
         return False
     if not all(_tool(fmu).startswith("pyjoystick") for fmu in fmus):
         return False
     oldest = min(fmu.stat().st_mtime for fmu in fmus)
     return all(source.stat().st_mtime <= oldest for source in _sources())
+
+
+def _of_this_project(folder: Path) -> list[Path]:
+    sensitive = [folder / "sensitivities" / f"{name}.fmu" for name in SENSITIVITIES]
+    return [*(folder / f"{name}.fmu" for name in MODELS), *sensitive]
 
 
 def _tool(fmu: Path) -> str:

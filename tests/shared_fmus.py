@@ -26,10 +26,16 @@ class SharedFmus:
         fmi_version: FmiVersion = "2.0",
         platforms: tuple[str, ...] = (),
         sensitivity: str | None = None,
+        beside: Path | None = None,
     ) -> Path:
-        """The FMU of a model; those of one library with the same settings lie in one folder."""
+        """The FMU of a model; those of one library with the same settings lie in one folder.
+
+        That is ``sensitivities`` in the folder `beside`, where one is given.
+        """
         settings = (library, fmi_version, platforms, *([sensitivity] if sensitivity else []))
         file = self._file(model, *settings)
+        if beside is not None:
+            file = beside / "sensitivities" / file.name
         with self._lock(file):
             if not file.exists():
                 build_fmu(

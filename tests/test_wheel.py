@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pyjoystick.fmu import MODELS, read_description
+from pyjoystick.fmu import MODELS, SENSITIVITIES, read_description
 
 ROOT = Path(__file__).parents[1]
 PLATFORMS = {"aarch64-darwin", "aarch64-linux", "darwin64", "linux64", "win64"}
@@ -112,6 +112,7 @@ def test_the_wheel_has_the_files_of_the_checkout(wheel: Path) -> None:
         if path.is_file()
     }
     expected |= {f"pyjoystick/fmus/{name}.fmu" for name in MODELS}
+    expected |= {f"pyjoystick/fmus/sensitivities/{name}.fmu" for name in SENSITIVITIES}
     with zipfile.ZipFile(wheel) as archive:
         found = {name for name in archive.namelist() if ".dist-info/" not in name}
     assert found == expected

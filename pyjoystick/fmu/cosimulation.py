@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 import weakref
 from collections.abc import Iterable, Mapping
 from functools import partial
@@ -21,6 +22,7 @@ from pyjoystick.fmu.linearization import Linearization, linearize
 from pyjoystick.fmu.own_process.pool import ProcessPool, new_pool
 from pyjoystick.fmu.plan import Plan
 from pyjoystick.fmu.sandbox.pool import SandboxPool
+from pyjoystick.fmu.sensitivities import advice, counterpart, has_sensitivities, wanted_names
 from pyjoystick.fmu.stepper import Stepper
 from pyjoystick.fmu.values import Value, default_outputs
 from pyjoystick.motion import make_table
@@ -90,6 +92,8 @@ class Fmu(Shown):
             else new_pool(self.description, own_process, time_limit)
         )
         self._close = weakref.finalize(self, self._pool.close)
+        self._lock = threading.Lock()
+        self._sensitive: Fmu | None = None
 
     def __reduce__(self) -> tuple[Any, ...]:
         return partial(Fmu, **self._choice), (self.description.path.absolute(),)
@@ -105,6 +109,8 @@ class Fmu(Shown):
     def close(self) -> None:
         """Free the instances and delete what was unpacked; closing twice does no harm."""
         self._close()
+        if self._sensitive is not None:
+            self._sensitive._close()
 
     def run(
         self,
@@ -249,6 +255,61 @@ class Fmu(Shown):
             return found
         with pool.lent() as instance:
             return linearize(instance, *arguments)
+
+    @property
+    def sensitive(self) -> Fmu | None:
+        """The FMU of this model that has sensitivities as outputs; None where there is none.
+
+        This one, if it was built for them; else the one of the same name in the folder ``sensitivities``
+        beside it, opened when it is first asked for and closed with this one. Its plans and batches give
+        sensitivities for many runs: their names are ``sensitivity.theta.J`` and so on.
+
+        Raises:
+            UnsupportedFmuError: the FMU there is of another model
+        """
+        if has_sensitivities(self.description):
+            return self
+        with self._lock:
+            if self._sensitive is None and (path := counterpart(self.description)) is not None:
+                self._sensitive = Fmu(path, **self._choice)
+            return self._sensitive
+
+    def sensitivities(
+        self,
+        time: ArrayLike,
+        *,
+        by: Iterable[str],
+        outputs: Iterable[str],
+        parameters: Mapping[str, Value] | None = None,
+        inputs: Inputs | None = None,
+        tolerance: float = DEFAULT_TOLERANCE,
+    ) -> pd.DataFrame:
+        """Derivatives of a run by parameters and start values, exact through events.
+
+        Args:
+            time: as in `run`
+            by: names of parameters
+            outputs: names of the variables that are differentiated
+            parameters: as in `run`
+            inputs: as in `run`
+            tolerance: as in `run`; sensitivities keep it too
+
+        Returns:
+            a table as that of `run`, with the columns ``sensitivity.OUTPUT.PARAMETER``, those of one output
+            together
+
+        Raises:
+            UnsupportedFmuError: neither this FMU nor the one in ``sensitivities`` beside it was built for
+                them
+            As `run`
+        """
+        sensitive = self.sensitive
+        if sensitive is None:
+            raise UnsupportedFmuError(
+                self.description.path, f"has no sensitivities: {advice(self.description)}"
+            )
+        names = wanted_names(sensitive.description, outputs, by)
+        return sensitive.run(time, parameters=parameters, inputs=inputs, outputs=names, tolerance=tolerance)
 
     def _steppable(self) -> InstancePool | ProcessPool:
         """The pool, for what a sandbox does not do."""

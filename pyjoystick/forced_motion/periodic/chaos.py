@@ -15,6 +15,8 @@ from pyjoystick.support import FloatArray, ParameterError, whole_number
 _APART: Final = 1e-7
 #: From one standard error of the mean on, counted this often, an exponent is not zero.
 _SURE: Final = 3.0
+#: So many times the iterations at most are spent for a precision.
+_MOST_ROUNDS: Final = 8
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,6 +48,7 @@ def largest_exponent(
     period: float,
     *,
     iterations: int = 300,
+    precision: float = math.inf,
 ) -> LargestExponent:
     """The largest exponent over several motions at a time, each with a neighbor that is brought back.
 
@@ -59,6 +62,8 @@ def largest_exponent(
         scales: size of each state, shape (n,)
         period: s
         iterations: periods; a tenth more is spent before, in which the distance finds its direction
+        precision: the standard error that is wanted, as a part of the exponent; up to eight times as many
+            periods are spent for it
 
     Raises:
         ParameterError: fewer than two motions, or one of them fails
@@ -67,9 +72,9 @@ def largest_exponent(
     whole_number("states", len(states), 2)
     now = states.copy()
     apart = np.full(now.shape, _APART / math.sqrt(now.shape[1]))
-    growth = np.zeros((count, len(now)))
+    growth: list[FloatArray] = []
     before = max(1, count // 10)
-    for i in range(before + count):
+    for i in range(before + _MOST_ROUNDS * count):
         both = images(np.concatenate((now, now + apart * scales)), parameter)
         now, beside = both[: len(now)], both[len(now) :]
         difference = (beside - now) / scales
@@ -78,8 +83,12 @@ def largest_exponent(
             raise ParameterError("states", states.tolist(), "motions that do not fail or become one")
         apart = _APART * difference / distance[:, None]
         if i >= before:
-            growth[i - before] = np.log(distance / _APART)
-    return _of_growth(growth / period)
+            growth.append(np.log(distance / _APART) / period)
+        if growth and len(growth) % count == 0:
+            found = _of_growth(np.array(growth))
+            if found.error <= precision * abs(found.value):
+                break
+    return found
 
 
 def _of_growth(growth: FloatArray) -> LargestExponent:

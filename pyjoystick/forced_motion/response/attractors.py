@@ -23,6 +23,8 @@ _SAME: Final = 1e-3
 #: Motions by which an exponent is found; a single one is repeated from states beside it.
 _MOTIONS: Final = 16
 _BESIDE: Final = 1e-6
+#: Standard error of an exponent, as a part of it.
+_PRECISION: Final = 0.03
 #: Of so many releases at most it is asked until when they can be trusted, for so many periods.
 _ASKED: Final = 6
 _TRIED: Final = 40
@@ -103,7 +105,7 @@ def basins(
         theta: angles of release (rad), shape (n,)
         omega: speeds of release (rad/s), shape (m,)
         settling: periods before a motion is judged
-        iterations: periods over which the exponent is averaged
+        iterations: periods over which the exponent is averaged at least
         on_progress: is told what is being done
 
     Raises:
@@ -185,7 +187,13 @@ def _unsettled(
         chosen = repeated + _BESIDE * shaken.scales[:2] * np.arange(_MOTIONS)[:, None]
     period = shaken.period(shaken.value)
     exponent = largest_exponent(
-        shaken.images, chosen, shaken.value, shaken.scales[:2], period, iterations=iterations
+        shaken.images,
+        chosen,
+        shaken.value,
+        shaken.scales[:2],
+        period,
+        iterations=iterations,
+        precision=_PRECISION,
     )
     section = [chosen]
     for _ in range(max(1, iterations // 4)):

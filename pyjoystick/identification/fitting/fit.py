@@ -22,19 +22,28 @@ from pyjoystick.identification.fitting.checks.noise_shape import first_shape, sh
 from pyjoystick.identification.fitting.checks.rivals import Make
 from pyjoystick.identification.fitting.checks.trust import Check, check_profiles
 from pyjoystick.identification.fitting.order import as_given, ordered_records, ordered_settings
+from pyjoystick.identification.fitting.problem.fmu_runs import FmuSettings
 from pyjoystick.identification.fitting.problem.instrument import CLOCK, INSTRUMENT
 from pyjoystick.identification.fitting.problem.least_squares import Problem, StepChoice, choose_steps
 from pyjoystick.identification.fitting.problem.measurement import Measurement, measurements
 from pyjoystick.identification.fitting.problem.noise_model import first_weights
 from pyjoystick.identification.fitting.problem.peak_prediction import PeakPredictor
-from pyjoystick.identification.fitting.problem.prediction import FmuSettings, Predictor, TrajectoryPredictor
+from pyjoystick.identification.fitting.problem.prediction import Predictor, TrajectoryPredictor
 from pyjoystick.identification.fitting.problem.settings import FitSettings
 from pyjoystick.identification.fitting.problem.variables import Variables
 from pyjoystick.identification.fitting.result import Fit
 from pyjoystick.identification.fitting.solution.bootstrap import Bootstrap, bootstrap
 from pyjoystick.identification.fitting.solution.profile import Profile, profile
 from pyjoystick.identification.fitting.solution.scan import scan
-from pyjoystick.identification.fitting.solution.search import REFINED, Minimum, merge, multi_start, search
+from pyjoystick.identification.fitting.solution.search import (
+    EXACT,
+    REFINED,
+    Minimum,
+    merge,
+    multi_start,
+    search,
+)
+from pyjoystick.identification.fitting.solution.stationary import stationary_point
 from pyjoystick.identification.fitting.solution.uncertainty import (
     SCATTER,
     StandardErrors,
@@ -115,6 +124,7 @@ def fit(
         FitError: a record or the FMU does not go with the settings, or the first run fails
         FitInterruptedError: Ctrl-C before the search was done
         ParameterError, UnknownParameterError, UnknownVariableError: a name or value is not allowed
+        UnsupportedFmuError: what lies in ``sensitivities`` beside the FMU is of another model
     """
     begun = time.perf_counter()
     given = measurements(records)
@@ -207,7 +217,11 @@ def _recosted(solution: Problem, minimum: Minimum) -> Minimum:
 def _refined(solution: Problem, minimum: Minimum, settings: FitSettings) -> Minimum:
     """The minimum with the derivatives of the solution."""
     evaluations = settings.search.evaluations
-    found = search(solution, minimum.x, evaluations=evaluations, tolerance=REFINED, central=True)
+    is_exact = all(solution.exact)
+    tolerance = EXACT if is_exact else REFINED
+    found = search(solution, minimum.x, evaluations=evaluations, tolerance=tolerance, central=True)
+    if is_exact:
+        found = stationary_point(solution, found)
     return replace(found, evaluations=minimum.evaluations + found.evaluations, found=minimum.found)
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from pyjoystick.fmu import MODELS, FmuNotFoundError, build_folder, files, find_fmu
+from pyjoystick.fmu import MODELS, SENSITIVITIES, FmuNotFoundError, build_folder, files, find_fmu
 
 
 @pytest.fixture
@@ -78,3 +78,6 @@ def test_make_and_the_wheel_build_what_has_a_name(file: str) -> None:
     text = (Path(__file__).parents[3] / file).read_text(encoding="utf-8")
     built = re.findall(r"\b(?:Joystick|Operator|Examples)\.[A-Z]\w+", text)
     assert [f"PreloadedSprings.{model}" for model in built] == list(MODELS.values())
+    # One long string may be written as two.
+    requests = re.findall(r"theta,omega:[\w.,]+", re.sub(r'"\s+"', "", text))
+    assert requests == list(SENSITIVITIES.values())

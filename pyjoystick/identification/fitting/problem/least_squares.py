@@ -33,6 +33,7 @@ class Problem:
         memories: of the noise, by record
         correlation: of the noise from sample to sample
         steps: relative step of the differences by variable, shape (variables,)
+        exact: whether the derivatives by a variable are exact, by variable; the others are differences
         tolerance: of the FMU's integrator
     """
 
@@ -53,6 +54,7 @@ class Problem:
         #: What was measured beforehand, by variable; only those with an uncertainty count.
         self.measured: FloatArray = np.array(variables.start)
         self.steps: FloatArray = np.full(len(variables.free), 1e-4)
+        self.exact = [one.of_instrument or self._is_differentiable(one.name) for one in variables.free]
         self.tolerance = tolerance
         self.evaluations = 0
         self._known = [j for j, one in enumerate(variables.free) if one.uncertainty is not None]
@@ -126,13 +128,14 @@ class Problem:
     def jacobian(self, x: FloatArray, *, central: bool = True) -> FloatArray:
         """Derivatives of all residuals, shape (samples of all records + what is known beforehand, variables).
 
-        Each is the slope, at x, of the polynomial through the predictions at x and at the points of
-        `_moves` that are within the bounds and whose run does not fail; those of the instrument are exact.
+        Those of the instrument are exact, and where the FMU has sensitivities those of its parameters. Each
+        other one is the slope, at x, of the polynomial through the predictions at x and at the points of
+        `_moves` that are within the bounds and whose run does not fail.
 
         Args:
             x: the point
             central: two points, for an error of the second order in the steps; without, one point, for an
-                error of the first order at half the runs
+                error of the first order at half the runs, and sensitivities at a larger tolerance
         """
         blocks = self.jacobians(x, central=central)
         return np.concatenate((*(self.counted(block, k) for k, block in enumerate(blocks)), self.prior))
@@ -180,13 +183,11 @@ class Problem:
     def _jacobian_of(self, x: FloatArray, record: int, *, central: bool) -> FloatArray:
         """The block of one record, all its runs in one batch."""
         base = self._base(x, record)
-        places = self.variables.instrument_places(record)
         block = np.zeros((base.values.shape[1], len(x)))
-        for name, place in places.items():
-            block[:, place] = base.slopes[name]
-        concerned = [
-            j for j in range(len(x)) if self.variables.concerns(j, record) and j not in places.values()
-        ]
+        known = self._exact_columns(x, record, rough=not central)
+        for place, slope in known.items():
+            block[:, place] = slope
+        concerned = [j for j in range(len(x)) if self.variables.concerns(j, record) and j not in known]
         moves = [(j, move) for j in concerned for move in self._moves(x, j, central=central)]
         if moves:
             values = self._predict([_moved(x, j, move) for j, move in moves], record).values
@@ -198,6 +199,24 @@ class Problem:
                 ]
                 block[:, j] = _slope([(0.0, base.values[0]), *own])
         return np.where(np.isfinite(block), block, 0.0)
+
+    def _exact_columns(self, x: FloatArray, record: int, *, rough: bool) -> dict[int, FloatArray]:
+        """The derivatives of one record's prediction that need no differences, by place of the variable."""
+        slopes = self._base(x, record).slopes
+        found = {j: slopes[name] for name, j in self.variables.instrument_places(record).items()}
+        if any(self.exact[j] and j not in found for j in range(len(x)) if self.variables.concerns(j, record)):
+            row, instrument = self.variables.row(x, record), self.variables.instrument(x, record)
+            for name, slope in self.predictors[record].derivatives(row, instrument, rough=rough).items():
+                j = self.variables.place(name, record)
+                if j is not None and self.exact[j]:
+                    found[j] = slope
+        return found
+
+    def _is_differentiable(self, name: str) -> bool:
+        """Whether every FMU has the derivatives; of what ties use, they would have to follow the ties."""
+        return name not in self.variables.in_ties and all(
+            name in one.differentiable for one in self.predictors
+        )
 
     def _moves(self, x: FloatArray, variable: int, *, central: bool) -> tuple[float, ...]:
         """By how much a variable is changed for its derivative: within its bounds."""
@@ -275,7 +294,7 @@ def choose_steps(problem: Problem, x: FloatArray, *, central: bool = True) -> St
     measured: dict[str, tuple[float, float]] = {}
     for j, variable in enumerate(variables.free):
         record = variable.record or 0
-        if variable.of_instrument:
+        if problem.exact[j]:
             continue
         if variable.name not in measured:
             step, error, scatter = _of_variable(problem, x, j, record, central=central)

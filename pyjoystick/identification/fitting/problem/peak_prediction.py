@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Final
 
 import numpy as np
 
 from pyjoystick.fmu import Peaks
 from pyjoystick.identification.errors import FitError
+from pyjoystick.identification.fitting.problem.fmu_runs import FmuSettings, run_rows
 from pyjoystick.identification.fitting.problem.instrument import (
     RELEASE_TIME,
     TIME_BASE,
@@ -15,7 +17,7 @@ from pyjoystick.identification.fitting.problem.instrument import (
     Instrument,
 )
 from pyjoystick.identification.fitting.problem.measurement import Measurement
-from pyjoystick.identification.fitting.problem.prediction import FmuSettings, Prediction, run_rows
+from pyjoystick.identification.fitting.problem.prediction import Prediction
 from pyjoystick.motion import Record, measured_peaks
 from pyjoystick.support import FloatArray
 
@@ -32,7 +34,10 @@ class PeakPredictor:
     Attributes:
         normalization: what differences are divided by: the height of the measured peak, and its time less
             that of the one before (of the release for the first), shape (2*peaks,)
+        differentiable: nothing: a peak that comes or goes has no derivative
     """
+
+    differentiable: tuple[str, ...] = ()
 
     def __init__(
         self, settings: FmuSettings, record: Measurement, output: str, derivative: str, count: int
@@ -84,6 +89,12 @@ class PeakPredictor:
             ZERO_OFFSET: np.concatenate((there, none)),
         }
         return Prediction(found, slopes, runs.message)
+
+    def derivatives(
+        self, row: FloatArray, instrument: Instrument, *, rough: bool = False
+    ) -> Mapping[str, FloatArray]:
+        """See `Predictor`."""
+        return {}
 
 
 def missing_peaks(predicted: FloatArray) -> int:

@@ -10,8 +10,9 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from pyjoystick.fmu import Fmu, FmuRunError, Plan, Reduction, Value, Variable
-from pyjoystick.identification.errors import FitError, FitInterruptedError
+from pyjoystick.fmu import Plan, Variable, sensitivity_name
+from pyjoystick.identification.errors import FitError
+from pyjoystick.identification.fitting.problem.fmu_runs import FmuSettings, run_rows
 from pyjoystick.identification.fitting.problem.instrument import (
     ANGLE_SCALE,
     DELAY,
@@ -26,8 +27,8 @@ from pyjoystick.support import FloatArray
 
 #: Plans of the last clocks are kept: a search comes back to the point that it left.
 _PLANS_KEPT = 4
-#: Up to so many runs are done one after the other.
-_FEW = 24
+#: By this the tolerance of rough derivatives is larger.
+_ROUGH = 100.0
 #: Curves are drawn in steps of this (s), and of no more points than this.
 _CURVE_STEP = 1e-3
 _MOST_POINTS = 20_000
@@ -57,6 +58,7 @@ class Predictor(Protocol):
         labels: name of the series that each of them belongs to, length n
         times: the instant (s) of the record that each of them belongs to, shape (n,)
         runs: FMU runs so far
+        differentiable: varied parameters whose derivatives `derivatives` has
     """
 
     record: Measurement
@@ -64,26 +66,20 @@ class Predictor(Protocol):
     labels: tuple[str, ...]
     times: FloatArray
     runs: int
+    differentiable: tuple[str, ...]
 
     def predict(self, rows: FloatArray, instrument: Instrument) -> Prediction:
         """The prediction for rows of parameters, shape (rows, varied)."""
         ...
 
+    def derivatives(
+        self, row: FloatArray, instrument: Instrument, *, rough: bool = False
+    ) -> Mapping[str, FloatArray]:
+        """Derivatives of the prediction by `differentiable`, shape (n,) each; none where the run fails.
 
-class FmuSettings(NamedTuple):
-    """What all runs of a fit share: the open FMU, varied and constant parameters, and its tolerance."""
-
-    fmu: Fmu
-    varied: tuple[str, ...]
-    constants: Mapping[str, Value]
-    tolerance: float
-
-    def ranges(self) -> tuple[FloatArray, FloatArray]:
-        """What the FMU allows for the varied parameters: least and largest values, shape (varied,) each."""
-        known = [self.fmu.description.variables[name] for name in self.varied]
-        low = np.array([-np.inf if one.minimum is None else one.minimum for one in known])
-        high = np.array([np.inf if one.maximum is None else one.maximum for one in known])
-        return low, high
+        Rough ones are good for five digits and take half the time.
+        """
+        ...
 
 
 class TrajectoryPredictor:
@@ -127,6 +123,8 @@ class TrajectoryPredictor:
             else None
         )
         self._plans: dict[tuple[float, ...], Plan] = {}
+        self._sensitive = settings.fmu.sensitive
+        self.differentiable = self._differentiable()
 
     def predict(self, rows: FloatArray, instrument: Instrument) -> Prediction:
         """See `Predictor`."""
@@ -138,11 +136,7 @@ class TrajectoryPredictor:
         plan = self._plan(instrument, late[moving])
         found = run_rows(plan, rows, self._settings)
         self.runs += len(rows)
-        # The first sample of the run is the state at the release, which the record shows from its beginning.
-        places = np.concatenate(
-            (np.zeros(np.count_nonzero(~moving), dtype=np.intp), 1 + np.arange(moving.sum()))
-        )
-        series = found.numbers[:, places, :]
+        series = found.numbers[:, _places(moving), :]
         n = len(self.outputs)
         # An output may be the derivative of another, and is recorded once.
         motions, rates = (
@@ -171,6 +165,48 @@ class TrajectoryPredictor:
             if not self.inputs:
                 found[TIME_BASE] = shown * late[:, np.newaxis]
         return {name: np.concatenate(list(slope.T)) for name, slope in found.items()}
+
+    def derivatives(
+        self, row: FloatArray, instrument: Instrument, *, rough: bool = False
+    ) -> Mapping[str, FloatArray]:
+        """See `Predictor`; by the sensitivities of the FMU."""
+        if self._sensitive is None or not self.differentiable:
+            return {}
+        tolerance = (_ROUGH if rough else 1.0) * self._settings.tolerance
+        settings = self._settings._replace(fmu=self._sensitive, tolerance=tolerance)
+        late = self.record.time - instrument.origin
+        moving = late > 0.0
+        names = self._sensitivities(self.differentiable)
+        numbers = self.variables(row, instrument, late[moving], names, settings=settings)
+        if not np.all(np.isfinite(numbers)):
+            return {}
+        columns = dict(zip(names, numbers[_places(moving)].T, strict=True))
+        return {name: self._shown(name, columns, late, instrument) for name in self.differentiable}
+
+    def _shown(
+        self, parameter: str, columns: Mapping[str, FloatArray], late: FloatArray, instrument: Instrument
+    ) -> FloatArray:
+        """The derivatives of the outputs by a parameter as the record shows them, one after the other."""
+        motions, rates = (
+            [columns[sensitivity_name(one, parameter)] for one in names]
+            for names in (self.outputs, self._slopes if self._is_driven else ())
+        )
+        shown = np.column_stack(motions)
+        if rates:
+            shown += _came_along(np.column_stack(rates), late, instrument)
+        shown[:, 0] *= 1.0 + instrument.angle_scale
+        return np.concatenate(list(shown.T))
+
+    def _sensitivities(self, parameters: Sequence[str]) -> tuple[str, ...]:
+        """The outputs of the sensitive FMU that derivatives by these parameters take."""
+        series = (*self.outputs, *(self._slopes if self._is_driven else ()))
+        return tuple(dict.fromkeys(sensitivity_name(one, name) for name in parameters for one in series))
+
+    def _differentiable(self) -> tuple[str, ...]:
+        if self._sensitive is None:
+            return ()
+        known = self._sensitive.description.variables.keys()
+        return tuple(name for name in self._settings.varied if known >= set(self._sensitivities([name])))
 
     def curve(self, row: FloatArray, instrument: Instrument) -> pd.DataFrame:
         """What is shown for one row of parameters at every millisecond of the record, NaN where samples lack.
@@ -207,6 +243,7 @@ class TrajectoryPredictor:
         names: Sequence[str],
         added: tuple[str, FloatArray] | None = None,
         moved: tuple[str, float] | None = None,
+        settings: FmuSettings | None = None,
     ) -> FloatArray:
         """Variables of the FMU at the release and at instants after it, not as an instrument shows them.
 
@@ -217,11 +254,12 @@ class TrajectoryPredictor:
             names: of the variables
             added: an input and what is added to it at the release and at those instants, shape (n + 1,)
             moved: a parameter that is not varied and what is added to it
+            settings: where not those of the fit
 
         Returns:
             shape (n + 1, names); NaN where the run fails
         """
-        plan = self._plan_at(instrument, late, names, added, moved)
+        plan = self._plan_at(instrument, late, names, added, moved, settings)
         self.runs += 1
         found = run_rows(plan, row[np.newaxis], self._settings).numbers[0]
         return np.asarray(found[:, [plan.outputs.index(one) for one in names]])
@@ -262,6 +300,7 @@ class TrajectoryPredictor:
         names: Sequence[str],
         added: tuple[str, FloatArray] | None = None,
         moved: tuple[str, float] | None = None,
+        settings: FmuSettings | None = None,
     ) -> Plan:
         """A plan of runs with these instants after the release, on the clock of the record (s)."""
         rate = 1.0 + instrument.time_base
@@ -271,18 +310,29 @@ class TrajectoryPredictor:
             inputs = inputs.set_axis(rate * (inputs.index - instrument.release_time))
         if added is not None:
             inputs = _with_added(inputs, instants, *added)
-        constants = dict(self._settings.constants)
+        settings = settings or self._settings
+        constants = dict(settings.constants)
         if moved is not None:
             name, change = moved
             constants[name] = self.value(name) + change
-        return self._settings.fmu.plan(
+        return settings.fmu.plan(
             instants,
-            varied=self._settings.varied,
+            varied=settings.varied,
             parameters=constants,
             inputs=inputs,
             outputs=tuple(names),
-            tolerance=self._settings.tolerance,
+            tolerance=settings.tolerance,
         )
+
+
+def _places(moving: NDArray[np.bool_]) -> NDArray[np.intp]:
+    """Numbers of the samples of a run that a record shows.
+
+    The first is the state at the release, which the record shows from its beginning.
+    """
+    return np.concatenate(
+        (np.zeros(np.count_nonzero(~moving), dtype=np.intp), 1 + np.arange(np.count_nonzero(moving)))
+    )
 
 
 def _with_added(
@@ -307,54 +357,3 @@ def _came_along(rates: FloatArray, late: FloatArray, instrument: Instrument) -> 
         instrument: of the record
     """
     return (1.0 + instrument.time_base) * np.minimum(late, 0.0)[:, np.newaxis] * rates
-
-
-class Runs(NamedTuple):
-    """The runs of a few rows.
-
-    Attributes:
-        numbers: the samples, shape (rows, samples, outputs), or what the reduction kept, shape
-            (rows, columns); NaN in rows that failed
-        message: why the first row failed, else empty
-    """
-
-    numbers: FloatArray
-    message: str
-
-
-def run_rows(plan: Plan, rows: FloatArray, settings: FmuSettings, reduction: Reduction | None = None) -> Runs:
-    """Run some rows; one outside the ranges of the FMU, as ties may lead to, counts as failed.
-
-    Raises:
-        FitInterruptedError: Ctrl-C was pressed
-    """
-    low, high = settings.ranges()
-    allowed = np.all((rows >= low) & (rows <= high) & np.isfinite(rows), axis=1)
-    shape = (plan.time.size, len(plan.outputs)) if reduction is None else (len(reduction.columns),)
-    numbers = np.full((len(rows), *shape), np.nan)
-    message = "" if allowed[0] else "a parameter is outside the range that the FMU allows"
-    if not allowed.any():
-        return Runs(numbers, message)
-    if reduction is None and len(rows) <= _FEW:
-        return _few_runs(plan, rows, allowed, numbers, message)
-    batch = plan.run_batch(rows[allowed], reductions=None if reduction is None else [reduction])
-    if batch.interrupted:
-        raise FitInterruptedError
-    found = batch.values if batch.reduced is None else batch.reduced.to_numpy(dtype=np.float64)
-    numbers[allowed] = found
-    return Runs(numbers, message or batch.messages[0])
-
-
-def _few_runs(
-    plan: Plan, rows: FloatArray, allowed: NDArray[np.bool_], numbers: FloatArray, message: str
-) -> Runs:
-    """Runs one after the other: for a handful of them the threads of a batch take longer than they save."""
-    try:
-        for i in np.flatnonzero(allowed):
-            try:
-                numbers[i] = plan.run(rows[i])
-            except FmuRunError as error:
-                message = message or (str(error) if i == 0 else "")
-    except KeyboardInterrupt:
-        raise FitInterruptedError from None
-    return Runs(numbers, message)

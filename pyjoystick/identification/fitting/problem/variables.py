@@ -150,6 +150,7 @@ class Variables:
         free: the variables; besides parameters of the FMU they may be auxiliary ones that only ties use
         varied: the FMU's parameters that they determine, ties included
         tied: those of them that are computed from others
+        in_ties: names that these computations use
     """
 
     def __init__(
@@ -166,10 +167,10 @@ class Variables:
         guesses = [_release_of(settings, record) for record in records]
         free: list[Variable] = []
         own = [one.name for one in settings.free if one.name not in INSTRUMENT]
-        used = names_in(settings.ties.values())
+        self.in_ties = names_in(settings.ties.values())
         for one in settings.free:
             auxiliary = one.name not in description.variables and one.name not in INSTRUMENT
-            if auxiliary and one.name not in used:
+            if auxiliary and one.name not in self.in_ties:
                 raise UnknownParameterError(one.name, [*INSTRUMENT, *description.settable_names()])
             first = settings.outputs[0]
             largest = [_largest(record, first) for record in records]
@@ -185,9 +186,9 @@ class Variables:
         self._settable = [k for k, name in enumerate(own) if name in description.variables]
         self.varied = (*(own[k] for k in self._settable), *self.tied)
         self._starts = [float(record.time[0]) for record in records]
-        self._places = [[self._place(name, record) for name in own] for record in range(self._count)]
+        self._places = [[self.place(name, record) for name in own] for record in range(self._count)]
         self._instrument_places = [
-            {name: place for name in INSTRUMENT if (place := self._place(name, record)) is not None}
+            {name: place for name in INSTRUMENT if (place := self.place(name, record)) is not None}
             for record in range(self._count)
         ]
         self._ties = Ties(own, settings.ties, description)
@@ -234,7 +235,8 @@ class Variables:
         """Whether a variable has an influence on a record."""
         return self.free[variable].record in (None, record)
 
-    def _place(self, name: str, record: int) -> int | None:
+    def place(self, name: str, record: int) -> int | None:
+        """Place of the variable of this name that a record depends on; None where it is not free."""
         return next(
             (i for i, v in enumerate(self.free) if v.name == name and v.record in (None, record)), None
         )

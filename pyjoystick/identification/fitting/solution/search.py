@@ -24,6 +24,8 @@ _SAME_PLACE: Final = 1e-3
 TOLERANCE: Final = 1e-6
 #: The same where the minimum is refined: about a thousandth of a standard error for a few hundred samples.
 REFINED: Final = 1e-8
+#: The same with exact derivatives, from which `stationary_point` goes on.
+EXACT: Final = 1e-10
 _STEP_TOLERANCE: Final = 1e-10
 
 #: Called with the number of finished searches and of all of them.

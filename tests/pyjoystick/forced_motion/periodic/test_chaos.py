@@ -39,6 +39,16 @@ def test_henon() -> None:
     assert found.value == pytest.approx(0.41922, rel=0.01)
 
 
+def test_a_precision_is_reached_by_more_iterations() -> None:
+    """The error of a mean falls with the root of the number."""
+    rough = largest_exponent(logistic, spread(8, 1), 3.9, np.ones(1), 1.0, iterations=60)
+    assert rough.error > 0.015 * rough.value
+    fine = largest_exponent(logistic, spread(8, 1), 3.9, np.ones(1), 1.0, iterations=60, precision=0.015)
+    assert 0.0 < fine.error <= 0.015 * fine.value
+    # The mean of ln |r (1 - 2 x)| over 4e6 iterations is 0.4959.
+    assert fine.value == pytest.approx(0.4959, abs=4.0 * fine.error)
+
+
 def test_a_stable_orbit_is_not_chaotic() -> None:
     """For r = 3.2 an orbit of two states x+-, with the multiplier 4 + 2 r - r^2 = 0.16 over two steps."""
     found = largest_exponent(logistic, spread(4, 1), 3.2, np.ones(1), 1.0, iterations=100)

@@ -48,6 +48,8 @@ def releases(
 class LinearPredictor:
     """Predicts ``matrix @ row``, so that what a fit must find has a formula."""
 
+    differentiable: tuple[str, ...] = ()
+
     def __init__(self, name: str, matrix: FloatArray, data: FloatArray) -> None:
         self.times: FloatArray = np.linspace(0.0, 1.0, len(data))
         self.record = Measurement(name, self.times, {"y": data})
@@ -59,6 +61,11 @@ class LinearPredictor:
     def predict(self, rows: FloatArray, instrument: Instrument) -> Prediction:
         self.runs += len(rows)
         return Prediction(rows @ self.matrix.T, {}, "")
+
+    def derivatives(
+        self, row: FloatArray, instrument: Instrument, *, rough: bool = False
+    ) -> dict[str, FloatArray]:
+        return {}
 
 
 def linear_problem(

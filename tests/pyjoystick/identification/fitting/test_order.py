@@ -26,8 +26,10 @@ from pyjoystick.identification import (
 )
 from pyjoystick.identification.fitting.solution.uncertainty import identifiability
 from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW
+from pyjoystick.motion import read_record
 from tests.pyjoystick.identification.fitting.made import releases
 
+DATA = Path(__file__).parents[4] / "scenarios" / "data"
 QUICK = Search(stages=(), evaluations=60)
 
 
@@ -110,6 +112,19 @@ def test_the_route_of_the_search_moves_the_answer_by_less_than_the_sixth_digit(f
             )
             values.append(fit(records, settings, fmu=fmu).value("damping.C"))
     np.testing.assert_allclose(values[1:], values[0], rtol=1e-6)
+
+
+def test_nor_along_a_flat_valley(fmus_by_name: Path) -> None:
+    """B and m of eq. (11), whose standard errors are ten times their values: six digits of these."""
+    records = [read_record(DATA / f"synthetic_power_law_{number}.csv") for number in range(1, 5)]
+    values = []
+    with Fmu("JoystickPowerLaw") as fmu:
+        for stages in ((0.3, 0.6), (0.5,)):
+            settings = dataclasses.replace(POWER_LAW_DAMPING, search=Search(stages=stages))
+            found = fit(records, settings, fmu=fmu)
+            values.append([found.value(one.name) for one in settings.free if not one.per_record])
+            assert found.error("damping.m") > 10.0 * abs(found.value("damping.m"))
+    np.testing.assert_allclose(values[1], values[0], rtol=1e-6)
 
 
 def test_an_fmu_that_cannot_be_that_exact_is_fitted_as_exactly_as_it_can(
