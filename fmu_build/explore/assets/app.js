@@ -155,7 +155,8 @@ class App {
     this.draw();
   }
 
-  // Once for everything that changes before the next picture.
+  // Once for everything that changes before the next picture. Plots first, texts last: a plot asks for its width, and
+  // after a text the browser would arrange the whole page to answer.
   draw() {
     if (this.isDrawing) return;
     this.isDrawing = true;
@@ -164,6 +165,7 @@ class App {
       const row = this.run.rowAt(this.playback.time);
       this.plots.draw(this.run, this.kept, row);
       this.addition.shown?.(this.run, row, this.state, this.plots.theme);
+      this.plots.tell(this.run, row);
     });
   }
 }
