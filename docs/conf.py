@@ -23,6 +23,7 @@ version = release = metadata.version("pyjoystick")
 extensions = [
     "myst_nb",
     "sphinx.ext.autodoc",
+    "sphinx_copybutton",
     "extensions.command_line",
     "extensions.docstrings",
     "extensions.live_page",
@@ -69,6 +70,7 @@ nitpick_ignore = [
     # Imported for annotations alone.
     ("py:class", "Figure"),
     ("py:class", "pd.DataFrame"),
+    ("py:class", "JoystickWidget"),  # of an optional package; its page describes it
     # Handed from one function to the next, not made by users.
     ("py:class", "pyjoystick.fmu.inputs.InputTable"),
     ("py:class", "pyjoystick.fmu.instance.Instance"),
