@@ -94,5 +94,5 @@ html_title = "pyjoystick"
 html_static_path = ["_static"]
 html_css_files = ["pyjoystick.css"]
 html_show_copyright = False
-# Formulas are MathML, figures are SVG, scripts are the theme's own: the pages need no network.
+# Formulas are MathML, figures are SVG, scripts lie beside the pages: they need no network.
 html_math_renderer = "mathml"
