@@ -23,6 +23,7 @@ version = release = metadata.version("pyjoystick")
 extensions = [
     "myst_nb",
     "sphinx.ext.autodoc",
+    "sphinx_copybutton",
     "extensions.command_line",
     "extensions.docstrings",
     "extensions.live_page",
@@ -69,6 +70,7 @@ nitpick_ignore = [
     # Imported for annotations alone.
     ("py:class", "Figure"),
     ("py:class", "pd.DataFrame"),
+    ("py:class", "JoystickWidget"),  # of an optional package; its page describes it
     # Handed from one function to the next, not made by users.
     ("py:class", "pyjoystick.fmu.inputs.InputTable"),
     ("py:class", "pyjoystick.fmu.instance.Instance"),
@@ -92,5 +94,5 @@ html_title = "pyjoystick"
 html_static_path = ["_static"]
 html_css_files = ["pyjoystick.css"]
 html_show_copyright = False
-# Formulas are MathML, figures are SVG, scripts are the theme's own: the pages need no network.
+# Formulas are MathML, figures are SVG, scripts lie beside the pages: they need no network.
 html_math_renderer = "mathml"

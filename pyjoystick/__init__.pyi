@@ -43,7 +43,7 @@ from .motion import (
     read_repeats as read_repeats,
     write_csv as write_csv,
 )
-from .reports import joystick_report as joystick_report
+from .reports import explore as explore, joystick_report as joystick_report
 from .runs import (
     SimulatedReleases as SimulatedReleases,
     Sweep as Sweep,

@@ -20,7 +20,7 @@ _KINDS = {"Real": "r", "Integer": "i", "Enumeration": "i", "Boolean": "b"}
 #: Inner variables of large models that a page offers for its plots.
 _MOST_LOCALS = 400
 #: A plot shows no more, and a run takes no longer.
-_MOST_ROWS = 20_000
+MOST_ROWS = 50_000
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,7 +116,7 @@ def run_length(start: float, stop: float, step: float) -> tuple[float, float]:
         raise BuildError(f"explore.stop_time = {stop!r} must be above the start at {start!r} s")
     if not 0.0 < step <= stop - start:
         raise BuildError(f"explore.step = {step!r} must be above 0 and at most {stop - start!r} s")
-    return stop, step * max(1, math.ceil((stop - start) / step / _MOST_ROWS - 1e-9))
+    return stop, step * max(1, math.ceil((stop - start) / step / MOST_ROWS - 1e-9))
 
 
 def _variables(description: Any) -> tuple[PageVariable, ...]:

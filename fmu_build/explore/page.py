@@ -15,7 +15,7 @@ from typing import Any
 
 from fmu_build.explore.addition import Addition
 from fmu_build.explore.bundle import bundle
-from fmu_build.explore.model import PageModel, PageVariable, page_model, run_length
+from fmu_build.explore.model import MOST_ROWS, PageModel, PageVariable, page_model, run_length
 from fmu_build.explore.settings import PlotChoice, Settings
 from fmu_build.packaging import wasm_module
 from fmu_build.support.errors import BuildError
@@ -52,6 +52,7 @@ def explore_page(fmu: Path, settings: Settings | None = None, addition: Addition
             "step": step,
             "tolerance": model.tolerance,
         },
+        "most_rows": MOST_ROWS,
         "variables": [_compact(asdict(one)) for one in model.variables],
         "tables": model.tables if settings.input_tables else {},
         "first": settings.first or _first(model),

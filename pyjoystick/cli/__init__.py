@@ -102,9 +102,9 @@ class LazyImport(LazyCommand):
     prefix = "import_"
 
 
-def _program(**settings: Any) -> typer.Typer:
+def _program(*, completion: bool = False, **settings: Any) -> typer.Typer:
     return typer.Typer(
-        add_completion=False,
+        add_completion=completion,
         no_args_is_help=True,
         pretty_exceptions_enable=False,
         rich_markup_mode="markdown",
@@ -120,6 +120,7 @@ def _list(program: typer.Typer, commands: Mapping[str, str], kind: type[LazyComm
 
 app = _program(
     cls=_InOrder,
+    completion=True,
     help="Simulate joysticks with opposing restrained preloaded springs by means of their FMUs.",
     epilog="`pyjoystick COMMAND --help` shows the options of a command, with examples.",
 )

@@ -7,11 +7,10 @@ from typing import Annotated, Final
 
 import typer
 
-from pyjoystick import motion, reports
+from pyjoystick import motion
 from pyjoystick.cli import options
-from pyjoystick.cli.console import messages, write
-from pyjoystick.cli.fmus import FmuBuildError, found_or_built
-from pyjoystick.support import check_outputs, write_text
+from pyjoystick.cli.live_page import write_live_page
+from pyjoystick.support import check_outputs
 
 EXAMPLES: Final = """
 Examples:
@@ -43,12 +42,4 @@ def run(
     file = options.parameter_file(parameters_file)
     joystick = options.joystick_of(damping, options.parse_assignments(assignments, "--set"), file)
     measured = [motion.read_record(path) for path in records or ()]
-    fmu = found_or_built(reports.held_fmu(joystick))
-    from fmu_build import BuildError  # takes long to load
-
-    with messages().status("page"):
-        try:
-            text = reports.joystick_page(fmu, file, joystick, start, records=measured, title=title)
-        except BuildError as error:
-            raise FmuBuildError(f"the page could not be made: {error}") from error
-    write(target, lambda path: write_text(path, text), f", {len(text.encode()) / 1e3:.0f} kB")
+    write_live_page(target, file, joystick, start, records=measured, title=title)

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import Annotated, Final
+from urllib.parse import quote
 
 import typer
 
@@ -11,6 +13,7 @@ from pyjoystick import model, reports
 from pyjoystick.cli import options
 from pyjoystick.cli.console import messages, write
 from pyjoystick.cli.fmus import found_or_built, opened
+from pyjoystick.cli.live_page import write_live_page
 from pyjoystick.support import check_outputs, write_text
 
 EXAMPLES: Final = """
@@ -18,6 +21,7 @@ Examples:
 
     pyjoystick report --output joystick.html
     pyjoystick report --damping power-law --set damping.alpha=0.8 -o joystick.html
+    pyjoystick report --output joystick.html --live live.html
     pyjoystick report --parameters joystick.toml --release-angle -15 -o joystick.html
     pyjoystick report -p joystick.toml --fit fit/fit.json --curve forward=forward.csv \\
         --curve backward=backward.csv --swing swing.csv --budget budget.json -o joystick.html
@@ -46,6 +50,12 @@ def run(
         Path | None,
         typer.Option("--budget", metavar="FILE.json", help="Error budget: `pyjoystick budget --json`."),
     ] = None,
+    live: Annotated[
+        Path | None,
+        options.file(
+            "--live", text="Live page of the joystick to write too; linked to.", suffixes=(".html", ".htm")
+        ),
+    ] = None,
     title: options.Title = "",
 ) -> None:
     """Write a report on a joystick: a self-contained HTML file with figures, tables, parameters and versions.
@@ -53,7 +63,7 @@ def run(
     The report on the paper's joystick also compares the statements of the paper with the results.
     """
     start = options.parse_angle(release_angle)
-    check_outputs(target)
+    check_outputs(target, live)
     file = options.parameter_file(parameters_file)
     measurements = _measurements(file, parameters_file, fit, curves, swing, parts, budget)
     found_or_built("Joystick")  # for the table of the paper's statements
@@ -66,9 +76,22 @@ def run(
             study,
             measurements=measurements,
             title=title or file.title,
+            live=_address(live, target),
             on_section=lambda name: status.update(f"report: {name}"),
         )
+    if live is not None:
+        write_live_page(live, file, joystick, start, title=title)
     write(target, lambda path: write_text(path, text), f", {len(text.encode()) / 1e6:.1f} MB")
+
+
+def _address(live: Path | None, target: Path) -> str:
+    """The address of the live page as the report links to it; empty without one."""
+    if live is None:
+        return ""
+    try:
+        return quote(Path(os.path.relpath(live, target.parent)).as_posix())
+    except ValueError:  # on another drive
+        return live.resolve().as_uri()
 
 
 def _measurements(

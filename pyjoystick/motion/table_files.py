@@ -163,12 +163,13 @@ class TableHead:
         written = "" if heading.text == column.name else heading.unit
         unit, known = written or given or column.default_unit, ", ".join(column.units)
         value = None
-        is_known = not any(column.units) or plain_unit(written) in map(plain_unit, column.units)
+        fits = not any(column.units) or plain_unit(written) in map(plain_unit, column.units)
+        is_known = fits or any(plain_unit(written) in units for units in UNITS.values())
         if written and given and not is_known:
             unit = given
         if written and given and is_known and plain_unit(written) != plain_unit(given):
             reason = f"has the unit {written} in its heading, but {given} is given"
-            advice = "leave one of the two out"
+            advice = "leave one of the two out" if fits else "correct the heading"
         elif not unit and "" not in column.units:
             reason = "has no unit"
             example = f"{heading.text} ({next(iter(column.units))})"

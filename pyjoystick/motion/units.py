@@ -25,7 +25,14 @@ UNITS: Final[Mapping[str, Mapping[str, float]]] = {
     "angular velocity": {"rad/s": 1.0, "deg/s": _DEGREE},
     "angular acceleration": {"rad/s2": 1.0, "deg/s2": _DEGREE},
     "length": {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6, "in": _INCH},
-    "force": {"N": 1.0, "kN": 1e3, "mN": 1e-3, "kgf": _KILOGRAM_FORCE, "lbf": _POUND_FORCE},
+    "force": {
+        "N": 1.0,
+        "kN": 1e3,
+        "mN": 1e-3,
+        "kgf": _KILOGRAM_FORCE,
+        "lbf": _POUND_FORCE,
+        "lb": _POUND_FORCE,  # as testing machines write it
+    },
     "torque": {
         "N.m": 1.0,
         "N.mm": 1e-3,

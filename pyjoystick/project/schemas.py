@@ -35,6 +35,7 @@ def schemas() -> dict[str, Schema]:
         "joystick": ("The parameters of a joystick, in SI units", parameter_schema()),
         "sweep": ("The settings of a sweep", sweep_schema()),
         "fit": ("The settings of a fit", fit_schema()),
+        "explore": ("What the live page of a model shows, in SI units", explore_schema()),
     }
     draft = {"$schema": "http://json-schema.org/draft-07/schema#"}
     return {f"{name}.schema.json": draft | {"title": title} | one for name, (title, one) in titled.items()}
@@ -247,6 +248,25 @@ def sweep_schema() -> Schema:
         sampling=sampling,
         results=_list(result),
     )
+
+
+def explore_schema() -> Schema:
+    """The schema of the table ``[explore]``, which `fmu_build` reads from a file that may have others."""
+    above_zero = {"type": "number", "exclusiveMinimum": 0}
+    ends = _table(("min", "max"), min=_NUMBER, max=_NUMBER, scale={"enum": ["linear", "log"]})
+    names, values = _list(_TEXT, 0), _map(_NUMBER)
+    table = _table(
+        title=_TEXT,
+        stop_time=_about(above_zero, "s"),
+        step=_about(above_zero, "between two rows (s)"),
+        first=_about(names, "names of the values above the groups"),
+        ranges=_map(ends),
+        values=_about(values, "with which the page starts"),
+        input_tables=_about(_FLAG, "false: inputs keep their start values"),
+        plots=_list(_table(("y",), x=_TEXT, y=_list(_TEXT)), 0),
+        presets=_list(_table(("name",), name=_TEXT, values=values), 0),
+    )
+    return {"type": "object", "properties": {"explore": table}}
 
 
 def fit_schema() -> Schema:

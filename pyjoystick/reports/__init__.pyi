@@ -16,7 +16,6 @@ from .dissipation import (
     plot_energy as plot_energy,
     sampled_closely as sampled_closely,
 )
-from .explore.joystick_page import held_fmu as held_fmu, joystick_page as joystick_page
 from .export.fit_page import fit_page as fit_page
 from .export.fmus import (
     FmuExportError as FmuExportError,
@@ -38,3 +37,5 @@ from .html_report.measurements import (
 from .html_report.page import Section as Section, figure as figure, page as page, paragraph as paragraph
 from .html_report.report import joystick_report as joystick_report
 from .html_report.study import Study as Study
+from .live_page.joystick_page import held_fmu as held_fmu, joystick_page as joystick_page
+from .live_page.notebook import explore as explore

@@ -7,6 +7,7 @@ import { make, save } from "./elements.js";
 import { csvText, pngOf } from "./files.js";
 import { numberText } from "./format.js";
 import { experimentBox, header, presetBox } from "./header.js";
+import { Host } from "./host.js";
 import { module, page, workerSource } from "./page-data.js";
 import { Playback } from "./playback.js";
 import { Plots } from "./plots.js";
@@ -49,6 +50,7 @@ class App {
     this.note = make("p", { id: "note", role: "status", hidden: true });
     document.getElementById("alert").after(this.note);
     this.noteIgnored();
+    this.host = new Host(this);
   }
 
   actions() {
@@ -107,6 +109,7 @@ class App {
 
   // What stays of a session that has ended is of no use.
   received(result, request) {
+    this.host.tellSoon();
     if (request?.session) {
       if (request.session === this.session?.id) this.session.received(result, request);
       return;
@@ -152,7 +155,8 @@ class App {
     this.draw();
   }
 
-  // Once for everything that changes before the next picture.
+  // Once for everything that changes before the next picture. Plots first, texts last: a plot asks for its width, and
+  // after a text the browser would arrange the whole page to answer.
   draw() {
     if (this.isDrawing) return;
     this.isDrawing = true;
@@ -161,6 +165,7 @@ class App {
       const row = this.run.rowAt(this.playback.time);
       this.plots.draw(this.run, this.kept, row);
       this.addition.shown?.(this.run, row, this.state, this.plots.theme);
+      this.plots.tell(this.run, row);
     });
   }
 }

@@ -60,8 +60,12 @@ export class Panel {
 
   draw(run, kept, row, theme, more) {
     const scale = drawOn(this.canvas, this.content(run, kept, row, theme, more), theme);
-    if (!scale) return;
-    this.scale = scale;
+    if (scale) this.scale = scale;
+  }
+
+  // The values at the cursor.
+  tell(run, row) {
+    if (!this.scale) return;
     this.ys.forEach((one, i) => {
       const text = run.rows ? numberText(run.shown(one)[row], 4) : "–";
       this.values[i].textContent = `${text} ${shownUnit(one)}`;
@@ -77,7 +81,6 @@ export class Panel {
 
   // In words, for those who do not see the curves.
   describe(run) {
-    if (!this.names.every((name) => run.has(name))) return;
     const parts = this.ys.map((one) => {
       const values = run.rows ? run.shown(one) : [];
       const ends = values.reduce(([low, high], v) => [Math.min(low, v), Math.max(high, v)], [Infinity, -Infinity]);

@@ -71,11 +71,21 @@ export class Plots {
   }
 
   draw(run, kept, row) {
-    for (const panel of this.panels) {
-      if (!panel.names.every((name) => run.has(name))) continue;
+    for (const panel of this.panelsOf(run)) {
       panel.draw(run, kept, row, this.theme, this.app.addition.curves?.(panel, this.theme, run) ?? []);
     }
-    if (run !== this.described) for (const panel of this.panels) panel.describe(run);
+  }
+
+  tell(run, row) {
+    for (const panel of this.panelsOf(run)) {
+      panel.tell(run, row);
+      if (run !== this.described) panel.describe(run);
+    }
     this.described = run;
+  }
+
+  // A new plot waits for the run with its variables.
+  panelsOf(run) {
+    return this.panels.filter((panel) => panel.names.every((name) => run.has(name)));
   }
 }

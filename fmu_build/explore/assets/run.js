@@ -2,13 +2,27 @@
 
 import { toShown } from "./format.js";
 
+// Loops, because Float64Array.from with a function takes many times as long, and a page draws while a slider moves.
+
+export function timesOf({ start, step }, rows) {
+  const times = new Float64Array(rows);
+  for (let row = 0; row < rows; row++) times[row] = start + row * step;
+  return times;
+}
+
+export function columnOf(table, width, column) {
+  const values = new Float64Array(table.length / width);
+  for (let row = 0, at = column; row < values.length; row++, at += width) values[row] = table[at];
+  return values;
+}
+
 export class Run {
   constructor(request, result) {
     this.names = request?.names ?? [];
     this.rows = result.rows;
     this.table = result.table;
     this.span = request ? request.step * (request.rows - 1) : 1;
-    this.times = Float64Array.from({ length: this.rows }, (_, i) => request.start + i * request.step);
+    this.times = timesOf(request, this.rows);
     this.isWhole = Boolean(request) && this.rows === request.rows;
     this.milliseconds = result.milliseconds;
     this.cache = new Map();
@@ -21,8 +35,7 @@ export class Run {
   // A column in the unit of the variable.
   column(name) {
     if (name === "time") return this.times;
-    const [width, column] = [this.names.length, this.names.indexOf(name)];
-    return Float64Array.from({ length: this.rows }, (_, row) => this.table[row * width + column]);
+    return columnOf(this.table, this.names.length, this.names.indexOf(name));
   }
 
   value(name, row) {
@@ -31,11 +44,11 @@ export class Run {
 
   // A column in the display unit.
   shown(one) {
-    if (!this.cache.has(one.name))
-      this.cache.set(
-        one.name,
-        this.column(one.name).map((value) => toShown(one, value)),
-      );
+    if (!this.cache.has(one.name)) {
+      const values = one.name === "time" ? this.times.slice() : this.column(one.name);
+      for (let row = 0; row < values.length; row++) values[row] = toShown(one, values[row]);
+      this.cache.set(one.name, values);
+    }
     return this.cache.get(one.name);
   }
 

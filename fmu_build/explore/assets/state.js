@@ -87,6 +87,17 @@ export class State {
     this.changed("preset");
   }
 
+  // Values from outside the page; what they do not name stays.
+  take(values) {
+    const changed = Object.entries(values).filter(([name, value]) => this.value(name) !== value);
+    if (changed.length === 0) return;
+    for (const [name, value] of changed) {
+      this.store(name, value);
+      this.tables.delete(name);
+    }
+    this.changed("host");
+  }
+
   store(name, value) {
     if (value === byName.get(name).start) this.values.delete(name);
     else this.values.set(name, value);

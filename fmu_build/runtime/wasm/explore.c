@@ -132,8 +132,6 @@ static fmi2Status get(char kind, const uint32_t *reference, double *value)
     fmi2Integer number = 0;
     fmi2Status status = fmi2Error;
     switch (kind) {
-    case 'r':
-        return fmi2GetReal(component, reference, 1, value);
     case 'i':
         status = fmi2GetInteger(component, reference, 1, &number);
         break;
@@ -147,11 +145,18 @@ static fmi2Status get(char kind, const uint32_t *reference, double *value)
     return status;
 }
 
+/* Real variables that stand side by side with one call. */
 static fmi2Status fill(const Columns *columns, double *row)
 {
     fmi2Status status = fmi2OK;
-    for (size_t i = 0; i < columns->n && is_good(status); ++i)
-        status = get(columns->kinds[i], &columns->references[i], &row[i]);
+    size_t end = 0;
+    for (size_t i = 0; i < columns->n && is_good(status); i = end) {
+        for (end = i; end < columns->n && columns->kinds[end] == 'r'; ++end) {}
+        if (end > i)
+            status = fmi2GetReal(component, &columns->references[i], end - i, &row[i]);
+        else
+            status = get(columns->kinds[i], &columns->references[i], &row[end++]);
+    }
     return status;
 }
 

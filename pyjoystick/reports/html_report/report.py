@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
+from html import escape
 
 from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW
 from pyjoystick.reports.claims.document import findings
@@ -22,6 +23,7 @@ def joystick_report(
     *,
     measurements: Measurements | None = None,
     title: str = "",
+    live: str = "",
     on_section: Callable[[str], None] = lambda name: None,
 ) -> str:
     """The report as HTML in one piece: no file beside it, nothing from the network.
@@ -31,6 +33,7 @@ def joystick_report(
         measurements: what it was measured by, from `read_measurements`; where not given, everything on the
             page is computed from the parameters, and the page says so
         title: of the page; one is made where it is empty
+        live: address of the joystick's live page (`joystick_page`), which the introduction links to
         on_section: called with the name of each section before it is made
 
     Raises:
@@ -64,6 +67,8 @@ def joystick_report(
         "forward."
     )
     introduction = [paragraph(words), paragraph(_what_it_is_of(study, measurements, angle))]
+    if live:
+        introduction.append(f'<p><a href="{escape(live)}">This joystick, live</a>: with sliders.</p>')
     made = ", ".join(f"{name} {version}" for name, version in versions().items())
     footer = (
         f"Simulated by {study.fmu.description.path.name} ({study.fmu.description.guid}). Made with {made}."

@@ -102,3 +102,21 @@ def test_every_command_has_one_line_in_its_list() -> None:
 def test_ctrl_c_while_it_loads_is_no_traceback(module: str, tmp_path: Path) -> None:
     done = _python(STOPPED, module, "info", str(tmp_path / "nowhere.fmu"))
     assert (done.returncode, done.stdout, done.stderr) == (130, "", "")
+
+
+@pytest.mark.parametrize(
+    ("words", "completed"),
+    [
+        (["fr"], ["free-oscillation"]),
+        (["free-oscillation", "--pl"], ["--plot"]),
+        (["import", "lo"], ["load-curve"]),
+        (["explore", "--damping", ""], ["constant", "power-law"]),
+    ],
+)
+def test_the_shell_completes_commands_options_and_choices(words: list[str], completed: list[str]) -> None:
+    """As bash asks for it."""
+    asked = {"COMP_WORDS": " ".join(["pyjoystick", *words]), "COMP_CWORD": str(len(words))}
+    env = {**os.environ, **asked, "_PYJOYSTICK_COMPLETE": "complete_bash"}
+    command = [sys.executable, "-m", "pyjoystick"]
+    done = subprocess.run(command, env=env, capture_output=True, text=True, check=True)
+    assert done.stdout.split() == completed

@@ -175,9 +175,13 @@ def test_an_option_replaces_an_unknown_unit_and_no_known_one(tmp_path: Path) -> 
     with pytest.raises(RecordError, match=r"found Newton\); known are N, .* --unit force=UNIT"):
         read_table_file(path).read([column])
     assert read_table_file(path).read([column], units={"force": "N"})["force"].tolist() == [2.0, 3.0]
-    path = _file(tmp_path, "force (lbf),x\n2,1\n3,1\n")
-    assert read_table_file(path).read([column])["force"][0] == pytest.approx(8.896443230521, rel=1e-15)
-    with pytest.raises(RecordError, match="has the unit lbf in its heading, but N is given"):
+    for pound in ("lbf", "lb"):
+        path = _file(tmp_path, f"force ({pound}),x\n2,1\n3,1\n")
+        assert read_table_file(path).read([column])["force"][0] == pytest.approx(8.896443230521, rel=1e-15)
+        with pytest.raises(RecordError, match=f"has the unit {pound} in its heading, but N is given"):
+            read_table_file(path).read([column], units={"force": "N"})
+    path = _file(tmp_path, "force (mm),x\n2,1\n3,1\n")
+    with pytest.raises(RecordError, match="unit mm in its heading, but N is given; correct the"):
         read_table_file(path).read([column], units={"force": "N"})
 
 

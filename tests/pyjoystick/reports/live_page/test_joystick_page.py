@@ -7,6 +7,7 @@ import math
 import re
 from collections.abc import Callable
 from pathlib import Path
+from urllib.parse import unquote
 
 import numpy as np
 import pytest
@@ -17,9 +18,9 @@ from pyjoystick.fmu import Fmu
 from pyjoystick.identification import guess_release
 from pyjoystick.model import NOMINAL, read_parameter_file, write_parameters
 from pyjoystick.motion import read_record
-from pyjoystick.reports.explore.joystick_page import joystick_page
+from pyjoystick.reports.live_page.joystick_page import joystick_page
 from tests.browser import LivePage
-from tests.pyjoystick.reports.explore.conftest import Live
+from tests.pyjoystick.reports.live_page.conftest import Live
 
 pytestmark = pytest.mark.xdist_group("browser")
 
@@ -121,6 +122,18 @@ def test_the_values_are_saved_as_a_parameter_file(live: Live, tmp_path: Path, la
     assert read.joystick.to_names() == pytest.approx(expected, rel=1e-9)
     assert read.sources["geometry"] == "set by hand in the page of `pyjoystick explore`"
     assert read.sources["gravity"].startswith("standard acceleration")
+
+
+def test_a_report_links_to_the_page(fmus: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for module in ("pyjoystick.fmu.files", "pyjoystick.fmu"):
+        monkeypatch.setattr(f"{module}.build_folder", lambda: fmus)
+    report, page = tmp_path / "reports" / "report.html", tmp_path / "live pages" / "mine.html"
+    assert main(["report", "--set", "m=0.9", "-o", str(report), "--live", str(page)]) == 0
+    link = re.search(r'<a href="([^"#]*)">', report.read_text("utf-8"))
+    assert link is not None
+    assert (report.parent / unquote(link[1])).resolve() == page.resolve()
+    data = json.loads(re.search(r'id="data">(.*?)</script>', page.read_text("utf-8"), re.DOTALL)[1])  # type: ignore[index]
+    assert [one["start"] for one in data["variables"] if one["name"] == "m"] == [0.9]
 
 
 def _written(folder: Path, law: str) -> Path:

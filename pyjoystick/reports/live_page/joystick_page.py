@@ -76,7 +76,7 @@ def joystick_page(
         "places": places,
         "records": [_record(record) for record in records],
     }
-    settings = _settings(joystick, start, title or file.title)
+    settings = page_settings(joystick, start, title or file.title)
     return explore_page(fmu, settings, Addition(_ASSETS, "joystick", data))
 
 
@@ -85,7 +85,8 @@ def held_fmu(joystick: model.JoystickParameters) -> str:
     return "HeldJoystick" + ("" if isinstance(joystick.damping, model.ConstantDamping) else "PowerLaw")
 
 
-def _settings(joystick: model.JoystickParameters, start: float, title: str) -> Settings:
+def page_settings(joystick: model.JoystickParameters, start: float, title: str) -> Settings:
+    """What the page shows of a joystick, released at an angle (rad)."""
     from fmu_build.explore import Preset, Settings
     from fmu_build.explore.ranges import Range
     from fmu_build.explore.settings import PlotChoice

@@ -34,9 +34,9 @@ start({
   plots: () => [...records.plots, periods.plot],
   ran: () => periods.ran(),
   shown(run, row, state, theme) {
-    scene.show(run, row, state);
     periods.show(run, theme);
     records.show(run, theme);
+    scene.show(run, row, state);
   },
 });
 

@@ -19,7 +19,7 @@ from pyjoystick.fmu import Fmu
 from pyjoystick.model import NOMINAL, undamped_oscillation
 from pyjoystick.motion import find_peaks, periods
 from tests.browser import LivePage
-from tests.pyjoystick.reports.explore.conftest import Live
+from tests.pyjoystick.reports.live_page.conftest import Live
 
 pytestmark = pytest.mark.xdist_group("browser")
 

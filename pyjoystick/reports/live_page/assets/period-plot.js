@@ -6,6 +6,7 @@ import { numberText } from "./format.js";
 import { peaks, periods } from "./oscillation.js";
 import { byName, workerSource } from "./page-data.js";
 import { runRequest } from "./request.js";
+import { columnOf, timesOf } from "./run.js";
 import { Simulation } from "./simulation.js";
 
 const DEGREES = 180 / Math.PI;
@@ -13,6 +14,7 @@ const RELEASES = 20;
 const SMALLEST = 0.5 / DEGREES;
 const STEP = 1e-3; // s
 const ROWS = 2001; // time for a whole period of a heavy joystick
+const TIMES = timesOf({ start: 0, step: STEP }, ROWS);
 const FREE = { omega_start: 0, T: 0, grip: 0 };
 
 export class PeriodPlot {
@@ -60,9 +62,8 @@ export class PeriodPlot {
   received(result, request) {
     if (!request || request.of !== this.values) return;
     if (result.rows === request.rows) {
-      const column = (at) => Float64Array.from({ length: ROWS }, (_, row) => result.table[2 * row + at]);
-      const times = Float64Array.from({ length: ROWS }, (_, row) => row * STEP);
-      this.found.push(...periods(peaks(times, column(0), column(1)), 0).slice(0, 1));
+      const [theta, omega] = [0, 1].map((column) => columnOf(result.table, 2, column));
+      this.found.push(...periods(peaks(TIMES, theta, omega), 0).slice(0, 1));
     }
     if (request.number + 1 < RELEASES) {
       this.release(request.number + 1);

@@ -14,7 +14,7 @@ from playwright.sync_api import Page, expect
 
 from pyjoystick.fmu import Fmu
 from tests.browser import LivePage
-from tests.pyjoystick.reports.explore.conftest import Live
+from tests.pyjoystick.reports.live_page.conftest import Live
 
 pytestmark = pytest.mark.xdist_group("browser")
 
