@@ -151,6 +151,7 @@ _SYMBOLS = {
     # Units outside the SI that the Modelica standard library uses.
     "deg": _unit(_PI / 180, rad=1),
     "rev": _unit(2 * _PI, rad=1),
+    "rpm": _unit(_PI / 30, rad=1, s=-1),
     "degC": _unit(1, "273.15", K=1),
     "degF": _unit(Fraction(5, 9), Fraction("459.67") * 5 / 9, K=1),
     "min": _unit(60, s=1),

@@ -68,6 +68,7 @@ REFUSALS = (
     Refusal("SecondDerivative", UnsupportedModelError, r"der\(der\(x\)\)"),
     Refusal("SequentialAlgorithm", UnsupportedModelError, r"`y`"),
     Refusal("StartFromInput", UnsupportedModelError, r"start"),
+    Refusal("StartFromTime", UnsupportedModelError, r"initial value of count depends on time"),
     Refusal("StringVariable", UnsupportedModelError, r"String"),
     Refusal("SwitchedConstraint", UnsupportedModelError, r"constraints between its states"),
     Refusal("SyntaxError", ModelicaError, r"unexpected `;`"),

@@ -47,18 +47,18 @@ def coupled(w: Writer) -> None:
 
 
 def enumeration(w: Writer) -> None:
-    """A variable of an enumeration that time changes, compared, converted, and an index of an array."""
+    """A variable of an enumeration that time changes, compared and converted."""
     w.package.append("  type Gear = enumeration(low, middle, high);")
     due, last = round(w.random.uniform(0.2, 1.8), 3), w.random.choice(("low", "high"))
     w.declarations += [
         "Gear gear(start = Gear.middle, fixed = true);",
         "parameter Gear first = Gear.low;",
-        "Real ratio[Gear] = {0.5, 1.5, 4.0};",
+        "Real ratio[3] = {0.5, 1.5, 4.0};",
         "Real chosen;",
     ]
     w.equations += [
         f"when time >= {due} then gear = Gear.{last}; end when;",
-        "chosen = if gear > Gear.middle then ratio[Gear.high] + Integer(first) "
+        "chosen = if gear > Gear.middle then ratio[3] + Integer(first) "
         "else ratio[1] + (if gear == first then 1 else 2);",
     ]
 
