@@ -68,7 +68,6 @@ def whiteness(series: Sequence[Series]) -> Whiteness:
     chances = []
     for most in _LAGS:
         own, total, sizes = [], np.zeros(most), np.zeros(most)
-        weight = 0.0
         for one in judged:
             lags = min(most, len(one.values) // 4)
             products, power = _products(one, lags)
@@ -78,7 +77,6 @@ def whiteness(series: Sequence[Series]) -> Whiteness:
             own.append(max(float(stats.chi2.sf(statistic, lags)), 1e-300))
             total[:lags] += products / power * n
             sizes[:lags] += spread
-            weight += n
         if most == _LAGS[0]:
             fisher = -2.0 * float(np.sum(np.log(own)))
             chances.append(float(stats.chi2.sf(fisher, 2 * len(own))))

@@ -46,7 +46,7 @@ class Finding:
 def score_test(
     problem: Problem, residuals: FloatArray, jacobian: FloatArray, found: Iterable[Suspect]
 ) -> list[Finding]:
-    """The suspects that can be told from the fitted variables, each with what it explains, most likely first.
+    """The suspects that can be told from the fitted variables, each with what it explains.
 
     Args:
         problem: its weights, shares and memories make the columns comparable with the residuals
@@ -63,7 +63,7 @@ def score_test(
         one = _tested(problem, suspect, left, basis, total, freedom)
         if one is not None and (suspect.name not in best or one.evidence > best[suspect.name].evidence):
             best[suspect.name] = one
-    return sorted(best.values(), key=lambda one: -one.evidence)
+    return list(best.values())
 
 
 def column_space(jacobian: FloatArray) -> FloatArray:

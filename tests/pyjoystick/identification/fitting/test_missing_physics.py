@@ -21,6 +21,7 @@ from pyjoystick.identification import (
     with_friction,
 )
 from pyjoystick.identification.fitting.problem.noise_color import Memory
+from pyjoystick.identification.fitting.text_report import report
 from pyjoystick.model import NOMINAL, simulate
 from pyjoystick.motion import Record
 from tests.pyjoystick.identification.fitting.made import releases
@@ -72,6 +73,7 @@ def test_colored_noise_is_no_reason_to_fail(fmus_by_name: Path) -> None:
     assert found.trusted, [check for check in found.checks if not check.passed]
     # Known to 0.03 from as many samples.
     assert found.correlation == pytest.approx(0.8, abs=0.12)
+    assert f"Correlation from sample to sample {found.correlation:.3f}" in report(found)
     # Beyond four standard errors once in 16,000 fits; the seed is fixed.
     assert abs(found.value("damping.C") - 0.045) < 4.0 * found.error("damping.C")
 

@@ -41,6 +41,8 @@ def test_every_error_of_the_instrument_comes_back(fmus_by_name: Path) -> None:
     assert found.value("angle_scale") == pytest.approx(0.004, rel=1e-3)
     assert found.value("time_base") == pytest.approx(0.003, rel=1e-3)
     assert found.value("damping.C") == pytest.approx(0.045, rel=1e-5)
+    units = {one.name: one.unit for one in found.variables}
+    assert (units["angle_scale"], units["time_base"], units["zero_offset"]) == ("", "", "rad")
     (zero,) = (check for check in found.checks if check.name == "zero offset")
     assert zero.passed
     assert "zero_offset [wrong] = 0.573 deg" in zero.message
