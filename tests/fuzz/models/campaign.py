@@ -1,7 +1,8 @@
-"""Many trials of random models, shared among processes: one that ends its process is a fault, too."""
+"""Many trials of random models, shared among processes: ending its process or never ending is a fault, too."""
 
 from __future__ import annotations
 
+import faulthandler
 import itertools
 import time
 from collections import Counter
@@ -9,9 +10,13 @@ from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from multiprocessing import get_context
+from typing import Final
 
 from tests.fuzz.models.trial import Verdict, trial
 from tests.fuzz.outcome import Outcome
+
+#: How long a trial may take (s); most take 2 s.
+_LIMIT: Final = 120.0
 
 
 def fuzz_all(seconds: float, count: int | None, seed: int, processes: int) -> list[Outcome]:
@@ -33,6 +38,16 @@ def _verdicts(cases: Iterator[int], end: float | None, processes: int) -> Iterat
             return
         try:
             with ProcessPoolExecutor(processes, mp_context=get_context("spawn")) as pool:
-                yield from pool.map(trial, some)
+                yield from pool.map(_limited, some)
         except BrokenProcessPool:
-            yield Verdict(some[0], "fault", f"one of the cases {some[0]} to {some[-1]} ended its process")
+            what = f"one of the cases {some[0]} to {some[-1]} ended its process, or took more than {_LIMIT:g} s"
+            yield Verdict(some[0], "fault", what)
+
+
+def _limited(case: int) -> Verdict:
+    """A trial that ends its process, and prints where it was, when it takes too long."""
+    faulthandler.dump_traceback_later(_LIMIT, exit=True)
+    try:
+        return trial(case)
+    finally:
+        faulthandler.cancel_dump_traceback_later()

@@ -49,8 +49,8 @@ def states(w: Writer) -> None:
     scope = Scope(reals=("p1", "p2", "q1", "time", *names), is_smooth=True)
     for name in names:
         start = Terms(random, Scope(reals=("p1", "q2"), integers=("n1",))).real(1)
-        w.declarations.append(f"Real {name}(start = {start.text}, fixed = true);")
-        w.meaning.starts[name] = start
+        w.declarations.append(f"Real {name}(start = 2*tanh({start.text}), fixed = true);")
+        w.meaning.starts[name] = Term("", lambda v, start=start: 2 * math.tanh(start.value(v)))
         force = Terms(random, scope).real(2)
         rate = round(random.uniform(0.3, 3.0), 2)
         w.equations.append(f"der({name}) = sin({force.text}) - {rate}*{name};")

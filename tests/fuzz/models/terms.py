@@ -159,6 +159,9 @@ class Terms:
         if self.random.random() < 0.5:
             return Term(f"(sin({a.text}))^2", lambda v: math.sin(a.value(v)) ** 2)
         b = self._real_leaf()
+        if self.scope.is_smooth:
+            # A large exponent makes a rate of change that swings faster than any integrator can follow.
+            b = _called("tanh", math.tanh, b)
         return Term(f"(2 + cos({a.text}))^{b.text}", lambda v: (2.0 + math.cos(a.value(v))) ** b.value(v))
 
     def _elementary(self, depth: int) -> Term:
