@@ -151,7 +151,7 @@ class _Code:
                 self._stores("root", e.relations.time_roots),
             ),
             c_function("void model_dependent_parameters(double *p)", self._dependent_parameters()),
-            c_function("void model_start_values(double *y, double *p)", self._start_values()),
+            c_function("void model_start_values(double time, double *y, double *p)", self._start_values()),
             c_function(
                 f"void model_initial_residual({read_y}, double *residual)",
                 self._stores("residual", e.initial_residuals),

@@ -247,8 +247,6 @@ class _Reader:
         for number, slot in enumerate(targets):
             if sources.get(slot) in targets:
                 continue  # pre(v) takes its value from v
-            if ex.TIME in ex.leaves(rows[number]):
-                raise self.model.unsupported(f"the initial value of {self._text(slot)} depends on time")
             if slot[0] == "p" and slot[1] < n_parameters:
                 dependent.append((slot[1], rows[number]))
             else:
@@ -257,14 +255,6 @@ class _Reader:
         guesses = tuple((slot, value) for slot, value in others if slot in sought)
         starts += [(slot, value) for slot, value in others if slot not in sought]
         return tuple(dependent), (*starts, *self._previous_values(sought)), guesses
-
-    def _text(self, slot: Slot) -> str:
-        """Return the name of a slot."""
-        store, index = slot[0].upper(), slot[1]
-        bindings = self.solve["layout"]["bindings"].items()
-        return next(
-            (name for name, place in bindings if place.get(store, {}).get("index") == index), "a variable"
-        )
 
     def _previous_values(self, sought: set[Slot]) -> Iterator[tuple[Slot, Expression]]:
         """Yield the start values of discrete variables given by initial equations ``pre(v) = ...``."""

@@ -174,7 +174,7 @@ EventStatus event_initialize(Values *values, const EventReporter *reporter)
     InitialSystem system = {values, malloc((model.n_initial_unknowns + 1) * sizeof(double))};
     EventStatus status = EVENT_ERROR;
     model_dependent_parameters(values->p);
-    model_start_values(values->y, values->p);
+    model_start_values(values->time, values->y, values->p);
     clocks_start(values);
     if (iteration_create(&iteration) && system.trial != NULL)
         status = initialize(&system, &iteration, reporter);

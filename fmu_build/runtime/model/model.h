@@ -194,8 +194,8 @@ void model_time_relations(double time, const double *p, double *root);
 
 /* Computes parameters in p from other parameters. */
 void model_dependent_parameters(double *p);
-/* Computes start values in y and p from parameters; called only during initialization. */
-void model_start_values(double *y, double *p);
+/* Computes start values in y and p from parameters and time; called only during initialization. */
+void model_start_values(double time, double *y, double *p);
 /* residual[0..n_initial_unknowns) of the initial equations; the algebraic variables in y must be up to date. */
 void model_initial_residual(double time, const double *y, const double *p, double *residual);
 

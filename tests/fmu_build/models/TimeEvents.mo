@@ -89,4 +89,23 @@ package TimeEvents "Events at times that are known beforehand"
     on = f > 0.5;
     der(v) = if on then 1 else 0;
   end InputPulse;
+
+  model PulseTrain "Pulses that began long ago: what the time of the start says of them"
+    parameter Real period(unit="s") = 0.3;
+    parameter Real origin(unit="s") = -1;
+    discrete Real since(unit="s") "Start of the present period";
+    Integer number "Number of the present period";
+    Real y;
+    Real v(start=0, fixed=true, unit="s") "How long it was on";
+  initial algorithm
+    number := integer((time - origin)/period);
+    since := origin + number*period;
+  equation
+    when integer((time - origin)/period) > pre(number) then
+      number = pre(number) + 1;
+      since = time;
+    end when;
+    y = if time < since + 0.4*period then 1 else 0;
+    der(v) = y;
+  end PulseTrain;
 end TimeEvents;

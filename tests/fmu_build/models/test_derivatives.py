@@ -17,7 +17,7 @@ TOLERANCE = 1e-6
 # Some models start where the second derivative of an energy jumps: differences are off by their step there.
 TOLERANCE_AT_START = 1e-5
 _MODELS = {case.model: case for case in CASES}
-# Their when-clauses may act at the start, which the derivatives of initial values would have to follow.
+# Their when-clauses act at the start, or discrete variables start from parameters: no derivatives at the start.
 _ACT_AT_START = {
     "Sampling.Guarded",
     "Sampling.HeldSine",
@@ -27,6 +27,7 @@ _ACT_AT_START = {
     "Sampling.SampledPI",
     "Sampling.SampledReset",
     "TimeEvents.InitialWhen",
+    "TimeEvents.PulseTrain",
 }
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,7 @@ from fmpy import simulate_fmu
 from tests.shared_fmus import SharedFmus
 
 from .case import Array, Case, Values
+from .oracles.time_events import pulse_case, pulses
 from .runner import FmuOf
 
 HALF_WIDTH = 0.05 * np.sqrt(np.log(2))
@@ -24,6 +26,7 @@ def pulse(t: Array) -> Values:
 
 
 PULSE = Case("TimeEvents.Pulse", 100.0, pulse)
+PULSE_TRAIN = pulse_case(0.3, -1.0, "default")
 INPUT_PULSE = Case("TimeEvents.InputPulse", 100.0, pulse, inputs={"u": lambda t: t})
 
 
@@ -40,6 +43,20 @@ def check(result: Any) -> None:
 @pytest.mark.parametrize("case", [PULSE], ids=["time"])
 def test_no_step_passes_over_the_pulse(case: Case, step: float, stop_is_known: bool, fmu_of: FmuOf) -> None:
     check(fmu_of(case).run(case, "CoSimulation", step, set_stop_time=stop_is_known))
+
+
+@pytest.mark.parametrize("kind", ["CoSimulation", "ModelExchange"])
+@pytest.mark.parametrize("start", [-3.21, 0.55, 7.8])
+def test_start_values_follow_the_time_of_the_start(start: float, kind: str, fmu_of: FmuOf) -> None:
+    case = replace(PULSE_TRAIN, stop_time=start + 2.0, parameters={"period": 0.3, "origin": -20.0})
+    result = fmu_of(case).run(case, kind, 2.0 / 97, start_time=start)
+    times = np.asarray(result["time"])
+    away = np.abs((times[:, None] + 20.0) % 0.3 - [0.0, 0.12, 0.3]).min(axis=1) > 1e-4
+    assert away.sum() > 90
+    for name, expected in pulses(times[away], 0.3, -20.0, start).items():
+        # CVode's error adds up over the run, as elsewhere in these tests.
+        accuracy = 1e-7 if kind == "CoSimulation" else 1e-5
+        np.testing.assert_allclose(result[name][away], expected, atol=accuracy, err_msg=name)
 
 
 @pytest.mark.parametrize("steps", [1, 13, 997])

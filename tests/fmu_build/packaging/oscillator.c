@@ -62,7 +62,7 @@ bool model_roots(double time, double *y, const double *p, double *root) {
 void model_time_relations(double time, const double *p, double *root) { (void)time, (void)p, (void)root; }
 
 void model_dependent_parameters(double *p) { (void)p; }
-void model_start_values(double *y, double *p) { (void)y, (void)p; }
+void model_start_values(double time, double *y, double *p) { (void)time, (void)y, (void)p; }
 
 void model_initial_residual(double time, const double *y, const double *p, double *residual) {
     (void)time, (void)y, (void)p, (void)residual;

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -65,6 +67,41 @@ def level(t: Array) -> Values:
     return {"level": np.where(t < 0.5, 1.0, 9.0), "x": ramps(t, [0.5], [1, 9])}
 
 
+def pulses(t: Array, period: float, origin: float, start: float = 0.0) -> Values:
+    """Pulses of two fifths of a period, where v begins at `start`."""
+    number = np.floor((t - origin) / period)
+    since = origin + number * period
+
+    def on_until(time: Array) -> Array:
+        whole, part = np.divmod(time - origin, period)
+        return 0.4 * period * whole + np.minimum(part, 0.4 * period)
+
+    return {
+        "number": number,
+        "since": since,
+        "y": np.where(t < since + 0.4 * period, 1.0, 0.0),
+        "v": on_until(t) - on_until(np.array([start])),
+    }
+
+
+def pulse_events(period: float, origin: float) -> Callable[[float], Array]:
+    """Where pulses begin and end."""
+    begins = origin + period * np.arange(1000)
+    both = np.sort(np.concatenate([begins, begins + 0.4 * period]))
+    return lambda stop: both[(both >= 0) & (both <= stop)]
+
+
+def pulse_case(period: float, origin: float, label: str) -> Case:
+    return Case(
+        "TimeEvents.PulseTrain",
+        2.0,
+        partial(pulses, period=period, origin=origin),
+        events=pulse_events(period, origin),
+        parameters={"period": period, "origin": origin},
+        label=label,
+    )
+
+
 CASES = (
     steps_case(0.5, 0.25, "default"),
     steps_case(0.65, 0.4, "other times"),
@@ -74,4 +111,6 @@ CASES = (
     ramp_case(0.55, 0.7, "other times"),
     Case("TimeEvents.InitialWhen", 2.0, initial_when, events=at(1.0)),
     Case("TimeEvents.Level", 1.0, level, events=at(0.5)),
+    pulse_case(0.3, -1.0, "default"),
+    pulse_case(0.37, -20.05, "begun long ago"),
 )

@@ -33,9 +33,9 @@
         (void)p;                                                                                                      \
     }
 #define NO_INITIAL_EQUATIONS                                                                                          \
-    void model_start_values(double *y, double *p)                                                                     \
+    void model_start_values(double time, double *y, double *p)                                                        \
     {                                                                                                                 \
-        (void)y, (void)p;                                                                                             \
+        (void)time, (void)y, (void)p;                                                                                 \
     }                                                                                                                 \
     void model_initial_residual(double time, const double *y, const double *p, double *residual)                      \
     {                                                                                                                 \
