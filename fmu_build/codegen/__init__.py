@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 from fmu_build.codegen.annotations import default_experiment, documentation, terminals
 from fmu_build.codegen.baked import baked_parameters
@@ -10,8 +11,9 @@ from fmu_build.codegen.c_model import write_model
 from fmu_build.codegen.compact import compact
 from fmu_build.codegen.coordinates import with_named_states
 from fmu_build.codegen.equations import Equations, n_named_slots, read_equations
+from fmu_build.codegen.followed import with_followed_parameters
 from fmu_build.codegen.functions import FunctionLibrary
-from fmu_build.codegen.lowered import lower
+from fmu_build.codegen.lowered import LoweredModel, lower
 from fmu_build.codegen.names import modelica_texts
 from fmu_build.codegen.open_connectors import without_open_connectors
 from fmu_build.codegen.rejections import reject_unsupported
@@ -20,6 +22,7 @@ from fmu_build.codegen.source import ModelSource
 from fmu_build.codegen.start_values import StartValues
 from fmu_build.codegen.structure import Structure
 from fmu_build.codegen.tangents import NoTangentsError, Tangents
+from fmu_build.codegen.trials import Trials
 from fmu_build.codegen.variables import StoredVariable, VariableReader
 from fmu_build.support.description import GeneratedModel, ModelDescription
 from fmu_build.support.request import SensitivityRequest
@@ -32,14 +35,15 @@ def generate(source: ModelSource, sensitivity: SensitivityRequest | None = None)
 
     Raises `UnsupportedModelError` with the name and line of an unsupported construct.
     """
-    lowered = lower(source.model)
-    reject_unsupported(lowered)
-    functions = FunctionLibrary(lowered)
-    equations = compact(read_equations(lowered, functions.name_of), n_named_slots(lowered))
-    lowered = with_named_states(lowered, equations)
-    equations, left_out = without_open_connectors(lowered, equations)
-    starts = StartValues(lowered)
-    baked = baked_parameters(source, lowered, starts)
+    model = _read(lower(source.model))
+    trials = Trials(source, model.lowered, model.starts)
+    followed = with_followed_parameters(source, model.lowered, trials)
+    if followed is not None:
+        source, lowered = followed
+        model = _read(lowered)
+        trials = Trials(source, lowered, model.starts)
+    lowered, functions, equations, left_out, starts = model
+    baked = baked_parameters(trials)
     variables = VariableReader(lowered, equations, starts, baked, left_out).read()
     if sensitivity is not None:
         wanted = find_wanted(lowered.name, variables, sensitivity)
@@ -65,6 +69,25 @@ def generate(source: ModelSource, sensitivity: SensitivityRequest | None = None)
     )
     c_source = write_model(lowered, equations, variables, starts, functions.sources(), tangents)
     return GeneratedModel(description, c_source, notes)
+
+
+class _Read(NamedTuple):
+    """What the generator reads of a lowered model."""
+
+    lowered: LoweredModel
+    functions: FunctionLibrary
+    equations: Equations
+    left_out: frozenset[str]
+    starts: StartValues
+
+
+def _read(lowered: LoweredModel) -> _Read:
+    reject_unsupported(lowered)
+    functions = FunctionLibrary(lowered)
+    equations = compact(read_equations(lowered, functions.name_of), n_named_slots(lowered))
+    lowered = with_named_states(lowered, equations)
+    equations, left_out = without_open_connectors(lowered, equations)
+    return _Read(lowered, functions, equations, left_out, StartValues(lowered))
 
 
 def _tangents(equations: Equations, variables: Sequence[StoredVariable]) -> tuple[Tangents | None, str]:

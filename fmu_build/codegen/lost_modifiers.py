@@ -2,7 +2,8 @@
 
 Where a class is extended, only the outermost modifiers are merged: ``extends B(a(s(k = 9)))`` replaces the
 whole modifier ``s(...)`` that B gives to a, although Modelica merges the two (Modelica 3.6, section 7.2.3).
-Modifiers of redeclared and constraining classes can be lost, too; see also `redeclared_modifiers`.
+Modifiers of redeclared and constraining classes can be lost, too, and so can those with dotted names; see
+also `redeclared_modifiers`.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from pathlib import Path
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.redeclared_modifiers import changed_modifiers
 from fmu_build.modelica_source.constructs import Construct, ModelText
-from fmu_build.modelica_source.modifiers import Path as NamePath, assigned, closing
+from fmu_build.modelica_source.modifiers import Path as NamePath, assigned, closing, dotted
 from fmu_build.modelica_source.places import located
 from fmu_build.modelica_source.text import inside_parentheses
 from fmu_build.support.errors import UnsupportedModelError
@@ -29,6 +30,11 @@ _CONSTRAINING_CLASS = (
     r"\bconstrainedby\s+[\w.]+\s*\(",
     "the modifiers of a constraining class are lost; put them on the component",
 )
+_KEYWORD = (
+    r"(?:algorithm|and|annotation|assert|connect|else|elseif|elsewhen|equation|for|if|in|initial|input|loop|not|or|"
+    r"output|return|then|when|while)\b"
+)
+_COMPONENT = rf"(?<![\w.])(?!{_KEYWORD})[\w.]+\s+(?!{_KEYWORD})\w+\s*(?:\[[^\]]*\]\s*)?\("
 _EXTENSION = r"\bextends\s+[\w.]+\s*\("
 _SHORT_CLASS = rf"\b{_KINDS}\s+\w+\s*=\s*[\w.]+\s*\("
 _BASE = re.compile(r"(?:\bextends\s+|=\s*)([\w.]+)\s*(\()?")
@@ -44,6 +50,11 @@ def reject_lost_modifiers(model: LoweredModel) -> None:
             raise _rejection(model, why, construct)
     for why, redeclaration in changed_modifiers(text):
         raise _rejection(model, why, redeclaration)
+    for modified in text.find([_COMPONENT, _EXTENSION, _SHORT_CLASS]):
+        inside = modified.plain[modified.plain.index("(") + 1 : -1]
+        for name in dotted(inside):
+            nested = name.replace(".", "(") + " ..." + ")" * name.count(".")
+            raise _rejection(model, f"the modifier of {name} is lost; write {nested}", modified)
     for extension in (*text.find([_EXTENSION]), *text.find([_SHORT_CLASS])):
         for why in _faults(text, extension.plain):
             raise _rejection(model, why, extension)

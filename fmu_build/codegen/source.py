@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import rumoca
 
@@ -32,6 +32,16 @@ class ModelSource:
 
     session: rumoca.Session
     model: rumoca.Model
+    kept: tuple[Setting, ...] = ()
+    """Settings that every variant has."""
+
+    def keeping(self, settings: Sequence[Setting]) -> ModelSource:
+        """Return the source whose variants have these settings, too."""
+        return replace(self, kept=(*self.kept, *settings))
+
+    def names(self, settings: Sequence[Setting]) -> dict[str, str]:
+        """Return the names of the parameters that a variant adds, by those of the ones that they set."""
+        return {name: f"{SETTING_PREFIX}{number}" for number, name in enumerate(self._all(settings))}
 
     def variant(self, settings: Sequence[Setting]) -> rumoca.Model:
         """Compile the model with other parameter values.
@@ -39,17 +49,20 @@ class ModelSource:
         Each value becomes a parameter of the variant: rumoca folds literals in modifiers into the equations,
         which would turn free parameters into constants. Errors of rumoca propagate.
         """
-        names = {setting.name: f"{SETTING_PREFIX}{number}" for number, setting in enumerate(settings)}
+        names = self.names(settings)
+        all_settings = self._all(settings).values()
         declarations = " ".join(
-            f"parameter {s.type} {names[s.name]}{_subscripts(s.dimensions)} = {s.value};" for s in settings
+            f"parameter {s.type} {names[s.name]}{_subscripts(s.dimensions)} = {s.value};"
+            for s in all_settings
         )
-        bindings = {
-            setting.name: ("each " if setting.each else "", names[setting.name]) for setting in settings
-        }
+        bindings = {s.name: ("each " if s.each else "", names[s.name]) for s in all_settings}
         extension = f"extends {self.model.name}{_modifier(bindings)};"
         return self.session.loads(
             f"model {_VARIANT} {declarations} {extension} end {_VARIANT};", model=_VARIANT
         )
+
+    def _all(self, settings: Sequence[Setting]) -> dict[str, Setting]:
+        return {setting.name: setting for setting in (*self.kept, *settings)}
 
 
 def _subscripts(dimensions: tuple[int, ...]) -> str:

@@ -46,6 +46,18 @@ def _paths(argument: str) -> Iterator[Path]:
         yield name
 
 
+def dotted(arguments: str) -> Iterator[str]:
+    """Yield the names with dots by which a modifier, given as for `assigned`, sets something."""
+    for argument in _split(arguments):
+        found = _ARGUMENT.match(argument)
+        if found is None or not assigned(argument):
+            continue
+        if "." in found["name"]:
+            yield found["name"]
+        if found["rest"].startswith("("):
+            yield from dotted(found["rest"][1 : closing(found["rest"], 0) - 1])
+
+
 def _split(arguments: str) -> Iterator[str]:
     """The arguments between commas that stand outside of all brackets."""
     depth, start = 0, 0

@@ -298,4 +298,30 @@ package Components "Connectors, inheritance, replaceable parts, conditional part
     connect(first.flange, shaft.flange_a);
     connect(shaft.flange_b, second.flange);
   end Torsion;
+
+  model Rate "A constant rate of change"
+    parameter Real rate = 1;
+    parameter Real gain[2] = {1, 1};
+    parameter Real twice = 2*rate;
+    Real y(start=0, fixed=true);
+  equation
+    der(y) = gain[1]*rate + gain[2]*twice;
+  end Rate;
+
+  model Rates "Hands its values down: open, final, calculated, as an array and through an array of components"
+    parameter Real r = 3;
+    parameter Real g[2] = {1, 1};
+    parameter Integer n = 1;
+    parameter Boolean is_on = true;
+    Rate open(rate=r);
+    Rate closed(final rate=r, final gain=g);
+    Rate half(rate=r/2, gain={1, n});
+    Rate many[2](each rate=r, gain={{r, 0}, g});
+    Rate switched(rate=if is_on then r else 0);
+  end Rates;
+
+  model HandedDown "Literals in modifiers of components that hand them down"
+    Rates first(r=0.5, g={2, 0.25}, n=2, is_on=true);
+    Rates second(open(gain={3, 0}), closed(twice=0.1), r=0.25);
+  end HandedDown;
 end Components;

@@ -17,7 +17,7 @@ TOLERANCE = 1e-6
 # Some models start where the second derivative of an energy jumps: differences are off by their step there.
 TOLERANCE_AT_START = 1e-5
 _MODELS = {case.model: case for case in CASES}
-# Their when-clauses act at the start, or discrete variables start from parameters: no derivatives at the start.
+# Where when-clauses act at the start, or discrete variables start from parameters: no derivatives there.
 _ACT_AT_START = {
     "Sampling.Guarded",
     "Sampling.HeldSine",

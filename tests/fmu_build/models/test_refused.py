@@ -49,6 +49,7 @@ REFUSALS = (
     Refusal("DerivativeOfProduct", UnsupportedModelError, r"der\(x\*x\)"),
     Refusal("DiscreteArray", UnsupportedModelError, r"array above"),
     Refusal("DiscreteLoop", UnsupportedModelError, r"array level"),
+    Refusal("DottedModifier", UnsupportedModelError, r"other\.rate is lost; write other\(rate \.\.\.\)"),
     Refusal("EnumerationInitial", UnsupportedModelError, r"type Enumeration"),
     Refusal("EarlyReturn", UnsupportedModelError, r"return"),
     Refusal("ExternalFunction", UnsupportedModelError, r"external.*outside"),

@@ -1,4 +1,4 @@
-"""Many trials of random models, shared among processes: ending its process or never ending is a fault, too."""
+"""Many trials of random models, shared among processes: ending its process or never ending is a fault."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def _verdicts(cases: Iterator[int], end: float | None, processes: int) -> Iterat
             with ProcessPoolExecutor(processes, mp_context=get_context("spawn")) as pool:
                 yield from pool.map(_limited, some)
         except BrokenProcessPool:
-            what = f"one of the cases {some[0]} to {some[-1]} ended its process, or took more than {_LIMIT:g} s"
+            what = f"one of cases {some[0]} to {some[-1]} ended its process or took more than {_LIMIT:g} s"
             yield Verdict(some[0], "fault", what)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import cache
 
 import numpy as np
@@ -100,7 +101,65 @@ def torsion(t: Array) -> Values:
     }
 
 
+def rates(
+    r: float,
+    g: tuple[float, float],
+    n: int = 1,
+    is_on: bool = True,
+    open_gain: tuple[float, float] = (1, 1),
+    twice: float | None = None,
+) -> dict[str, float]:
+    """The rate of change of each part of Rates."""
+
+    def rate(value: float, gain: tuple[float, float], double: float | None = None) -> float:
+        return gain[0] * value + gain[1] * (2 * value if double is None else double)
+
+    return {
+        "open": rate(r, open_gain),
+        "closed": rate(r, g, twice),
+        "half": rate(r / 2, (1, n)),
+        "many[1]": rate(r, (r, 0)),
+        "many[2]": rate(r, g),
+        "switched": rate(r if is_on else 0, (1, 1)),
+    }
+
+
+def handed_down_case(
+    first: dict[str, float], second: dict[str, float], label: str, parameters: Mapping[str, float] = {}
+) -> Case:
+    parts = {"first": first, "second": second}
+    slopes = {f"{name}.{part}.y": slope for name, one in parts.items() for part, slope in one.items()}
+    return Case(
+        "Components.HandedDown",
+        1.5,
+        lambda t: {name: slope * t for name, slope in slopes.items()},
+        parameters=parameters,
+        label=label,
+    )
+
+
 CASES = (
+    handed_down_case(
+        rates(0.5, (2, 0.25), 2), rates(0.25, (1, 1), open_gain=(3, 0), twice=0.1), "as written"
+    ),
+    handed_down_case(
+        rates(0.9, (2, 0.25), 5, is_on=False),
+        rates(-1.25, (1, 1), open_gain=(3, 0), twice=0.1),
+        "set",
+        {"first.r": 0.9, "first.n": 5, "first.is_on": False, "second.r": -1.25},
+    ),
+    handed_down_case(
+        rates(0.5, (-1.5, 0.75), 2),
+        rates(0.25, (0.5, 1), open_gain=(4, 0), twice=0.3),
+        "arrays set",
+        {
+            "first.g[1]": -1.5,
+            "first.g[2]": 0.75,
+            "second.g[1]": 0.5,
+            "second.open.gain[1]": 4.0,
+            "second.closed.twice": 0.3,
+        },
+    ),
     Case("Components.Circuit", 8.0, circuit),
     Case("Components.Bridge", 2.0, bridge),
     Case("Components.Chain", 5.0, chain),

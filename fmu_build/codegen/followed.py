@@ -1,0 +1,76 @@
+"""Keep parameters that others follow: rumoca copies the literal of a modifier to all that is bound to it.
+
+In ``Joystick joystick(J = 0.002)`` the handle's inertia, bound to the joystick's J, becomes the number 0.002,
+which J at run time would not change. If the modifier names a parameter instead, the inertia is computed from
+it. The model is compiled anew with such parameters, which take the names of those that they stand for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import rumoca
+
+from fmu_build.codegen.baked import following
+from fmu_build.codegen.lowered import LoweredModel, lower
+from fmu_build.codegen.source import ModelSource
+from fmu_build.codegen.trials import Candidate, Trials
+from fmu_build.support.errors import BuildError
+
+
+def with_followed_parameters(
+    source: ModelSource, model: LoweredModel, trials: Trials
+) -> tuple[ModelSource, LoweredModel] | None:
+    """Return the model in which others follow the parameters at run time; None if it is that already."""
+    followers = following(trials, trials.candidates)
+    first = [one for one in trials.candidates if one not in followers]
+    kept = [one.present for one in _leaders(trials, first) if len(one.names) == 1 and _is_open(trials, one)]
+    if not kept:
+        return None
+    try:
+        anew = source.keeping(kept)
+        return anew, _named(model, lower(anew.variant([])), anew.names([]))
+    except (BuildError, rumoca.RumocaError):
+        return None  # they remain constants
+
+
+def _leaders(trials: Trials, group: Sequence[Candidate]) -> Iterator[Candidate]:
+    """Yield the candidates that others follow."""
+    if not trials.followers(group):
+        return
+    if len(group) == 1:
+        yield group[0]
+        return
+    middle = len(group) // 2
+    yield from _leaders(trials, group[:middle])
+    yield from _leaders(trials, group[middle:])
+
+
+def _is_open(trials: Trials, one: Candidate) -> bool:
+    """Return whether the equations do not hang on it otherwise."""
+    present, other = trials.compiled([one.present]), trials.compiled([one.other])
+    return present is not None and other is not None and present.computes_as(other)
+
+
+def _named(model: LoweredModel, anew: LoweredModel, settings: Mapping[str, str]) -> LoweredModel:
+    """Exchange the names of the settings and of the parameters that they set."""
+    entries = {entry["name"]: entry for entry in anew.dae["variables"]}
+    bindings = dict(anew.solve["layout"]["bindings"])
+    exchanged: dict[str, dict[str, Any]] = {}
+    for name, setting in settings.items():
+        own, given = entries[name], entries[setting]
+        for one, other in zip(own["scalar_names"], given["scalar_names"], strict=True):
+            bindings[one], bindings[other] = bindings[other], bindings[one]
+        values = {key: given["attributes"][key] for key in ("binding", "binding_values")}
+        exchanged[name] = {**own, "id": given["id"], "attributes": {**own["attributes"], **values}}
+        hidden = {**given["attributes"], "origin": "generated"}
+        exchanged[setting] = {**given, "id": own["id"], "attributes": hidden}
+    variables = [exchanged.get(entry["name"], entry) for entry in anew.dae["variables"]]
+    return replace(
+        model,
+        flat={**anew.flat, "model_description": model.flat.get("model_description")},
+        solve={**anew.solve, "layout": {**anew.solve["layout"], "bindings": bindings}},
+        dae={**anew.dae, "variables": variables},
+    )

@@ -1,0 +1,213 @@
+"""Trial compilations: a model with other values of its parameters, and what they change.
+
+Array sizes, the arguments of ``sample()``, conditions of conditional components and the like are evaluated
+when the model is compiled, and rumoca's output does not say which parameters they depend on. Trials show it.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import rumoca
+
+from fmu_build.codegen.functions.definitions import bodies
+from fmu_build.codegen.lowered import LoweredModel, read_mapping
+from fmu_build.codegen.probes import probe_values, thresholds
+from fmu_build.codegen.source import SETTING_PREFIX, ModelSource, Setting
+from fmu_build.codegen.start_values import StartValues
+
+_SUBSCRIPTS = re.compile(r"\[[\d,]+\]")
+_TARGET = Path(__file__).parent / "target" / "variant"
+
+
+@dataclass(frozen=True, slots=True)
+class Candidate:
+    """Names of parameters that are set together, with their present value and a different one."""
+
+    names: tuple[str, ...]
+    present: Setting
+    other: Setting
+    probes: tuple[Setting, ...]
+    """More values, by which other branches of the equations may be chosen; as many for each candidate."""
+    fallback: Candidate | None = None
+    """Another way to set them, tried if they do not prove free in this way."""
+
+
+class Trial(NamedTuple):
+    """A model with other parameter values; its equations as text, which suffices to compare them."""
+
+    equations: str
+    values: dict[str, Any]
+    functions: dict[str, Any] | None
+    """The DAE, where it has functions."""
+
+    def changed(self, other: Trial) -> set[str]:
+        """Return the parameters that have another value there, but for those that trials add."""
+        return {
+            name
+            for name, value in self.values.items()
+            if value != other.values.get(name) and not name.startswith(SETTING_PREFIX)
+        }
+
+    def computes_as(self, other: Trial) -> bool:
+        """Return whether equations and functions are the same."""
+        mine, yours = (bodies(one.functions) if one.functions else {} for one in (self, other))
+        return self.equations == other.equations and mine == yours
+
+
+class Trials:
+    """The trial compilations of one model.
+
+    Attributes:
+        candidates: every parameter that can be set unless it is baked
+        computed: the parameters that the model computes from others at initialization
+        plain: the model as it is; None if it does not compile as a base class
+    """
+
+    def __init__(self, source: ModelSource, model: LoweredModel, starts: StartValues) -> None:
+        self._source = source
+        self.candidates = tuple(_candidates(model, starts))
+        self.computed = _computed(model)
+        self._compiled: dict[tuple[Setting, ...], Trial | None] = {}
+        self.plain = self.compiled([])
+
+    def compiled(self, settings: Sequence[Setting]) -> Trial | None:
+        """Return the model with other parameter values, or None if it does not compile with them."""
+        key = tuple(settings)
+        if key not in self._compiled:
+            self._compiled[key] = self._trial(key)
+        return self._compiled[key]
+
+    def _trial(self, settings: Sequence[Setting]) -> Trial | None:
+        try:
+            text = self._source.variant(settings).codegen(str(_TARGET)).files[0].content
+        except (rumoca.RumocaError, RuntimeError):
+            return None
+        equations, _, rest = text.partition("\n----\n")
+        return Trial(equations, **read_mapping(rest))
+
+    def followers(self, chosen: Sequence[Candidate]) -> set[str]:
+        """Return the other parameters whose values the compiler derives from those of the chosen ones."""
+        if not chosen or self.plain is None:
+            return set()
+        others = self.computed | {name for one in chosen for name in one.names}
+        trial = self.compiled([one.other for one in chosen])
+        if trial is not None:
+            if self.plain.changed(trial) <= others:
+                return set()
+            # A modifier alone may move its neighbors to their defaults: rumoca loses those beside it.
+            present = self.compiled([one.present for one in chosen])
+            if present is not None:
+                return present.changed(trial) - others
+        if len(chosen) == 1:
+            return set()
+        middle = len(chosen) // 2
+        return self.followers(chosen[:middle]) | self.followers(chosen[middle:])
+
+
+def _computed(model: LoweredModel) -> frozenset[str]:
+    bindings = model.solve["layout"]["bindings"]
+    slots = {t["P"]["index"] for t in model.solve["initialization"]["update_targets"] if "P" in t}
+    return frozenset(
+        variable["name"]
+        for variable in model.dae["variables"]
+        if all(
+            bindings.get(scalar, {}).get("P", {}).get("index") in slots for scalar in variable["scalar_names"]
+        )
+    )
+
+
+def _candidates(model: LoweredModel, starts: StartValues) -> Iterator[Candidate]:
+    compared = thresholds(model.name, {Path(path): content for _, path, content in model.source_files})
+    finals = model.flat.get("variable_final_flags", {})
+    groups: dict[str, list[Mapping[str, Any]]] = {}
+    for entry in model.dae["variables"]:
+        flat = model.flat["variables"].get(entry["name"])
+        is_open = flat is not None and not flat["is_protected"] and not finals.get(entry["name"], False)
+        if entry["role"] == "parameter" and is_open and entry["attributes"]["tunable"]:
+            groups.setdefault(_SUBSCRIPTS.sub("", entry["name"]), []).append(entry)
+    for number, (path, entries) in enumerate(groups.items()):
+        probe = (
+            partial(probe_values, number=number, compared=compared) if compared is not None else _no_probes
+        )
+        candidate = _candidate(model, starts, path, entries, probe)
+        if candidate is not None:
+            yield candidate
+
+
+def _no_probes(_: float) -> list[float]:
+    return []
+
+
+def _candidate(
+    model: LoweredModel,
+    starts: StartValues,
+    path: str,
+    entries: Sequence[Mapping[str, Any]],
+    probe: Callable[[float], list[float]],
+) -> Candidate | None:
+    """Return the candidate for a parameter, in all components of an array if they form one."""
+    bindings = model.solve["layout"]["bindings"]
+    scalars = [scalar for entry in entries for scalar in entry["scalar_names"] if scalar in bindings]
+    values = [starts.of(("p", bindings[scalar]["P"]["index"])) for scalar in scalars]
+    texts = [_texts(model, starts, entries[0], value, probe(value)) for value in values]
+    if not texts or None in texts:
+        return None
+    present, other, *probes = zip(*(text for text in texts if text), strict=True)
+    last = [int(n) for group in _SUBSCRIPTS.findall(entries[-1]["name"]) for n in group[1:-1].split(",")]
+    dimensions = (*last, *entries[0]["value_type"]["dimensions"])
+    kind = _kind(model, starts, entries[0])
+    names = tuple(entry["name"] for entry in entries)
+    whole = Candidate(
+        names,
+        Setting(path, kind, dimensions, _array(present, dimensions)),
+        Setting(path, kind, dimensions, _array(other, dimensions)),
+        tuple(Setting(path, kind, dimensions, _array(one, dimensions)) for one in probes),
+    )
+    if len(names) == 1 or len(set(present)) > 1:
+        return whole
+    # A modifier for the whole array does not replace one that was given with "each".
+    one, another, *more = (
+        Setting(path, kind, (), value[0], each=True) for value in (present, other, *probes)
+    )
+    return Candidate(names, one, another, tuple(more), fallback=whole)
+
+
+def _kind(model: LoweredModel, starts: StartValues, entry: Mapping[str, Any]) -> str:
+    """Return the Modelica type name of a parameter."""
+    enumeration = starts.enumeration_of(model.flat["variable_type_names"].get(entry["name"], ""))
+    kind = entry["value_type"]["scalar"]
+    return enumeration.name if kind == "enumeration" and enumeration else kind.capitalize()
+
+
+def _texts(
+    model: LoweredModel, starts: StartValues, entry: Mapping[str, Any], value: float, probes: Sequence[float]
+) -> tuple[str, ...] | None:
+    """Return the Modelica texts of a value, another of its type and the probes; None if there is no other."""
+    match entry["value_type"]["scalar"]:
+        case "real":
+            return tuple(map(repr, (value, value * 1.0625 + 0.03125, *probes)))
+        case "integer":
+            return tuple(str(round(one)) for one in (value, value + 1, *probes))
+        case "boolean":
+            return tuple("true" if one else "false" for one in (value, not value, *(p > 0 for p in probes)))
+    enumeration = starts.enumeration_of(model.flat["variable_type_names"].get(entry["name"], ""))
+    if enumeration is None or len(enumeration.literals) < 2:
+        return None
+    numbers = [int(value) - 1, int(value), *(int(value) + 1 + i for i in range(len(probes)))]
+    literals = enumeration.literals
+    return tuple(f"{enumeration.name}.{literals[n % len(literals)][0]}" for n in numbers)
+
+
+def _array(values: Sequence[str], dimensions: Sequence[int]) -> str:
+    """Return values in row-major order as nested array constructors."""
+    if not dimensions:
+        return values[0]
+    size = len(values) // dimensions[0]
+    rows = (_array(values[i : i + size], dimensions[1:]) for i in range(0, len(values), size))
+    return "{" + ", ".join(rows) + "}"
