@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -34,6 +35,19 @@ class LoweredModel(CompiledModel):
 
     solve: dict[str, Any]
     dae: dict[str, Any]
+
+    @cached_property
+    def computed_parameters(self) -> frozenset[str]:
+        """The names of the parameters that the model computes from others at initialization."""
+        bindings = self.solve["layout"]["bindings"]
+        slots = {t["P"]["index"] for t in self.solve["initialization"]["update_targets"] if "P" in t}
+        return frozenset(
+            variable["name"]
+            for variable in self.dae["variables"]
+            if all(
+                bindings.get(one, {}).get("P", {}).get("index") in slots for one in variable["scalar_names"]
+            )
+        )
 
 
 def lower(model: rumoca.Model) -> LoweredModel:

@@ -66,7 +66,12 @@ class StartValues:
                 value = self._literal(attributes[kind], number)
                 if value is not None:
                     return value
-        if is_parameter and variable["value_type"]["scalar"] in ("boolean", "enumeration"):
+        is_computed = variable["name"] in self._model.computed_parameters
+        if (
+            is_parameter
+            and not is_computed
+            and variable["value_type"]["scalar"] in ("boolean", "enumeration")
+        ):
             raise self._model.unsupported(
                 f"the value of parameter {variable['name']} is not a literal", variable["declaration"]["span"]
             )

@@ -72,7 +72,7 @@ class Trials:
     def __init__(self, source: ModelSource, model: LoweredModel, starts: StartValues) -> None:
         self._source = source
         self.candidates = tuple(_candidates(model, starts))
-        self.computed = _computed(model)
+        self.computed = model.computed_parameters
         self._compiled: dict[tuple[Setting, ...], Trial | None] = {}
         self.plain = self.compiled([])
 
@@ -110,18 +110,6 @@ class Trials:
         return self.followers(chosen[:middle]) | self.followers(chosen[middle:])
 
 
-def _computed(model: LoweredModel) -> frozenset[str]:
-    bindings = model.solve["layout"]["bindings"]
-    slots = {t["P"]["index"] for t in model.solve["initialization"]["update_targets"] if "P" in t}
-    return frozenset(
-        variable["name"]
-        for variable in model.dae["variables"]
-        if all(
-            bindings.get(scalar, {}).get("P", {}).get("index") in slots for scalar in variable["scalar_names"]
-        )
-    )
-
-
 def _candidates(model: LoweredModel, starts: StartValues) -> Iterator[Candidate]:
     compared = thresholds(model.name, {Path(path): content for _, path, content in model.source_files})
     finals = model.flat.get("variable_final_flags", {})
@@ -129,7 +117,8 @@ def _candidates(model: LoweredModel, starts: StartValues) -> Iterator[Candidate]
     for entry in model.dae["variables"]:
         flat = model.flat["variables"].get(entry["name"])
         is_open = flat is not None and not flat["is_protected"] and not finals.get(entry["name"], False)
-        if entry["role"] == "parameter" and is_open and entry["attributes"]["tunable"]:
+        is_given = entry["role"] == "parameter" and entry["name"] not in model.computed_parameters
+        if is_given and is_open and entry["attributes"]["tunable"]:
             groups.setdefault(_SUBSCRIPTS.sub("", entry["name"]), []).append(entry)
     for number, (path, entries) in enumerate(groups.items()):
         probe = (

@@ -299,6 +299,21 @@ package Components "Connectors, inheritance, replaceable parts, conditional part
     connect(shaft.flange_b, second.flange);
   end Torsion;
 
+  type Pace = enumeration(slow, fast, none);
+
+  model Paced "A rate by the literal of an enumeration"
+    parameter Pace pace = Pace.none;
+    Real y(start=0, fixed=true);
+  equation
+    der(y) = if pace == Pace.slow then 1 elseif pace == Pace.fast then 2 else 0;
+  end Paced;
+
+  model Opposites "Two parts that do not do the same, as blocks choose the initialization of their parts"
+    parameter Pace pace = Pace.fast;
+    Paced one(pace=pace);
+    Paced other(final pace=if pace == Pace.fast then Pace.slow else Pace.fast);
+  end Opposites;
+
   model Rate "A constant rate of change"
     parameter Real rate = 1;
     parameter Real gain[2] = {1, 1};
