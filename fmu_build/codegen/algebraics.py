@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from fmu_build.codegen import expression as ex
-from fmu_build.codegen.differentiate import NotDifferentiableError, partial
+from fmu_build.codegen.differentiate import NotDifferentiableError, call_of_tangent, partial
 from fmu_build.codegen.expression import ZERO, Expression, binary, negate
 from fmu_build.codegen.lowered import LoweredModel
 
@@ -103,7 +103,7 @@ def _solve(model: LoweredModel, unknowns: tuple[int, ...], residuals: tuple[Expr
         if value is not None:
             return Assignment(unknowns[0], value)
     try:
-        jacobian = tuple(tuple(partial(r, ex.y(u)) for u in unknowns) for r in residuals)
+        jacobian = tuple(tuple(partial(r, ex.y(u), call_of_tangent) for u in unknowns) for r in residuals)
     except NotDifferentiableError as error:
         names = model.solve["solve_layout"]["solver_maps"]["names"]
         which = ", ".join(names[u] for u in unknowns)

@@ -37,9 +37,16 @@ def differentiate(
     return tangents[root]
 
 
-def partial(root: Expression, leaf: Expression) -> Expression:
+def partial(root: Expression, leaf: Expression, call_tangent: CallTangent | None = None) -> Expression:
     """Return the derivative of `root` with respect to one leaf."""
-    return differentiate(root, {leaf: ONE})
+    return differentiate(root, {leaf: ONE}, call_tangent)
+
+
+def call_of_tangent(call: Expression, tangents: tuple[Expression, ...]) -> Expression:
+    """Return the tangent of a call of a Modelica function: a call of the C function that computes it."""
+    assert isinstance(call.payload, tuple)
+    function, result = call.payload
+    return Expression("call", (*call.arguments, *tangents), (f"d{function}", result))
 
 
 def _tangent(node: Expression, tangents: tuple[Expression, ...]) -> Expression:

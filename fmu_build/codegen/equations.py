@@ -10,11 +10,12 @@ from fmu_build.codegen import expression as ex
 from fmu_build.codegen.algebraics import NewtonBlock, Step, isolate, order
 from fmu_build.codegen.clocks import Clock, periodic_clocks, ticks_of_slots
 from fmu_build.codegen.expression import Expression, Slot
+from fmu_build.codegen.guesses import derived_guesses
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.programs import FunctionNames, ProgramReader
 from fmu_build.codegen.rejections import initial_spans
 from fmu_build.codegen.relations import Relations, freeze_comparisons, read_relations
-from fmu_build.codegen.start_values import starts_from_parameters
+from fmu_build.codegen.start_values import StartValues, starts_from_parameters
 
 _Starts = tuple[tuple[Slot, Expression], ...]
 DiscreteKind = Literal["assign", "condition", "reinit"]
@@ -116,6 +117,9 @@ class _Reader:
         blocks = [step for step in algebraics if isinstance(step, NewtonBlock)]
         sought: set[Slot] = {("y", i) for block in blocks for i in block.unknowns} | set(unknowns)
         dependent, starts, guesses = self._updates(n_states, sought)
+        given = StartValues(self.model)
+        known = {slot for slot in sought if given.of(slot) != 0.0} | {slot for slot, _ in guesses}
+        guesses += tuple(derived_guesses(blocks, known, n_states))
         return Equations(
             n_states=n_states,
             n_y=len(self.layout["solver_maps"]["names"]),

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 from fmu_build.codegen import expression as ex
 from fmu_build.codegen.algebraics import Assignment, NewtonBlock, Step, in_order
-from fmu_build.codegen.differentiate import differentiate
+from fmu_build.codegen.differentiate import call_of_tangent, differentiate
 from fmu_build.codegen.equations import Equations
 from fmu_build.codegen.expression import DTIME, TIME, ZERO, Expression, Slot, leaf, tangent_leaf
 from fmu_build.codegen.variables import StoredVariable
@@ -114,15 +114,8 @@ def _independent(equations: Equations, variables: Iterable[StoredVariable]) -> l
     return [*found, *(slot for slot in equations.initial_unknowns if slot[0] == "p")]
 
 
-def call_tangent(call: Expression, tangents: tuple[Expression, ...]) -> Expression:
-    """Return the tangent of a call of a Modelica function: a call of the C function that computes it."""
-    assert isinstance(call.payload, tuple)
-    function, result = call.payload
-    return Expression("call", (*call.arguments, *tangents), (f"d{function}", result))
-
-
 def _tangent(value: Expression, seeds: Seeds) -> Expression:
-    return differentiate(value, seeds, call_tangent)
+    return differentiate(value, seeds, call_of_tangent)
 
 
 def _move(seeds: dict[Expression, Expression], tangent: Tangent) -> None:

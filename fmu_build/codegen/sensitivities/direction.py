@@ -11,11 +11,10 @@ from dataclasses import dataclass, field
 
 from fmu_build.codegen import expression as ex
 from fmu_build.codegen.algebraics import Assignment, NewtonBlock, Step, in_order
-from fmu_build.codegen.differentiate import differentiate
+from fmu_build.codegen.differentiate import call_of_tangent, differentiate
 from fmu_build.codegen.equations import DiscreteRow, Equations
 from fmu_build.codegen.expression import ZERO, Expression, Slot, leaf, tangent_leaf
 from fmu_build.codegen.sensitivities.slots import NewSlots
-from fmu_build.codegen.tangents import call_tangent
 
 
 @dataclass
@@ -32,7 +31,7 @@ class Direction:
 
     def tangent(self, value: Expression) -> Expression:
         """Return the tangent of a value; raises `NotDifferentiableError`."""
-        return differentiate(value, self.seeds, call_tangent)
+        return differentiate(value, self.seeds, call_of_tangent)
 
     def along_parameters(self, rows: Sequence[tuple[int, Expression]]) -> None:
         """Add the tangents of computed parameters."""

@@ -96,4 +96,38 @@ package Algebraic "Algebraic loops, tearing, and models without states"
     direction = sign(u);
     der(z) = absolute;
   end Kinks;
+
+  model WarmResistor "A resistance that rises with the temperature; at the start no current flows"
+    parameter Real R_0(unit="Ohm") = 10;
+    parameter Real slope(unit="1/K") = 0.5;
+    parameter Real G(unit="W/K") = 0.5;
+    Real v(unit="V"), i(unit="A"), R(unit="Ohm"), Q(unit="W");
+    Real T(unit="K", start=300);
+  equation
+    v = 10*sin(time);
+    v = R*i;
+    R = R_0*(1 + slope*(T - 300));
+    Q = v*i;
+    Q = G*(T - 300);
+  end WarmResistor;
+
+  function hardening "A spring, and what it holds"
+    input Real x;
+    input Real k;
+    output Real force;
+    output Real energy;
+  algorithm
+    force := x + k*x^3;
+    energy := x^2/2 + k*x^4/4;
+  end hardening;
+
+  model LoopThroughFunction "The unknown of a loop is an argument of a function"
+    parameter Real k = 2;
+    Real x(start=0, fixed=true);
+    Real stretch, force, energy;
+  equation
+    der(x) = 1;
+    (force, energy) = hardening(stretch, k);
+    force = x - stretch;
+  end LoopThroughFunction;
 end Algebraic;

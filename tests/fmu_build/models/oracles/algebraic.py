@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 from scipy.optimize import brentq, fsolve
 
@@ -82,7 +84,32 @@ def kinks(t: Array) -> Values:
     }
 
 
+def warm_resistor(t: Array) -> Values:
+    """With u = T - 300: slope u^2 + u = v^2/(R_0 G)."""
+    v = 10 * np.sin(t)
+    u = np.sqrt(1 + 4 * 0.5 * v**2 / (10 * 0.5)) - 1
+    resistance = 10 * (1 + 0.5 * u)
+    return {"T": 300 + u, "R": resistance, "i": v / resistance, "Q": v**2 / resistance}
+
+
+def through_function(t: Array, k: float) -> Values:
+    """Cardano's solution of k s^3 + 2 s = t."""
+    half, third = t / (2 * k), 2 / (3 * k)
+    root = np.sqrt(half**2 + third**3)
+    s = np.cbrt(half + root) + np.cbrt(half - root)
+    return {"stretch": s, "force": t - s, "energy": s**2 / 2 + k * s**4 / 4}
+
+
 CASES = (
+    Case("Algebraic.WarmResistor", 3.0, warm_resistor),
+    Case("Algebraic.LoopThroughFunction", 2.0, partial(through_function, k=2.0)),
+    Case(
+        "Algebraic.LoopThroughFunction",
+        2.0,
+        partial(through_function, k=0.3),
+        parameters={"k": 0.3},
+        label="soft",
+    ),
     Case("Algebraic.LinearLoop", 2.0, linear_loop),
     Case("Algebraic.NonlinearLoop", 1.0, nonlinear_loop),
     Case("Algebraic.TinyLoop", 2.0, tiny_loop),
