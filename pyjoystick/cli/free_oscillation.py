@@ -56,7 +56,7 @@ def run(
         )
         name = joystick.description.path.name
     degrees = math.degrees(start)
-    note_stops(abs(start))
+    note_stops(abs(start), parameters)
     _print_peaks(table, f"{name}: free oscillation from {degrees:.6g} deg ({start:.6g} rad), {duration:g} s")
     write(csv, lambda path: motion.write_csv(table, path))
     title = f"Free oscillation from {degrees:.6g} deg"
