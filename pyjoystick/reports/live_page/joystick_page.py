@@ -112,7 +112,8 @@ def page_settings(joystick: model.JoystickParameters, start: float, title: str) 
     ]
     if "damping.C" in values:
         presets.append(Preset("Undamped", {"damping.C": 0.0}))
-    moments = ("M_s", "M_d", "M_g", *(["M_f"] if "friction.T_c" in values else []), "T", "T_hand")
+    more = [name for name, part in (("M_f", joystick.friction), ("M_stop", joystick.stops)) if part]
+    moments = ("M_s", "M_d", "M_g", *more, "T", "T_hand")
     return Settings(
         title=title,
         first=tuple(name for name in _FIRST if name not in hidden),
