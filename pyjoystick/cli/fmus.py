@@ -59,7 +59,7 @@ def _require_no_other_parts(description: fmu.FmuDescription, joystick: model.Joy
         for name in names:
             variable = description.variables.get(name)
             if variable is not None and float(variable.start or 0.0) and not getattr(joystick, part):
-                allowed = f"above 0: {description.path.name} has {part} of its own, which stays"
+                allowed = f"above 0: {description.path.name} has {part} of its own, and they stay"
                 raise ParameterError(name, 0.0, allowed)
 
 
