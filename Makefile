@@ -2,7 +2,7 @@
 # make test   everything that is tested
 # make env    the whole environment, with Numba and the tools of tests and documentation (make run needs a third)
 # make test-quick  what takes less than a minute: no compiler, no site; with the FMUs that make fmu made
-# make fmu    the ten FMUs in build/fmi2/, and two with sensitivities in build/fmi2/sensitivities/ (COMPILER=openmodelica makes them with an installed OpenModelica,
+# make fmu    the twelve FMUs in build/fmi2/, and two with sensitivities in build/fmi2/sensitivities/ (COMPILER=openmodelica makes them with an installed OpenModelica,
 #             COMPILER_OPTIONS="omc=/opt/openmodelica" with one that is not on the path), for this machine's
 #             platform (PLATFORMS=all: Linux, Windows and macOS; PLATFORMS="x86_64-linux x86_64-windows": those);
 #             FMI=3: of FMI 3.0, in build/fmi3/; FMI="2 3": both
@@ -40,7 +40,8 @@ READY := $(VENV)/.ready
 MODELS := $(addprefix PreloadedSprings.,Joystick.Joystick Joystick.JoystickPowerLaw \
 	Joystick.JoystickFriction Joystick.JoystickFrictionPowerLaw Joystick.JoystickInverse \
 	Joystick.JoystickInversePowerLaw Operator.Operator Operator.HeldJoystick \
-	Operator.HeldJoystickPowerLaw Examples.OperatedJoystick)
+	Operator.HeldJoystickPowerLaw Operator.MountedJoystick Operator.MountedJoystickPowerLaw \
+	Examples.OperatedJoystick)
 # Beside some of them, in sensitivities/: the same with derivatives by what fits ask for, which rumoca can.
 SENSITIVE := Joystick JoystickPowerLaw
 SENSITIVITY_Joystick := theta,omega:theta_start,damping.C,J

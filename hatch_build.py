@@ -19,6 +19,8 @@ MODELS = (
     "Operator.Operator",
     "Operator.HeldJoystick",
     "Operator.HeldJoystickPowerLaw",
+    "Operator.MountedJoystick",
+    "Operator.MountedJoystickPowerLaw",
     "Examples.OperatedJoystick",
 )
 #: What those in ``sensitivities/`` compute besides, by name.

@@ -17,6 +17,7 @@ from figures import (
     response,
     restrained_spring,
     secants,
+    vibration,
 )
 
 FOLDER = Path(__file__).parent
@@ -34,5 +35,6 @@ DRAWINGS = MappingProxyType(
         "live_page": live_page.draw,
         "excitation": excitation.draw,
         "response": response.draw,
+        "vibration": vibration.draw,
     }
 )

@@ -36,6 +36,7 @@ _COMMANDS: Final = {
     "free-oscillation": "Release the joystick from rest and print its peaks.",
     "torque": "Compute the torque that a motion requires (eq. 13).",
     "response": "Find what the joystick does when it is shaken.",
+    "vibration": "Find how far the handle moves when its base shakes.",
     "sweep": "Run an FMU for many values of its parameters.",
     "compare": "Compare an FMU with the reference or another FMU.",
     "fmu": "Copy FMUs of this package for other tools.",

@@ -71,10 +71,10 @@ def write(path: Path | None, writer: Callable[[Path], object], remark: str = "")
         print_note(f"wrote {path}{remark}")
 
 
-def note_stops(largest: float) -> None:
-    """Report an angle (rad) beyond the stops of the real joystick, which the models do not have."""
-    if largest > _ABOUT * model.STOP_ANGLE:
+def note_stops(largest: float, joystick: model.JoystickParameters) -> None:
+    """Report an angle (rad) beyond the stops of the real joystick, if the simulated one has none."""
+    if largest > _ABOUT * model.STOP_ANGLE and not joystick.stops:
         print_note(
             f"note: {math.degrees(largest):.4g} degrees are beyond the paper's stops at about "
-            f"{math.degrees(model.STOP_ANGLE):.0f}, which are not modeled"
+            f"{math.degrees(model.STOP_ANGLE):.0f}, which are off (stops.theta_stop)"
         )

@@ -119,8 +119,9 @@ def _settings(
     file: Path | None, joystick: model.JoystickParameters, free: Sequence[str], *, driven: bool
 ) -> identification.FitSettings:
     settings = settings_of(file, model.law_name(joystick.damping))
-    if file is None and joystick.friction:
-        settings = dataclasses.replace(settings, fmu=identification.WITH_FRICTION[settings.fmu])
+    if file is None:
+        fmu = identification.fmu_with_parts(settings.fmu, joystick)
+        settings = dataclasses.replace(settings, fmu=fmu)
     more = tuple(identification.Free(name) for name in free)
     settings = dataclasses.replace(settings, free=(*more, *settings.free))
     if driven and not settings.inputs:

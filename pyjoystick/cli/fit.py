@@ -113,8 +113,8 @@ def run(
     check_outputs(parameters if update else None, None if folder is None else folder / "fit.md")
     given = file_to_update(parameters) if update else options.parameter_file(parameters)
     settings = settings_of(settings_file, damping or given.law, is_driven=is_driven, friction=friction)
-    if settings_file is None and given.joystick.friction and not friction:
-        settings = replace(settings, fmu=identification.WITH_FRICTION[settings.fmu])
+    if settings_file is None:
+        settings = replace(settings, fmu=identification.fmu_with_parts(settings.fmu, given.joystick))
     if not identification.reads_releases(settings):
         _refuse_for_tables(
             settings, {"--both-sides": both_sides or None, "--column": columns, "--unit": units}

@@ -6,9 +6,10 @@ import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Final
 
+import typer
 from rich.table import Table
 
-from pyjoystick import motion, runs, support
+from pyjoystick import forced_motion, motion, runs, support
 from pyjoystick.cli import options
 from pyjoystick.cli.console import messages, note_stops, output, write
 from pyjoystick.cli.fmus import opened
@@ -38,6 +39,12 @@ def run(
     plot: Annotated[Path | None, options.plot("displacement, velocity and acceleration")] = None,
     output_interval: options.OutputInterval = support.DEFAULT_OUTPUT_INTERVAL,
     tolerance: options.Tolerance = support.DEFAULT_TOLERANCE,
+    trusted: Annotated[
+        bool,
+        typer.Option(
+            "--trusted", help="Run it again from an angle beside, to see how long it can be trusted."
+        ),
+    ] = False,
 ) -> None:
     """Release the joystick from rest, let it oscillate, and print the peaks of its motion."""
     start = options.parse_angle(release_angle)
@@ -55,9 +62,21 @@ def run(
             tolerance=tolerance,
         )
         name = joystick.description.path.name
+        until = None
+        if trusted:
+            until = forced_motion.trusted_until(
+                joystick,
+                table.index,
+                theta_start=start,
+                parameters=dict(parameters.to_names()),
+                tolerance=tolerance,
+            )
     degrees = math.degrees(start)
-    note_stops(abs(start))
+    note_stops(abs(start), parameters)
     _print_peaks(table, f"{name}: free oscillation from {degrees:.6g} deg ({start:.6g} rad), {duration:g} s")
+    if until is not None:
+        end = "the end" if math.isinf(until) else f"{until:.4g} s"
+        output().print(f"trusted until {end}: an error as large as the tolerance stays below 1 % up to there")
     write(csv, lambda path: motion.write_csv(table, path))
     title = f"Free oscillation from {degrees:.6g} deg"
     write(plot, lambda path: support.save_figure(support.plot_motion({name: table}, title=title), path))

@@ -88,7 +88,7 @@ def run(
         found = forced_motion.basins(once, releases, on_progress=status.update)
         if response is not None:
             response.search()
-        note_stops(max(one.largest for one in found.attractors))
+        note_stops(max(one.largest for one in found.attractors), joystick)
         output().print(forced_motion.attractor_report(found, once), markup=False)
         if any(isinstance(one, forced_motion.UnsettledMotion) for one in found.attractors):
             print_note("no period is claimed for motions that have not become periodic")

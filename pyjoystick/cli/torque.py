@@ -136,7 +136,7 @@ def run(
     with messages().status("computing"):
         results = torque_results.compute(chosen, joysticks, torque_results.arm_of(file, arm))
     table = next(iter(results.values())).table
-    note_stops(float(table["theta"].abs().max()))
+    note_stops(float(table["theta"].abs().max()), next(iter(joysticks.values())))
     output().print(torque_results.text(chosen, results), markup=False)
     write(csv, lambda path: motion.write_csv(table, path))
     write(json, lambda path: write_text(path, torque_results.as_json(chosen, results)))

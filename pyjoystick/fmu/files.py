@@ -23,6 +23,8 @@ MODELS = MappingProxyType(
             ("Operator", "Operator"),
             ("Operator", "HeldJoystick"),
             ("Operator", "HeldJoystickPowerLaw"),
+            ("Operator", "MountedJoystick"),
+            ("Operator", "MountedJoystickPowerLaw"),
             ("Examples", "OperatedJoystick"),
         )
     }

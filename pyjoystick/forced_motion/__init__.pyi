@@ -73,6 +73,14 @@ from .torque import (
     torque_by_fmu as torque_by_fmu,
     torque_by_reference as torque_by_reference,
 )
+from .vibration.feedthrough import (
+    Feedthrough as Feedthrough,
+    feedthrough as feedthrough,
+    feedthrough_report as feedthrough_report,
+    feedthrough_table as feedthrough_table,
+)
+from .vibration.figures import plot_transmissibility as plot_transmissibility
+from .vibration.mounted import Hand as Hand, MountedHandle as MountedHandle
 from .work_cycle import (
     MOVES_PER_SHIFT as MOVES_PER_SHIFT,
     PRELOADS as PRELOADS,

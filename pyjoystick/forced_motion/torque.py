@@ -12,7 +12,15 @@ import pandas as pd
 
 from pyjoystick.fmu import Fmu, UnsupportedFmuError
 from pyjoystick.forced_motion.samples import Samples
-from pyjoystick.model import PIVOT_TO_TOP, ConstantDamping, Damping, JoystickParameters, inverse_torque
+from pyjoystick.model import (
+    PIVOT_TO_TOP,
+    STOP_NAMES,
+    ConstantDamping,
+    Damping,
+    JoystickParameters,
+    inverse_torque,
+    require_within_stops,
+)
 from pyjoystick.motion import DisplayUnit, Quantity, make_table
 from pyjoystick.support import FloatArray, positive
 
@@ -52,7 +60,7 @@ def torque_by_reference(
         force ``F`` at the handle; `make_table` describes the units in its attrs
 
     Raises:
-        ParameterError: some |theta| >= pi/2, or the distance is not above 0
+        ParameterError: some |theta| >= pi/2 or beyond a stop, or the distance is not above 0
     """
     torque = inverse_torque(joystick, samples.theta, samples.omega, samples.alpha)
     return _table(samples, {name: getattr(torque, name) for name in columns_of(joystick)}, pivot_to_handle)
@@ -81,8 +89,9 @@ def torque_by_fmu(
         FmuNotFoundError, FmuFileError, UnsupportedFmuError: the FMU cannot be opened, or is no inverse one
         UnknownParameterError: it has another damping law
         FmuRunError: it rejects the parameters or an angle
-        ParameterError: the distance is not above 0
+        ParameterError: some |theta| is beyond a stop, or the distance is not above 0
     """
+    require_within_stops(joystick, samples.theta)
     count = np.arange(len(samples), dtype=np.float64)
     motion = pd.DataFrame({name: getattr(samples, name) for name in MOTION}, index=count)
     chosen = inverse_fmu(joystick.damping) if fmu is None else fmu
@@ -92,13 +101,18 @@ def torque_by_fmu(
         if missing:
             reason = f"does not have the interface of JoystickInverse: it lacks {', '.join(sorted(missing))}"
             raise UnsupportedFmuError(opened.description.path, reason)
-        table = opened.run(count, parameters=joystick.to_names(), inputs=motion, outputs=wanted)
+        table = opened.run(count, parameters=inverse_values(joystick), inputs=motion, outputs=wanted)
     return _table(samples, {name: table[name].to_numpy() for name in wanted}, pivot_to_handle)
 
 
 def columns_of(joystick: JoystickParameters) -> tuple[str, ...]:
     """The torques of a joystick's tables: `TORQUES`, and `FRICTION_TORQUES` where it has dry friction."""
     return (*TORQUES, *(FRICTION_TORQUES if joystick.friction else ()))
+
+
+def inverse_values(joystick: JoystickParameters) -> dict[str, float]:
+    """The parameters (SI units) by the names of the inverse FMU, which knows no stops."""
+    return {name: value for name, value in joystick.to_names().items() if name not in STOP_NAMES}
 
 
 def inverse_fmu(damping: Damping) -> str:

@@ -18,8 +18,8 @@ import pandas as pd
 from pyjoystick.fmu import Fmu
 from pyjoystick.forced_motion.motions import ForwardAndReturn
 from pyjoystick.forced_motion.samples import Samples
-from pyjoystick.forced_motion.torque import MOTION, inverse_fmu
-from pyjoystick.model import FRICTION_NAMES, PIVOT_TO_TOP, JoystickParameters
+from pyjoystick.forced_motion.torque import MOTION, inverse_fmu, inverse_values
+from pyjoystick.model import FRICTION_NAMES, PIVOT_TO_TOP, JoystickParameters, require_within_stops
 from pyjoystick.support import FloatArray, ParameterError, angle, not_negative, positive
 
 #: Section 1: moves in a typical operator's shift.
@@ -146,7 +146,8 @@ def demands(
         fmu: the inverse FMU of that law, open; the project's own if not given
 
     Raises:
-        ParameterError: there is nothing to do, a distance is not above 0, or the FMU does not allow a value
+        ParameterError: there is nothing to do, a distance is not above 0, an angle is beyond a stop, or the
+            FMU does not allow a value
         UnknownParameterError: the FMU has another damping law
         FmuRunError: the FMU refuses a joystick
     """
@@ -163,9 +164,11 @@ def demands(
     # The FMU has no states, so that the moves can follow one another, a sample a second.
     count = np.arange(len(theta), dtype=np.float64)
     inputs = pd.DataFrame({"theta": theta, "omega": omega, "alpha": alpha}, index=count)
-    names = tuple({name: None for joystick in joysticks for name in joystick.to_names()})
+    for joystick in joysticks:
+        require_within_stops(joystick, theta)
+    names = tuple({name: None for joystick in joysticks for name in inverse_values(joystick)})
     plan = fmu.plan(count, varied=names, inputs=inputs, outputs=["T"])
-    runs = ([joystick.to_names().get(name, 0.0) for name in names] for joystick in joysticks)
+    runs = ([inverse_values(joystick).get(name, 0.0) for name in names] for joystick in joysticks)
     return [_demand(plan.run(values)[:, 0], omega, weights, len(moves), pivot_to_handle) for values in runs]
 
 

@@ -19,6 +19,7 @@ from pyjoystick.model import (
     NOMINAL_POWER_LAW,
     PLAIN_TABLES,
     SIDES,
+    STOP_NAMES,
     JoystickParameters,
     law_name,
     rounded,
@@ -27,7 +28,7 @@ from pyjoystick.model import (
 from pyjoystick.support import FloatArray, ParameterError
 
 #: Every parameter that a joystick may have.
-_NAMES: Final = frozenset((*NOMINAL.to_names(), *NOMINAL_POWER_LAW.to_names(), *FRICTION_NAMES))
+_NAMES: Final = frozenset((*NOMINAL.to_names(), *NOMINAL_POWER_LAW.to_names(), *FRICTION_NAMES, *STOP_NAMES))
 #: Relative change of a parameter for the derivatives of the file's numbers, sums and quotients of parameters.
 _STEP: Final = 1e-6
 
@@ -159,9 +160,12 @@ def _derivatives(joystick: JoystickParameters, name: str) -> dict[str, float]:
 
 
 def _values_of(joystick: JoystickParameters) -> dict[str, float]:
-    """Its parameters by name, those of the friction too where there is none."""
-    friction = dataclasses.asdict(joystick.friction)
-    return joystick.to_names() | {f"friction.{name}": float(value) for name, value in friction.items()}
+    """Its parameters by name, those of friction and stops too where there are none."""
+    return joystick.to_names() | {
+        f"{part}.{name}": float(value)
+        for part in ("friction", "stops")
+        for name, value in dataclasses.asdict(getattr(joystick, part)).items()
+    }
 
 
 def _numbers(joystick: JoystickParameters) -> dict[str, float]:
@@ -176,7 +180,7 @@ def _numbers(joystick: JoystickParameters) -> dict[str, float]:
         for name, value in names.items()
         if name.startswith("damping.")
     }
-    found |= {name: names[name] for name in FRICTION_NAMES}
+    found |= {name: names[name] for name in (*FRICTION_NAMES, *STOP_NAMES)}
     for side in SIDES:
         curve = getattr(joystick, side).to_table()
         for key, values in (("x", curve.x), ("k", curve.k)):

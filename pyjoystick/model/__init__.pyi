@@ -4,6 +4,7 @@ from .parameter_tables import (
     friction_table as friction_table,
     segment_table as segment_table,
     spring_table as spring_table,
+    stops_table as stops_table,
 )
 from .parameters.file import (
     BACKWARD_TABLE as BACKWARD_TABLE,
@@ -51,8 +52,13 @@ from .parameters.springs import (
     RestrainedSpring as RestrainedSpring,
     SegmentTable as SegmentTable,
 )
+from .parameters.stops import STOP_NAMES as STOP_NAMES, Stops as Stops
 from .reference.integration import Event as Event, TurningPoint as TurningPoint
-from .reference.inverse import InverseTorque as InverseTorque, inverse_torque as inverse_torque
+from .reference.inverse import (
+    InverseTorque as InverseTorque,
+    inverse_torque as inverse_torque,
+    require_within_stops as require_within_stops,
+)
 from .reference.moments import (
     angle_of_travel as angle_of_travel,
     assembly_energy as assembly_energy,
@@ -68,6 +74,7 @@ from .reference.moments import (
     spring_energy as spring_energy,
     spring_force as spring_force,
     static_friction as static_friction,
+    stop_moment as stop_moment,
     swing_frequency as swing_frequency,
     table_force as table_force,
 )

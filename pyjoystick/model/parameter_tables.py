@@ -10,6 +10,7 @@ from pyjoystick.model.parameters.joystick import (
     JoystickParameters,
     PowerLawDamping,
 )
+from pyjoystick.model.parameters.stops import Stops
 from pyjoystick.model.reference.moments import swing_frequency
 from pyjoystick.support import TextTable
 
@@ -71,6 +72,16 @@ def friction_table(friction: Friction) -> TextTable:
     ]
     if friction.T_s > friction.T_c:
         rows.append(["omega_s, Stribeck velocity", f"{friction.omega_s:.6g}", "rad/s"])
+    return TextTable(("", "value", "unit"), rows)
+
+
+def stops_table(stops: Stops) -> TextTable:
+    """The numbers of the stops."""
+    rows = [
+        ["theta_stop, angle of the stops to either side", f"{stops.theta_stop:.6g}", "rad"],
+        ["K, stiffness of a stop about the pivot", f"{stops.K:.6g}", "N m/rad"],
+        ["D, damping of a stop about the pivot", f"{stops.D:.6g}", "N m s/rad"],
+    ]
     return TextTable(("", "value", "unit"), rows)
 
 

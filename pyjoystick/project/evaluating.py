@@ -103,10 +103,10 @@ def _fmu_content(lab: Laboratory, find: Find) -> str:
 
 def standard_fmus(lab: Laboratory) -> tuple[str, str]:
     """The FMUs that run the joystick of the laboratory with constant damping and with eq. (11)."""
-    constant, power_law = FMUS["constant"], FMUS["power-law"]
-    rubs = bool(lab.base.joystick.friction)
-    with_friction = identification.WITH_FRICTION
-    return (with_friction[constant], with_friction[power_law]) if rubs else (constant, power_law)
+    constant, power_law = (
+        identification.fmu_with_parts(FMUS[law], lab.base.joystick) for law in ("constant", "power-law")
+    )
+    return constant, power_law
 
 
 def _standard(lab: Laboratory) -> identification.FitSettings:

@@ -90,6 +90,7 @@ def parameter_schema() -> Schema:
     tables = {name: numbers(keys, ("pivot_to_top",)) for name, keys in model.PLAIN_TABLES.items()}
     damping = _table(("law",), law={"enum": list(laws)}, **laws)
     friction = tuple(name.removeprefix("friction.") for name in model.FRICTION_NAMES)
+    stops = tuple(name.removeprefix("stops.") for name in model.STOP_NAMES)
     required = (*model.PLAIN_TABLES, *model.SIDES, "damping")
     return _table(
         required,
@@ -99,6 +100,7 @@ def parameter_schema() -> Schema:
         **dict.fromkeys(model.SIDES, side),
         damping=damping,
         friction=numbers(friction, friction),
+        stops=numbers(stops, stops),
     )
 
 

@@ -18,7 +18,14 @@ import pandas as pd
 
 from pyjoystick import model  # whose reference loads SciPy, which runs of FMUs do without
 from pyjoystick.fmu import Fmu, FmuDescription, UnsupportedFmuError
-from pyjoystick.model import FRICTION_NAMES, NOMINAL, NOMINAL_POWER_LAW, ConstantDamping, JoystickParameters
+from pyjoystick.model import (
+    FRICTION_NAMES,
+    NOMINAL,
+    NOMINAL_POWER_LAW,
+    STOP_NAMES,
+    ConstantDamping,
+    JoystickParameters,
+)
 from pyjoystick.motion import DisplayUnit, Quantity, make_table
 from pyjoystick.support import (
     DEFAULT_DURATION,
@@ -152,7 +159,8 @@ def joystick_of_fmu(description: FmuDescription) -> JoystickParameters:
     """
     power_law = "damping.alpha" in description.variables
     nominal = NOMINAL_POWER_LAW if power_law else NOMINAL
-    names = (*nominal.to_names(), *(FRICTION_NAMES if has_friction(description) else ()))
+    stops = STOP_NAMES if set(STOP_NAMES) <= set(description.variables) else ()
+    names = (*nominal.to_names(), *stops, *(FRICTION_NAMES if has_friction(description) else ()))
     missing = [name for name in names if name not in description.variables]
     if missing:
         reason = f"does not have the parameters of Joystick: it lacks {', '.join(missing)}"
@@ -169,13 +177,20 @@ def has_friction(description: FmuDescription) -> bool:
 
 
 def fmu_of_joystick(joystick: JoystickParameters) -> str:
-    """Name of the FMU that computes the motion of a joystick with its damping law and friction.
+    """Name of the FMU that computes the motion of a joystick with its damping law, friction and stops.
 
     ``Joystick`` or ``JoystickPowerLaw``; ``JoystickFriction`` or ``JoystickFrictionPowerLaw`` where it has
-    dry friction.
+    dry friction; ``MountedJoystick`` or ``MountedJoystickPowerLaw`` where it has stops.
     """
+    if joystick.stops:
+        return mounted_fmu(joystick)
     friction = "Friction" if joystick.friction else ""
     return f"Joystick{friction}" + ("" if isinstance(joystick.damping, ConstantDamping) else "PowerLaw")
+
+
+def mounted_fmu(joystick: JoystickParameters) -> str:
+    """Name of the FMU of a joystick with its stops, in a hand, on a base that moves: by its damping law."""
+    return "MountedJoystick" + ("" if isinstance(joystick.damping, ConstantDamping) else "PowerLaw")
 
 
 def time_grid(duration: float, output_interval: float) -> FloatArray:

@@ -48,7 +48,7 @@ class SimulatedReleases:
         """The peaks of one release.
 
         Args:
-            joystick: its damping law and friction select the FMU
+            joystick: its damping law, friction and stops select the FMU
             release_angle: angle of release (rad)
 
         Raises:
@@ -79,8 +79,8 @@ class SimulatedReleases:
             FmuRunError: a run fails
         """
         checked = [joystick.replace({name: float(value)}) for value in values]
-        # The FMU with friction if one of them has some.
-        fullest = max([joystick, *checked], key=lambda one: bool(one.friction))
+        # The FMU with stops if one of them has some, which has friction too; else with friction if one has.
+        fullest = max([joystick, *checked], key=lambda one: (bool(one.stops), bool(one.friction)))
         fixed = joystick.to_names() | {"theta_start": angle("release_angle", release_angle)}
         fixed.pop(name, None)
         plan = self._fmu(fmu_of_joystick(fullest)).plan(

@@ -12,6 +12,8 @@ FRICTION = "PreloadedSprings.Joystick.JoystickFriction"
 FRICTION_POWER_LAW = "PreloadedSprings.Joystick.JoystickFrictionPowerLaw"
 HELD = "PreloadedSprings.Operator.HeldJoystick"
 HELD_POWER_LAW = "PreloadedSprings.Operator.HeldJoystickPowerLaw"
+MOUNTED = "PreloadedSprings.Operator.MountedJoystick"
+MOUNTED_POWER_LAW = "PreloadedSprings.Operator.MountedJoystickPowerLaw"
 INVERSE = "PreloadedSprings.Joystick.JoystickInverse"
 INVERSE_POWER_LAW = "PreloadedSprings.Joystick.JoystickInversePowerLaw"
 
@@ -45,6 +47,9 @@ MOTION = {
 HAND = {"hand.K": "N.m/rad", "hand.D": "N.m.s/rad"}
 HELD_INPUTS = {"T": "N.m", "theta_ref": "rad", "omega_ref": "rad/s", "grip": "1"}
 HELD_OUTPUTS = {"T_hand": "N.m"}
+STOPS = {"stops.theta_stop": "rad", "stops.K": "N.m/rad", "stops.D": "N.m.s/rad"}
+MOUNTED_INPUTS = HELD_INPUTS | {"a_base": "m/s2"}
+MOUNTED_OUTPUTS = HELD_OUTPUTS | {"M_base": "N.m", "M_stop": "N.m"}
 FRICTION_OUTPUTS = {"M_f": "N.m", "isStuck": None}
 PRESCRIBED = {"theta": "rad", "omega": "rad/s", "alpha": "rad/s2"}
 TORQUES = {
@@ -59,6 +64,7 @@ PRESET = {
     "damping.n_neg": -0.23, "damping.B": 0.051, "damping.m": -0.26,
     "damping.eps_theta": 1e-4, "damping.eps_omega": 1e-3,
     "friction.T_c": 0.0, "friction.F_c": 0.0, "friction.T_s": 0.0, "friction.omega_s": 0.0,
+    "stops.theta_stop": 0.0,
 }  # fmt: skip
 TABLE_1 = {
     "forward": ((0.075e-3, 0.1985e-3, 2.932e-3, 2.943e-3), (430e3, 2625.0, 1028e3, 5600.0)),
@@ -75,6 +81,8 @@ TABLE_1 = {
         (FRICTION_POWER_LAW, BODY | START | SPRINGS | POWER_LAWS | DRY_FRICTION),
         (HELD, BODY | START | SPRINGS | CONSTANT_LAW | DRY_FRICTION | HAND),
         (HELD_POWER_LAW, BODY | START | SPRINGS | POWER_LAWS | DRY_FRICTION | HAND),
+        (MOUNTED, BODY | START | SPRINGS | CONSTANT_LAW | DRY_FRICTION | HAND | STOPS),
+        (MOUNTED_POWER_LAW, BODY | START | SPRINGS | POWER_LAWS | DRY_FRICTION | HAND | STOPS),
         (INVERSE, BODY | SPRINGS | CONSTANT_LAW | DRY_FRICTION),
         (INVERSE_POWER_LAW, BODY | SPRINGS | POWER_LAWS | DRY_FRICTION),
     ],
@@ -92,6 +100,8 @@ def test_parameters_that_can_be_set(name: str, parameters: dict[str, str]) -> No
         (FRICTION_POWER_LAW, {"T": "N.m"}, MOTION | FRICTION_OUTPUTS),
         (HELD, HELD_INPUTS, MOTION | FRICTION_OUTPUTS | HELD_OUTPUTS),
         (HELD_POWER_LAW, HELD_INPUTS, MOTION | FRICTION_OUTPUTS | HELD_OUTPUTS),
+        (MOUNTED, MOUNTED_INPUTS, MOTION | FRICTION_OUTPUTS | MOUNTED_OUTPUTS),
+        (MOUNTED_POWER_LAW, MOUNTED_INPUTS, MOTION | FRICTION_OUTPUTS | MOUNTED_OUTPUTS),
         (INVERSE, PRESCRIBED, TORQUES),
         (INVERSE_POWER_LAW, PRESCRIBED, TORQUES),
     ],
@@ -109,13 +119,21 @@ def test_the_other_weight_cannot_be_set(name: str) -> None:
 
 @pytest.mark.parametrize(
     ("name", "states"),
-    [(CONSTANT, 2), (POWER_LAW, 2), (FRICTION, 2), (HELD, 2), (INVERSE, 0), (INVERSE_POWER_LAW, 0)],
+    [
+        (CONSTANT, 2),
+        (POWER_LAW, 2),
+        (FRICTION, 2),
+        (HELD, 2),
+        (MOUNTED, 2),
+        (INVERSE, 0),
+        (INVERSE_POWER_LAW, 0),
+    ],
 )
 def test_states(name: str, states: int) -> None:
     assert [state.name for state in compiled(name).states] == ["theta", "omega"][:states]
 
 
-@pytest.mark.parametrize("name", [CONSTANT, POWER_LAW, FRICTION, INVERSE, INVERSE_POWER_LAW])
+@pytest.mark.parametrize("name", [CONSTANT, POWER_LAW, FRICTION, MOUNTED, INVERSE, INVERSE_POWER_LAW])
 def test_preset_values_are_the_papers(name: str) -> None:
     parameters = compiled(name).parameters
     settable = _settable(name)

@@ -87,6 +87,8 @@ def test_display_units_are_those_of_the_trade() -> None:
         # Four on either side, and the sign of the angle. Friction adds the signs of the velocity, pushes to
         # both sides, and four comparisons of its mode, which change at events only.
         *((joystick, 17 if "Friction" in joystick else 9) for joystick in JOYSTICKS),
+        # Stops: met, and pushing.
+        *((f"PreloadedSprings.Operator.MountedJoystick{law}", 19) for law in ("", "PowerLaw")),
         ("PreloadedSprings.Examples.OpposingSprings", 4),
         ("PreloadedSprings.Examples.ComponentAgainstTable", 16),
         ("PreloadedSprings.Examples.SwingTest", 1),

@@ -25,7 +25,8 @@ equation
 <p>The paper's joystick under a torque <code>T</code> about its pivot, eq. (1) with the torque of eq. (13):</p>
 <blockquote><code>J*alpha + C*omega + M_s = m*g*h*sin(theta) + T</code>.</blockquote>
 <p>The angle <code>theta</code> is zero in the neutral position and positive forward; it must stay between -90
-and 90 degrees. (The real joystick's stops are at about 20 degrees to either side and are not modeled.) The two
+and 90 degrees. (The real joystick's stops are at about 20 degrees to either side;
+<a href=\"modelica://PreloadedSprings.Operator.MountedJoystick\">Operator.MountedJoystick</a> has them.) The two
 states are <code>theta</code> and <code>omega</code>, which start from <code>theta_start</code> and
 <code>omega_start</code>. The preset values are those of the paper's Tables 1 and 2.</p>
 <p>The energy <code>E = J*omega^2/2 + m*g*h*(cos(theta) - 1)</code> plus that of the springs is computed from

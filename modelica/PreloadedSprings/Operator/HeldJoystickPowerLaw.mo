@@ -6,6 +6,7 @@ model HeldJoystickPowerLaw "Joystick that a hand holds and lets go, with damping
     annotation (choicesAllMatching = true, Placement(transformation(extent = {{-30, -10}, {30, 50}})));
 equation
   damping.omega = omega;
+  drive.T = T + T_hand;
   connect(damping.flange, handle.flange)
     annotation (Line(points = {{-30, 20}, {-80, 20}, {-80, 110}, {-30, 110}}, color = {64, 64, 64}));
   connect(camPlate.isForward, damping.isForward)

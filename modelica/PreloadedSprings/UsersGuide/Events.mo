@@ -17,6 +17,7 @@ simulator finds its time, stops there and goes on with the other branch.</p>
 <tr><td>cam plate</td><td>1: sign of the angle (<code>isForward</code>)</td></tr>
 <tr><td>joystick</td><td>9: those of two actuators and of the cam plate</td></tr>
 <tr><td>dry friction</td><td>4: slides either way (<code>mode</code> 1, -1), pushed off either way</td></tr>
+<tr><td>stops</td><td>2: met (<code>isMet</code>), pushing (<code>isPushing</code>)</td></tr>
 </table>
 <p>Each relation is written once. Forces, energies and damping read the truth values, which keep their value
 between events. Every branch holds beyond the end of its segment, so an integrator may look ahead.</p>

@@ -22,6 +22,9 @@ force for large travel. Joysticks, snubbers and switches are built that way.</p>
 <tr><td>torque that a motion needs</td>
 <td><a href=\"modelica://PreloadedSprings.Joystick.JoystickInverse\">Joystick.JoystickInverse</a>,
 <a href=\"modelica://PreloadedSprings.Joystick.JoystickInversePowerLaw\">Joystick.JoystickInversePowerLaw</a></td></tr>
+<tr><td>with stops, in a hand, on a base that moves</td>
+<td><a href=\"modelica://PreloadedSprings.Operator.MountedJoystick\">Operator.MountedJoystick</a>,
+<a href=\"modelica://PreloadedSprings.Operator.MountedJoystickPowerLaw\">Operator.MountedJoystickPowerLaw</a></td></tr>
 </table>
 <p>The <a href=\"modelica://PreloadedSprings.Examples\">examples</a> show all of them.</p>
 <h4>To build a system of your own</h4>

@@ -20,8 +20,8 @@ class Parameters "The paper's values, and what is refused"
 <p>Impossible parameter values are rejected at the start of a simulation, with a message that names the component, the
 parameter and its value: stiffnesses, <code>J</code>, <code>m</code> and <code>a</code> that are not positive;
 preloads, clearances, distances, damping coefficients, friction and <code>g</code> that are negative; a balance
-spring that engages before the return spring; table travels that do not increase; a start angle of 90 degrees or more;
-a weight <code>alpha</code> that is not between 0 and 1; smoothings that are not positive; a static
-friction below the Coulomb friction.</p>
+spring that engages before the return spring; table travels that do not increase; a start angle or stops
+at 90 degrees or more; a weight <code>alpha</code> that is not between 0 and 1; smoothings that are not positive; a
+static friction below the Coulomb friction.</p>
 </html>"));
 end Parameters;

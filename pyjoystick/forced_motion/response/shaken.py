@@ -8,19 +8,15 @@ from functools import cached_property, lru_cache
 from typing import Final
 
 import numpy as np
-import pandas as pd
 from scipy.interpolate import CubicHermiteSpline
 
 from pyjoystick.fmu import Fmu, FmuRunError, Plan, Value
 from pyjoystick.forced_motion.periodic.maps import CentralDifferences
 from pyjoystick.forced_motion.predictability import trusted_until
+from pyjoystick.forced_motion.sine import sine_table
 from pyjoystick.model import JoystickParameters, angle_of_travel
 from pyjoystick.support import FloatArray, ParameterError, UnknownParameterError, positive, whole_number
 
-#: Rows of the torque's table in a period. Straight lines between samples of a sine, divided by sinc^2, have
-#: its fundamental exactly; what is left moves the state after a period by 3e-11 rad and 2e-9 rad/s (0.6 N m
-#: at 4 Hz), and falls with the fourth power of the number.
-ROWS: Final = 512
 #: Of the FMU's integrator.
 TOLERANCE: Final = 1e-12
 #: Steps of differences, as a part of the scales: 5e-7 rad, small beside the steep segments of Table 1.
@@ -187,14 +183,17 @@ class ShakenJoystick:
         return Orbit(plan.time, theta, omega)
 
     def kinks(self, value: float) -> dict[str, float]:
-        """The angles (rad) at which the contact force has a kink: ``forward x_0`` and so on."""
+        """The angles (rad) at which the moment has a kink: ``forward x_0`` and so on, ``forward stop``."""
         joystick = self._at(value)[1]
         sides = (("forward", joystick.forward, 1.0), ("backward", joystick.backward, -1.0))
-        return {
+        found = {
             f"{side} x_{i}": sign * angle_of_travel(joystick, x)
             for side, assembly, sign in sides
             for i, x in enumerate(assembly.kinks)
         }
+        if joystick.stops:
+            found |= {f"{side} stop": sign * joystick.stops.theta_stop for side, _, sign in sides}
+        return found
 
     def _at(self, value: float) -> tuple[Shaking, JoystickParameters]:
         if self.free == FREQUENCY:
@@ -209,7 +208,7 @@ class ShakenJoystick:
         As `pyjoystick.forced_motion.trusted_until`, at its tolerance; infinite if it has not after `periods`
         periods of the torque.
         """
-        torque = _torque(self.shaking, periods)
+        torque = sine_table("T", self.shaking.torque, self.shaking.frequency, periods)
         parameters: dict[str, Value] = {**self.joystick.to_names(), "omega_start": float(state[1])}
         return trusted_until(
             self.fmu, torque.index, theta_start=float(state[0]), inputs=torque, parameters=parameters
@@ -217,7 +216,7 @@ class ShakenJoystick:
 
     def _new_plan(self, value: float, is_recorded: bool) -> Plan:
         shaking, joystick = self._at(value)
-        torque = _torque(shaking, self.periods)
+        torque = sine_table("T", shaking.torque, shaking.frequency, self.periods)
         time = torque.index.to_numpy()
         return self.fmu.plan(
             time if is_recorded else time[[0, -1]],
@@ -227,13 +226,6 @@ class ShakenJoystick:
             outputs=_OUTPUTS,
             tolerance=self._tolerance,
         )
-
-
-def _torque(shaking: Shaking, periods: int) -> pd.DataFrame:
-    """The torque (N m) as an input table."""
-    rows = np.arange(periods * ROWS + 1)
-    sine = np.sin(2.0 * np.pi * (rows % ROWS) / ROWS) / np.sinc(1.0 / ROWS) ** 2
-    return pd.DataFrame({"T": shaking.torque * sine}, index=rows / (ROWS * shaking.frequency))
 
 
 def _end(plan: Plan, state: FloatArray) -> FloatArray:

@@ -24,6 +24,7 @@ from pyjoystick.model.parameters.joystick import (
 )
 from pyjoystick.model.parameters.plausible import require_plausible
 from pyjoystick.model.parameters.springs import ActuatorAssembly, SegmentTable
+from pyjoystick.model.parameters.stops import Stops
 from pyjoystick.support import ParameterError, SettingsError, Table, not_negative, positive, read_toml
 
 LawName = Literal["constant", "power-law"]
@@ -42,7 +43,9 @@ PLAIN_TABLES: Final[Mapping[str, tuple[str, ...]]] = {
 }
 #: Keys of the table [friction], which may be left out, as may each of them.
 FRICTION: Final = tuple(field.name for field in dataclasses.fields(Friction))
-_OPTIONAL: Final = ("pivot_to_top", "eps_theta", "eps_omega", *FRICTION)
+#: Keys of the table [stops], which may be left out, as may each of them.
+STOPS: Final = tuple(field.name for field in dataclasses.fields(Stops))
+_OPTIONAL: Final = ("pivot_to_top", "eps_theta", "eps_omega", *FRICTION, *STOPS)
 #: The key that has a file read whose numbers no joystick has.
 IMPLAUSIBLE: Final = "implausible"
 
@@ -122,6 +125,7 @@ def read_parameter_file(path: str | PathLike[str] | Table) -> ParameterFile:
     if chosen not in laws:
         raise SettingsError(root.path, damping.name, "law", chosen, f"needs a table [damping.{chosen}]")
     friction = found.friction(root.table("friction"))
+    stops = found.stops(root.table("stops"))
     title = root.text("title", "")
     root.finish()
     pivot_to_top = numbers["geometry"].pop("pivot_to_top", None)
@@ -132,6 +136,7 @@ def read_parameter_file(path: str | PathLike[str] | Table) -> ParameterFile:
             backward=_assembly(root, "backward", curves["backward"]),
             damping=laws[chosen],
             friction=friction,
+            stops=stops,
         )
         if pivot_to_top is not None:
             positive("pivot_to_top", pivot_to_top, "m")
@@ -201,6 +206,12 @@ class _Found:
         with table.at():
             return Friction(**numbers)
 
+    def stops(self, table: Table) -> Stops:
+        """The stops; none where the table or the angle is left out."""
+        numbers = self.numbers(table, STOPS)
+        with table.at():
+            return Stops(**numbers)
+
     def _ask(self, table: Table, name: str, key: str, value: object) -> None:
         """Refuse a number that no joystick has."""
         if self.allow_implausible or isinstance(value, bool) or not isinstance(value, int | float):
@@ -208,7 +219,7 @@ class _Found:
         insist = f"{IMPLAUSIBLE} = true above the tables accepts it"
         with table.at(key):
             group = table.name.partition(".")[0]
-            known = f"{group}.{name}" if group in ("damping", "friction") else name
+            known = f"{group}.{name}" if group in ("damping", "friction", "stops") else name
             require_plausible(known, value, insist=insist)
 
     def _keep(self, table: Table, place: str, key: str, value: object) -> None:

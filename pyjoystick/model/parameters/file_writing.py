@@ -19,7 +19,7 @@ from pyjoystick.model.parameters.file import (
     law_name,
     read_parameter_file,
 )
-from pyjoystick.model.parameters.joystick import Friction, JoystickParameters
+from pyjoystick.model.parameters.joystick import JoystickParameters
 from pyjoystick.model.parameters.plausible import ImplausibleError, require_plausible
 from pyjoystick.support import SettingsError, UnknownParameterError, not_negative, replacing
 
@@ -113,10 +113,11 @@ def updated_text(
     if law not in before.laws:
         damping[law] = tomlkit.table()
     wanted = _values(joystick, before)
-    friction = _friction_values(joystick.friction, document, uncertainties or {})
-    if friction and "friction" not in document:
-        document["friction"] = tomlkit.table()
-    wanted |= friction
+    for name in _DEFAULTS:
+        optional = _optional_values(name, joystick, document, uncertainties or {})
+        if optional and name not in document:
+            document[name] = tomlkit.table()
+        wanted |= optional
     top = before.pivot_to_top if pivot_to_top is None else float(pivot_to_top)
     if top is not None:
         wanted["geometry", "pivot_to_top"] = top
@@ -155,15 +156,19 @@ def _values(
     return values | {(name, key): value for key, value in dataclasses.asdict(joystick.damping).items()}
 
 
-def _friction_values(
-    friction: Friction, document: TOMLDocument, uncertainties: Mapping[str, float]
+#: What the tables that may be left out say where they are.
+_DEFAULTS: Final = {name: dataclasses.asdict(getattr(PAPER.joystick, name)) for name in ("friction", "stops")}
+
+
+def _optional_values(
+    name: str, joystick: JoystickParameters, document: TOMLDocument, uncertainties: Mapping[str, float]
 ) -> dict[tuple[str, str], float | list[float]]:
-    """What the file will say of the friction: what is there already, what is not 0, what is uncertain."""
-    there = document.get("friction", {})
+    """What the file will say of friction or stops: what is there already, no default, or uncertain."""
+    there = document.get(name, {})
     return {
-        ("friction", key): value
-        for key, value in dataclasses.asdict(friction).items()
-        if value != 0.0 or key in there or f"friction.{key}" in uncertainties
+        (name, key): value
+        for key, value in dataclasses.asdict(getattr(joystick, name)).items()
+        if value != _DEFAULTS[name][key] or key in there or f"{name}.{key}" in uncertainties
     }
 
 
@@ -197,6 +202,9 @@ _COMMENTS: Final = {
     ("friction", "F_c"): "Coulomb friction force along the plunger (N)",
     ("friction", "T_s"): "static friction moment at the pivot (N m)",
     ("friction", "omega_s"): "Stribeck velocity (rad/s)",
+    ("stops", "theta_stop"): "angle of the stops, to either side (rad)",
+    ("stops", "K"): "stiffness of a stop about the pivot (N m/rad)",
+    ("stops", "D"): "damping of a stop about the pivot (N m s/rad)",
 }
 
 

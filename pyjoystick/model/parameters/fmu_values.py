@@ -36,6 +36,9 @@ _UNITS: Final = {
     **dict.fromkeys(("friction.T_c", "friction.T_s"), "N.m"),
     "friction.F_c": "N",
     "friction.omega_s": "rad/s",
+    "stops.theta_stop": "rad",
+    "stops.K": "N.m/rad",
+    "stops.D": "N.m.s/rad",
     "damping.eps_theta": "rad",
     "damping.eps_omega": "rad/s",
 }
@@ -111,7 +114,7 @@ def _places(names: tuple[str, ...], law: LawName) -> Iterator[tuple[str, str, st
             yield name, first, _SPRINGS[rest]
         elif first == "damping":
             yield name, f"damping.{law}", rest
-        elif first == "friction":
+        elif first in ("friction", "stops"):
             yield name, first, rest
         else:
             yield name, tables[name], name

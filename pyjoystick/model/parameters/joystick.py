@@ -1,4 +1,4 @@
-"""All parameters of one joystick with either damping law and dry friction, and their names in the FMU."""
+"""All parameters of one joystick with either damping law, dry friction and stops, and their FMU names."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Final, TypeVar
 
 from pyjoystick.model.parameters.springs import ActuatorAssembly, RestrainedSpring
+from pyjoystick.model.parameters.stops import Stops
 from pyjoystick.support import ParameterError, UnknownParameterError, finite, not_negative, positive
 
 
@@ -117,7 +118,7 @@ class Friction:
 #: FMU names of the parameters of the friction.
 FRICTION_NAMES: Final = tuple(f"friction.{field.name}" for field in dataclasses.fields(Friction))
 
-_Record = TypeVar("_Record", bound=RestrainedSpring | ConstantDamping | PowerLawDamping | Friction)
+_Record = TypeVar("_Record", bound=RestrainedSpring | ConstantDamping | PowerLawDamping | Friction | Stops)
 _BODY = ("J", "m", "h", "g", "a", "b")
 _SIDES = ("forward", "backward")
 _SPRINGS = {"returnSpring": "return_spring", "balanceSpring": "balance_spring"}
@@ -125,7 +126,7 @@ _SPRINGS = {"returnSpring": "return_spring", "balanceSpring": "balance_spring"}
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class JoystickParameters:
-    """The joystick of eqs. (1)-(5): inertia, geometry (Table 2), actuators (Table 1), damping, dry friction.
+    """The joystick of eqs. (1)-(5): Tables 1 and 2, with damping, dry friction and stops.
 
     Attributes:
         J: moment of inertia about the pivot (kg m2), above 0
@@ -138,6 +139,7 @@ class JoystickParameters:
         backward: actuator that resists theta < 0
         damping: damping law
         friction: dry friction, which the paper does not have; none by default
+        stops: mechanical stops, which the paper mentions only; none by default
 
     Raises:
         ParameterError: a value is not finite or outside its range
@@ -153,6 +155,7 @@ class JoystickParameters:
     backward: ActuatorAssembly
     damping: Damping
     friction: Friction = Friction()
+    stops: Stops = dataclasses.field(default_factory=Stops)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "J", positive("J", self.J, "kg.m2"))
@@ -168,7 +171,7 @@ class JoystickParameters:
         """Every parameter (SI units) by its FMU name, such as ``forward.returnSpring.k_s``, ``damping.C``.
 
         Those of the friction, such as ``friction.T_c``, are among them where there is any: only the FMUs with
-        friction have them.
+        friction have them. Those of the stops are, such as ``stops.theta_stop``, where there are stops.
         """
         names = {name: float(getattr(self, name)) for name in _BODY}
         for side in _SIDES:
@@ -176,19 +179,23 @@ class JoystickParameters:
                 spring = getattr(getattr(self, side), field)
                 names |= _prefixed(f"{side}.{fmu_name}", spring)
         names |= _prefixed("damping", self.damping)
-        return names | _prefixed("friction", self.friction) if self.friction else names
+        for name in ("friction", "stops"):
+            if part := getattr(self, name):
+                names |= _prefixed(name, part)
+        return names
 
     def replace(self, changes: Mapping[str, float]) -> JoystickParameters:
         """A copy with some parameters changed, given by FMU name; all are checked together.
 
         Args:
-            changes: value (SI units) by FMU name, as in `to_names`, those of the friction always
+            changes: value (SI units) by FMU name, as in `to_names`, those of friction and stops always
 
         Raises:
             UnknownParameterError: no parameter of this joystick with its damping law has that name
             ParameterError: a value is outside its range, or the name is ``damping.beta``, which is 1 - alpha
         """
-        names: dict[str, float] = self.to_names() | _prefixed("friction", self.friction)
+        optional = _prefixed("friction", self.friction) | _prefixed("stops", self.stops)
+        names: dict[str, float] = self.to_names() | optional
         for name in changes:
             if name == "damping.beta" and isinstance(self.damping, PowerLawDamping):
                 raise ParameterError(name, changes[name], "left out: it is 1 - damping.alpha")
@@ -197,7 +204,7 @@ class JoystickParameters:
         return _from_names(names | dict(changes), type(self.damping))
 
 
-def _prefixed(prefix: str, record: RestrainedSpring | Damping | Friction) -> dict[str, float]:
+def _prefixed(prefix: str, record: RestrainedSpring | Damping | Friction | Stops) -> dict[str, float]:
     return {f"{prefix}.{field.name}": getattr(record, field.name) for field in dataclasses.fields(record)}
 
 
@@ -226,6 +233,7 @@ def _from_names(
         backward=actuators["backward"],
         damping=_built(law, "damping", names),
         friction=_built(Friction, "friction", names),
+        stops=_built(Stops, "stops", names),
     )
 
 

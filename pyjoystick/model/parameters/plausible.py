@@ -56,6 +56,9 @@ RANGES: Final[Mapping[str, Range]] = {
     **dict.fromkeys(("friction.T_c", "friction.T_s"), Range(1e-7, 0.01, 5.0, UNITS["torque"])),
     "friction.F_c": Range(1e-5, 0.3, 200.0, UNITS["force"]),
     "friction.omega_s": Range(1e-6, 0.02, 20.0, UNITS["angular velocity"]),
+    "stops.theta_stop": Range(1e-3, 0.35, 1.57, UNITS["angle"]),
+    "stops.K": Range(1.0, 1e3, 1e7, {"N.m/rad": 1.0}),
+    "stops.D": Range(1e-6, 0.7, 1e3, _DAMPING),
     "travel_noise": Range(1e-10, 1e-6, 1e-4, UNITS["length"]),
     "force_noise": Range(1e-7, 0.05, 50.0, UNITS["force"]),
 }
@@ -69,7 +72,7 @@ _OTHERS: Final[Mapping[str, Mapping[str, float]]] = {
     "alpha": UNITS["angular acceleration"],
     "x": UNITS["length"],
     "f_x": UNITS["force"],
-    **dict.fromkeys(("T", "M_s", "M_d", "M_g", "M_f"), UNITS["torque"]),
+    **dict.fromkeys(("T", "M_s", "M_d", "M_g", "M_f", "M_stop", "M_base"), UNITS["torque"]),
     "C": _DAMPING,
 }
 

@@ -1,9 +1,10 @@
-"""The equation of motion cut into smooth branches at every kink of the contact force and at theta = 0.
+"""The equation of motion cut into smooth branches at every kink of the contact force, at theta = 0, at stops.
 
 The contact travel grows with |theta|, so each kink x = x_i on either side is one fixed angle, and the
 branches are the intervals between these angles. Inside a branch the spring segment and the sign of theta
 are frozen: its acceleration is smooth and is continued smoothly a little beyond both ends, which lets
-an integrator step over an end and then go back to it.
+an integrator step over an end and then go back to it. Beyond a stop the moment is a maximum of zero and a
+line, whose kink is left to the control of the step: the moment is continuous there.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ Deceleration = Callable[[float, float], float]
 
 @dataclass(frozen=True, slots=True)
 class Boundary:
-    """An angle (rad) where two branches meet, and the kinks that lie there, such as ``forward x_0``."""
+    """An angle (rad) where two branches meet, and what lies there, such as ``forward x_0``."""
 
     theta: float
     kinks: tuple[str, ...]
@@ -39,8 +40,8 @@ class Branch:
 
     Attributes:
         lower, upper: ends (rad), infinite for the first and the last branch
-        steep: a spring is engaged whose restraint is still in tension
-        acceleration: (T + m*g*h*sin(theta) - M_s - C*omega)/J, without dry friction
+        steep: a spring is engaged whose restraint is still in tension, or a stop is met
+        acceleration: (T + m*g*h*sin(theta) - M_s - C*omega - M_stop)/J, without dry friction
         friction: magnitude of the dry friction moment while sliding, over J; at rest, the largest it can be
     """
 
@@ -80,12 +81,16 @@ class PiecewiseEquation:
 def _boundaries(joystick: JoystickParameters) -> list[Boundary]:
     """Kinks at the same angle share one boundary and are named there in the order of rising theta."""
     kinks_at: dict[float, list[str]] = {}
+    if joystick.stops:
+        kinks_at[-joystick.stops.theta_stop] = ["backward stop"]
     for i, x in reversed(list(enumerate(joystick.backward.kinks))):
         kinks_at.setdefault(0.0 - angle_of_travel(joystick, x), []).append(f"backward x_{i}")
     kinks_at.setdefault(0.0, []).append("theta = 0")
     for i, x in enumerate(joystick.forward.kinks):
         kinks_at.setdefault(angle_of_travel(joystick, x), []).append(f"forward x_{i}")
-    return [Boundary(theta, tuple(kinks)) for theta, kinks in kinks_at.items()]
+    if joystick.stops:
+        kinks_at.setdefault(joystick.stops.theta_stop, []).append("forward stop")
+    return [Boundary(theta, tuple(kinks)) for theta, kinks in sorted(kinks_at.items())]
 
 
 def _branch(joystick: JoystickParameters, torque: Torque | None, lower: float, upper: float) -> Branch:
@@ -97,9 +102,12 @@ def _branch(joystick: JoystickParameters, torque: Torque | None, lower: float, u
     segments = [_segment(spring, x) for spring in (assembly.return_spring, assembly.balance_spring)]
     force = sum(segment[0] for segment in segments), sum(segment[1] for segment in segments)
     side = -1.0 if upper <= 0.0 else 1.0
-    steep = any(segment[2] for segment in segments)
+    is_stopped = bool(joystick.stops) and inside > joystick.stops.theta_stop
+    steep = is_stopped or any(segment[2] for segment in segments)
     in_contact = x > assembly.return_spring.x_0
     acceleration = _acceleration(joystick, torque, side, force)
+    if is_stopped:
+        acceleration = _stopped(joystick, side, acceleration)
     return Branch(lower, upper, steep, acceleration, _deceleration(joystick, side, in_contact=in_contact))
 
 
@@ -141,6 +149,17 @@ def _acceleration(
         return free(time, theta, omega) + driving / inertia
 
     return driven
+
+
+def _stopped(joystick: JoystickParameters, side: float, others: Acceleration) -> Acceleration:
+    """The acceleration beyond a stop."""
+    law, inertia = joystick.stops, joystick.J
+
+    def stopped(time: float, theta: float, omega: float) -> float:
+        push = law.K * (side * theta - law.theta_stop) + law.D * side * omega
+        return others(time, theta, omega) - side * max(push, 0.0) / inertia
+
+    return stopped
 
 
 def _deceleration(joystick: JoystickParameters, side: float, *, in_contact: bool) -> Deceleration:

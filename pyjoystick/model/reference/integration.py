@@ -21,12 +21,12 @@ _SHORTEST_DIP = 1e-6
 
 @dataclass(frozen=True, slots=True)
 class Event:
-    """The motion passes a kink of the contact force or the middle, or begins or ends to stick.
+    """The motion passes a kink of the contact force, the middle or a stop, or begins or ends to stick.
 
     Attributes:
         time: instant (s)
         kind: ``forward x_0`` .. ``forward x_3``, ``backward x_0`` .. ``backward x_3`` or ``theta = 0``; with
-            dry friction also ``sticks`` and ``slips``
+            dry friction also ``sticks`` and ``slips``; with stops ``forward stop`` and ``backward stop``
         direction: 1 where theta rises, -1 where it falls; where the joystick sticks, as it did before
         theta: angle there (rad)
         omega: angular velocity (rad/s)

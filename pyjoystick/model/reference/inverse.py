@@ -15,7 +15,15 @@ from pyjoystick.model.reference.moments import (
     sliding_friction,
     static_friction,
 )
-from pyjoystick.support import FloatArray
+from pyjoystick.support import FloatArray, ParameterError
+
+
+def require_within_stops(joystick: JoystickParameters, theta: ArrayLike) -> None:
+    """Raise `ParameterError` if some angle (rad) is beyond a stop: eq. (13) holds up to there."""
+    farthest = float(np.nanmax(np.abs(theta), initial=0.0))
+    if joystick.stops and farthest > joystick.stops.theta_stop:
+        allowed = f"within the stops at {joystick.stops.theta_stop:.6g} rad"
+        raise ParameterError("theta", farthest, allowed)
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,11 +60,12 @@ def inverse_torque(
         alpha: angular acceleration (rad/s2); the three may have any broadcastable shapes, NaN gives NaN
 
     Raises:
-        ParameterError: some |theta| >= pi/2
+        ParameterError: some |theta| >= pi/2, or beyond a stop
     """
     angle, rate, acceleration = np.broadcast_arrays(
         *(np.asarray(series, np.float64) for series in (theta, omega, alpha))
     )
+    require_within_stops(joystick, angle)
     inertia = joystick.J * acceleration
     damping = damping_coefficient(joystick.damping, angle, rate) * rate
     stiffness = contact_moment(joystick, angle) - gravity_moment(joystick, angle)

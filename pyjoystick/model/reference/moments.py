@@ -180,8 +180,23 @@ def _plunger_friction(joystick: JoystickParameters, theta: ArrayLike) -> FloatAr
     return np.where(in_contact, joystick.friction.F_c * lever, 0.0)
 
 
+def stop_moment(joystick: JoystickParameters, theta: ArrayLike, omega: ArrayLike) -> FloatArray:
+    """Moment M_stop (N m) of a stop, against positive angles, at theta (rad) and omega (rad/s).
+
+    sign(theta)*max(0, K*delta + D*sign(theta)*omega) where delta = |theta| - theta_stop is above 0; else 0.
+    """
+    law = joystick.stops
+    position, rate = np.broadcast_arrays(np.asarray(theta, np.float64), np.asarray(omega, np.float64))
+    if not law:
+        return np.zeros_like(position)
+    side = np.sign(position)
+    delta = np.abs(position) - law.theta_stop
+    push = law.K * delta + law.D * side * rate
+    return np.where((delta > 0.0) & (push > 0.0), side * push, 0.0)
+
+
 def energy(joystick: JoystickParameters, theta: ArrayLike, omega: ArrayLike) -> FloatArray:
-    """Energy of Fig. 12 (J): J*omega^2/2 + integral of f_x dx + m*g*h*(cos(theta) - 1)."""
+    """Energy of Fig. 12 (J): J*omega^2/2 + integral of f_x dx + m*g*h*(cos(theta) - 1), stops left out."""
     position, rate = np.asarray(theta, np.float64), np.asarray(omega, np.float64)
     x = contact_travel(joystick, position)
     forward = assembly_energy(joystick.forward, x)

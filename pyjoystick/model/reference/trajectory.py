@@ -17,6 +17,7 @@ from pyjoystick.model.reference.moments import (
     energy,
     gravity_moment,
     sliding_friction,
+    stop_moment,
 )
 from pyjoystick.support import FloatArray, Torque
 
@@ -39,6 +40,7 @@ class Trajectory:
         E: energy (J)
         T: driving torque (N m)
         M_f: dry friction moment (N m)
+        M_stop: moment of a stop, against positive angles (N m)
         is_stuck: True while dry friction holds the joystick
         events: passages of kinks and of the middle, in order (none where the method does not locate them)
         turning_points: sign changes of omega, in order (likewise)
@@ -58,6 +60,7 @@ class Trajectory:
     E: FloatArray
     T: FloatArray
     M_f: FloatArray
+    M_stop: FloatArray
     is_stuck: NDArray[np.bool_]
     events: tuple[Event, ...] = ()
     turning_points: tuple[TurningPoint, ...] = ()
@@ -86,7 +89,8 @@ def trajectory(
     coefficient = damping_coefficient(joystick.damping, theta, omega)
     contact, weight = contact_moment(joystick, theta), gravity_moment(joystick, theta)
     damping = coefficient * omega
-    others = driving + weight - contact - damping
+    stop = stop_moment(joystick, theta, omega)
+    others = driving + weight - contact - damping - stop
     friction, is_stuck = np.zeros_like(others), np.zeros(others.shape, dtype=np.bool_)
     if joystick.friction and mode is not None:
         is_stuck = mode == 0.0
@@ -105,6 +109,7 @@ def trajectory(
         E=energy(joystick, theta, omega),
         T=driving,
         M_f=friction,
+        M_stop=stop,
         is_stuck=is_stuck,
         events=events,
         turning_points=turning_points,

@@ -117,7 +117,7 @@ def undamped_oscillation(
     Raises:
         ParameterError: the angle is 0, or its magnitude pi/2 or more
         NoOscillationError: it does not come back through the middle, as when its weight holds it in the
-            clearance
+            clearance, or it reaches a stop
     """
     start = angle("release_angle", release_angle)
     if start == 0.0:
@@ -132,6 +132,9 @@ def undamped_oscillation(
     if energy <= 0.0:
         raise NoOscillationError(start, "its weight does not let it rise to the middle")
     turns = {side: abs(start), other_side(side): sides[other_side(side)].turning_angle(energy, start)}
+    if joystick.stops and max(turns.values()) > joystick.stops.theta_stop:
+        reason = f"it reaches the stops at {joystick.stops.theta_stop:.6g} rad, which turn it back"
+        raise NoOscillationError(start, reason)
     spans, error = [], 0.0
     for name, well in sides.items():
         for segment, piece, duration, uncertainty in well.durations(turns[name], start):

@@ -14,7 +14,7 @@ from typing import Final
 from fmu_build import BuildError, FmiVersion, build_fmu
 from pyjoystick.model import JoystickParameters, LawName, ParameterFile, fmu_values, inverse_torque
 from pyjoystick.reports.export.fit_page import fit_page
-from pyjoystick.reports.export.modelica_class import BASES, Direction, check_name, modelica_class
+from pyjoystick.reports.export.modelica_class import BASE_NAMES, Direction, check_name, modelica_class
 from pyjoystick.support import PyJoystickError, json_text, write_text
 
 _TOOLS: Final = ("rumoca", "ziglang")
@@ -43,7 +43,7 @@ def default_name(file: ParameterFile) -> str:
     """
     words = "".join(c if c.isascii() and c.isalnum() else " " for c in file.path.stem).split()
     name = "".join(word[0].upper() + word[1:] for word in words)
-    return f"My{name}" if not name[:1].isalpha() or name in BASES.values() else name
+    return f"My{name}" if not name[:1].isalpha() or name in BASE_NAMES else name
 
 
 def export_fmus(

@@ -7,23 +7,24 @@ from collections.abc import Mapping, Sequence
 from html import escape
 from typing import Final, Literal
 
-from pyjoystick.model import FRICTION_NAMES, FmuValue, LawName
+from pyjoystick.model import STOP_NAMES, FmuValue, LawName
 from pyjoystick.support import ParameterError, TextTable, version_of
 
 Direction = Literal["forward", "inverse"]
 
-#: The library's class by what goes in, the damping law, and whether there is dry friction; the inverse ones
-#: have it as a parameter.
-BASES: Final[Mapping[tuple[Direction, LawName, bool], str]] = {
-    ("forward", "constant", False): "Joystick",
-    ("forward", "power-law", False): "JoystickPowerLaw",
-    ("forward", "constant", True): "JoystickFriction",
-    ("forward", "power-law", True): "JoystickFrictionPowerLaw",
-    **dict.fromkeys((("inverse", "constant", False), ("inverse", "constant", True)), "JoystickInverse"),
-    **dict.fromkeys(
-        (("inverse", "power-law", False), ("inverse", "power-law", True)), "JoystickInversePowerLaw"
-    ),
+#: The library's class from torque to motion by what the joystick has; each has constant damping, and a
+#: counterpart with eq. (11) whose name ends with PowerLaw.
+_BASES: Final = {
+    "stops": "Operator.MountedJoystick",
+    "friction": "Joystick.JoystickFriction",
+    "": "Joystick.Joystick",
 }
+#: From motion to torque: dry friction is a parameter, and motions end at the stops.
+_INVERSE: Final = "Joystick.JoystickInverse"
+#: Names of all of them.
+BASE_NAMES: Final = frozenset(
+    base.rpartition(".")[2] + law for base in (*_BASES.values(), _INVERSE) for law in ("", "PowerLaw")
+)
 _INPUTS: Final[Mapping[Direction, str]] = {
     "forward": "torque in, motion out (eq. 1)",
     "inverse": "motion in, torque out (eq. 13)",
@@ -65,16 +66,25 @@ def modelica_class(
     """
     check_name(name)
     description = f"{title or name}: {_INPUTS[direction]}"
-    base = BASES[direction, law, any(v.name in FRICTION_NAMES for v in values)]
+    if direction == "inverse":
+        values = [v for v in values if v.name not in STOP_NAMES]
+    base = base_class(values, direction, law)
     modifiers = _modifiers({tuple(v.name.split(".")): f"{v.value!r}" for v in values}, "    ")
     return (
         f"model {name} {_string(description)}\n"
-        f"  extends PreloadedSprings.Joystick.{base}(\n{modifiers});\n"
+        f"  extends PreloadedSprings.{base}(\n{modifiers});\n"
         "  annotation (\n"
         "    experiment(StartTime = 0, StopTime = 1.5, Tolerance = 1e-8, Interval = 1e-3),\n"
         f"    Documentation(info = {_string(_page(title or name, values, more))}));\n"
         f"end {name};\n"
     )
+
+
+def base_class(values: Sequence[FmuValue], direction: Direction, law: LawName) -> str:
+    """The class of the library ``PreloadedSprings`` that is extended, such as ``Joystick.Joystick``."""
+    parts = {v.name.partition(".")[0] for v in values}
+    forward = next(base for part, base in _BASES.items() if not part or part in parts)
+    return (_INVERSE if direction == "inverse" else forward) + ("PowerLaw" if law == "power-law" else "")
 
 
 def _modifiers(values: Mapping[tuple[str, ...], str], indent: str) -> str:

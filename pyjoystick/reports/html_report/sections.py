@@ -27,6 +27,7 @@ from pyjoystick.model import (
     plot_periods,
     segment_table,
     spring_table,
+    stops_table,
 )
 from pyjoystick.motion import periods
 from pyjoystick.reports.dissipation import (
@@ -60,6 +61,7 @@ def parameter_section(study: Study) -> Section:
             spring_table(joystick).html("The restrained preloaded springs that give these curves."),
             damping_table(joystick.damping).html(f"Damping law: {study.law}."),
             *([friction_table(joystick.friction).html("Dry friction.")] if joystick.friction else []),
+            *([stops_table(joystick.stops).html("Mechanical stops.")] if joystick.stops else []),
         ],
     )
 

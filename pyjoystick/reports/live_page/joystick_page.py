@@ -40,6 +40,13 @@ _RANGES: Final = {
     "hand.K": (0.0, 100.0),
     "hand.D": (0.0, 3.0),
 }
+#: The same of what only the FMU with stops has.
+_MOUNTED_RANGES: Final = {
+    "stops.theta_stop": (0.0, 1.5 * _STOP),
+    "stops.K": (100.0, 5000.0),
+    "stops.D": (0.0, 5.0),
+    "a_base": (-20.0, 20.0),
+}
 _FIRST: Final = ("theta_start", "damping.C", "damping.alpha", "friction.T_c", "friction.F_c", "T")
 _SPRINGS: Final = tuple(f"{side}.{kind}Spring" for side in model.SIDES for kind in ("return", "balance"))
 
@@ -81,8 +88,9 @@ def joystick_page(
 
 
 def held_fmu(joystick: model.JoystickParameters) -> str:
-    """Name of the FMU that computes the motion of a joystick in a hand, with its damping law."""
-    return "HeldJoystick" + ("" if isinstance(joystick.damping, model.ConstantDamping) else "PowerLaw")
+    """Name of the FMU that computes the motion of a joystick in a hand, with its damping law and stops."""
+    name = "MountedJoystick" if joystick.stops else "HeldJoystick"
+    return name + ("" if isinstance(joystick.damping, model.ConstantDamping) else "PowerLaw")
 
 
 def page_settings(joystick: model.JoystickParameters, start: float, title: str) -> Settings:
@@ -92,6 +100,7 @@ def page_settings(joystick: model.JoystickParameters, start: float, title: str) 
     from fmu_build.explore.settings import PlotChoice
 
     values = joystick.to_names()
+    ranges = _RANGES | (_MOUNTED_RANGES if joystick.stops else {})
     absent = {name for name in _RANGES if name.startswith("damping.") and name not in values}
     hidden = absent | {name for name in model.FRICTION_NAMES if name not in values}
     half = {f"{spring}.F_0": 0.5 * values[f"{spring}.F_0"] for spring in _SPRINGS}
@@ -103,11 +112,12 @@ def page_settings(joystick: model.JoystickParameters, start: float, title: str) 
     ]
     if "damping.C" in values:
         presets.append(Preset("Undamped", {"damping.C": 0.0}))
-    moments = ("M_s", "M_d", "M_g", *(["M_f"] if "friction.T_c" in values else []), "T", "T_hand")
+    more = [name for name, part in (("M_f", joystick.friction), ("M_stop", joystick.stops)) if part]
+    moments = ("M_s", "M_d", "M_g", *more, "T", "T_hand")
     return Settings(
         title=title,
         first=tuple(name for name in _FIRST if name not in hidden),
-        ranges={name: Range(*ends) for name, ends in _RANGES.items() if name not in absent},
+        ranges={name: Range(*ends) for name, ends in ranges.items() if name not in absent},
         values={**values, "theta_start": start},
         input_tables=False,
         plots=(

@@ -9,7 +9,7 @@ import pytest
 
 from pyjoystick.cli.fmus import opened
 from pyjoystick.fmu import Fmu
-from pyjoystick.model import NOMINAL, read_parameters, simulate
+from pyjoystick.model import NOMINAL, read_parameters, simulate, write_parameters
 
 from .conftest import Command
 
@@ -51,6 +51,18 @@ def test_an_exported_fmu_is_its_own_joystick_in_commands(command: Command, stick
         simulate(read_parameters(stick), time=[0.0, 0.5], theta_start=-0.3).theta[-1], abs=1e-7
     )
     assert end != pytest.approx(simulate(NOMINAL, time=[0.0, 0.5], theta_start=-0.3).theta[-1], abs=1e-3)
+
+
+def test_stops_of_an_exported_fmu(command: Command, stick: Path) -> None:
+    """Commands take them as the FMU's own; what cannot be switched off is not taken to be off."""
+    write_parameters(stick, read_parameters(stick).replace({"stops.theta_stop": 0.3}))
+    assert command("export", "-p", "stick.toml", "-o", "out", "--name", "Left").code == 0
+    with opened(None, "out/Left.fmu", None) as (_, joystick):
+        assert joystick == read_parameters(stick)
+    assert command("torque", "-p", "stick.toml", "--angle", "15deg").code == 0
+    assert "within the stops" in command("torque", "-p", "stick.toml", "--angle", "20deg").message
+    refused = command("free-oscillation", "--fmu", "out/Left.fmu", "--set", "stops.theta_stop=0")
+    assert "Left.fmu has stops of its own, and they stay" in refused.message
 
 
 def test_an_fmu_that_is_no_joystick(command: Command) -> None:

@@ -180,4 +180,4 @@ def test_the_paper_is_what_no_option_gives(command: Command, tmp_path: Path) -> 
 def test_angles_beyond_the_stops_are_told(command: Command) -> None:
     outcome = command("free-oscillation", "--release-angle", "-45", "--duration", "0.1")
     assert outcome.code == 0
-    assert "45 degrees are beyond the paper's stops at about 20, which are not modeled" in outcome.err
+    assert "45 degrees are beyond the paper's stops at about 20, which are off" in outcome.err

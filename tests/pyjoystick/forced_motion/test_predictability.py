@@ -42,6 +42,21 @@ def test_a_chaotic_motion_can_be_trusted_as_long_as_tolerances_agree(joystick: F
     assert until < trusted_until(joystick, TIME, inputs=torque, tolerance=1e-10) < 2.0 * until
 
 
+def test_a_small_push_shows_until_when(joystick: Fmu) -> None:
+    """Two starts 1e-9 rad apart, run far more accurately than that, part when the measure for 1e-9 says."""
+    torque = _torque(1.0)
+    first, second = (
+        joystick.run(
+            TIME, inputs=torque, parameters={"theta_start": start}, outputs=["theta"], tolerance=1e-13
+        )
+        for start in (0.0, 1e-9)
+    )
+    apart = (second["theta"] - first["theta"]).abs() > 0.01 * first["theta"].abs().max()
+    parted = float(apart.idxmax())
+    assert trusted_until(joystick, TIME, inputs=torque, tolerance=1e-9) == pytest.approx(parted, abs=0.05)
+    assert apart.any()
+
+
 def test_a_motion_that_forgets_its_start_can_be_trusted(joystick: Fmu) -> None:
     """The same frequency at large amplitude, where the motion becomes periodic; and no torque at all."""
     start = math.radians(-20.0)

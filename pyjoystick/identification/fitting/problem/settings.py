@@ -17,6 +17,7 @@ from pyjoystick.identification.fitting.problem.instrument import (
     TIME_BASE,
     ZERO_OFFSET,
 )
+from pyjoystick.model import JoystickParameters
 from pyjoystick.support import ParameterError, finite, positive, whole_number
 
 Comparison = Literal["trajectory", "peaks"]
@@ -390,9 +391,23 @@ WITH_FRICTION: Final[Mapping[str, str]] = {
     "Joystick": "JoystickFriction",
     "JoystickPowerLaw": "JoystickFrictionPowerLaw",
 }
+#: FMUs of the same joystick with stops, which have dry friction too.
+WITH_STOPS: Final[Mapping[str, str]] = {
+    "Joystick": "MountedJoystick",
+    "JoystickPowerLaw": "MountedJoystickPowerLaw",
+    "JoystickFriction": "MountedJoystick",
+    "JoystickFrictionPowerLaw": "MountedJoystickPowerLaw",
+}
 #: Dry friction at the pivot (N m) and along the plungers in contact (N).
 PIVOT_FRICTION: Final = Free("friction.T_c", start=5e-3, minimum=0.0, maximum=1.0)
 PLUNGER_FRICTION: Final = Free("friction.F_c", start=0.2, minimum=0.0, maximum=50.0)
+
+
+def fmu_with_parts(fmu: str, joystick: JoystickParameters) -> str:
+    """Name of the FMU with the damping law of `fmu` that has the dry friction and the stops of a joystick."""
+    if joystick.friction:
+        fmu = WITH_FRICTION.get(fmu, fmu)
+    return WITH_STOPS.get(fmu, fmu) if joystick.stops else fmu
 
 
 def with_friction(settings: FitSettings, *friction: Free) -> FitSettings:

@@ -15,7 +15,7 @@ const SMALLEST = 0.5 / DEGREES;
 const STEP = 1e-3; // s
 const ROWS = 2001; // time for a whole period of a heavy joystick
 const TIMES = timesOf({ start: 0, step: STEP }, ROWS);
-const FREE = { omega_start: 0, T: 0, grip: 0 };
+const FREE = { omega_start: 0, T: 0, grip: 0, a_base: 0 };
 
 export class PeriodPlot {
   constructor(stop) {
@@ -42,7 +42,7 @@ export class PeriodPlot {
     const asked = runRequest(app.state, ["theta", "omega"]);
     Object.assign(asked, { step: STEP, rows: ROWS, stop: asked.start + STEP * (ROWS - 1) });
     asked.inputs = { references: [], rows: 0, values: [], slopes: [] };
-    for (const [name, value] of Object.entries(FREE)) override(asked, name, value);
+    for (const [name, value] of Object.entries(FREE)) if (byName.has(name)) override(asked, name, value);
     override(asked, "theta_start", 0);
     const values = JSON.stringify(asked.reals);
     if (values === this.values) return;

@@ -88,6 +88,19 @@ def test_a_joystick_with_friction_extends_the_model_that_has_it(
         assert f"extends PreloadedSprings.Joystick.JoystickInverse{suffix}(" in inverse
 
 
+def test_a_joystick_with_stops_is_a_mounted_one(tmp_path: Path) -> None:
+    """Its inverse has none: motions end at the stops."""
+    file = _file(tmp_path, "constant")
+    write_parameters(file.path, file.joystick.replace({"stops.theta_stop": 0.3, "friction.T_c": 0.01}))
+    values = fmu_values(read_parameter_file(file.path))
+    text = modelica_class("Stick", values, law="constant")
+    assert "extends PreloadedSprings.Operator.MountedJoystick(" in text
+    assert "theta_stop = 0.3" in text
+    inverse = modelica_class("Stick", values, direction="inverse", law="constant")
+    assert "extends PreloadedSprings.Joystick.JoystickInverse(" in inverse
+    assert "stops" not in inverse
+
+
 def _starts(path: Path) -> dict[str, float]:
     variables = fmpy.read_model_description(str(path)).modelVariables
     return {v.name: float(v.start) for v in variables if v.causality == "parameter"}

@@ -19,7 +19,7 @@ Live = Callable[..., LivePage]
 def fmus(joystick_fmus: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The FMUs of joysticks; those of pages each with its module, so that this is compiled once."""
     folder = tmp_path_factory.mktemp("fmus")
-    for name in ("HeldJoystick", "HeldJoystickPowerLaw"):
+    for name in ("HeldJoystick", "HeldJoystickPowerLaw", "MountedJoystick"):
         with_module(joystick_fmus / f"{name}.fmu", folder)
     for name in ("Joystick", "JoystickFriction", "OperatedJoystick"):
         (folder / f"{name}.fmu").symlink_to(joystick_fmus / f"{name}.fmu")

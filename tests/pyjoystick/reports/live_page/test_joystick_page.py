@@ -45,6 +45,16 @@ def test_the_page_starts_with_the_joystick_of_the_command(live: Live, fmus: Path
     assert page.address() == ""  # these are the values that it starts with
 
 
+def test_a_joystick_with_stops_has_them_on_its_page(live: Live, fmus: Path) -> None:
+    page = live("--set", "stops.theta_stop=15deg", "--release-angle", "-20")
+    shown = page.csv()
+    with Fmu(fmus / "MountedJoystick.fmu") as fmu:
+        values = {"stops.theta_stop": math.radians(15.0), "theta_start": math.radians(-20.0)}
+        expected = fmu.run(shown.index.to_numpy(), parameters=values, outputs=list(shown.columns))
+    assert shown["M_stop"].abs().max() > 10.0
+    np.testing.assert_allclose(shown.to_numpy(), expected.to_numpy(), rtol=1e-6, atol=1e-9)
+
+
 def test_the_scene_follows_the_cursor(live: Live) -> None:
     page = live()
     table = page.csv()

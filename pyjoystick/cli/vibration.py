@@ -1,0 +1,93 @@
+"""``pyjoystick vibration``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Final
+
+import numpy as np
+import typer
+
+from pyjoystick import fmu, forced_motion, model, runs, support
+from pyjoystick.cli import options
+from pyjoystick.cli.console import output, print_note, write
+from pyjoystick.cli.fmus import found_or_built
+from pyjoystick.support import check_outputs, write_text
+
+EXAMPLES: Final = """
+Examples:
+
+    pyjoystick vibration --plot vibration.png
+
+    pyjoystick vibration --angle 15deg --hand-mass 0.6 --acceleration 1 --acceleration 5 --csv vibration.csv
+
+Lines of the figure are small vibrations, points those of --acceleration.
+"""
+#: Frequencies of the table and of the points, and those of the lines.
+_FEW: Final = 9
+_MANY: Final = 300
+
+
+def run(
+    angle: Annotated[
+        str, typer.Option("--angle", "-a", metavar="ANGLE", help="Angle at which the handle is held.")
+    ] = "10deg",
+    limits: Annotated[
+        tuple[float, float], typer.Option("--range", metavar="LOW HIGH", help="Frequencies (Hz).")
+    ] = (0.5, 50.0),
+    accelerations: Annotated[
+        list[float] | None,
+        typer.Option(
+            "--acceleration",
+            metavar="M/S2",
+            help="Shake the base with this amplitude too, in runs of the FMU; repeatable.",
+        ),
+    ] = None,
+    stiffness: Annotated[
+        float, typer.Option("--hand-stiffness", metavar="N.M/RAD", help="Of hand and arm about the pivot.")
+    ] = 25.0,
+    hand_damping: Annotated[
+        float, typer.Option("--hand-damping", metavar="N.M.S/RAD", help="Of hand and arm about the pivot.")
+    ] = 0.7,
+    mass: Annotated[
+        float, typer.Option("--hand-mass", metavar="KG", help="What of hand and arm moves with the handle.")
+    ] = 0.0,
+    damping: options.Law = None,
+    parameters: options.Parameters = None,
+    assignments: options.Set = None,
+    csv: Annotated[Path | None, options.csv("all responses")] = None,
+    plot: Annotated[Path | None, options.plot("angle and transmissibility over the frequency")] = None,
+) -> None:
+    """Find how far the handle moves when its base shakes, as in a vehicle, alone and in a hand.
+
+    The base accelerates to and fro, horizontally in the plane of the handle. The tables give the amplitude of
+    the angle in degrees per m/s2 of the base, and the acceleration of the handle's top over that of the base.
+    """
+    check_outputs(csv, plot)
+    held = options.parse_angle(angle, "--angle")
+    low, high = limits
+    if not 0.0 < low < high:
+        raise typer.BadParameter("two frequencies above 0, the lower one first", param_hint="--range")
+    file = options.parameter_file(parameters)
+    joystick = options.joystick_of(damping, options.parse_assignments(assignments, "--set"), file)
+    top = file.pivot_to_top or model.PIVOT_TO_TOP
+    hand = forced_motion.Hand(stiffness=stiffness, damping=hand_damping, mass=mass, distance=top)
+    with fmu.Fmu(found_or_built(runs.mounted_fmu(joystick))) as mounted:
+        handles = {"hand": forced_motion.MountedHandle(mounted, joystick, held, hand, pivot_to_top=top)}
+        try:
+            alone = forced_motion.MountedHandle(mounted, joystick, held, pivot_to_top=top)
+            handles = {"alone": alone} | handles
+        except support.ParameterError as error:
+            print_note(f"without a hand: {error}")
+        found = forced_motion.feedthrough(
+            handles, np.geomspace(low, high, _FEW), np.geomspace(low, high, _MANY), accelerations or ()
+        )
+    output().print(forced_motion.feedthrough_report(found), markup=False)
+    text = forced_motion.feedthrough_table(found).to_csv(index=False, lineterminator="\n")
+    write(csv, lambda path: write_text(path, text))
+    write(
+        plot,
+        lambda path: support.save_figure(
+            forced_motion.plot_transmissibility(found.small, found.driven), path
+        ),
+    )

@@ -1,0 +1,1 @@
+"""What a handle does on a base that shakes, alone and in a hand."""

@@ -1,0 +1,85 @@
+"""The feedthrough of several handles, small and driven, as tables."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import pandas as pd
+
+from pyjoystick.forced_motion.vibration.mounted import MountedHandle
+from pyjoystick.support import FloatArray, TextTable
+
+
+@dataclass(frozen=True, eq=False)
+class Feedthrough:
+    """Responses of handles on a shaking base.
+
+    Attributes:
+        few: the frequencies of the tables and of the driven motions (Hz), shape (n,)
+        small: `MountedHandle.small` by the handle's name, at many frequencies, those among them
+        driven: `MountedHandle.driven` by name and acceleration, such as ``hand, 5 m/s2``
+    """
+
+    few: FloatArray
+    small: Mapping[str, pd.DataFrame]
+    driven: Mapping[str, pd.DataFrame]
+
+
+def feedthrough(
+    handles: Mapping[str, MountedHandle], few: FloatArray, many: FloatArray, accelerations: Sequence[float]
+) -> Feedthrough:
+    """The responses of some handles.
+
+    Args:
+        handles: by name
+        few: frequencies (Hz), shape (n,)
+        many: further ones for small vibrations (Hz), shape (m,)
+        accelerations: amplitudes of the base (m/s2)
+
+    Raises:
+        ParameterError, FmuRunError: as `MountedHandle`
+    """
+    lines = np.union1d(few, many)
+    return Feedthrough(
+        few,
+        {name: handle.small(lines) for name, handle in handles.items()},
+        {
+            f"{name}, {size:g} m/s2": handle.driven(few, size)
+            for size in accelerations
+            for name, handle in handles.items()
+        },
+    )
+
+
+def feedthrough_report(found: Feedthrough) -> str:
+    """Two tables in Markdown: the angle in degrees per m/s2, and the top's acceleration over the base's."""
+    series = {name: table.reindex(found.few) for name, table in found.small.items()} | dict(found.driven)
+    return "\n\n".join(
+        TextTable(
+            [heading, *series],
+            [
+                [f"{frequency:.3g}", *(_cell(factor * table[column].iloc[i]) for table in series.values())]
+                for i, frequency in enumerate(found.few)
+            ],
+        ).markdown()
+        for heading, column, factor in (
+            ("Hz: angle (deg per m/s2)", "gain", float(np.degrees(1.0))),
+            ("Hz: top over base", "transmissibility", 1.0),
+        )
+    )
+
+
+def _cell(value: float) -> str:
+    return "does not repeat" if np.isnan(value) else f"{value:.3g}"
+
+
+def feedthrough_table(found: Feedthrough) -> pd.DataFrame:
+    """All responses, one after the other: ``series``, ``frequency`` and the columns of each, in SI units."""
+    parts = [
+        table.reset_index().assign(series=name)
+        for name, table in (*found.small.items(), *found.driven.items())
+    ]
+    whole = pd.concat(parts, ignore_index=True)
+    return whole[["series", *whole.columns.drop("series")]]

@@ -1,0 +1,57 @@
+"""Transmissibility as a figure: angle over the base's acceleration, and the motion of the top in space."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Final
+
+import numpy as np
+import pandas as pd
+from matplotlib.figure import Figure
+
+from pyjoystick.support import SERIES, ParameterError, dress, legend_above
+
+_MARKERS: Final = ("o", "s", "^", "D", "v")
+
+
+def plot_transmissibility(
+    small: Mapping[str, pd.DataFrame],
+    driven: Mapping[str, pd.DataFrame] | None = None,
+    *,
+    size: tuple[float, float] = (7.4, 5.6),
+) -> Figure:
+    """Frequency responses of small vibrations as lines, those of large ones as points.
+
+    Args:
+        small: tables as `MountedHandle.small` gives them, by label; one or more, at most as many as there are
+            line styles
+        driven: tables as `MountedHandle.driven` gives them, by label
+        size: width and height (inch)
+
+    Raises:
+        ParameterError: no line, or more lines or series of points than there are styles
+    """
+    points = driven or {}
+    most = min(len(SERIES), len(_MARKERS))
+    if not 1 <= len(small) <= most or len(points) > most:
+        raise ParameterError("small, driven", f"{len(small)} and {len(points)} tables", f"1 to {most} each")
+    figure = Figure(figsize=size, layout="constrained")
+    upper, lower = figure.subplots(2, 1, sharex=True)
+    for panel, column, factor in ((upper, "gain", np.degrees(1.0)), (lower, "transmissibility", 1.0)):
+        for style, (label, table) in zip(SERIES, small.items(), strict=False):
+            panel.plot(table.index, factor * table[column], label=label, **style)
+        for marker, style, (label, table) in zip(_MARKERS, SERIES, points.items(), strict=False):
+            panel.plot(
+                table.index, factor * table[column], marker, color=style["color"], markersize=4, label=label
+            )
+        panel.set_xscale("log")
+        panel.set_yscale("log")
+        panel.yaxis.set_major_formatter("{x:g}")
+        panel.xaxis.set_major_formatter("{x:g}")
+        dress(panel)
+    lower.axhline(1.0, color="0.6", linewidth=0.8, zorder=0)
+    upper.set_ylabel("Angle (deg per m/s$^2$)")
+    lower.set_ylabel("Top over base in space")
+    lower.set_xlabel("Frequency (Hz)")
+    legend_above(figure, upper, columns=3)
+    return figure

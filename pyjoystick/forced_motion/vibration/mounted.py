@@ -1,0 +1,199 @@
+"""Vibration feedthrough: how far a handle moves, relative to its base and in space, when the base shakes.
+
+The base accelerates along the horizontal in the plane of the handle with a_base, and with a moment
+-m*h*cos(theta)*a_base leaves the handle behind. A hand holds the handle at an angle: a spring and a damper
+about the pivot whose other end moves with the base, as the operator's seat does, and a mass at the grip.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Final
+
+import numpy as np
+import pandas as pd
+from numpy.typing import ArrayLike
+
+from pyjoystick.fmu import Fmu, Linearization, UnsupportedFmuError, Value
+from pyjoystick.forced_motion.sine import ROWS, sine_table
+from pyjoystick.model import PIVOT_TO_TOP, JoystickParameters
+from pyjoystick.support import FloatArray, ParameterError, angle, not_negative, positive
+
+#: The part of the motion at the beginning that may be left in what is measured, and in its fundamental from
+#: one period to the next.
+_TRANSIENT: Final = 1e-5
+_STEADY: Final = 1e-3
+_NEEDED: Final = ("a_base", "theta_ref", "grip", "hand.K", "hand.D", "stops.theta_stop")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Hand:
+    """A hand that holds the handle.
+
+    Attributes:
+        stiffness: of hand and arm about the pivot (N m/rad), 0 or more; the default is the library's
+        damping: the same (N m s/rad), 0 or more
+        mass: what of hand and arm moves with the handle (kg), 0 or more; its weight rests on the handle
+        distance: from the pivot to the grip (m), above 0
+
+    Raises:
+        ParameterError: a value is not finite or outside its range
+    """
+
+    stiffness: float = 25.0
+    damping: float = 0.7
+    mass: float = 0.0
+    distance: float = PIVOT_TO_TOP
+
+    def __post_init__(self) -> None:
+        not_negative("stiffness", self.stiffness, "N.m/rad")
+        not_negative("damping", self.damping, "N.m.s/rad")
+        not_negative("mass", self.mass, "kg")
+        positive("distance", self.distance, "m")
+
+    def on(self, joystick: JoystickParameters) -> JoystickParameters:
+        """The joystick with the mass of the hand at the grip as a part of its handle."""
+        mass = joystick.m + self.mass
+        moment = joystick.m * joystick.h + self.mass * self.distance
+        inertia = joystick.J + self.mass * self.distance**2
+        return dataclasses.replace(joystick, J=inertia, m=mass, h=moment / mass if mass else 0.0)
+
+
+class MountedHandle:
+    """A handle that is held at an angle on a base that shakes.
+
+    A steady torque balances springs and weight at that angle; the hand, if there is one, is relaxed there.
+    """
+
+    def __init__(
+        self,
+        fmu: Fmu,
+        joystick: JoystickParameters,
+        held: float,
+        hand: Hand | None = None,
+        *,
+        pivot_to_top: float = PIVOT_TO_TOP,
+    ) -> None:
+        """Find how small motions about the angle go.
+
+        Args:
+            fmu: ``MountedJoystick`` or ``MountedJoystickPowerLaw``, as the joystick's damping law is
+            joystick: the joystick, without dry friction
+            held: the angle (rad)
+            hand: the hand; None where nothing but the torque holds the handle
+            pivot_to_top: where its motion in space is seen (m)
+
+        Raises:
+            UnsupportedFmuError: the FMU has no base or no hand
+            ParameterError: the joystick has dry friction, by which small motions stick; the angle is beyond a
+                stop; or the handle would not stay there
+        """
+        missing = [name for name in _NEEDED if name not in fmu.description.variables]
+        if missing:
+            raise UnsupportedFmuError(fmu.description.path, f"is no MountedJoystick: no {', '.join(missing)}")
+        if joystick.friction:
+            raise ParameterError("friction", joystick.friction, "none: small motions would stick")
+        self.held = angle("held", held)
+        if joystick.stops and abs(held) >= joystick.stops.theta_stop:
+            allowed = f"within the stops at {joystick.stops.theta_stop:.6g} rad"
+            raise ParameterError("held", held, allowed)
+        self.fmu = fmu
+        self.joystick = joystick if hand is None else hand.on(joystick)
+        self._arm = positive("pivot_to_top", pivot_to_top, "m") * math.cos(held)
+        self._parameters: dict[str, Value] = {**self.joystick.to_names(), "theta_start": held}
+        self._inputs = {"theta_ref": held, "grip": 0.0 if hand is None else 1.0}
+        if hand is not None:
+            self._parameters |= {"hand.K": hand.stiffness, "hand.D": hand.damping}
+        free = fmu.linearize(parameters=self._parameters, inputs=self._inputs).point
+        self._inputs["T"] = float(free["M_s"] - free["M_g"])
+        if self.decay <= 0.0:
+            allowed = "an angle at which springs or a hand keep it: small motions about this one grow"
+            raise ParameterError("held", held, allowed)
+
+    @cached_property
+    def linearization(self) -> Linearization:
+        """Small motions about the angle, from the FMU's derivatives."""
+        return self.fmu.linearize(parameters=self._parameters, inputs=self._inputs, outputs=["theta"])
+
+    @property
+    def decay(self) -> float:
+        """The rate (1/s) at which the slowest part of a small motion decays."""
+        return -float(self.linearization.poles()["real"].max())
+
+    def small(self, frequencies: ArrayLike) -> pd.DataFrame:
+        """What small vibrations do: the frequency response of the linearized joystick.
+
+        Args:
+            frequencies: Hz, above 0, shape (n,)
+
+        Returns:
+            indexed by ``frequency`` (Hz): ``gain``, the amplitude of the angle over that of the base's
+            acceleration (rad/(m/s2)); ``phase`` of the angle against it (rad); and ``transmissibility``, the
+            horizontal acceleration of the top in space over that of the base (1)
+
+        Raises:
+            ParameterError: a frequency is not above 0
+        """
+        found = self.linearization
+        a, b = found.A.to_numpy(), found.B["a_base"].to_numpy()
+        c, d = found.C.to_numpy()[0], found.D["a_base"].to_numpy()[0]
+        rates = 2j * np.pi * _checked(frequencies)
+        responses = [c @ np.linalg.solve(rate * np.eye(len(a)) - a, b) + d for rate in rates]
+        return self._table(_checked(frequencies), np.array(responses))
+
+    def driven(self, frequencies: ArrayLike, acceleration: float) -> pd.DataFrame:
+        """What vibrations of any size do: the fundamental of the steady motion, from runs of the FMU.
+
+        Args:
+            frequencies: Hz, above 0, shape (n,)
+            acceleration: amplitude of the base's acceleration (m/s2), above 0
+
+        Returns:
+            the columns of `small`, and ``theta_max`` and ``theta_min`` (rad); NaN where the motion does not
+            become one that repeats every period
+
+        Raises:
+            ParameterError: a frequency or the acceleration is not above 0
+            FmuRunError: a run fails, as where the handle falls to pi/2
+        """
+        size = positive("acceleration", acceleration, "m/s2")
+        rates = _checked(frequencies)
+        found = [self._fundamental(float(frequency), size) for frequency in rates]
+        table = self._table(rates, np.array([response for response, _, _ in found]))
+        table["theta_max"] = [high for _, high, _ in found]
+        table["theta_min"] = [low for _, _, low in found]
+        return table
+
+    def _fundamental(self, frequency: float, acceleration: float) -> tuple[complex, float, float]:
+        """The angle over the acceleration as `small` has it, and the largest and smallest angle (rad)."""
+        periods = math.ceil(frequency * -math.log(_TRANSIENT) / self.decay) + 2
+        inputs = sine_table("a_base", acceleration, frequency, periods).assign(**self._inputs)
+        time = np.append(0.0, inputs.index[-2 * ROWS - 1 :]) if periods > 2 else inputs.index.to_numpy()
+        run = self.fmu.run(time, parameters=self._parameters, inputs=inputs, outputs=["theta"])
+        theta = run["theta"].to_numpy()[-2 * ROWS :].reshape(2, ROWS)
+        turn = np.exp(-2j * np.pi * np.arange(1, ROWS + 1) / ROWS)
+        before, last = 2.0 / ROWS * theta @ turn
+        if abs(last - before) > _STEADY * abs(last):
+            return complex(math.nan, math.nan), math.nan, math.nan
+        return 1j * complex(last) / acceleration, float(theta.max()), float(theta.min())
+
+    def _table(
+        self, frequencies: FloatArray, responses: np.ndarray[tuple[int], np.dtype[np.complex128]]
+    ) -> pd.DataFrame:
+        in_space = 1.0 - self._arm * (2.0 * np.pi * frequencies) ** 2 * responses
+        return pd.DataFrame(
+            {
+                "gain": np.abs(responses),
+                "phase": np.angle(responses),
+                "transmissibility": np.abs(in_space),
+            },
+            index=pd.Index(frequencies, name="frequency"),
+        )
+
+
+def _checked(frequencies: ArrayLike) -> FloatArray:
+    values = np.atleast_1d(np.asarray(frequencies, dtype=np.float64))
+    return np.array([positive("frequencies", float(value), "Hz") for value in values])

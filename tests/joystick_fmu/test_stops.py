@@ -1,0 +1,167 @@
+"""Mechanical stops in the FMUs: against SciPy, the reference, and the closed form of a bounce."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from pyjoystick.fmu import Fmu, FmuRunError
+from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW, JoystickParameters, simulate
+from pyjoystick.runs import fmu_of_joystick
+from tests.joystick_fmu.driver import model_exchange
+from tests.joystick_fmu.test_friction import BARE
+from tests.modelica.physics import Array, Damping, J, constant_damping, power_law_damping, shaft_torque
+
+TIMES = np.linspace(0.0, 1.0, 501)
+STOP, K, D = math.radians(20.0), 1000.0, 0.7
+STOPS = {"stops.theta_stop": STOP, "stops.K": K, "stops.D": D}
+#: Thrown from one stop against the other: three bounces.
+START = {"theta_start": -0.3, "omega_start": -15.0}
+LAWS: dict[str, tuple[JoystickParameters, Damping]] = {
+    "constant": (NOMINAL.replace(STOPS), constant_damping),
+    "power-law": (NOMINAL_POWER_LAW.replace(STOPS), power_law_damping),
+}
+
+
+def _by_scipy(damping: Damping) -> Array:
+    """The angle from one impact, and one end of a contact, to the next, each located by SciPy."""
+
+    def outside(_: float, state: Array) -> float:
+        return float(abs(state[0]) - STOP)
+
+    def push(_: float, state: Array) -> float:
+        side = math.copysign(1.0, state[0])
+        return float(K * (side * state[0] - STOP) + D * side * state[1])
+
+    def derivatives(is_pushed: bool) -> Callable[[float, Array], list[float]]:
+        def slopes(time: float, state: Array) -> list[float]:
+            moment = math.copysign(push(time, state), state[0]) if is_pushed else 0.0
+            return [state[1], (shaft_torque(state[0], state[1], damping) - moment) / J]
+
+        return slopes
+
+    outside.terminal = push.terminal = True  # type: ignore[attr-defined]
+    outside.direction, push.direction = 1.0, -1.0  # type: ignore[attr-defined]
+    time, state, is_pushed = 0.0, np.array(list(START.values())), False
+    theta = np.full_like(TIMES, np.nan)
+    while time < TIMES[-1]:
+        # Steps are too short for a kink of the springs to matter.
+        part = solve_ivp(
+            derivatives(is_pushed), (time, TIMES[-1]), state, "DOP853", rtol=1e-12, atol=1e-14, max_step=5e-4,
+            events=push if is_pushed else outside, dense_output=True,
+        )  # fmt: skip
+        inside = (time <= TIMES) & (part.t[-1] >= TIMES)
+        theta[inside] = part.sol(TIMES[inside])[0]
+        time, state = float(part.t[-1]), part.y[:, -1]
+        is_pushed = not is_pushed
+    return theta
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_the_motion_between_the_stops_is_that_of_scipy(law: str, fmus: Path) -> None:
+    """Co-Simulation at tolerance 1e-8 within 1e-7 rad; the reference, which SciPy limits, within 1e-9 rad."""
+    joystick, damping = LAWS[law]
+    expected = _by_scipy(damping)
+    with Fmu(fmus / f"{fmu_of_joystick(joystick)}.fmu") as fmu:
+        found = fmu.run(TIMES, parameters=joystick.to_names() | START, tolerance=1e-8)
+    assert found["theta"].min() < -STOP - 0.01 < STOP + 0.001 < found["theta"].max()
+    assert np.abs(found["theta"] - expected).max() < 1e-7
+    motion = simulate(joystick, time=TIMES, **START)
+    assert np.abs(motion.theta - expected).max() < 1e-9
+    assert np.abs(found["M_stop"] - motion.M_stop).max() < 1e-4
+    assert [event.kind for event in motion.events if event.kind.endswith("stop")][:2] == ["backward stop"] * 2
+
+
+def test_model_exchange(fmus: Path) -> None:
+    """FMPy's CVode at 1e-10 within 1e-6 rad, as without stops."""
+    joystick, _ = LAWS["constant"]
+    path = fmus / "MountedJoystick.fmu"
+    times, found = model_exchange(path, joystick.to_names() | START, "theta", interval=2e-3)
+    assert np.abs(found["theta"] - simulate(joystick, time=times, **START).theta).max() < 1e-6
+
+
+@pytest.mark.parametrize(("stiffness", "damping"), [(1000.0, 0.0), (1000.0, 0.7), (300.0, 2.0), (50.0, 1.0)])
+def test_a_bounce_returns_what_the_closed_form_says(stiffness: float, damping: float, fmus: Path) -> None:
+    """A handle alone against one stop: its contact is that of a mass on a spring and a damper.
+
+    It ends where spring and damper together would begin to pull; the energy then left in the spring is lost.
+    """
+    speed, law = 5.0, {"stops.theta_stop": STOP, "stops.K": stiffness, "stops.D": damping}
+    zeta, natural = damping / (2.0 * math.sqrt(stiffness * J)), math.sqrt(stiffness / J)
+    root = math.sqrt(1.0 - zeta**2)
+    phase = math.atan2(2.0 * zeta * root, 2.0 * zeta**2 - 1.0)
+    returned = math.exp(-zeta / root * phase)
+    contact = phase / (root * natural)
+    start = {"theta_start": STOP - 0.05, "omega_start": speed}
+    times = np.array([0.0, 0.05 / speed + contact + 1e-4])
+    with Fmu(fmus / "MountedJoystick.fmu") as fmu:
+        found = fmu.run(
+            times, parameters=BARE | law | start, outputs=["omega", "E", "M_stop"], tolerance=1e-10
+        )
+    end = found.iloc[-1]
+    assert end["omega"] == pytest.approx(-returned * speed, rel=1e-7)
+    assert end["M_stop"] == 0.0
+    loss = 0.5 * J * speed**2 * (1.0 - returned**2)
+    assert found["E"].iloc[0] - end["E"] == pytest.approx(loss, rel=1e-6, abs=1e-9)
+
+
+def test_what_the_stops_take_is_what_the_energy_loses(fmus: Path) -> None:
+    """E + stops.E falls by the damping's and the stops' power, and never rises.
+
+    The rectangle rule of the powers converges slowly at impacts, where they jump: 1e-3 of the loss.
+    """
+    joystick, _ = LAWS["constant"]
+    times = np.linspace(0.0, 1.0, 200_001)
+    names = ["E", "stops.E", "M_d", "omega", "M_stop", "stops.delta", "theta"]
+    with Fmu(fmus / "MountedJoystick.fmu") as fmu:
+        run = fmu.run(times, parameters=joystick.to_names() | START, outputs=names, tolerance=1e-10)
+    whole = (run["E"] + run["stops.E"]).to_numpy()
+    assert np.diff(whole).max() < 1e-9
+    spring = K * np.maximum(run["stops.delta"], 0.0) * np.sign(run["theta"])
+    power = (run["M_d"] + run["M_stop"] - spring) * run["omega"]
+    assert np.trapezoid(power, times) == pytest.approx(whole[0] - whole[-1], rel=1e-3)
+
+
+@pytest.mark.parametrize("law", ["", "PowerLaw"])
+def test_without_stops_on_a_base_at_rest_it_is_the_joystick(fmus: Path, law: str) -> None:
+    """Within the integrator's error: the number of relations decides on the sizes of steps after events."""
+    start = {"theta_start": math.radians(-35.0)}
+    with Fmu(fmus / f"MountedJoystick{law}.fmu") as mounted, Fmu(fmus / f"Joystick{law}.fmu") as free:
+        left = mounted.run(TIMES, parameters=start, outputs=["theta", "M_stop", "M_base"])
+        right = free.run(TIMES, parameters=start, outputs=["theta"])
+    assert np.abs(left["theta"] - right["theta"]).max() < 1e-8
+    assert (left[["M_stop", "M_base"]] == 0.0).all(axis=None)
+
+
+def test_dry_friction_holds_against_the_stop(fmus: Path) -> None:
+    """Pressed onto the stop by a torque and let go a little: stuck where it was, as the reference says."""
+    joystick = NOMINAL.replace(STOPS | {"friction.T_c": 0.3})
+    expected = simulate(joystick, time=TIMES, theta_start=0.3, torque=lambda _: 12.0)
+    with Fmu(fmus / "MountedJoystick.fmu") as fmu:
+        parameters = joystick.to_names() | {"theta_start": 0.3}
+        found = fmu.run(TIMES, parameters=parameters, inputs={"T": 12.0}, outputs=["theta", "isStuck"])
+    assert found["isStuck"].iloc[-1]
+    assert found["theta"].iloc[-1] > STOP
+    assert np.abs(found["theta"] - expected.theta).max() < 1e-7
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "says"),
+    [
+        ("theta_stop", -0.1, "negative"),
+        ("theta_stop", 1.6, "pi/2"),
+        ("K", 0.0, "positive"),
+        ("D", -1.0, "negative"),
+    ],
+)
+def test_impossible_stops_are_refused_by_name(name: str, value: float, says: str, fmus: Path) -> None:
+    with (
+        Fmu(fmus / "MountedJoystick.fmu") as fmu,
+        pytest.raises((FmuRunError, ValueError), match=f"{name}.*"),
+    ):
+        fmu.run(TIMES, parameters=STOPS | {f"stops.{name}": value})
