@@ -34,6 +34,7 @@ from fmu_build.compilers.library_path import (
 from fmu_build.compilers.rumoca_errors import native_stderr, syntax_errors, translated_errors
 from fmu_build.modelica_source.builtins import with_known_functions
 from fmu_build.modelica_source.reached import IN_MEMORY, ReachedSource
+from fmu_build.modelica_source.tables import with_own_tables
 from fmu_build.packaging import check_request, package_fmu
 from fmu_build.support.description import GeneratedModel
 from fmu_build.support.errors import ToolchainError
@@ -150,7 +151,7 @@ def _loaded_in_part(reached: ReachedSource, model: str) -> tuple[rumoca.Session,
     import rumoca
 
     session = rumoca.Session()
-    for file, text in reached.texts.items():
+    for file, text in with_own_tables(reached.texts).items():
         # The session keeps each text, then fails to compile a model that does not exist.
         with suppress(rumoca.CompileError):
             session.loads(with_known_functions(text), model=_NONE, filename=f"{IN_MEMORY}{file}")
