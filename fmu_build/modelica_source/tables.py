@@ -15,14 +15,14 @@ from fmu_build.modelica_source.text import blanked
 _FUNCTIONS = Path(__file__).with_name("FmuBuildTables.mo")
 
 _WARNING = (
-    "assert(not (verboseExtrapolation and Integer(extrapolation) <= 2) or noEvent({0} >= {1} and {0} <= {2}),"
-    ' "The table is extrapolated: {0} (=" + String({0}) + ") is not in the range from " + String({1}) + " to "'
-    " + String({2}), level = AssertionLevel.warning);"
+    "assert(not (verboseExtrapolation and Integer(extrapolation) <= 2) or noEvent({inside}),"
+    ' "The table is extrapolated: {0} (=" + String({0}) + ") is not in the range from " + String({1})'
+    ' + " to " + String({2}), level = AssertionLevel.warning);'
 )
-_OUTSIDE = (
-    "assert(Integer(extrapolation) <> 4 or noEvent({0} >= {1} and {0} <= {2}), "
-    '"The table must not be extrapolated: {0} (=" + String({0}) + ") is not in the range from " + String({1})'
-    ' + " to " + String({2}));'
+_ERROR = (
+    "assert(Integer(extrapolation) <> 4 or noEvent({inside}),"
+    ' "The table must not be extrapolated: {0} (=" + String({0}) + ") is not in the range from "'
+    ' + String({1}) + " to " + String({2}));'
 )
 _COLUMNS = (
     'assert(min(columns) >= 1 and max(columns) <= size(table, 2), "columns must be those of the table");'
@@ -43,16 +43,18 @@ _VALUE_1D = "FmuBuildTables.value1D(columns[i], table, Integer(smoothness), Inte
 _VALUE_2D = "FmuBuildTables.value2D(Integer(smoothness), Integer(extrapolation), table, {0}, {1});"
 
 
-def _checked(*ranges: tuple[str, str, str]) -> str:
-    return "".join(check.format(*each) for each in ranges for check in (_WARNING, _OUTSIDE))
+def _checked(variable: str, least: str, most: str, inside: str = "{0} >= {1} and {0} <= {2}") -> str:
+    names = variable, least, most
+    return (_WARNING + _ERROR).format(*names, inside=inside.format(*names))
 
 
+_TIME_INSIDE = "stop == 0 or reached >= {1} and 2*{0} - reached <= {2}"
 _ENDS = {
     "CombiTable1Ds": _ONE_INPUT
-    + _checked(("u", "u_min", "u_max"))
+    + _checked("u", "u_min", "u_max")
     + f"for i in 1:nout loop y[i] = {_VALUE_1D.format('u')} end for;",
     "CombiTable1Dv": _ONE_INPUT
-    + f"for i in 1:n loop {_checked(('u[i]', 'u_min', 'u_max'))} y[i] = {_VALUE_1D.format('u[i]')} end for;",
+    + f"for i in 1:n loop {_checked('u[i]', 'u_min', 'u_max')} y[i] = {_VALUE_1D.format('u[i]')} end for;",
     "CombiTable2DBase": """
 final parameter Real u_min[2] = {table[2, 1], table[1, 2]};
 final parameter Real u_max[2] = {table[size(table, 1), 1], table[1, size(table, 2)]};
@@ -65,10 +67,12 @@ assert(leastStep1 > 0 and leastStep2 > 0,
 """
     + _TWO_INPUTS,
     "CombiTable2Ds": "equation\n"
-    + _checked(("u1", "u_min[1]", "u_max[1]"), ("u2", "u_min[2]", "u_max[2]"))
+    + _checked("u1", "u_min[1]", "u_max[1]")
+    + _checked("u2", "u_min[2]", "u_max[2]")
     + f"y = {_VALUE_2D.format('u1', 'u2')}",
     "CombiTable2Dv": "equation\nfor i in 1:n loop\n"
-    + _checked(("u1[i]", "u_min[1]", "u_max[1]"), ("u2[i]", "u_min[2]", "u_max[2]"))
+    + _checked("u1[i]", "u_min[1]", "u_max[1]")
+    + _checked("u2[i]", "u_min[2]", "u_max[2]")
     + f"y[i] = {_VALUE_2D.format('u1[i]', 'u2[i]')} end for;",
     "CombiTimeTable": f"""
 final parameter Real t_minScaled = table[1, 1]; final parameter Real t_maxScaled = table[size(table, 1), 1];
@@ -89,7 +93,7 @@ assert(leastStep > 0 or leastStep == 0 and (Integer(smoothness) == 1 or Integer(
 assert(Integer(extrapolation) <> 3 or size(table, 1) == 1 or t_maxScaled > t_minScaled,
   "The period must be positive");
 {_COLUMNS}
-{_checked(("timeScaled", "t_minScaled", "t_maxScaled"))}
+{_checked("timeScaled", "t_minScaled", "t_maxScaled", _TIME_INSIDE)}
 reached = timeScaled
   + 1e-14*(abs(timeScaled) + abs(shiftTime/timeScale) + abs(t_minScaled) + abs(t_maxScaled));
 when {{time >= pre(nextTimeEvent), initial()}} then
