@@ -10,25 +10,16 @@ _LINEAR, _CONSTANT = 1, 3
 
 
 def reject_unsupported_tables(model: LoweredModel, starts: StartValues) -> None:
-    """Raise `UnsupportedModelError` for a table that is smooth in two inputs, or left in a file."""
+    """Raise `UnsupportedModelError` for a table that is smooth in two inputs."""
     bindings = model.solve["layout"]["bindings"]
     variables = {variable["name"]: variable for variable in model.dae["variables"]}
     for name, variable in variables.items():
         block, _, parameter = name.rpartition(".")
-        if f"{block}.tableOnFile" not in variables or parameter not in ("smoothness", "tableOnFile"):
+        if parameter != "smoothness" or f"{block}.leastStep2" not in variables or name not in bindings:
             continue
-        value = starts.of(("p", bindings[name]["P"]["index"])) if name in bindings else 0.0
-        span = variable["declaration"]["span"]
-        if parameter == "tableOnFile" and value and not variables[f"{block}.table"]["scalar_names"]:
-            raise model.unsupported(
-                f"the table of {block} is in a file that the build does not read: beside tableOnFile = true, "
-                "tableName must be a string, and fileName a string or loadResource() of a string",
-                span,
-            )
-        is_surface = f"{block}.leastStep2" in variables
-        if is_surface and parameter == "smoothness" and value not in (_LINEAR, _CONSTANT):
+        if starts.of(("p", bindings[name]["P"]["index"])) not in (_LINEAR, _CONSTANT):
             raise model.unsupported(
                 f"the smoothness of {block} is not supported: a table with two inputs can have "
                 "LinearSegments or ConstantSegments",
-                span,
+                variable["declaration"]["span"],
             )

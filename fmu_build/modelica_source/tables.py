@@ -112,6 +112,10 @@ _END = re.compile(
     r"\b(?:final\s+parameter\s+[\w.]+\s+[tu]_min\b|equation\b).*?(?=\bannotation\b|\Z)", re.DOTALL
 )
 """From the first variable that the external object determines to the annotation of the block."""
+_COLUMNS_DECLARED = re.compile(
+    r"\bparameter\s+Integer\s+columns\b[^;]*?(?:(?P<annotation>\bannotation\s*\()|(?=;))"
+)
+"""The numbers of columns, which are not to be set in the FMU: few others are possible."""
 _EXTERNAL_OBJECT = re.compile(r"\bExternalCombi(?:TimeTable|Table[12]D)\b")
 
 
@@ -131,10 +135,14 @@ def _own_tables(text: str) -> str:
         return text
     plain = blanked(text)
     for block in reversed([*_BLOCK.finditer(plain)]):
-        end = _END.search(plain, block.start("body"), block.end("body"))
-        if end is not None:
-            lines = "\n" * text.count("\n", *end.span())
-            text = (
-                text[: end.start()] + " ".join(_ENDS[block["name"]].split("\n")) + lines + text[end.end() :]
-            )
+        body = block.span("body")
+        end = _END.search(plain, *body)
+        if end is None:
+            continue
+        lines = "\n" * text.count("\n", *end.span())
+        text = text[: end.start()] + " ".join(_ENDS[block["name"]].split("\n")) + lines + text[end.end() :]
+        columns = _COLUMNS_DECLARED.search(plain, body[0], end.start())
+        if columns is not None:
+            fixed = "Evaluate = true, " if columns["annotation"] else " annotation (Evaluate = true)"
+            text = text[: columns.end()] + fixed + text[columns.end() :]
     return text

@@ -56,6 +56,29 @@ package Tables "Models with tables"
     annotation (uses(Modelica(version = "1")));
   end Spring;
 
+  model Files "Tables in files beside the model"
+    Modelica.Blocks.Tables.CombiTable1Ds curve(
+      tableOnFile = true, tableName = "curve", fileName = "curves.txt", columns = {3, 2});
+    Modelica.Blocks.Tables.CombiTable2Ds surface(
+      tableOnFile = true,
+      tableName = "surface",
+      fileName = Modelica.Utilities.Files.loadResource("modelica://Tables/curves.txt"));
+    Modelica.Blocks.Sources.CombiTimeTable source(tableOnFile = true, tableName = "curve", fileName = "curves.txt");
+    output Real y[4] = {curve.y[1], curve.y[2], surface.y, sum(source.y)};
+  equation
+    curve.u = time;
+    surface.u1 = time;
+    surface.u2 = 1.5;
+    annotation (uses(Modelica(version = "1")));
+  end Files;
+
+  model NamedElsewhere
+    parameter String place = "curves.txt";
+    Modelica.Blocks.Sources.CombiTimeTable source(tableOnFile = true, tableName = "curve", fileName = place);
+    output Real y = source.y[1];
+    annotation (uses(Modelica(version = "1")));
+  end NamedElsewhere;
+
   model Decreasing
     Modelica.Blocks.Tables.CombiTable1Ds source(table = [0, 0; 1, 1; 1, 2]);
     output Real y = source.y[1];
