@@ -21,6 +21,7 @@ from fmu_build.codegen.sensitivities import extend, find_wanted
 from fmu_build.codegen.source import ModelSource
 from fmu_build.codegen.start_values import StartValues
 from fmu_build.codegen.structure import Structure
+from fmu_build.codegen.tables import reject_unsupported_tables
 from fmu_build.codegen.tangents import NoTangentsError, Tangents
 from fmu_build.codegen.trials import Trials
 from fmu_build.codegen.variables import StoredVariable, VariableReader
@@ -83,6 +84,7 @@ class _Read(NamedTuple):
 
 def _read(lowered: LoweredModel) -> _Read:
     reject_unsupported(lowered)
+    reject_unsupported_tables(lowered, StartValues(lowered))
     functions = FunctionLibrary(lowered)
     equations = compact(read_equations(lowered, functions.name_of), n_named_slots(lowered))
     lowered = with_named_states(lowered, equations)

@@ -14,6 +14,7 @@ import rumoca
 from fmu_build.codegen.compiled import CompiledModel
 from fmu_build.codegen.not_lowered import not_lowered
 from fmu_build.modelica_source.reached import IN_MEMORY
+from fmu_build.modelica_source.text import STRING
 from fmu_build.support.errors import UnsupportedModelError
 
 SOLVE_SCHEMA = 71
@@ -23,6 +24,12 @@ _TARGET = Path(__file__).parent / "target"
 
 # The template engine prints a mapping as JSON, except for its null and its non-finite numbers.
 _TOKEN = re.compile(r'("(?:[^"\\]|\\.)*")|\b(none|undefined)\b|(-?)\b(inf|NaN|nan)\b')
+_STRING = re.compile(STRING)
+_BARE = re.compile(r"(?<![\w.\"])(?:none|undefined|inf|NaN|nan)(?![\w.\"])")
+_REPLACEMENTS = tuple(
+    (re.compile(rf"(?<![\w.\"])(?:{words})(?![\w.\"])"), replacement)
+    for words, replacement in (("none|undefined", "null"), ("inf", "Infinity"), ("-?nan|-?NaN", "NaN"))
+)
 _RUST_ESCAPE = re.compile(r"\\u\{([0-9a-fA-F]+)\}|\\'|\\0")
 
 
@@ -83,7 +90,18 @@ def lower(model: rumoca.Model) -> LoweredModel:
 
 def read_mapping(text: str) -> dict[str, Any]:
     """Parse a mapping as printed by the template engine."""
+    strings = "\n".join(_STRING.findall(text))
+    if "\\" not in strings and not _BARE.search(strings):
+        # No string is in need of care, as in nearly all mappings: one substitution for each word is fast.
+        for word, replacement in _REPLACEMENTS:
+            text = word.sub(replacement, text)
+    else:
+        text = _converted(text)
+    mapping: dict[str, Any] = json.loads(text)
+    return mapping
 
+
+def _converted(text: str) -> str:
     def as_json(match: re.Match[str]) -> str:
         string, nothing, sign, number = match.groups()
         if string:
@@ -92,8 +110,7 @@ def read_mapping(text: str) -> dict[str, Any]:
             return "null"
         return "NaN" if number.lower() == "nan" else f"{sign}Infinity"
 
-    mapping: dict[str, Any] = json.loads(_TOKEN.sub(as_json, text))
-    return mapping
+    return _TOKEN.sub(as_json, text)
 
 
 def _as_json_escape(match: re.Match[str]) -> str:

@@ -94,8 +94,12 @@ class VariableReader:
         return (*stored, *self._derivatives(stored))
 
     def _is_visible(self, entry: dict[str, Any]) -> bool:
-        """Return whether FMI lists the variable: protected variables are hidden, except for states."""
-        if entry["name"] in self._left_out:
+        """Return whether FMI lists the variable: protected variables are hidden, except for states.
+
+        Parameters of type String are hidden too: numbers that depend on one are constants by now.
+        """
+        is_string = entry["value_type"]["scalar"] == "string" and entry["role"] in ("parameter", "constant")
+        if entry["name"] in self._left_out or is_string:
             return False
         flat = self._model.flat["variables"].get(entry["name"])
         is_hidden = flat is not None and flat["is_protected"] and entry["role"] != "state"

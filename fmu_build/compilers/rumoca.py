@@ -34,6 +34,8 @@ from fmu_build.compilers.library_path import (
 from fmu_build.compilers.rumoca_errors import native_stderr, syntax_errors, translated_errors
 from fmu_build.modelica_source.builtins import with_known_functions
 from fmu_build.modelica_source.reached import IN_MEMORY, ReachedSource
+from fmu_build.modelica_source.table_files import with_tables_from_files
+from fmu_build.modelica_source.tables import with_own_tables
 from fmu_build.packaging import check_request, package_fmu
 from fmu_build.support.description import GeneratedModel
 from fmu_build.support.errors import ToolchainError
@@ -97,7 +99,10 @@ def _generated(request: BuildRequest, libraries: Libraries) -> tuple[GeneratedMo
     alone = all(_is_read_with(library, used) for used in used_libraries(libraries, reached))
     files = readable_files(library) if alone else list(reached.texts)
     with native_stderr() as loading, translated_errors(request.model, known.file, files):
-        session, model = _loaded(library, request.model) if alone else _loaded_in_part(reached, request.model)
+        if alone:
+            session, model = _loaded(library, request.model)
+        else:
+            session, model = _loaded_in_part(reached, libraries, request.model)
     request.on_stage("generating C")
     with native_stderr() as generating, translated_errors(request.model, known.file, files):
         generated = generate(ModelSource(session, model), request.sensitivity)
@@ -145,12 +150,16 @@ def _loaded(library: Path, model: str) -> tuple[rumoca.Session, rumoca.Model]:
     return session, session.load(str(entry_file(library)), model=model)
 
 
-def _loaded_in_part(reached: ReachedSource, model: str) -> tuple[rumoca.Session, rumoca.Model]:
+def _loaded_in_part(
+    reached: ReachedSource, libraries: Libraries, model: str
+) -> tuple[rumoca.Session, rumoca.Model]:
     """Compile a model from the part of its libraries that it reaches."""
     import rumoca
 
     session = rumoca.Session()
-    for file, text in reached.texts.items():
+    folders = {name: path if path.is_dir() else path.parent for name, path in libraries.roots.items()}
+    texts = {file: with_tables_from_files(file, text, folders) for file, text in reached.texts.items()}
+    for file, text in with_own_tables(texts).items():
         # The session keeps each text, then fails to compile a model that does not exist.
         with suppress(rumoca.CompileError):
             session.loads(with_known_functions(text), model=_NONE, filename=f"{IN_MEMORY}{file}")

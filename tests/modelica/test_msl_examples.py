@@ -48,7 +48,8 @@ def _force_feedback(times: Array) -> dict[str, Array]:
     def derivatives(time: float, state: Array) -> list[float]:
         theta, omega, i, x = state
         hand = _ramp(time, 1.6, 0.2, 0.1) - _ramp(time, 1.6, 0.05, 1.0)
-        error = -feedback * theta / (k * RATIO) - i
+        neutral = 0.04 if time > 1.2 else 0.0
+        error = feedback * (neutral - theta) / (k * RATIO) - i
         torque = shaft_torque(theta, omega, constant_damping) + hand + RATIO * k * i
         voltage = 3.0 * (error + x)
         return [

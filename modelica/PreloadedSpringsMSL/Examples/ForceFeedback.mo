@@ -4,11 +4,10 @@ model ForceFeedback "Joystick with force feedback: a current-controlled DC motor
   parameter SI.RotationalSpringConstant c_feedback = 3 "Spring constant that the operator is made to feel";
   parameter SI.ElectricalTorqueConstant k = 0.05 "Torque constant of the motor";
   parameter Real ratio = 8 "Gear ratio";
-  Modelica.Blocks.Sources.Ramp push(height = 1.6, duration = 0.2, startTime = 0.1) "Hand that pushes"
-    annotation (Placement(transformation(extent = {{0, 70}, {20, 90}})));
-  Modelica.Blocks.Sources.Ramp release(height = -1.6, duration = 0.05, startTime = 1) "Hand that lets go"
-    annotation (Placement(transformation(extent = {{0, 40}, {20, 60}})));
-  Modelica.Blocks.Math.Add hand "Torque of the operator's hand"
+  Modelica.Blocks.Sources.CombiTimeTable course(
+    table = [0, 0, 0; 0.1, 0, 0; 0.3, 1.6, 0; 1, 1.6, 0; 1.05, 0, 0; 1.2, 0, 0; 1.2, 0, 0.04; 2, 0, 0.04],
+    extrapolation = Modelica.Blocks.Types.Extrapolation.HoldLastPoint)
+    "Torque of the operator's hand and angle of the felt neutral position"
     annotation (Placement(transformation(extent = {{50, 60}, {70, 80}})));
   PreloadedSprings.Joystick.Joystick joystick "Joystick"
     annotation (Placement(transformation(extent = {{100, -20}, {160, 40}})));
@@ -28,7 +27,9 @@ model ForceFeedback "Joystick with force feedback: a current-controlled DC motor
     annotation (Placement(transformation(extent = {{-20, -60}, {-40, -40}})));
   Modelica.Electrical.Analog.Basic.Ground ground "Ground"
     annotation (Placement(transformation(extent = {{-90, -80}, {-70, -60}})));
-  Modelica.Blocks.Math.Gain reference(k = -c_feedback/(k*ratio)) "Wanted current"
+  Modelica.Blocks.Math.Feedback deviation "From the felt neutral position"
+    annotation (Placement(transformation(origin = {150, -70}, extent = {{10, -10}, {-10, 10}})));
+  Modelica.Blocks.Math.Gain reference(k = c_feedback/(k*ratio)) "Wanted current"
     annotation (Placement(transformation(origin = {110, -70}, extent = {{10, -10}, {-10, 10}})));
   Modelica.Blocks.Math.Feedback error "Control error"
     annotation (Placement(transformation(extent = {{-120, -110}, {-100, -90}})));
@@ -36,11 +37,7 @@ model ForceFeedback "Joystick with force feedback: a current-controlled DC motor
     "Current controller"
     annotation (Placement(transformation(extent = {{-130, -24}, {-110, -4}})));
 equation
-  connect(push.y, hand.u1)
-    annotation (Line(points = {{21, 80}, {36, 80}, {36, 76}, {48, 76}}, color = {0, 0, 127}));
-  connect(release.y, hand.u2)
-    annotation (Line(points = {{21, 50}, {36, 50}, {36, 64}, {48, 64}}, color = {0, 0, 127}));
-  connect(hand.y, joystick.T)
+  connect(course.y[1], joystick.T)
     annotation (Line(points = {{71, 70}, {90, 70}, {90, 10}, {97, 10}}, color = {0, 0, 127}));
   connect(joystick.flange, gear.flange_b)
     annotation (Line(points = {{100, -14}, {80, -14}}));
@@ -60,8 +57,12 @@ equation
     annotation (Line(points = {{-40, -50}, {-80, -50}, {-80, -24}}, color = {0, 0, 255}));
   connect(ground.p, amplifier.n)
     annotation (Line(points = {{-80, -60}, {-80, -24}}, color = {0, 0, 255}));
-  connect(joystick.theta, reference.u)
-    annotation (Line(points = {{163, 37}, {180, 37}, {180, -70}, {122, -70}}, color = {0, 0, 127}));
+  connect(course.y[2], deviation.u1)
+    annotation (Line(points = {{71, 70}, {190, 70}, {190, -70}, {158, -70}}, color = {0, 0, 127}));
+  connect(joystick.theta, deviation.u2)
+    annotation (Line(points = {{163, 37}, {180, 37}, {180, -90}, {150, -90}, {150, -78}}, color = {0, 0, 127}));
+  connect(deviation.y, reference.u)
+    annotation (Line(points = {{141, -70}, {122, -70}}, color = {0, 0, 127}));
   connect(reference.y, error.u1)
     annotation (Line(points = {{99, -70}, {20, -70}, {20, -120}, {-140, -120}, {-140, -100}, {-118, -100}},
       color = {0, 0, 127}));
@@ -78,9 +79,10 @@ equation
     experiment(StartTime = 0, StopTime = 2, Tolerance = 1e-8, Interval = 1e-3),
     Documentation(info = "<html>
 <p>
-A hand pushes the joystick forward and lets go. The motor adds the torque
-<code>-c_feedback*theta</code>: the wanted current follows from the angle, and a PI controller sets the voltage of the
-winding. Gear and rotor add <code>ratio^2*rotor.J</code> to the moment of inertia of the handle.
+A table gives the torque of a hand, which pushes the joystick forward and lets go, and the angle <code>course.y[2]</code>
+of the neutral position that it is made to feel, which jumps at 1.2 s. The motor adds the torque
+<code>c_feedback*(course.y[2] - theta)</code>: the wanted current follows from the angle, and a PI controller sets the
+voltage of the winding. Gear and rotor add <code>ratio^2*rotor.J</code> to the moment of inertia of the handle.
 </p>
 <p>
 Plot <code>joystick.theta</code> with <code>joystick.T</code>, and the current <code>current.i</code> with
