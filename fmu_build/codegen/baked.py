@@ -14,17 +14,19 @@ from fmu_build.codegen.trials import Candidate, Trials
 
 def baked_parameters(trials: Trials) -> frozenset[str]:
     """Return the names of the parameters (arrays as a whole) that cannot be set after compilation."""
-    return frozenset(name for layer in _layers(trials) for name in _search(trials, layer))
+    layers = (layer for kind in trials.kinds for layer in _layers(trials, kind))
+    return frozenset(name for layer in layers for name in _search(trials, layer))
 
 
-def _layers(trials: Trials) -> Iterator[list[Candidate]]:
+def _layers(trials: Trials, group: Sequence[Candidate]) -> Iterator[list[Candidate]]:
     """Part the candidates so that none stands beside one that follows it.
 
     Set together, the one would hide that the other does not follow it when the FMU runs.
     """
-    remaining = list(trials.candidates)
+    remaining = list(group)
     while remaining:
-        followers = following(trials, remaining)
+        moved = followers_of(trials, remaining)
+        followers = [one for one in remaining if moved.intersection(one.names)]
         if len(followers) == len(remaining):
             break
         yield [one for one in remaining if one not in followers]
@@ -32,8 +34,8 @@ def _layers(trials: Trials) -> Iterator[list[Candidate]]:
     yield from ([one] for one in remaining)
 
 
-def following(trials: Trials, group: Sequence[Candidate]) -> list[Candidate]:
-    """Return the candidates whose values the compiler has derived from those of others of the group.
+def followers_of(trials: Trials, group: Sequence[Candidate]) -> set[str]:
+    """Return the parameters whose values the compiler has derived from those of others, of the group.
 
     Of any two there is a bit in which their numbers differ, so that a trial sets the one without the other.
     """
@@ -41,7 +43,7 @@ def following(trials: Trials, group: Sequence[Candidate]) -> list[Candidate]:
     for bit in range((len(group) - 1).bit_length()):
         for side in (0, 1):
             moved |= trials.followers([one for number, one in enumerate(group) if number >> bit & 1 == side])
-    return [one for one in group if moved.intersection(one.names)]
+    return moved
 
 
 def _search(trials: Trials, group: Sequence[Candidate]) -> Iterator[str]:

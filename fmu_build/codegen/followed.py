@@ -13,7 +13,7 @@ from typing import Any
 
 import rumoca
 
-from fmu_build.codegen.baked import following
+from fmu_build.codegen.baked import followers_of
 from fmu_build.codegen.lowered import LoweredModel, lower
 from fmu_build.codegen.source import ModelSource
 from fmu_build.codegen.trials import Candidate, Trials
@@ -24,9 +24,10 @@ def with_followed_parameters(
     source: ModelSource, model: LoweredModel, trials: Trials
 ) -> tuple[ModelSource, LoweredModel] | None:
     """Return the model in which others follow the parameters at run time; None if it is that already."""
-    followers = following(trials, trials.candidates)
-    first = [one for one in trials.candidates if one not in followers]
-    kept = [one.present for one in _leaders(trials, first) if len(one.names) == 1 and _is_open(trials, one)]
+    followers = {name for kind in trials.kinds for name in followers_of(trials, kind)}
+    first = ([one for one in kind if not followers.intersection(one.names)] for kind in trials.kinds)
+    leaders = (one for kind in first for one in _leaders(trials, kind))
+    kept = [one.present for one in leaders if len(one.names) == 1 and _is_open(trials, one)]
     if not kept:
         return None
     try:

@@ -37,14 +37,25 @@ class Candidate:
     fallback: Candidate | None = None
     """Another way to set them, tried if they do not prove free in this way."""
 
+    @property
+    def is_real(self) -> bool:
+        """Whether its type is Real."""
+        return self.present.type == "Real"
+
 
 class Trial(NamedTuple):
-    """A model with other parameter values; its equations as text, which suffices to compare them."""
+    """A model with other parameter values; equations as text, which suffices to compare them."""
 
     equations: str
     values: dict[str, Any]
-    functions: dict[str, Any] | None
+    functions: str
     """The DAE, where it has functions."""
+
+    @classmethod
+    def read(cls, text: str) -> Trial:
+        """Return what the target ``variant`` has printed."""
+        equations, values, functions = text.split("\n----\n")
+        return cls(equations, read_mapping(values)["values"], functions.strip())
 
     def changed(self, other: Trial) -> set[str]:
         """Return the parameters that have another value there, but for those that trials add."""
@@ -56,22 +67,26 @@ class Trial(NamedTuple):
 
     def computes_as(self, other: Trial) -> bool:
         """Return whether equations and functions are the same."""
-        mine, yours = (bodies(one.functions) if one.functions else {} for one in (self, other))
-        return self.equations == other.equations and mine == yours
+        if self.equations != other.equations:
+            return False
+        mine, yours = (bodies(read_mapping(one.functions)) if one.functions else {} for one in (self, other))
+        return mine == yours
 
 
 class Trials:
     """The trial compilations of one model.
 
     Attributes:
-        candidates: every parameter that can be set unless it is baked
+        kinds: every parameter that can be set unless it is baked: the Reals, then the others, with which the
+            model may not compile; those of one kind are set together
         computed: the parameters that the model computes from others at initialization
         plain: the model as it is; None if it does not compile as a base class
     """
 
     def __init__(self, source: ModelSource, model: LoweredModel, starts: StartValues) -> None:
         self._source = source
-        self.candidates = tuple(_candidates(model, starts))
+        candidates = list(_candidates(model, starts))
+        self.kinds = tuple([one for one in candidates if one.is_real == kind] for kind in (True, False))
         self.computed = model.computed_parameters
         self._compiled: dict[tuple[Setting, ...], Trial | None] = {}
         self.plain = self.compiled([])
@@ -88,8 +103,7 @@ class Trials:
             text = self._source.variant(settings).codegen(str(_TARGET)).files[0].content
         except (rumoca.RumocaError, RuntimeError):
             return None
-        equations, _, rest = text.partition("\n----\n")
-        return Trial(equations, **read_mapping(rest))
+        return Trial.read(text)
 
     def followers(self, chosen: Sequence[Candidate]) -> set[str]:
         """Return the other parameters whose values the compiler derives from those of the chosen ones."""
