@@ -74,7 +74,10 @@ def fit(lab: Laboratory, records: tuple[str, ...], sources: Mapping[str, str], f
             identification.require_joystick_in(settings)
             paths = [lab.root / one for one in records]
             if identification.reads_releases(settings):
-                read: list[motion.Record | identification.Measurement] = list(motion.read_repeats(paths))
+                counted = settings.comparison == "peaks"
+                read: list[motion.Record | identification.Measurement] = list(
+                    motion.read_repeats(paths, counted=counted)
+                )
             else:
                 names = (*settings.outputs, *settings.inputs)
                 read = [identification.read_table_record(one, names, opened.description) for one in paths]
@@ -219,7 +222,7 @@ def budget(lab: Laboratory, records: tuple[str, ...], curves: tuple[model.Side, 
             scale=scale,
             time_base=lab.time_base,
         )
-        read = motion.read_repeats([lab.root / one for one in records])
+        read = motion.read_repeats([lab.root / one for one in records], counted=False)
         tell("fitting")
         with fmu.Fmu(find(bench.fmu)) as opened:
             found, contributions = identification.fit_contributions(

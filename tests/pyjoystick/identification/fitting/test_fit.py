@@ -29,6 +29,7 @@ from pyjoystick.identification import (
     summary,
 )
 from pyjoystick.model import NOMINAL
+from pyjoystick.motion import RecordError, read_repeats
 from tests.pyjoystick.identification.fitting.made import releases
 
 NOISE = math.radians(0.1)
@@ -119,6 +120,32 @@ def test_each_record_may_have_a_noise_of_its_own(fmus_by_name: Path) -> None:
     assert levels == pytest.approx([NOISE, 5.0 * NOISE], rel=0.2)
     assert together.records[0].sigma == together.records[1].sigma
     assert apart.error("damping.C") < 0.5 * together.error("damping.C")
+
+
+def test_lost_samples_are_no_loss_of_the_fit(fmus_by_name: Path, tmp_path: Path) -> None:
+    """A fifth of the frames, and one gap that hides a whole swing; C moves by no more than its error.
+
+    The error grows with the root of the samples that are left.
+    """
+    random = np.random.default_rng(5)
+    whole = releases(NOMINAL, 3, noise=NOISE)
+    paths = []
+    for one in whole:
+        kept = random.random(len(one.time)) > 0.2
+        kept &= (one.time < 0.6) | (one.time > 0.75)
+        kept[:8] = True
+        table = np.column_stack((one.time, one.theta))[kept]
+        path = tmp_path / f"{one.name}.csv"
+        np.savetxt(path, table, delimiter=",", header="time (s),theta (rad)", comments="")
+        paths.append(path)
+    with pytest.raises(RecordError, match="in which a peak may hide"):
+        read_repeats(paths)
+    found = fit(read_repeats(paths, counted=False), CONSTANT_DAMPING)
+    assert found.trusted, [check for check in found.checks if not check.passed]
+    before = fit(whole, CONSTANT_DAMPING)
+    # Beyond four standard errors once in 16,000 fits; the seeds are fixed.
+    assert abs(found.value("damping.C") - NOMINAL.to_names()["damping.C"]) < 4.0 * found.error("damping.C")
+    assert before.error("damping.C") < found.error("damping.C") < 1.5 * before.error("damping.C")
 
 
 def test_two_outputs_have_a_noise_each(fmus_by_name: Path) -> None:
