@@ -11,7 +11,8 @@ from pyjoystick.identification.fitting.checks import residual_checks, trust
 from pyjoystick.identification.fitting.checks.residual_view import ResidualView
 from pyjoystick.identification.fitting.checks.rivals import Make, tried
 from pyjoystick.identification.fitting.checks.score_test import Finding, score_test, significant
-from pyjoystick.identification.fitting.checks.suspects import Suspect, suspects
+from pyjoystick.identification.fitting.checks.suspect import Suspect
+from pyjoystick.identification.fitting.checks.suspects import suspects
 from pyjoystick.identification.fitting.problem.instrument import ZERO_OFFSET
 from pyjoystick.identification.fitting.problem.least_squares import Problem
 from pyjoystick.identification.fitting.problem.noise_color import Memory

@@ -135,8 +135,9 @@ def fit(
         solution = _at_solution(problem, measured, ordered, opened)
         minima, steps, settled = _search(problem, solution, ordered, tell)
 
-        def make(other: FitSettings, fmu: Fmu | None) -> Problem:
-            return make_problem(measured, other, fmu or opened)
+        def make(other: FitSettings, fmu: Fmu | None, *, mirrored: bool = False) -> Problem:
+            shown = [one.mirrored() for one in measured] if mirrored else measured
+            return make_problem(shown, other, fmu or opened)
 
         found = _judged(solution, ordered, minima, steps, make, tell)
         if not settled:

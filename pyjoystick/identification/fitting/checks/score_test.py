@@ -10,7 +10,7 @@ from typing import Final
 import numpy as np
 from scipy import stats
 
-from pyjoystick.identification.fitting.checks.suspects import Suspect
+from pyjoystick.identification.fitting.checks.suspect import Suspect
 from pyjoystick.identification.fitting.problem.least_squares import Problem
 from pyjoystick.support import FloatArray
 

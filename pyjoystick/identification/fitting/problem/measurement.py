@@ -16,6 +16,8 @@ from pyjoystick.fmu import FmuDescription, read_variables
 from pyjoystick.motion import Record
 from pyjoystick.support import FloatArray, SeriesError, UnknownVariableError, increasing_times
 
+_TURNED: Final = ("theta", "omega", "alpha")
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Measurement:
@@ -59,6 +61,11 @@ class Measurement:
         """A table indexed by time (s) with columns in the units of the FMU, as its runs give."""
         columns = {str(column): table[column].to_numpy(dtype=np.float64) for column in table.columns}
         return cls(name, table.index.to_numpy(dtype=np.float64), columns)
+
+    def mirrored(self) -> Measurement:
+        """The same with the angle and its derivatives counted the other way round."""
+        columns = {name: -one if name in _TURNED else one for name, one in self.columns.items()}
+        return Measurement(self.name, self.time, columns)
 
     def _checked(self, name: str, series: ArrayLike) -> FloatArray:
         values = np.array(series, dtype=np.float64)

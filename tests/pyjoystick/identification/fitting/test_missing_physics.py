@@ -52,6 +52,24 @@ def test_dry_friction_is_found_and_named(fmus_by_name: Path, rubbing: list[Recor
     assert "dry friction at the pivot (T_c about 0.006" in _message(found, "missing physics")
 
 
+def test_the_other_sign_of_the_angle_is_named(fmus_by_name: Path) -> None:
+    """Other preloads would explain almost as much: the springs of the two sides differ."""
+    seen = [dataclasses.replace(one, theta=-one.theta) for one in releases(NOMINAL, 2, noise=NOISE)]
+    found = fit(seen, QUICK)
+    message = _message(found, "missing physics")
+    assert message.startswith(
+        "the residuals are not noise: the other sign of the angle would explain them best"
+    )
+
+
+def test_records_of_two_joysticks_do_not_pass_for_one(fmus_by_name: Path) -> None:
+    """Their mean fits neither; C of the two differs by 1.5 %, some ten standard errors of one record."""
+    other = releases(NOMINAL.replace({"damping.C": 0.0457}), 4, noise=NOISE, seed=2)
+    one = releases(NOMINAL, 4, noise=NOISE)
+    found = fit([*one[:2], *other[2:]], QUICK)
+    assert "records that differ in damping.C" in _message(found, "missing physics")
+
+
 def test_friction_in_the_model_gives_both_coefficients(fmus_by_name: Path, rubbing: list[Record]) -> None:
     found = fit(rubbing, with_friction(QUICK))
     assert found.trusted, [check for check in found.checks if not check.passed]
