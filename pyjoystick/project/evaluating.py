@@ -106,8 +106,11 @@ def _fmu_content(lab: Laboratory, find: Find) -> str:
 
 def standard_fmus(lab: Laboratory) -> tuple[str, str]:
     """The FMUs that run the joystick of the laboratory with constant damping and with eq. (11)."""
+    joystick = lab.base.joystick
+    if any(one.friction for one in lab.curves.values()):
+        joystick = joystick.replace({"friction.F_c": 1.0})  # any but 0: the curves are yet to say how much
     constant, power_law = (
-        identification.fmu_with_parts(FMUS[law], lab.base.joystick) for law in ("constant", "power-law")
+        identification.fmu_with_parts(FMUS[law], joystick) for law in ("constant", "power-law")
     )
     return constant, power_law
 

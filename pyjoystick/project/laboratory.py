@@ -22,6 +22,7 @@ class CurveSource:
         file: as written in ``laboratory.toml``, relative to the project
         columns, units: headings and their units, as for `read_load_curve`
         travel_noise, force_noise: standard deviations of one sample (m, N); from their scatter if not given
+        friction: whether half the hysteresis is the dry friction along the plungers
     """
 
     file: str
@@ -29,6 +30,7 @@ class CurveSource:
     units: Mapping[str, str] = field(default_factory=dict)
     travel_noise: float | None = None
     force_noise: float | None = None
+    friction: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -146,6 +146,7 @@ def _curve(table: Table) -> CurveSource:
         units=_texts(table.table("units")),
         travel_noise=_quantity(table, "travel_noise", "length"),
         force_noise=_quantity(table, "force_noise", "force"),
+        friction=table.flag("friction"),
     )
 
 

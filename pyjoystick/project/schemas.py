@@ -126,6 +126,7 @@ def laboratory_schema() -> Schema:
         units=texts,
         travel_noise=_quantity("length", "of one sample"),
         force_noise=_quantity("force", "of one sample"),
+        friction=_about(_FLAG, "half the hysteresis is the dry friction along the plungers"),
     )
     chain = dataclasses.fields(laboratory.Chain)
     return _table(

@@ -100,7 +100,8 @@ def read_repeats(
 
     Raises:
         RecordError: the paths are no list; a file is refused; two hold the same samples (a repeat counted
-            twice would make every interval too narrow); or they are released from different sides (the wrong sign in one?)
+            twice would make every interval too narrow); or they are released from different sides (the wrong
+            sign in one?)
     """
     if isinstance(paths, str | PathLike):
         raise RecordError(str(paths), "is one path", "give a list of files, one a repeat")
