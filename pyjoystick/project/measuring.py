@@ -27,7 +27,9 @@ MEASURED = f"{RESULTS}/measured.toml"
 
 def fitted_curve(root: Path, source: CurveSource) -> laboratory.LoadCurveFit:
     """The fit of a load-deflection curve."""
-    curve = laboratory.read_load_curve(root / source.file, columns=source.columns, units=source.units)
+    curve = laboratory.read_load_curve(
+        root / source.file, columns=source.columns, units=source.units, layout=source.layout
+    )
     return laboratory.fit_load_curve(
         curve, 4, travel_noise=source.travel_noise, force_noise=source.force_noise
     )

@@ -119,9 +119,14 @@ def laboratory_schema() -> Schema:
     }
     files = {"anyOf": [_TEXT, _list(_TEXT)], "description": "name, pattern such as data/*.c3d, or list"}
     texts, interval = _map(_TEXT), _list(_NUMBER, 2, 2)
+    layout = {
+        **dict.fromkeys(("sheet", "delimiter", "encoding"), _TEXT),
+        "decimal": {"enum": ["", ".", ","]},
+    }
     curve = _table(
         ("file",),
         file=_TEXT,
+        **layout,
         columns=_about(texts, "headings of travel and force"),
         units=texts,
         travel_noise=_quantity("length", "of one sample"),
@@ -170,8 +175,7 @@ def laboratory_schema() -> Schema:
                 scales=_about(texts, 'such as theta = "0.0879deg/count"'),
                 zeros=_map(_NUMBER),
                 samples_per_second=_NUMBER,
-                **dict.fromkeys(("sheet", "delimiter", "encoding"), _TEXT),
-                decimal={"enum": ["", ".", ","]},
+                **layout,
             )
         ),
         accelerometer=_list(
