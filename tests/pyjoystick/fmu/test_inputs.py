@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -143,15 +144,16 @@ def test_whole_seconds_and_a_unit_that_is_right_are_taken(joystick: Fmu) -> None
 
 def test_constants_come_as_a_mapping(joystick: Fmu) -> None:
     """A table has no one value: its first row would be an arbitrary choice."""
-    for call in (lambda: joystick.linearize(0.1, inputs=TORQUE), lambda: joystick.start(inputs=TORQUE)):
+    given: Any = TORQUE
+    for call in (lambda: joystick.linearize(0.1, inputs=given), lambda: joystick.start(inputs=given)):
         with pytest.raises(ParameterError, match="inputs = a DataFrame: must be a mapping from names"):
             call()
 
 
 def test_parameters_come_as_a_mapping(joystick: Fmu) -> None:
     with pytest.raises(ParameterError, match="parameters = a list: must be a mapping from names to values"):
-        joystick.run(TIME, parameters=[0.045])
-    row = pd.Series({"theta_start": 0.1, "damping.C": 0.05})
+        joystick.run(TIME, parameters=[0.045])  # type: ignore[arg-type]
+    row: Any = pd.Series({"theta_start": 0.1, "damping.C": 0.05})
     np.testing.assert_array_equal(
         joystick.run(TIME, parameters=row)["theta"], joystick.run(TIME, parameters=dict(row))["theta"]
     )

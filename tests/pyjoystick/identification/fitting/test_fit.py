@@ -30,6 +30,7 @@ from pyjoystick.identification import (
 )
 from pyjoystick.model import NOMINAL
 from pyjoystick.motion import RecordError, read_repeats
+from pyjoystick.support import ParameterError
 from tests.pyjoystick.identification.fitting.made import releases
 
 NOISE = math.radians(0.1)
@@ -233,3 +234,22 @@ def test_json_has_every_number_and_no_nan(with_bootstrap: Fit) -> None:
     )
     assert json.loads(as_json(open_one))["parameters"][0]["standard_error"] is None
     assert "not determined" in summary(open_one)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ((pd.DataFrame({"theta": [0.1]}), QUICK), "a DataFrame: must be a list, each of it a Record"),
+        ((releases(NOMINAL)[0], QUICK), "records = a Record: must be a list"),
+        (([pd.DataFrame({"theta": [0.1]})], QUICK), "a DataFrame among them: must be .* Measurement"),
+        ((releases(NOMINAL), None), "settings = a NoneType: must be FitSettings"),
+    ],
+)
+def test_arguments_of_other_types_are_named(arguments: tuple[object, object], message: str) -> None:
+    with pytest.raises(ParameterError, match=message):
+        fit(*arguments)  # type: ignore[arg-type]
+
+
+def test_an_fmu_by_name_is_not_an_open_one() -> None:
+    with pytest.raises(ParameterError, match="fmu = Joystick: must be an open Fmu"):
+        fit(releases(NOMINAL), QUICK, fmu="Joystick")  # type: ignore[arg-type]
