@@ -29,6 +29,7 @@ class Making:
         joystick: the joystick
         disturbance: what acts beside its equation
         speed: at the release (rad/s)
+        play: of a loose sensor (rad)
         scale, time_base, offset: of the instrument: what it shows is too large by `scale`, its clock too slow
             by `time_base`, its zero off by `offset` (rad)
         noise: from a generator and a number of samples
@@ -41,6 +42,7 @@ class Making:
     scale: float = 0.0
     time_base: float = 0.0
     offset: float = 0.0
+    play: float = 0.0
     noise: Callable[[np.random.Generator, int], FloatArray] = lambda random, n: (
         NOISE * random.standard_normal(n)
     )
@@ -88,8 +90,23 @@ def _record(making: Making, name: str, angle: float, random: np.random.Generator
         making.joystick, making.disturbance, time=instants, theta_start=angle, omega_start=making.speed
     )
     theta[after] = motion[1:]
+    if making.play > 0.0:
+        theta[after] = _dragged(making, instants, angle)
     shown = (1.0 + making.scale) * theta + making.offset + making.noise(random, len(time))
     return Record(name, time, making.seen(shown, random), source="synthetic")
+
+
+def _dragged(making: Making, instants: FloatArray, angle: float) -> FloatArray:
+    """What a sensor shows that moves on only when the handle has crossed its play."""
+    fine = np.linspace(0.0, instants[-1], 20 * len(instants))
+    motion = disturbed_motion(
+        making.joystick, making.disturbance, time=fine, theta_start=angle, omega_start=making.speed
+    )
+    shown, last = np.empty_like(motion), angle
+    for k, value in enumerate(motion):
+        last = min(max(last, value - 0.5 * making.play), value + 0.5 * making.play)
+        shown[k] = last
+    return np.interp(instants[1:], fine, shown)
 
 
 def _friction(making: Making, size: float, random: np.random.Generator) -> None:
@@ -155,6 +172,19 @@ def _saturation(making: Making, size: float, random: np.random.Generator) -> Non
     making.seen = lambda theta, generator: np.clip(theta, -limit, limit) + noise(generator, len(theta))
 
 
+def _backlash(making: Making, size: float, random: np.random.Generator) -> None:
+    making.play = math.radians(size)
+
+
+def _sign(making: Making, size: float, random: np.random.Generator) -> None:
+    making.seen = lambda theta, _: -theta
+
+
+def _mixture(making: Making, size: float, random: np.random.Generator) -> None:
+    factor = 1.0 + 0.01 * size * random.standard_normal()
+    making.joystick = NOMINAL.replace({"damping.C": NOMINAL.to_names()["damping.C"] * factor})
+
+
 def _color(making: Making, size: float, random: np.random.Generator) -> None:
     def noise(generator: np.random.Generator, n: int) -> FloatArray:
         found = generator.standard_normal(n)
@@ -176,8 +206,8 @@ def _outliers(making: Making, size: float, random: np.random.Generator) -> None:
 
 CASES: Final[Mapping[str, Case]] = {
     "nothing wrong": Case((0.0,), "", lambda making, size, random: None),
-    "friction": Case((0.002, 0.0072, 0.02, 0.05), "N m", _friction, ("friction",)),
-    "friction at the plungers": Case((0.1, 0.3, 1.0), "N", _plungers, ("friction",)),
+    "friction": Case((0.0005, 0.001, 0.002, 0.0072, 0.02, 0.05), "N m", _friction, ("friction",)),
+    "friction at the plungers": Case((0.02, 0.05, 0.1, 0.3, 1.0), "N", _plungers, ("friction",)),
     "another law": Case((0.1, 0.3, 1.0), "of eq. (11)", _law, ("damping coefficient",)),
     "stop": Case((14.0, 12.0, 10.0), "deg", _stop, ("stop",)),
     "J": Case((0.2, 1.0, 5.0), "%", _inertia, ("moment of inertia",)),
@@ -189,6 +219,9 @@ CASES: Final[Mapping[str, Case]] = {
     "filter": Case((20.0, 13.0, 8.0), "Hz", _filter, ("filter",)),
     "clipping": Case((18.0, 12.0, 8.0), "deg", _clipping, ("clipping",)),
     "saturation": Case((18.0, 12.0, 8.0), "deg", _saturation, ("clipping",)),
+    "backlash": Case((0.2, 0.5, 1.0), "deg", _backlash, ("backlash",)),
+    "other sign": Case((1.0,), "", _sign, ("other sign",)),
+    "another C in each record": Case((1.0, 3.0, 10.0), "%", _mixture, ("differ in damping.C",)),
     "colored noise": Case((0.3, 0.6, 0.8), "", _color),
     "outliers": Case((0.5, 2.0, 10.0), "deg", _outliers),
 }

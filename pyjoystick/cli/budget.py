@@ -71,7 +71,7 @@ def run(
     before = model.read_parameter_file(parameters)
     errors = options.parse_assignments(uncertainties, "--uncertainty")
     bench = _bench(before, options.parse_curves(curves), errors)
-    releases = motion.read_repeats(records)
+    releases = motion.read_repeats(records, counted=False)
     with (
         fmu.Fmu(found_or_built(bench.fmu)) as opened,
         messages().status("fitting"),

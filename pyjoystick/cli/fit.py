@@ -221,7 +221,8 @@ def _records(
         names = (*settings.outputs, *settings.inputs)
         return [identification.read_table_record(path, names, description) for path in paths]
     columns, units = headings["columns"], headings["units"]
-    records = motion.read_repeats(paths, columns=columns, units=units, both_sides=both_sides)
+    counted = settings.comparison == "peaks"
+    records = motion.read_repeats(paths, columns=columns, units=units, both_sides=both_sides, counted=counted)
     for record in records:
         print_notes(record.name, record.notes)
     return records

@@ -8,7 +8,7 @@ from typing import Annotated, Final
 import typer
 
 from pyjoystick import laboratory, model, support
-from pyjoystick.cli import options
+from pyjoystick.cli import options, table_options
 from pyjoystick.cli.console import output, print_note, print_notes, write
 from pyjoystick.cli.parameter_updates import file_to_update, write_measured
 from pyjoystick.cli.plausibility import require_plausible
@@ -60,6 +60,10 @@ def run(
             text="Standard deviation of force: 0.05 (N) or 50mN. Default: from its scatter.",
         ),
     ] = None,
+    sheet: table_options.Sheet = "",
+    delimiter: table_options.Delimiter = "",
+    decimal: table_options.Decimal = "",
+    encoding: table_options.Encoding = "",
     plot: Annotated[Path | None, options.plot("the curve and the fit")] = None,
 ) -> None:
     """Fit straight segments to a load-deflection curve to find the springs of one side (Table 1)."""
@@ -73,9 +77,10 @@ def run(
         {"travel_noise": travel_noise or 0.0, "force_noise": force_noise or 0.0},
         options={"travel_noise": "--travel-noise", "force_noise": "--force-noise"},
     )
+    layout = table_options.layout(delimiter, decimal, encoding, sheet)
     check_outputs(parameters, plot)
     before = file_to_update(parameters)
-    curve = laboratory.read_load_curve(file, **options.parse_headings(columns, units))
+    curve = laboratory.read_load_curve(file, **options.parse_headings(columns, units), layout=layout)
     fit = laboratory.fit_load_curve(curve, segments, travel_noise=travel_noise, force_noise=force_noise)
     print_notes(file, fit.notes)
     output().print(laboratory.load_curve_report(fit), markup=False)

@@ -10,7 +10,7 @@ from typing import Annotated, Final
 import typer
 
 from pyjoystick import laboratory, motion, support
-from pyjoystick.cli import options
+from pyjoystick.cli import options, table_options
 from pyjoystick.cli.console import output, print_notes, write
 from pyjoystick.support import ParameterError
 
@@ -68,19 +68,10 @@ def run(
             "--samples-per-second", metavar="HZ", help="Sampling rate, instead of a column of times."
         ),
     ] = None,
-    sheet: Annotated[
-        str, typer.Option("--sheet", metavar="NAME", help="Sheet of a workbook, or structure of a .mat file.")
-    ] = "",
-    delimiter: Annotated[
-        str,
-        typer.Option(
-            "--delimiter", metavar="NAME", help="comma, semicolon, tab, bar, space, or another character."
-        ),
-    ] = "",
-    decimal: Annotated[str, typer.Option("--decimal", metavar="MARK", help="Decimal mark: . or ,")] = "",
-    encoding: Annotated[
-        str, typer.Option("--encoding", metavar="NAME", help="Encoding of a text file, such as cp1252.")
-    ] = "",
+    sheet: table_options.Sheet = "",
+    delimiter: table_options.Delimiter = "",
+    decimal: table_options.Decimal = "",
+    encoding: table_options.Encoding = "",
 ) -> None:
     """Make a record from a laboratory's table of time, angle, torque and force.
 
@@ -90,15 +81,14 @@ def run(
         raise typer.BadParameter("give --output, --preview or both")
     if record_file is not None and record_file.exists() and file.exists() and record_file.samefile(file):
         raise typer.BadParameter("is the table itself", param_hint="--output")
-    if decimal not in ("", ".", ","):
-        raise typer.BadParameter(f"{decimal!r} must be . or ,", param_hint="--decimal")
+    layout = table_options.layout(delimiter, decimal, encoding, sheet)
     if samples_per_second is not None and not (0.0 < samples_per_second < math.inf):
         raise typer.BadParameter("must be above 0", param_hint="--samples-per-second")
     support.check_outputs(record_file, preview)
     log = motion.read_log(
         file,
         **options.parse_headings(columns, units),
-        layout=motion.Layout(delimiter, decimal, encoding, sheet),
+        layout=layout,
         scales=_scales(scales, zeros),
         rate=samples_per_second,
         start=-math.inf if start is None else start,

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping
 from functools import partial
 from os import PathLike
 from types import TracebackType
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Any, Self, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -30,6 +30,8 @@ from pyjoystick.support import DEFAULT_TOLERANCE, FloatArray, ParameterError, Sh
 
 if TYPE_CHECKING:
     import pandas as pd
+
+_V = TypeVar("_V")
 
 
 class Fmu(Shown):
@@ -188,7 +190,7 @@ class Fmu(Shown):
             UnknownParameterError, UnknownInputError, UnknownVariableError: a name is not one of the FMU's
             ParameterError, SeriesError: a value or series is not allowed, or a name is given twice
         """
-        return Plan(self, self._pool, time, varied, parameters or {}, inputs, outputs, tolerance)
+        return Plan(self, self._pool, time, varied, _without_none(parameters), inputs, outputs, tolerance)
 
     def start(
         self,
@@ -220,7 +222,7 @@ class Fmu(Shown):
                 or it is in a sandbox
             FmuRunError: the FMU refuses its settings
         """
-        settings = parameters or {}, inputs or {}, outputs, tolerance
+        settings = _without_none(parameters), _without_none(inputs), outputs, tolerance
         return Stepper(self, self._steppable(), time, stop_time, *settings)
 
     def linearize(
@@ -248,7 +250,7 @@ class Fmu(Shown):
                 sandbox
             FmuRunError: the FMU refuses its settings, fails on the way or has no derivatives there
         """
-        arguments = time, parameters or {}, inputs or {}, outputs, tolerance
+        arguments = time, _without_none(parameters), _without_none(inputs), outputs, tolerance
         pool = self._steppable()
         if isinstance(pool, ProcessPool):
             found: Linearization = pool.linearize(*arguments)
@@ -299,6 +301,7 @@ class Fmu(Shown):
             together
 
         Raises:
+            UnknownParameterError, UnknownVariableError: the FMU has no parameter or variable of that name
             UnsupportedFmuError: neither this FMU nor the one in ``sensitivities`` beside it was built for
                 them
             As `run`
@@ -316,6 +319,10 @@ class Fmu(Shown):
         if isinstance(self._pool, SandboxPool):
             raise UnsupportedFmuError(self.description.path, "is in a sandbox, which does whole runs only")
         return self._pool
+
+
+def _without_none(values: Mapping[str, _V] | None) -> Mapping[str, _V]:
+    return {} if values is None else values  # `or` would ask a table whether it is true
 
 
 def _table(plan: Plan, time: FloatArray, samples: NDArray[np.void]) -> pd.DataFrame:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Union
+from typing import TYPE_CHECKING, Any, Final, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,8 +18,10 @@ if TYPE_CHECKING:
 
 #: A constant by name of the input, or a table indexed by time (s) with one column an input. Between rows a
 #: continuous input is straight and any other keeps its value; before the first and after the last row both
-#: stay. Two rows of one time are a jump: the second holds from there on.
+#: stay. Two rows of one time are a jump: the second holds from there on. Where `attrs["units"]` of the table
+#: gives a column a unit, it must be that of the input.
 Inputs = Union[Mapping[str, Value], "pd.DataFrame"]  # `|` takes no name that is to come
+_INDEX: Final = "index of the inputs"
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,21 +57,19 @@ def checked_inputs(description: FmuDescription, inputs: Inputs) -> InputTable:
 
     Raises:
         UnknownInputError: the FMU has no input of that name
-        ParameterError: a value is of the wrong type, NaN or out of range, or the table is empty
-        SeriesError: the time of the table is not numeric, not finite or falls
+        ParameterError: the inputs are neither a mapping nor a table; the table is empty, or has an input
+            twice or in another unit; a value is of the wrong type, NaN or out of range
+        SeriesError: the index of the table is not a time in s, not finite or falls
     """
-    known = description.names("input")
-    for name in inputs:
-        if name not in known:
-            raise UnknownInputError(str(name), known)
-    index: Any = np.zeros(1)
-    columns: dict[str, Any]
     if isinstance(inputs, Mapping):
-        columns = {name: _constant(name, value) for name, value in inputs.items()}
+        _require_known(description, inputs)
+        index: Any = np.zeros(1)
+        columns: dict[str, Any] = {name: _constant(name, value) for name, value in inputs.items()}
     else:
-        index, columns = inputs.index, {str(name): inputs[name] for name in inputs}
-        if inputs.empty and columns:
-            raise ParameterError("inputs", "an empty table", "at least one row")
+        _require_table(inputs)
+        _require_known(description, inputs.columns)
+        _require_units(description, inputs)
+        index, columns = _seconds(inputs.index), {str(name): inputs[name] for name in inputs}
     for name, column in columns.items():
         variable = description.variables[name]
         require_scalar(variable)
@@ -78,10 +78,65 @@ def checked_inputs(description: FmuDescription, inputs: Inputs) -> InputTable:
     try:
         time = np.asarray(index, dtype=np.float64)
     except (TypeError, ValueError) as error:
-        raise SeriesError("index of the inputs", "must be time in s") from error
+        raise SeriesError(_INDEX, "must be time in s") from error
     for i in np.flatnonzero(~np.isfinite(time) | (np.diff(time, prepend=-np.inf) < 0.0))[:1]:
-        raise SeriesError("index of the inputs", f"is {time[i]} at row {i}; must be finite and not fall")
+        raise SeriesError(_INDEX, f"is {time[i]} at row {i}; must be finite and not fall")
     return InputTable(time, {name: np.asarray(column) for name, column in columns.items()})
+
+
+def checked_constants(description: FmuDescription, inputs: Mapping[str, Value]) -> dict[str, Value]:
+    """Inputs that hold, each in the type of its variable.
+
+    Raises:
+        UnknownInputError: the FMU has no input of that name
+        ParameterError: the inputs are not a mapping; a value is of the wrong type, NaN or out of range
+    """
+    if not isinstance(inputs, Mapping):
+        raise ParameterError("inputs", f"a {type(inputs).__name__}", "a mapping from names to constants")
+    checked_inputs(description, inputs)
+    return {name: checked_value(description.variables[name], value) for name, value in inputs.items()}
+
+
+def _require_known(description: FmuDescription, names: Iterable[object]) -> None:
+    known = description.names("input")
+    for name in names:
+        if name not in known:
+            raise UnknownInputError(str(name), known)
+
+
+def _require_table(inputs: object) -> None:
+    """Refuse what is no table, and a table without rows or with a column twice."""
+    import pandas as pd
+
+    if not isinstance(inputs, pd.DataFrame):
+        allowed = "a mapping from names to constants, or a pandas DataFrame of inputs indexed by time in s"
+        raise ParameterError("inputs", f"a {type(inputs).__name__}", allowed)
+    for name in inputs.columns[inputs.columns.duplicated()][:1]:
+        raise ParameterError("inputs", f"the columns {', '.join(map(str, inputs))}", f"one column for {name}")
+    if inputs.empty and len(inputs.columns):
+        raise ParameterError("inputs", "an empty table", "at least one row")
+
+
+def _require_units(description: FmuDescription, inputs: pd.DataFrame) -> None:
+    """Refuse a column that says it is in another unit than its input."""
+    units = inputs.attrs.get("units", {})
+    for name in inputs.columns:
+        wanted = description.variables[name].unit
+        if wanted and units.get(name, wanted) != wanted:
+            raise ParameterError(f"unit of {name}", units[name], wanted)
+
+
+def _seconds(index: pd.Index[Any]) -> pd.Index[Any]:
+    """The index, unless it counts the rows, or nanoseconds: as seconds these would be another time."""
+    import pandas as pd
+
+    if isinstance(index, pd.RangeIndex) and index.name is None and len(index) > 1:
+        problem = "counts the rows; must be time in s: DataFrame(..., index=time)"
+        raise SeriesError(_INDEX, problem)
+    if isinstance(index, (pd.DatetimeIndex, pd.TimedeltaIndex, pd.PeriodIndex)):
+        seconds = "(index - index[0]).total_seconds()"
+        raise SeriesError(_INDEX, f"is a {type(index).__name__}; must be time in s, as numbers: {seconds}")
+    return index
 
 
 def _doubtful(variable: Variable, column: pd.Series[Any] | NDArray[Any]) -> Iterable[object]:

@@ -12,7 +12,7 @@ import numpy as np
 
 from pyjoystick.fmu.description import FmuDescription, Variable
 from pyjoystick.fmu.errors import UnsupportedFmuError
-from pyjoystick.fmu.inputs import checked_inputs
+from pyjoystick.fmu.inputs import checked_constants
 from pyjoystick.fmu.instance import Instance
 from pyjoystick.fmu.values import REALS, Value, checked_outputs, checked_parameters
 from pyjoystick.support import FloatArray, ParameterError, not_negative, positive
@@ -76,8 +76,7 @@ def linearize(
     if not (description.directional_derivatives or description.adjoint_derivatives):
         raise UnsupportedFmuError(description.path, "provides neither directional nor adjoint derivatives")
     constants = checked_parameters(description, parameters)
-    table = checked_inputs(description, inputs)
-    given = {name: column[0] for name, column in table.columns.items()}
+    given = checked_constants(description, inputs)
     recorded = _outputs(description, outputs)
     rates, states = _rates_and_states(description)
     driven = [

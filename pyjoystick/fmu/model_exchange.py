@@ -68,7 +68,7 @@ def run_model_exchange(
     if np.max(np.abs(grid - instants)) > 1e-9 * interval:
         raise ParameterError("time", "unequal steps", "equally spaced for Model Exchange")
     description = read_description(find_fmu(fmu))
-    values = checked_parameters(description, parameters or {})
+    values = checked_parameters(description, {} if parameters is None else parameters)
     table = checked_inputs(description, {} if inputs is None else inputs)
     recorded = checked_outputs(description, outputs)
     if is_apart(description, own_process):

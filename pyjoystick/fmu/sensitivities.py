@@ -8,6 +8,7 @@ from typing import Final
 
 from pyjoystick.fmu.description import FmuDescription, Variable, read_description
 from pyjoystick.fmu.errors import UnsupportedFmuError
+from pyjoystick.support import UnknownParameterError, UnknownVariableError
 
 #: The folder beside an FMU in which one of the same name and model has sensitivities.
 FOLDER: Final = "sensitivities"
@@ -53,19 +54,38 @@ def wanted_names(description: FmuDescription, outputs: Iterable[str], by: Iterab
     """The outputs of an FMU for each pair, those of one variable together.
 
     Raises:
+        UnknownParameterError, UnknownVariableError: the FMU has none of that name
         UnsupportedFmuError: the FMU was not built for one of them
     """
-    parameters = list(by)
-    names = [sensitivity_name(output, parameter) for output in outputs for parameter in parameters]
-    missing = [name for name in names if name not in description.variables]
-    if missing:
-        raise UnsupportedFmuError(description.path, f"has no {missing[0]}: {advice(description)}")
+    variables, parameters = _names(outputs), _names(by)
+    for parameter in parameters:
+        if parameter not in description.variables:
+            raise UnknownParameterError(parameter, description.settable_names())
+    names = []
+    for variable in variables:
+        if variable not in description.variables:
+            raise UnknownVariableError(variable, description.variables)
+        for parameter in parameters:
+            name = sensitivity_name(variable, parameter)
+            if name not in description.variables:
+                built = ", ".join(one for one in description.variables if one.startswith(_PREFIX))
+                how = _command(description, "FOLDER", f"{','.join(variables)}:{','.join(parameters)}")
+                raise UnsupportedFmuError(
+                    description.path, f"has no {name}, only {built}: build an FMU of your own with {how}"
+                )
+            names.append(name)
     return names
+
+
+def _names(given: Iterable[str]) -> list[str]:
+    return [given] if isinstance(given, str) else list(given)
 
 
 def advice(description: FmuDescription) -> str:
     """How to get an FMU with sensitivities."""
-    return (
-        f"build it with `python -m fmu_build {description.model_name} --output "
-        f"{description.path.parent / FOLDER} --sensitivity VARIABLES:PARAMETERS`"
-    )
+    folder = description.path.parent / FOLDER
+    return f"build it with {_command(description, str(folder), 'VARIABLES:PARAMETERS')}"
+
+
+def _command(description: FmuDescription, folder: str, sensitivity: str) -> str:
+    return f"`python -m fmu_build {description.model_name} --output {folder} --sensitivity {sensitivity}`"

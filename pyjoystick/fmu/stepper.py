@@ -12,7 +12,7 @@ from typing import Any, Final, Self
 
 from pyjoystick.fmu.description import Variable
 from pyjoystick.fmu.errors import FmuRunError, StepperEndedError, UnsupportedFmuError
-from pyjoystick.fmu.inputs import checked_inputs
+from pyjoystick.fmu.inputs import checked_constants
 from pyjoystick.fmu.library import InstancePool
 from pyjoystick.fmu.live import LiveInstance
 from pyjoystick.fmu.own_process.live import RemoteLiveInstance
@@ -98,8 +98,7 @@ class Stepper:
         self._names = tuple(one.name for one in recorded)
         self.units = {one.name: one.unit for one in recorded}
         values = checked_parameters(description, parameters)
-        checked_inputs(description, inputs)
-        self._given = {name: checked_value(description.variables[name], one) for name, one in inputs.items()}
+        self._given = checked_constants(description, inputs)
         self._settable: dict[str, tuple[Variable, float, float]] = {}
         self._lock = threading.RLock()
         self._end = ""

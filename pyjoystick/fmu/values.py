@@ -40,8 +40,11 @@ def checked_parameters(description: FmuDescription, parameters: Mapping[str, Val
 
     Raises:
         UnknownParameterError: the FMU has no variable of that name
-        ParameterError: the variable cannot be set, or its value is of the wrong type, NaN or out of range
+        ParameterError: the parameters are not a mapping; a variable cannot be set, or its value is of the
+            wrong type, NaN or out of range
     """
+    if not callable(getattr(parameters, "items", None)):  # a row of a pandas table has them too
+        raise ParameterError("parameters", f"a {type(parameters).__name__}", "a mapping from names to values")
     return {
         name: checked_value(_settable(description, name, value), value) for name, value in parameters.items()
     }

@@ -43,8 +43,7 @@ class Bench:
     def fmu(self) -> str:
         """Name of the FMU of the fits: with friction also where it is 0 and only its uncertainty is not."""
         name = fmu_of_joystick(self.joystick)
-        rubs = any(self.uncertainties.get(one, 0.0) > 0.0 for one in FRICTION_NAMES)
-        return WITH_FRICTION.get(name, name) if rubs else name
+        return WITH_FRICTION.get(name, name) if self._rubs else name
 
     @property
     def exact(self) -> tuple[str, ...]:
@@ -57,7 +56,13 @@ class Bench:
         ]
         curves = [f"load curve {side}" for side in SIDES if side not in self.curves]
         records = [title for name, title in OF_RECORDS.items() if not getattr(self, name) > 0.0]
-        return (*names, *curves, *records)
+        return (*names, *([] if self._rubs else ["the absence of dry friction"]), *curves, *records)
+
+    @property
+    def _rubs(self) -> bool:
+        """Whether there may be dry friction: a value or an uncertainty of it is not 0."""
+        values = self.joystick.to_names()
+        return any(values.get(one, 0.0) or self.uncertainties.get(one, 0.0) > 0.0 for one in FRICTION_NAMES)
 
 
 def stated_uncertainties(file: ParameterFile) -> dict[str, float]:

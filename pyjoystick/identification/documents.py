@@ -6,8 +6,9 @@ import json
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from os import PathLike
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any, Generic, NamedTuple, TypeVar
 
 import numpy as np
 from scipy.stats import t as student
@@ -16,7 +17,7 @@ from pyjoystick.identification.fitting.json_report import as_json
 from pyjoystick.identification.fitting.result import Fit
 from pyjoystick.identification.laboratory_errors import Contribution
 from pyjoystick.laboratory import Measured
-from pyjoystick.support import FloatArray, InputFileError
+from pyjoystick.support import FloatArray, InputFileError, versions
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -140,13 +141,14 @@ class BudgetDocument:
     exact: tuple[str, ...]
 
 
-def read_fit(path: Path) -> FitDocument:
+def read_fit(path: str | PathLike[str]) -> FitDocument:
     """Read the ``fit.json`` that ``pyjoystick fit --output`` has written.
 
     Raises:
         InputFileError: the file cannot be read or is not such a file
     """
-    return _read(path, "fit.json of pyjoystick fit", _fit)
+    again = "pyjoystick fit ... --output FOLDER"
+    return _read(Path(path), _Kind("fit.json of pyjoystick fit", again, _fit))
 
 
 def fit_document(found: Fit) -> FitDocument:
@@ -154,30 +156,50 @@ def fit_document(found: Fit) -> FitDocument:
     return _fit(json.loads(as_json(found)), "this fit")
 
 
-def read_budget(path: Path) -> BudgetDocument:
+def read_budget(path: str | PathLike[str]) -> BudgetDocument:
     """Read the JSON file that ``pyjoystick budget --json`` has written.
 
     Raises:
         InputFileError: the file cannot be read or is not such a file
     """
-    return _read(path, "JSON file of pyjoystick budget", _budget)
+    again = "pyjoystick budget ... --json FILE"
+    return _read(Path(path), _Kind("JSON file of pyjoystick budget", again, _budget))
 
 
 _T = TypeVar("_T")
 
 
-def _read(path: Path, kind: str, make: Callable[[Mapping[str, Any], str], _T]) -> _T:
+class _Kind(NamedTuple, Generic[_T]):
+    """A kind of file, the command that writes it, and how it is understood."""
+
+    name: str
+    again: str
+    make: Callable[[Mapping[str, Any], str], _T]
+
+
+def _read(path: Path, kind: _Kind[_T]) -> _T:
     try:
         content = json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) else f"is not JSON: {error}"
         raise InputFileError(path, str(reason)) from error
     try:
-        return make(content, path.name)
-    except KeyError as error:
-        raise InputFileError(path, f"is no {kind}, or one of another version: {error} is missing") from error
-    except (TypeError, ValueError, AttributeError, IndexError) as error:
-        raise InputFileError(path, f"is no {kind}, or one of another version: {error}") from error
+        return kind.make(content, path.name)
+    except (KeyError, TypeError, ValueError, AttributeError, IndexError) as error:
+        what = f"{error} is missing" if isinstance(error, KeyError) else str(error)
+        raise InputFileError(path, _misfit(content, kind, what)) from error
+
+
+def _misfit(content: object, kind: _Kind[_T], what: str) -> str:
+    """Why a file cannot be understood: another version wrote it, or it is something else."""
+    made = content.get("made_with") if isinstance(content, Mapping) else None
+    version = made.get("pyjoystick") if isinstance(made, Mapping) else None
+    if version is None:
+        return f"is no {kind.name}: {what}"
+    own = versions()["pyjoystick"]
+    writer = f"version {version}" if version != own else f"an earlier state of version {own}"
+    advice = f"make it anew with `{kind.again}`, or `pyjoystick run`"
+    return f"was written by {writer} of pyjoystick ({what}): {advice}"
 
 
 def _fit(content: Mapping[str, Any], source: str) -> FitDocument:

@@ -16,7 +16,7 @@ from pyjoystick.motion.records.record import Record
 from pyjoystick.motion.records.swings import THRESHOLD, Swing, find_swings
 from pyjoystick.motion.release_peaks import ReleasePeaks
 from pyjoystick.motion.spline import MotionSpline, fit_spline
-from pyjoystick.support import FloatArray
+from pyjoystick.support import FloatArray, ParameterError
 
 #: A swing of fewer samples cannot determine its part of the spline.
 FEWEST_SAMPLES_IN_SWING: Final = 2.0
@@ -60,8 +60,12 @@ def measured_peaks(record: Record) -> MeasuredPeaks:
     because the real corner is rounded within less than a sample. docs/damping-from-peaks.md has the table.
 
     Raises:
+        ParameterError: not a record
         RecordError: the samples do not determine a motion with a release and two swings
     """
+    if not isinstance(record, Record):
+        allowed = "a Record; of a run, find_peaks(run.index, run['theta'])"
+        raise ParameterError("record", f"a {type(record).__name__}", allowed)
     largest = float(np.max(np.abs(record.theta)))
     fitted = _fit(record, THRESHOLD * largest)
     finer = max(_ABOVE_NOISE * fitted.noise, _SMALLEST * largest)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass
-from pathlib import Path
+from os import PathLike
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -67,7 +67,7 @@ def heading(table: pd.DataFrame, name: str) -> str:
     return f"{name} ({unit})" if unit else name
 
 
-def write_csv(table: pd.DataFrame, path: Path) -> None:
+def write_csv(table: pd.DataFrame, path: str | PathLike[str]) -> None:
     """Write a table as CSV, whole or not at all; numbers have all their digits.
 
     The headings are name and unit. pandas reads it back by

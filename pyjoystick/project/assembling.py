@@ -115,6 +115,10 @@ class _Assembler:
         self.steps.append(measuring.load_curve(lab, side, source))
         text = f"load-deflection curve {Path(source.file).name}"
         self.sources |= dict.fromkeys(spring_names(lab.base.joystick, side), text)
+        if source.friction:
+            own = f"hysteresis of {Path(source.file).name}"
+            before = self.sources.get("friction.F_c")
+            self.sources["friction.F_c"] = f"{before} and of {Path(source.file).name}" if before else own
         return True
 
     def _body(self) -> Iterator[str]:

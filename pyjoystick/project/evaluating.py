@@ -74,7 +74,10 @@ def fit(lab: Laboratory, records: tuple[str, ...], sources: Mapping[str, str], f
             identification.require_joystick_in(settings)
             paths = [lab.root / one for one in records]
             if identification.reads_releases(settings):
-                read: list[motion.Record | identification.Measurement] = list(motion.read_repeats(paths))
+                counted = settings.comparison == "peaks"
+                read: list[motion.Record | identification.Measurement] = list(
+                    motion.read_repeats(paths, counted=counted)
+                )
             else:
                 names = (*settings.outputs, *settings.inputs)
                 read = [identification.read_table_record(one, names, opened.description) for one in paths]
@@ -103,8 +106,11 @@ def _fmu_content(lab: Laboratory, find: Find) -> str:
 
 def standard_fmus(lab: Laboratory) -> tuple[str, str]:
     """The FMUs that run the joystick of the laboratory with constant damping and with eq. (11)."""
+    joystick = lab.base.joystick
+    if any(one.friction for one in lab.curves.values()):
+        joystick = joystick.replace({"friction.F_c": 1.0})  # any but 0: the curves are yet to say how much
     constant, power_law = (
-        identification.fmu_with_parts(FMUS[law], lab.base.joystick) for law in ("constant", "power-law")
+        identification.fmu_with_parts(FMUS[law], joystick) for law in ("constant", "power-law")
     )
     return constant, power_law
 
@@ -219,7 +225,7 @@ def budget(lab: Laboratory, records: tuple[str, ...], curves: tuple[model.Side, 
             scale=scale,
             time_base=lab.time_base,
         )
-        read = motion.read_repeats([lab.root / one for one in records])
+        read = motion.read_repeats([lab.root / one for one in records], counted=False)
         tell("fitting")
         with fmu.Fmu(find(bench.fmu)) as opened:
             found, contributions = identification.fit_contributions(

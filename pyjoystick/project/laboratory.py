@@ -21,14 +21,18 @@ class CurveSource:
     Attributes:
         file: as written in ``laboratory.toml``, relative to the project
         columns, units: headings and their units, as for `read_load_curve`
+        layout: the form of the file, where that is to be given
         travel_noise, force_noise: standard deviations of one sample (m, N); from their scatter if not given
+        friction: whether half the hysteresis is the dry friction along the plungers
     """
 
     file: str
     columns: Mapping[str, str] = field(default_factory=dict)
     units: Mapping[str, str] = field(default_factory=dict)
+    layout: motion.Layout = field(default_factory=motion.Layout)
     travel_noise: float | None = None
     force_noise: float | None = None
+    friction: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -144,8 +144,10 @@ def _curve(table: Table) -> CurveSource:
         file=_file(table),
         columns=_texts(table.table("columns")),
         units=_texts(table.table("units")),
+        layout=_layout(table),
         travel_noise=_quantity(table, "travel_noise", "length"),
         force_noise=_quantity(table, "force_noise", "force"),
+        friction=table.flag("friction"),
     )
 
 
@@ -195,6 +197,16 @@ def _markers(table: Table, chain: laboratory.Chain) -> MarkerSource:
     return MarkerSource(files=_files(table), setup=setup, radius_uncertainty=error)
 
 
+def _layout(table: Table) -> motion.Layout:
+    """The form of a table of numbers."""
+    decimal = table.text("decimal", "")
+    if decimal not in ("", ".", ","):
+        raise table.error("decimal", 'must be "." or ","')
+    return motion.Layout(
+        table.text("delimiter", ""), decimal, table.text("encoding", ""), table.text("sheet", "")
+    )
+
+
 def _record(table: Table) -> TableSource:
     zeros = {key: finite(f"zeros.{key}", value) for key, value in table.table("zeros").items()}
     scales: dict[str, motion.Scale] = {}
@@ -204,16 +216,11 @@ def _record(table: Table) -> TableSource:
             scales[name] = motion.scale_of(name, text, zeros.pop(name, 0.0))
     for name in zeros:
         raise table.error("zeros", f"has {name}, of which there is no scale")
-    decimal = table.text("decimal", "")
-    if decimal not in ("", ".", ","):
-        raise table.error("decimal", 'must be "." or ","')
     return TableSource(
         files=_files(table),
         columns=_texts(table.table("columns")),
         units=_texts(table.table("units")),
-        layout=motion.Layout(
-            table.text("delimiter", ""), decimal, table.text("encoding", ""), table.text("sheet", "")
-        ),
+        layout=_layout(table),
         scales=scales,
         rate=_quantity(table, "samples_per_second"),
         start=_quantity(table, "from", "time"),

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from pyjoystick import laboratory, model, motion, support
+from pyjoystick.project.hysteresis import one_friction, put_down
 from pyjoystick.project.laboratory import (
     AccelerometerSource,
     CurveSource,
@@ -26,7 +27,9 @@ MEASURED = f"{RESULTS}/measured.toml"
 
 def fitted_curve(root: Path, source: CurveSource) -> laboratory.LoadCurveFit:
     """The fit of a load-deflection curve."""
-    curve = laboratory.read_load_curve(root / source.file, columns=source.columns, units=source.units)
+    curve = laboratory.read_load_curve(
+        root / source.file, columns=source.columns, units=source.units, layout=source.layout
+    )
     return laboratory.fit_load_curve(
         curve, 4, travel_noise=source.travel_noise, force_noise=source.force_noise
     )
@@ -46,6 +49,11 @@ def load_curve(lab: Laboratory, side: model.Side, source: CurveSource) -> Step:
         fit = fitted_curve(lab.root, source)
         name = Path(source.file).name
         found = laboratory.measured_springs(fit, side, f"load-deflection curve {name}")
+        notes = list(fit.notes)
+        if source.friction:
+            found = found.with_more(laboratory.measured_friction(fit, f"hysteresis of {name}"))
+        elif fit.friction > 3.0 * fit.friction_error > 0.0:
+            notes.append(put_down(fit, side))
         _require_plausible(lab, found)
         title = f"Load-deflection curve, {name}"
         support.save_figure(laboratory.plot_load_curve(fit, title=title), lab.root / figure)
@@ -55,7 +63,7 @@ def load_curve(lab: Laboratory, side: model.Side, source: CurveSource) -> Step:
         return Done(
             files=(values, figure, report),
             remark=f"return spring preloaded by {with_error(preload, error)} N",
-            notes=fit.notes,
+            notes=tuple(notes),
         )
 
     return Step(
@@ -150,6 +158,7 @@ def measured(lab: Laboratory, files: tuple[str, ...], sources: Mapping[str, str]
 
     def work(tell: Tell) -> Done:
         found = [*(read_values(lab.root / file) for file in files), lab.given]
+        found.append(one_friction(found))
         values = {name: value for one in found for name, value in one.values.items()}
         errors = {place: model.rounded_error(u) for one in found for place, u in one.uncertainties.items()}
         top = values.pop("pivot_to_top", None)

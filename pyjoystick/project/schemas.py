@@ -119,13 +119,19 @@ def laboratory_schema() -> Schema:
     }
     files = {"anyOf": [_TEXT, _list(_TEXT)], "description": "name, pattern such as data/*.c3d, or list"}
     texts, interval = _map(_TEXT), _list(_NUMBER, 2, 2)
+    layout = {
+        **dict.fromkeys(("sheet", "delimiter", "encoding"), _TEXT),
+        "decimal": {"enum": ["", ".", ","]},
+    }
     curve = _table(
         ("file",),
         file=_TEXT,
+        **layout,
         columns=_about(texts, "headings of travel and force"),
         units=texts,
         travel_noise=_quantity("length", "of one sample"),
         force_noise=_quantity("force", "of one sample"),
+        friction=_about(_FLAG, "half the hysteresis is the dry friction along the plungers"),
     )
     chain = dataclasses.fields(laboratory.Chain)
     return _table(
@@ -169,8 +175,7 @@ def laboratory_schema() -> Schema:
                 scales=_about(texts, 'such as theta = "0.0879deg/count"'),
                 zeros=_map(_NUMBER),
                 samples_per_second=_NUMBER,
-                **dict.fromkeys(("sheet", "delimiter", "encoding"), _TEXT),
-                decimal={"enum": ["", ".", ","]},
+                **layout,
             )
         ),
         accelerometer=_list(

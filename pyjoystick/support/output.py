@@ -11,6 +11,7 @@ import tempfile
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from importlib import metadata
+from os import PathLike
 from pathlib import Path
 from typing import Any, Final
 
@@ -25,7 +26,7 @@ _PACKAGES: Final = ("pyjoystick", "fmpy", "numpy", "scipy", "pandas")
 
 
 @contextmanager
-def replacing(path: Path) -> Iterator[Path]:
+def replacing(path: str | PathLike[str]) -> Iterator[Path]:
     """A path beside `path` to write to, with the same suffix; on leaving, it replaces `path`.
 
     Missing folders are created. If the body raises an error, `path` stays as it was.
@@ -33,6 +34,7 @@ def replacing(path: Path) -> Iterator[Path]:
     Raises:
         OutputFileError: the file cannot be written there
     """
+    path = Path(path)
     temporary = path.with_name(f".{path.stem}-{os.getpid()}-{os.urandom(4).hex()}{path.suffix}")
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -80,13 +82,14 @@ def check_outputs(*paths: Path | None) -> None:
             raise OutputFileError(path, f"{folder}: {error.strerror or error}") from error
 
 
-def check_suffix(path: Path, *suffixes: str) -> None:
+def check_suffix(path: str | PathLike[str], *suffixes: str) -> None:
     """Raise OutputFileError unless the name ends in one of the suffixes, in small or capital letters."""
+    path = Path(path)
     if path.suffix.lower() not in suffixes:
         raise OutputFileError(path, f"the name must end in {', '.join(suffixes)}")
 
 
-def write_text(path: Path, text: str) -> None:
+def write_text(path: str | PathLike[str], text: str) -> None:
     """Write a text file (UTF-8), whole or not at all; raises OutputFileError."""
     with replacing(path) as temporary:
         temporary.write_text(text, encoding="utf-8", newline="\n")

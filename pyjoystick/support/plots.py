@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from os import PathLike
 from pathlib import Path
 from typing import Final, Literal
 
@@ -76,7 +77,7 @@ def plot_motion(
     return figure
 
 
-def save_figure(figure: Figure, path: Path, *, resolution: float = 200.0) -> None:
+def save_figure(figure: Figure, path: str | PathLike[str], *, resolution: float = 200.0) -> None:
     """Write a figure, whole or not at all, in the format of the suffix: .png, .pdf or .svg.
 
     Args:
@@ -87,6 +88,7 @@ def save_figure(figure: Figure, path: Path, *, resolution: float = 200.0) -> Non
     Raises:
         OutputFileError: another suffix, or the file cannot be written
     """
+    path = Path(path)
     check_suffix(path, *FIGURE_SUFFIXES)
     # Without a date the same figure is the same file.
     metadata = {".pdf": {"CreationDate": None}, ".svg": {"Date": None}}.get(path.suffix.lower(), {})
@@ -94,7 +96,7 @@ def save_figure(figure: Figure, path: Path, *, resolution: float = 200.0) -> Non
         figure.savefig(temporary, dpi=resolution, metadata=metadata)
 
 
-def save_results(folder: Path, summary: str, figures: Mapping[str, Figure]) -> None:
+def save_results(folder: str | PathLike[str], summary: str, figures: Mapping[str, Figure]) -> None:
     """Print the summary of a scenario, and write it and the figures as PNG and PDF.
 
     Args:
@@ -105,6 +107,7 @@ def save_results(folder: Path, summary: str, figures: Mapping[str, Figure]) -> N
     Raises:
         OutputFileError: a file cannot be written
     """
+    folder = Path(folder)
     for name, figure in figures.items():
         for suffix in ("png", "pdf"):
             save_figure(figure, folder / f"{name}.{suffix}")

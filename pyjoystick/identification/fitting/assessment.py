@@ -11,7 +11,9 @@ from pyjoystick.identification.fitting.checks import residual_checks, trust
 from pyjoystick.identification.fitting.checks.residual_view import ResidualView
 from pyjoystick.identification.fitting.checks.rivals import Make, tried
 from pyjoystick.identification.fitting.checks.score_test import Finding, score_test, significant
-from pyjoystick.identification.fitting.checks.suspects import Suspect, suspects
+from pyjoystick.identification.fitting.checks.suspect import Suspect
+from pyjoystick.identification.fitting.checks.suspects import suspects
+from pyjoystick.identification.fitting.checks.unseen import Unseen, unseen
 from pyjoystick.identification.fitting.problem.instrument import ZERO_OFFSET
 from pyjoystick.identification.fitting.problem.least_squares import Problem
 from pyjoystick.identification.fitting.problem.noise_color import Memory
@@ -131,7 +133,7 @@ def _residual_checks(
     view = ResidualView(problem, x)
     times = [one.times for one in records]
     yield residual_checks.check_outliers(view.outliers(), names, times, robust=settings.noise.robust)
-    causes, judged, imitated = _causes(problem, settings, x, view, make)
+    causes, judged, imitated, missed = _causes(problem, settings, x, view, make)
     yield _whiteness(problem, x, view, explained=bool(causes))
     own = sum(one.per_record for one in settings.free)
     shared = len(settings.free) - own
@@ -139,13 +141,13 @@ def _residual_checks(
         lack = residual_checks.check_repeats(view.repeats, view.innovations, shared, own)
         if lack is not None:
             yield lack
-    yield residual_checks.check_suspects(causes, judged, imitated)
+    yield residual_checks.check_suspects(causes, judged, imitated, missed)
 
 
 def _causes(
     problem: Problem, settings: FitSettings, x: FloatArray, view: ResidualView, make: Make
-) -> tuple[list[Finding], int, list[str]]:
-    """What would explain the residuals better than noise, of how many suspects, and which were not judged."""
+) -> tuple[list[Finding], int, list[str], list[Unseen]]:
+    """What would explain the residuals better than noise, of how many; what is not judged, or not seen."""
     known: dict[str, list[Suspect]] = {}
     for suspect in suspects(problem, x):
         known.setdefault(suspect.name, []).append(suspect)
@@ -156,7 +158,11 @@ def _causes(
         first = {name: several[0] for name, several in known.items()}
         causes = tried(causes, first, problem, settings, x, make)
     judged = {one.name for one in findings}
-    return causes, len(judged), [name for name in known if name not in judged]
+    imitated = [name for name in known if name not in judged]
+    if causes:
+        return causes, len(judged), imitated, []
+    level = 2.0 * residual_checks.CHANCE / max(len(judged), 1)
+    return [], len(judged), imitated, unseen(problem, x, view.jacobian, every, level)
 
 
 def _whiteness(problem: Problem, x: FloatArray, view: ResidualView, *, explained: bool) -> trust.Check:

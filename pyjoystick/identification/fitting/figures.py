@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from os import PathLike
 from pathlib import Path
 from typing import Final
 
@@ -22,8 +23,9 @@ _LONGEST_NAME: Final = 12
 PROFILES: Final = "profiles.png"
 
 
-def save_figures(fit: Fit, folder: Path) -> list[Path]:
+def save_figures(fit: Fit, folder: str | PathLike[str]) -> list[Path]:
     """Draw every figure that the fit has something for, as PNG; returns the files."""
+    folder = Path(folder)
     figures = {
         "records.png": plot_records(fit),
         "residuals.png": plot_residuals(fit),

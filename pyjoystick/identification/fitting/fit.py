@@ -123,10 +123,14 @@ def fit(
     Raises:
         FitError: a record or the FMU does not go with the settings, or the first run fails
         FitInterruptedError: Ctrl-C before the search was done
-        ParameterError, UnknownParameterError, UnknownVariableError: a name or value is not allowed
+        ParameterError, UnknownParameterError, UnknownVariableError: a name, value or type is not allowed
         UnsupportedFmuError: what lies in ``sensitivities`` beside the FMU is of another model
     """
     begun = time.perf_counter()
+    if not isinstance(settings, FitSettings):
+        raise ParameterError("settings", f"a {type(settings).__name__}", "FitSettings, as CONSTANT_DAMPING")
+    if fmu is not None and not isinstance(fmu, Fmu):
+        raise ParameterError("fmu", fmu, "an open Fmu; the settings name another one by replace(..., fmu=)")
     given = measurements(records)
     ordered, measured = ordered_settings(settings), ordered_records(given)
     progress = notebook_progress("fit") if on_progress is None else nullcontext(on_progress)
@@ -135,8 +139,9 @@ def fit(
         solution = _at_solution(problem, measured, ordered, opened)
         minima, steps, settled = _search(problem, solution, ordered, tell)
 
-        def make(other: FitSettings, fmu: Fmu | None) -> Problem:
-            return make_problem(measured, other, fmu or opened)
+        def make(other: FitSettings, fmu: Fmu | None, *, mirrored: bool = False) -> Problem:
+            shown = [one.mirrored() for one in measured] if mirrored else measured
+            return make_problem(shown, other, fmu or opened)
 
         found = _judged(solution, ordered, minima, steps, make, tell)
         if not settled:

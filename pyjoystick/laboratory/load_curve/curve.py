@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from os import PathLike
-from pathlib import Path
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pyjoystick.motion import UNITS, Column, RecordError, read_table_file
+from pyjoystick.motion import UNITS, Column, Layout, RecordError, read_log_table
 from pyjoystick.support import FloatArray
 
 #: Travel may run back by this part of the whole; more is not noise.
@@ -28,6 +27,7 @@ _FEWEST_SAMPLES = 20
 _TURN = 0.005
 #: Largest travel and force of a record: least, most, unit. Wide: what is outside is in another unit.
 _SIZES: Final = {"travel": (1e-4, 1.0, "m"), "force": (1e-4, 1e5, "N")}
+_AUTOMATIC: Final = Layout()
 _COLUMNS: Final = (Column("travel", UNITS["length"]), Column("force", UNITS["force"]))
 
 
@@ -204,21 +204,23 @@ def read_load_curve(
     *,
     columns: Mapping[str, str] | None = None,
     units: Mapping[str, str] | None = None,
+    layout: Layout = _AUTOMATIC,
 ) -> LoadCurve:
-    """Read one cycle of loading and perhaps unloading from a CSV file.
+    """Read one cycle of loading and perhaps unloading from a table.
 
-    The file has one line of headings, such as ``travel (mm);force (N)``, then one sample a row in the order
-    in which they were taken; other columns are left alone.
+    The file has one line of headings, such as ``travel (mm);force (N)`` or ``Weg [mm];Kraft [N]``, then one
+    sample a row in the order in which they were taken; other columns are left alone.
 
     Args:
-        path: the file, with columns separated by commas, semicolons or tabs and decimal points
+        path: the file, in any form that `read_log` takes
         columns: headings where they are others: ``{"travel": "Extension", "force": "Load"}``
         units: units of columns without one in their heading: lengths and forces of `UNITS`
+        layout: its form, where that is to be given
 
     Raises:
         RecordError: the file cannot be read, a column is missing, has no unit or an unknown one, a cell is no
             number, or the record is not one cycle; the message names file, column and rows and what to do
     """
-    file = read_table_file(Path(path))
-    series = file.read(_COLUMNS, headings=columns, units=units)
-    return LoadCurve.from_cycle(series["travel"], series["force"], source=str(path), rows=file.rows)
+    table = read_log_table(path, layout, numbered=bool(columns))
+    series = table.read(_COLUMNS, headings=columns, units=units)
+    return LoadCurve.from_cycle(series["travel"], series["force"], source=str(path), rows=table.file.rows)

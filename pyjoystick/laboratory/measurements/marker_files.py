@@ -21,6 +21,8 @@ from pyjoystick.motion import TIME, Heading, RecordError, TableHead, open_text, 
 
 _TIME: Final = replace(TIME, advice="delete these rows, or export the time of every frame")
 _AXES: Final = "xyz"
+#: The beginning of every CSV file of OptiTrack's Motive.
+_MOTIVE: Final = "Format Version,"
 _COLUMN: Final = re.compile(r"(?P<marker>.*\S)[\s._:](?P<axis>[xyzXYZ])")
 
 
@@ -43,6 +45,9 @@ def read_markers(path: str | PathLike[str], *, unit: str | None = None) -> Marke
         return without_lost(read_c3d(file, unit=unit))
     with open_text(file, "name a C3D file .c3d, export a table as CSV in UTF-8") as opened:
         text = opened.read()
+    if text.startswith(_MOTIVE):
+        advice = "export the take as C3D, which Motive writes too"
+        raise RecordError(str(file), "is the CSV export of OptiTrack Motive, which is not read", advice)
     read = read_nexus_csv(file, text, unit=unit) if is_nexus_csv(text) else read_marker_csv(file, unit=unit)
     return without_lost(read)
 

@@ -35,6 +35,7 @@ _SPELLINGS: Final[Mapping[str, Mapping[str, str]]] = {
         "lbf.in": "lbf-in lbfin in-lb in-lbf in.lb in.lbf lb-in lb.in inlb lbin inch-pound inch-pounds",
         "lbf.ft": "lbf-ft lbfft ft-lb ft-lbf ft.lb ft.lbf lb-ft lb.ft ftlb lbft foot-pound foot-pounds",
     },
+    "length": {"mm": "millimeter millimeters millimetre", "um": "mikrometer micrometer micron microns"},
     "force": {"N": "newton newtons", "kgf": "kp kilopond", "lbf": "pound-force"},
     "voltage": {"V": "volt volts v", "mV": "millivolt millivolts"},
     "count": {
@@ -64,7 +65,18 @@ _NAMES: Final[Mapping[str, tuple[str, str]]] = {
     "alpha": ("angular acceleration", "angular acceleration,winkelbeschleunigung"),
     "T": ("torque", "torque,hand torque,moment,drehmoment,couple,momento,coppia,koppel,moment de force"),
     "F": ("force", "force,hand force,kraft,handkraft,fuerza,forza,kracht,kraftsensor"),
+    # Of testing machines.
+    "travel": (
+        "length",
+        "travel,weg,standardweg,traversenweg,verschiebung,extension,displacement,crosshead,stroke,deplacement,"
+        "course,desplazamiento,spostamento,corsa",
+    ),
+    "force": (
+        "force",
+        "force,kraft,standardkraft,prufkraft,load,standard force,charge,fuerza,forza,carga,carico,kracht",
+    ),
 }
+_OF_MACHINES: Final = ("travel", "force")
 #: Letters that mean a quantity in this case only; a unit of its kind must stand beside them.
 _SYMBOLS: Final = {"T": "M", "F": "F"}
 _BRACKETS: Final = re.compile(r"(?P<name>.*?)\s*[(\[{<](?P<unit>[^()\[\]{}<>]*)[)\]}>]\s*")
@@ -108,12 +120,21 @@ def understood(text: str, others: Iterable[str] = ()) -> Heading:
 
 def meaning(name: str) -> str | None:
     """The quantity whose name this is, in one of the languages."""
-    plain = "".join(c for c in unicodedata.normalize("NFKD", name.casefold()) if not unicodedata.combining(c))
-    plain = " ".join(re.split(r"[\s_.\-]+", plain)).strip()
-    for quantity, (_, names) in _NAMES.items():
-        if plain in names.split(",") and not (quantity == "time" and name == "T"):
+    plain = _plain(name)
+    for quantity in _NAMES:
+        if plain in _names_of(quantity) and not (quantity == "time" and name == "T"):
             return quantity
     return next((quantity for quantity, symbols in _SYMBOLS.items() if name in (quantity, symbols)), None)
+
+
+def _plain(name: str) -> str:
+    """A name in small letters without accents."""
+    plain = "".join(c for c in unicodedata.normalize("NFKD", name.casefold()) if not unicodedata.combining(c))
+    return " ".join(re.split(r"[\s_.\-]+", plain)).strip()
+
+
+def _names_of(quantity: str) -> list[str]:
+    return _NAMES[quantity][1].split(",")
 
 
 def kind_of(column: Column) -> str:
@@ -129,7 +150,12 @@ def candidates(column: Column, headings: Sequence[Heading]) -> list[Heading]:
     folded = column.name.casefold()
     if len(folded) > 1:  # t is not T
         own = own or [h for h in headings if folded in (h.text.casefold(), h.name.casefold())]
-    return own or [h for h in headings if kind and meaning(last_part(h.name)) == column.name]
+    return own or [h for h in headings if kind and _may_mean(last_part(h.name), column.name)]
+
+
+def _may_mean(name: str, quantity: str) -> bool:
+    """A word may stand for a quantity of either kind of table: *Kraft* for F, and for that of a machine."""
+    return meaning(name) == quantity or (quantity in _OF_MACHINES and _plain(name) in _names_of(quantity))
 
 
 def last_part(name: str) -> str:

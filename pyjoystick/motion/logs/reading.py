@@ -25,6 +25,7 @@ from pyjoystick.motion.logs.layout import Layout, Scale
 from pyjoystick.motion.logs.sheets import form_of, load
 from pyjoystick.motion.logs.text_files import decoded, delimiter_name, find_in_rows, find_in_text
 from pyjoystick.motion.records.errors import RecordError, rows_in_words
+from pyjoystick.motion.records.instrument import require_no_jump
 from pyjoystick.motion.records.record import GAP, Record
 from pyjoystick.motion.table_files import TIME, Column, Heading, Match, TableFile, read_table_file
 from pyjoystick.motion.units import UNITS
@@ -291,7 +292,7 @@ def read_log(
             *_longest_gap(series["time"][inside], table.file.rows[inside]),
         ),
     )
-    record_of(log)  # refuses what no motion can be
+    require_no_jump(record_of(log))  # both refuse what no motion can be
     return log
 
 

@@ -46,12 +46,14 @@ _OFF_ZERO: Final = 0.02
 _FAR_BEYOND_STOPS: Final = math.radians(30.0)
 
 
-def check_free_oscillation(record: Record, *, released: Side | None = None) -> Record:
+def check_free_oscillation(record: Record, *, released: Side | None = None, counted: bool = True) -> Record:
     """The record with its notes, if it is a free oscillation after one release.
 
     Args:
         record: what was measured
         released: the side from which the joystick was let go, where it is known; forward is positive
+        counted: whether its peaks are to be counted, so that none may hide in a gap; a fit of the whole
+            motion does not count them
 
     Returns:
         the same samples, with what was flagged added to the notes
@@ -67,7 +69,7 @@ def check_free_oscillation(record: Record, *, released: Side | None = None) -> R
     _require_decay(record, swings)
     _require_side(record, swings[0], released)
     notes = [
-        *_gaps(record, swings),
+        *_gaps(record, swings, counted=counted),
         *_unevenness(record),
         *_velocity(record),
         *repeated_angles(record, swings, HELD),
@@ -148,17 +150,18 @@ def _require_side(record: Record, release: Swing, released: Side | None) -> None
         )
 
 
-def _gaps(record: Record, swings: Sequence[Swing]) -> Iterator[str]:
-    """A note on the gaps; refuses those in which a swing may hide."""
+def _gaps(record: Record, swings: Sequence[Swing], *, counted: bool) -> Iterator[str]:
+    """A note on the gaps; where peaks are counted, those in which a swing may hide are refused."""
     steps = np.diff(record.time)
     gaps = np.flatnonzero(steps > GAP * record.interval)
     for i in gaps:
         allowed = HIDING * _shortest_beside(record, swings, int(i))
-        if steps[i] > allowed:
+        if counted and steps[i] > allowed:
             raise RecordError(
                 record.source,
                 f"a gap of {steps[i]:.4g} s in which a peak may hide: {allowed:.3g} s is allowed here",
-                "all peaks after it would be counted wrongly: use another record, or cut it before the gap",
+                "all peaks after it would be counted wrongly: use another record, cut it before the gap, or "
+                "fit the whole motion (pyjoystick fit)",
                 column="time",
                 rows=record.rows[[i, i + 1]],
             )

@@ -34,6 +34,7 @@ def read_record(
     units: Mapping[str, str] | None = None,
     released: Side | None = None,
     free_oscillation: bool = True,
+    counted: bool = True,
     name: str | None = None,
 ) -> Record:
     """Read one motion from a file.
@@ -50,6 +51,7 @@ def read_record(
         released: side of release, where it is known; a record of the other side is refused
         free_oscillation: whether the record is checked to be one release and what follows (see
             `check_free_oscillation`); without it only the samples themselves are
+        counted: whether its peaks are to be counted, as for `check_free_oscillation`
         name: name of the record; that of the file without its suffix where not given
 
     Returns:
@@ -72,7 +74,9 @@ def read_record(
         notes=_small_degrees(series["theta"]) if in_degrees else (),
         rows=table.file.rows,
     )
-    return check_free_oscillation(record, released=released) if free_oscillation else record
+    if not free_oscillation:
+        return record
+    return check_free_oscillation(record, released=released, counted=counted)
 
 
 def read_repeats(
@@ -82,6 +86,7 @@ def read_repeats(
     units: Mapping[str, str] | None = None,
     released: Side | None = None,
     both_sides: bool = False,
+    counted: bool = True,
 ) -> tuple[Record, ...]:
     """Read the records of one joystick: free oscillations, from the same side unless it is said otherwise.
 
@@ -91,14 +96,18 @@ def read_repeats(
         units: units of columns without one, as for `read_record`
         released: side of release, where it is known
         both_sides: whether some may be released from the other side
+        counted: whether their peaks are to be counted, as for `check_free_oscillation`
 
     Raises:
-        RecordError: a file is refused; two hold the same samples (a repeat counted twice would make every
-            interval too narrow); or they are released from different sides (the wrong sign in one?)
+        RecordError: the paths are no list; a file is refused; two hold the same samples (a repeat counted
+            twice would make every interval too narrow); or they are released from different sides (the wrong
+            sign in one?)
     """
+    if isinstance(paths, str | PathLike):
+        raise RecordError(str(paths), "is one path", "give a list of files, one a repeat")
     records: list[Record] = []
     for path in paths:
-        record = read_record(path, columns=columns, units=units, released=released)
+        record = read_record(path, columns=columns, units=units, released=released, counted=counted)
         for other in records:
             _require_another(record, other)
             if not both_sides:

@@ -177,10 +177,13 @@ class Record:
     def _require_angles(self) -> None:
         beyond = np.flatnonzero(np.abs(self.theta) >= math.pi / 2.0)
         if beyond.size:
+            in_a_turn = float(np.max(np.abs(self.theta))) <= 2.0 * math.pi
             raise RecordError(
                 self.source,
                 "an angle of 90 degrees or more, where the geometry of the joystick ends",
-                "are these degrees under the name of radians? Name the column theta (deg)",
+                "does it wrap around at a full turn, or is zero not the middle position?"
+                if in_a_turn
+                else "are these degrees under the name of radians? Name the column theta (deg)",
                 column="theta",
                 rows=self.rows[beyond],
                 value=f"{self.theta[beyond[0]]:g} rad",

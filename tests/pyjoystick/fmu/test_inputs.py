@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -24,6 +25,12 @@ TORQUE = pd.DataFrame({"T": [0.0, 1.2, 0.4, -0.6, -0.6]}, index=[0.1, 0.313, 0.5
 def inverse(joystick_fmus: Path) -> Iterator[Fmu]:
     with Fmu(joystick_fmus / "JoystickInverse.fmu") as fmu:
         yield fmu
+
+
+def in_millinewton_metres() -> pd.DataFrame:
+    table = pd.DataFrame({"T": [1000.0, 2000.0]}, index=[0.0, 1.0])
+    table.attrs["units"] = {"time": "s", "T": "mN.m"}
+    return table
 
 
 def torque(time: float) -> float:
@@ -101,6 +108,24 @@ def test_outputs_that_depend_on_inputs_at_once_belong_to_the_same_instant(invers
         (pd.DataFrame({"T": [1.0, 2.0]}, index=[0.5, 0.4]), SeriesError, "is 0.4 at row 1"),
         (pd.DataFrame({"T": [1.0, 2.0]}, index=[0.5, math.nan]), SeriesError, "is nan at row 1"),
         (pd.DataFrame({"T": [1.0, 2.0]}, index=["a", "b"]), SeriesError, "must be time in s"),
+        (pd.DataFrame({"T": [1.0, 2.0]}), SeriesError, "counts the rows; must be time in s"),
+        (
+            pd.DataFrame({"T": [1.0, 2.0]}, index=pd.to_timedelta([0, 1], unit="s")),
+            SeriesError,
+            "is a TimedeltaIndex; must be time in s",
+        ),
+        (
+            pd.DataFrame({"T": [1.0, 2.0]}, index=pd.to_datetime([0, 1], unit="s")),
+            SeriesError,
+            "is a DatetimeIndex; must be time in s",
+        ),
+        (in_millinewton_metres(), ParameterError, r"unit of T = mN\.m: must be N\.m"),
+        (
+            pd.DataFrame([[1.0, 2.0]], columns=["T", "T"], index=[0.0]),
+            ParameterError,
+            "columns T, T: must be one column for T",
+        ),
+        (np.zeros((3, 2)), ParameterError, "inputs = a ndarray: must be a mapping .* DataFrame"),
     ],
 )
 def test_inputs_that_are_refused(
@@ -108,3 +133,27 @@ def test_inputs_that_are_refused(
 ) -> None:
     with pytest.raises(error, match=message):
         joystick.run(TIME, inputs=inputs)
+
+
+def test_whole_seconds_and_a_unit_that_is_right_are_taken(joystick: Fmu) -> None:
+    table = pd.DataFrame({"T": [0.0, 1.0]}, index=pd.Index([0, 1], name="time"))
+    table.attrs["units"] = {"T": "N.m"}
+    last = joystick.run(TIME, inputs=table, outputs=["T"])["T"].iloc[-1]
+    assert last == 1.0
+
+
+def test_constants_come_as_a_mapping(joystick: Fmu) -> None:
+    """A table has no one value: its first row would be an arbitrary choice."""
+    given: Any = TORQUE
+    for call in (lambda: joystick.linearize(0.1, inputs=given), lambda: joystick.start(inputs=given)):
+        with pytest.raises(ParameterError, match="inputs = a DataFrame: must be a mapping from names"):
+            call()
+
+
+def test_parameters_come_as_a_mapping(joystick: Fmu) -> None:
+    with pytest.raises(ParameterError, match="parameters = a list: must be a mapping from names to values"):
+        joystick.run(TIME, parameters=[0.045])  # type: ignore[arg-type]
+    row: Any = pd.Series({"theta_start": 0.1, "damping.C": 0.05})
+    np.testing.assert_array_equal(
+        joystick.run(TIME, parameters=row)["theta"], joystick.run(TIME, parameters=dict(row))["theta"]
+    )

@@ -11,6 +11,7 @@ import pytest
 
 from pyjoystick.fmu import Fmu, UnsupportedFmuError
 from pyjoystick.model import NOMINAL
+from pyjoystick.support import UnknownParameterError, UnknownVariableError
 from tests.joystick_fmu.variational import Joystick
 from tests.pyjoystick.fmu.doctored import doctored
 
@@ -66,12 +67,31 @@ def test_an_fmu_that_has_them_itself(beside: Path) -> None:
 def test_what_an_fmu_was_not_built_for_is_refused(beside: Path) -> None:
     with Fmu(beside / "Joystick.fmu") as fmu, pytest.raises(UnsupportedFmuError) as caught:
         fmu.sensitivities(TIME, by=["J", "m"], outputs=["theta"])
-    assert "sensitivities/Joystick.fmu: has no sensitivity.theta.m: build it with" in str(caught.value)
+    message = str(caught.value)
+    assert "sensitivities/Joystick.fmu: has no sensitivity.theta.m, only sensitivity.theta." in message
+    # Not into the folder of the package's own, whose sensitivities the fits need.
+    assert "--output FOLDER --sensitivity theta:J,m" in message
     (beside / "sensitivities" / "Joystick.fmu").unlink()
     with Fmu(beside / "Joystick.fmu") as fmu:
         assert fmu.sensitive is None
         with pytest.raises(UnsupportedFmuError, match=r"has no sensitivities: build it with .*fmu_build"):
             fmu.sensitivities(TIME, by=["J"], outputs=["theta"])
+
+
+def test_names_that_the_fmu_does_not_have_are_not_asked_to_be_built(beside: Path) -> None:
+    with Fmu(beside / "Joystick.fmu") as fmu:
+        with pytest.raises(
+            UnknownParameterError, match=r"no parameter 'damping\.c'; did you mean damping\.C"
+        ):
+            fmu.sensitivities(TIME, by=["damping.c"], outputs=["theta"])
+        with pytest.raises(UnknownVariableError, match="no variable 'Theta'; did you mean theta"):
+            fmu.sensitivities(TIME, by=["J"], outputs=["Theta"])
+
+
+def test_one_name_stands_for_itself_as_in_a_run(beside: Path) -> None:
+    with Fmu(beside / "Joystick.fmu") as fmu:
+        found = fmu.sensitivities(TIME, by="J", outputs="theta")
+    assert list(found) == ["sensitivity.theta.J"]
 
 
 def test_one_of_another_joystick_is_refused(beside: Path) -> None:

@@ -11,7 +11,8 @@ from pyjoystick.model import NOMINAL, read_parameter_file, write_parameters
 def test_what_has_no_uncertainty_is_exact() -> None:
     bench = Bench(joystick=NOMINAL, curves={}, uncertainties={"m": 0.001, "h": 0.0, "J": 0.0})
     curves = ("load curve forward", "load curve backward")
-    assert bench.exact == ("h", "g", "a", "b", *curves, "scale of the angle", "time base")
+    none = "the absence of dry friction"
+    assert bench.exact == ("h", "g", "a", "b", none, *curves, "scale of the angle", "time base")
     known = Bench(
         joystick=NOMINAL.replace({"friction.F_c": 0.3}),
         curves={},

@@ -10,6 +10,7 @@ import pytest
 from pyjoystick.laboratory import synthetic_record
 from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW, JoystickParameters, simulate
 from pyjoystick.motion import MeasuredPeaks, Record, RecordError, find_peaks, measured_peaks
+from pyjoystick.support import ParameterError
 
 RELEASE = math.radians(-20.0)
 LAWS = pytest.mark.parametrize("joystick", [NOMINAL, NOMINAL_POWER_LAW], ids=["constant", "power law"])
@@ -136,3 +137,8 @@ def test_too_few_samples_are_refused() -> None:
     with pytest.raises(RecordError, match="do not determine") as caught:
         measured_peaks(record)
     assert "sample faster" in caught.value.advice
+
+
+def test_a_run_is_not_a_record() -> None:
+    with pytest.raises(ParameterError, match="record = a DataFrame: must be a Record; of a run, find_peaks"):
+        measured_peaks(pd.DataFrame({"theta": [0.1, 0.2]}))  # type: ignore[arg-type]

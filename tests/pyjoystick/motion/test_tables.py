@@ -50,3 +50,10 @@ def test_a_csv_that_cannot_be_written(table: pd.DataFrame, tmp_path: Path) -> No
     (tmp_path / "file").touch()
     with pytest.raises(OutputFileError, match=r"cannot write .*run\.csv"):
         write_csv(table, tmp_path / "file" / "run.csv")
+
+
+def test_a_file_may_be_given_as_text(tmp_path: Path) -> None:
+    """As scripts have it; the other writers take their paths from the same function."""
+    table = pd.DataFrame({"theta": [1.0]}, index=pd.Index([0.0], name="time"))
+    write_csv(table, str(tmp_path / "run.csv"))
+    assert (tmp_path / "run.csv").read_text(encoding="utf-8") == "time,theta\n0.0,1.0\n"

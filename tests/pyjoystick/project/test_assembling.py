@@ -86,17 +86,20 @@ def test_a_fit_of_one_s_own_has_no_budget_and_no_peaks(tmp_path: Path) -> None:
     assert "fit.toml" in next(one.inputs for one in found.steps if one.name == "fit")
 
 
-def test_a_joystick_that_rubs_watches_the_fmus_that_run_it(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    "text", ['parameters = "base.toml"', '[load_curve.forward]\nfile = "b.csv"\nfriction = true']
+)
+def test_a_joystick_that_rubs_watches_the_fmus_that_run_it(text: str, tmp_path: Path) -> None:
     asked: list[str] = []
 
     def find(name: str) -> Path:
         asked.append(name)
         return _none(name)
 
-    text = 'parameters = "base.toml"\n[[record]]\nfiles = "a.csv"'
     write_parameters(tmp_path / "base.toml", NOMINAL.replace({"friction.T_c": 0.01}))
-    (tmp_path / "laboratory.toml").write_text(text, encoding="utf-8")
+    (tmp_path / "laboratory.toml").write_text(f'{text}\n[[record]]\nfiles = "a.csv"', encoding="utf-8")
     (tmp_path / "a.csv").touch()
+    (tmp_path / "b.csv").touch()
     assemble(read_laboratory(tmp_path / "laboratory.toml"), find)
     assert set(asked) == {"JoystickFriction", "JoystickFrictionPowerLaw"}
 

@@ -12,6 +12,7 @@ from pyjoystick.identification.fitting.checks.outliers import Outliers
 from pyjoystick.identification.fitting.checks.repeats import Repeats
 from pyjoystick.identification.fitting.checks.score_test import Finding, explanation
 from pyjoystick.identification.fitting.checks.trust import Check
+from pyjoystick.identification.fitting.checks.unseen import Unseen
 from pyjoystick.support import FloatArray
 
 #: A sound fit fails each of these checks in this part of all cases, "missing physics" in twice as many.
@@ -164,13 +165,16 @@ def repeats_freedom(repeats: Repeats, shared: int, own: int) -> tuple[float, flo
     return groups - shared - own * releases, samples - groups - own * (sum(repeats.releases) - releases)
 
 
-def check_suspects(causes: Sequence[Finding], judged: int, imitated: Sequence[str]) -> Check:
+def check_suspects(
+    causes: Sequence[Finding], judged: int, imitated: Sequence[str], missed: Sequence[Unseen]
+) -> Check:
     """Whether something that the model lacks would explain the residuals better than noise.
 
     Args:
         causes: what would, most likely first
         judged: how many suspects could be told from the fitted variables
         imitated: names of the others
+        missed: what may be there all the same, unseen
     """
     if causes:
         return Check("missing physics", False, f"the residuals are not noise: {explanation(causes)}")
@@ -178,6 +182,8 @@ def check_suspects(causes: Sequence[Finding], judged: int, imitated: Sequence[st
     text = f"none of {kinds} would explain the residuals better than noise"
     if imitated:
         text += f"; the fitted parameters would hide {', '.join(imitated)}"
+    if missed:
+        text += f"; up to these sizes the records would hardly show {', '.join(map(str, missed))}"
     return Check("missing physics", True, text)
 
 

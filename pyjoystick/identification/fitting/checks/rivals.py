@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import ExitStack
-from typing import Final
+from typing import Final, Protocol
 
 import numpy as np
 
 from pyjoystick.fmu import Fmu, FmuNotFoundError, find_fmu
 from pyjoystick.identification.errors import FitError
 from pyjoystick.identification.fitting.checks.score_test import Finding
-from pyjoystick.identification.fitting.checks.suspects import Suspect
+from pyjoystick.identification.fitting.checks.suspect import Suspect
+from pyjoystick.identification.fitting.problem.instrument import ZERO_OFFSET
 from pyjoystick.identification.fitting.problem.least_squares import Problem, choose_steps
 from pyjoystick.identification.fitting.problem.settings import WITH_FRICTION, FitSettings
 from pyjoystick.identification.fitting.solution.search import staged_search
@@ -21,9 +22,20 @@ from pyjoystick.support import FloatArray, ParameterError
 
 _FRICTION: Final = "friction."
 _EVALUATIONS: Final = 40
+_ANGLE: Final = "theta"
+#: What turns round with the sign of the angle.
+_TURNED: Final = ("theta_start", "omega_start", ZERO_OFFSET)
 
-#: The problem of settings, with their own FMU or another.
-Make = Callable[[FitSettings, Fmu | None], Problem]
+
+class Make(Protocol):
+    """Makes the problem of other settings on the same records."""
+
+    def __call__(self, settings: FitSettings, fmu: Fmu | None, /, *, mirrored: bool = False) -> Problem:
+        """The problem, with another FMU than that of the fit if one is given.
+
+        Mirrored, the records count angles the other way round.
+        """
+        ...
 
 
 def tried(
@@ -52,6 +64,9 @@ def tried(
         found = [
             _refitted(one, suspects[one.name], problem, settings, x, with_friction, make) for one in findings
         ]
+    other_sign = _mirrored(problem, settings, x, make)
+    if other_sign is not None:
+        found.append(other_sign)
     return sorted(found, key=lambda one: -one.evidence)
 
 
@@ -89,15 +104,36 @@ def _refitted(
         return finding
     rival.weights, rival.shares, rival.memories = problem.weights, problem.shares, problem.memories
     start = np.concatenate((x, rival.variables.start[len(x) :]))
-    rival.steps = choose_steps(rival, start, central=False).steps
-    best = staged_search(rival, start, evaluations=_EVALUATIONS, stages=settings.search.stages)
-    before = float(np.sum(problem.residuals(x) ** 2))
-    sizes = best.x[len(x) :]
-    part = 1.0 - best.cost / before
+    best, part = _better(rival, start, problem, settings, x)
+    sizes = best[len(x) :]
     if part <= finding.explained:
         return finding
     evidence = problem.size * -math.log1p(-part) - len(sizes) * math.log(problem.size)
     return dataclasses.replace(finding, size=suspect.says(sizes), explained=part, evidence=evidence)
+
+
+def _mirrored(problem: Problem, settings: FitSettings, x: FloatArray, make: Make) -> Finding | None:
+    """The records with the angle counted the other way round, if that explains anything.
+
+    No derivative leads there: a scale of -1 is far from one of 1.
+    """
+    if settings.outputs[0] != _ANGLE:
+        return None
+    rival = make(settings, None, mirrored=True)
+    rival.weights, rival.shares, rival.memories = problem.weights, problem.shares, problem.memories
+    start = [-v if one.name in _TURNED else v for one, v in zip(rival.variables.free, x, strict=True)]
+    part = _better(rival, np.array(start), problem, settings, x)[1]
+    evidence = problem.size * -math.log1p(-part)
+    return Finding("the other sign of the angle", "", part, evidence, 0.0) if part > 0.0 else None
+
+
+def _better(
+    rival: Problem, start: FloatArray, problem: Problem, settings: FitSettings, x: FloatArray
+) -> tuple[FloatArray, float]:
+    """Where a rival's search ends, and the part of the sum of squares of the fit that it takes away."""
+    rival.steps = choose_steps(rival, start, central=False).steps
+    best = staged_search(rival, start, evaluations=_EVALUATIONS, stages=settings.search.stages)
+    return best.x, 1.0 - best.cost / float(np.sum(problem.residuals(x) ** 2))
 
 
 def _names(suspect: Suspect) -> Iterator[str]:

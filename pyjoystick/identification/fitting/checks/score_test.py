@@ -10,12 +10,12 @@ from typing import Final
 import numpy as np
 from scipy import stats
 
-from pyjoystick.identification.fitting.checks.suspects import Suspect
+from pyjoystick.identification.fitting.checks.suspect import Suspect
 from pyjoystick.identification.fitting.problem.least_squares import Problem
 from pyjoystick.support import FloatArray
 
 #: A column that the variables imitate to within this part of it cannot be told from them.
-_DISTINCT: Final = 1e-2
+DISTINCT: Final = 1e-2
 #: Suspects whose evidence is within this of the best one's are named beside it, up to so many.
 _ALIKE: Final = 6.0
 _NAMED: Final = 2
@@ -89,7 +89,7 @@ def _tested(
     rest = columns - basis @ (basis.T @ columns)
     rest -= basis @ (basis.T @ rest)
     left_basis, values, right = np.linalg.svd(rest, full_matrices=False)
-    distinct = values > _DISTINCT
+    distinct = values > DISTINCT
     rank = int(np.count_nonzero(distinct))
     if rank == 0:
         return None

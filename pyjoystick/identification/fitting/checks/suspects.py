@@ -8,67 +8,37 @@ that was fitted: to first order that is its derivative.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
 from functools import partial
 from typing import Final
 
 import numpy as np
-from scipy.signal import butter, sosfiltfilt
 
 from pyjoystick.fmu import REALS
 from pyjoystick.identification.fitting.checks.fitted_motion import FittedMotion
-from pyjoystick.identification.fitting.problem.instrument import ANGLE_SCALE, DELAY, TIME_BASE, ZERO_OFFSET
+from pyjoystick.identification.fitting.checks.instrument_suspects import instruments
+from pyjoystick.identification.fitting.checks.suspect import LEVELS, Suspect, beyond, each, largest, limits
 from pyjoystick.identification.fitting.problem.least_squares import Problem
 from pyjoystick.identification.fitting.problem.prediction import TrajectoryPredictor
-from pyjoystick.identification.fitting.problem.settings import PIVOT_FRICTION, PLUNGER_FRICTION, Free
+from pyjoystick.identification.fitting.problem.settings import PIVOT_FRICTION, PLUNGER_FRICTION
 from pyjoystick.support import FloatArray
 
 #: Parameters are moved by this part, velocities by this (rad/s).
 _PART: Final = 1e-4
 _VELOCITY: Final = 1e-2
-#: -3 dB frequencies of low-pass filters (Hz), and their order, once forward and once backward.
-_CUTOFFS: Final = (20.0, 13.0, 8.0, 5.0)
-_ORDER: Final = 4
-#: Stops and limits are looked for at these parts of the largest angle on either side.
-_LEVELS: Final = (0.9, 0.75, 0.6)
 _SPRINGS: Final = tuple(
     f"{side}.returnSpring.{name}" for side in ("forward", "backward") for name in ("F_0", "k_s")
 )
 
 
-@dataclass(frozen=True, slots=True)
-class Suspect:
-    """Something that the model may lack.
-
-    Attributes:
-        name: what it is
-        columns: by record
-        says: the sentence part that gives its size, from the estimates of its columns; empty where there is
-            none to give
-        one_sided: whether only a positive size makes sense
-        own: whether each record has a size of its own
-        free: the parameters of a fit that tries it in earnest; none where no FMU has them
-        alternatives: how many others of its kind are tried
-    """
-
-    name: str
-    columns: tuple[FloatArray, ...]
-    says: Callable[[FloatArray], str] = lambda sizes: ""
-    one_sided: bool = False
-    own: bool = False
-    free: tuple[Free, ...] = ()
-    alternatives: int = 1
-
-
 def suspects(problem: Problem, x: FloatArray) -> Iterator[Suspect]:
     """Everything that can be tried with the FMU of a problem, at a point."""
     predictors = [one for one in problem.predictors if isinstance(one, TrajectoryPredictor)]
-    instruments = [problem.variables.instrument(x, k) for k in range(len(predictors))]
+    variables = problem.variables
     motions = [
-        FittedMotion(one, problem.variables.row(x, k), instruments[k]) for k, one in enumerate(predictors)
+        FittedMotion(one, variables.row(x, k), variables.instrument(x, k)) for k, one in enumerate(predictors)
     ]
-    yield from _instruments(problem, x, motions)
+    yield from instruments(problem, x, motions)
     known = predictors[0].known
     if "T" in known and known["T"].causality == "input" and motions[0].has("theta", "omega"):
         yield from _friction(motions)
@@ -79,66 +49,14 @@ def suspects(problem: Problem, x: FloatArray) -> Iterator[Suspect]:
         if "T" in predictors[0].inputs:
             yield from _torque(motions)
     yield from _parameters(problem, motions)
-
-
-def _each(
-    motions: Sequence[FittedMotion], column: Callable[[FittedMotion], FloatArray]
-) -> tuple[FloatArray, ...]:
-    return tuple(column(one)[:, np.newaxis] for one in motions)
-
-
-def _instruments(problem: Problem, x: FloatArray, motions: Sequence[FittedMotion]) -> Iterator[Suspect]:
-    """What the record shows otherwise than it is."""
-    slopes = problem.instrument_slopes(x)
-    unit = _Unit(problem.predictors[0].labels[0])
-
-    def columns(name: str) -> tuple[FloatArray, ...]:
-        return tuple(one[name][:, np.newaxis] for one in slopes)
-
-    yield Suspect("a zero offset", columns(ZERO_OFFSET), lambda s: f"up to {unit(_largest(s))}", own=True)
-    yield Suspect(
-        "an error of the angle's scale",
-        columns(ANGLE_SCALE),
-        lambda s: f"{100.0 * s[0]:+.2g} %",
-        free=(Free(ANGLE_SCALE),),
-    )
-    if all(TIME_BASE in one for one in slopes):
-        yield Suspect(
-            "an error of the time base",
-            columns(TIME_BASE),
-            lambda s: f"{100.0 * s[0]:+.2g} %",
-            free=(Free(TIME_BASE),),
-        )
-    if motions[0].predictor.inputs and all(DELAY in one for one in slopes):
-        yield Suspect("a delay between the channels", columns(DELAY), lambda s: f"{1e3 * s[0]:.3g} ms")
-    yield from _filters(motions)
-    for limit in _limits([one.first() for one in motions]):
-        yield _clipping(motions, limit, unit)
-
-
-def _limits(values: Sequence[FloatArray]) -> list[float]:
-    """Angles on either side within the motions."""
-    joined = np.concatenate(values)
-    ends = (max(float(np.max(joined)), 0.0), min(float(np.min(joined)), 0.0))
-    return [
-        level * end for end, sign in zip(ends, (1, -1), strict=True) if sign * end > 0 for level in _LEVELS
-    ]
-
-
-def _clipping(motions: Sequence[FittedMotion], limit: float, unit: _Unit) -> Suspect:
-    return Suspect(
-        "clipping",
-        _each(motions, lambda one: one.only_first(-_beyond(one.first(), limit))),
-        lambda s: f"at about {unit(limit)}",
-        one_sided=True,
-        alternatives=2 * len(_LEVELS),
-    )
+    if len(motions) > 1:
+        yield from _differing(problem, x)
 
 
 def _friction(motions: Sequence[FittedMotion]) -> Iterator[Suspect]:
     yield Suspect(
         "dry friction at the pivot",
-        _each(motions, lambda one: one.with_moment(-np.sign(one.series("omega")))),
+        each(motions, lambda one: one.with_moment(-np.sign(one.series("omega")))),
         lambda s: f"T_c about {s[0]:.2g} N m",
         one_sided=True,
         free=(PIVOT_FRICTION,),
@@ -146,7 +64,7 @@ def _friction(motions: Sequence[FittedMotion]) -> Iterator[Suspect]:
     if motions[0].has("M_s", "f_x"):
         yield Suspect(
             "dry friction at the plungers",
-            _each(motions, lambda one: one.with_moment(-np.sign(one.series("omega")) * _lever(one))),
+            each(motions, lambda one: one.with_moment(-np.sign(one.series("omega")) * _lever(one))),
             lambda s: f"F_c about {s[0]:.2g} N",
             one_sided=True,
             free=(PLUNGER_FRICTION,),
@@ -175,17 +93,17 @@ def _damping(motions: Sequence[FittedMotion]) -> Iterator[Suspect]:
 
 def _stops(motions: Sequence[FittedMotion]) -> Iterator[Suspect]:
     """An elastic stop within the motion, on one side."""
-    for limit in _limits([one.series("theta") for one in motions]):
+    for limit in limits([one.series("theta") for one in motions]):
         yield _stop(motions, limit)
 
 
 def _stop(motions: Sequence[FittedMotion], limit: float) -> Suspect:
     return Suspect(
         "a stop",
-        _each(motions, lambda one: one.with_moment(-_beyond(one.series("theta"), limit))),
+        each(motions, lambda one: one.with_moment(-beyond(one.series("theta"), limit))),
         lambda s: f"at about {math.degrees(limit):.2g} deg",
         one_sided=True,
-        alternatives=2 * len(_LEVELS),
+        alternatives=2 * len(LEVELS),
     )
 
 
@@ -193,13 +111,13 @@ def _torque(motions: Sequence[FittedMotion]) -> Iterator[Suspect]:
     """Errors of the torque that was measured."""
     yield Suspect(
         "an error of the torque's scale",
-        _each(motions, lambda one: one.with_moment(one.predictor.input_at("T", one.instrument, one.time))),
+        each(motions, lambda one: one.with_moment(one.predictor.input_at("T", one.instrument, one.time))),
         lambda s: f"{100.0 * s[0]:+.2g} %",
     )
     yield Suspect(
         "a zero offset of the torque",
-        _each(motions, lambda one: one.with_moment(np.ones_like(one.time))),
-        lambda s: f"up to {_largest(s):.2g} N m",
+        each(motions, lambda one: one.with_moment(np.ones_like(one.time))),
+        lambda s: f"up to {largest(s):.2g} N m",
         own=True,
     )
 
@@ -224,8 +142,8 @@ def _parameters(problem: Problem, motions: Sequence[FittedMotion]) -> Iterator[S
     if predictor.inputs and free("omega_start"):
         yield Suspect(
             "motion at the first sample",
-            _each(motions, lambda one: one.with_parameter("omega_start", _VELOCITY)),
-            lambda s: f"up to {abs(_largest(s)):.2g} rad/s",
+            each(motions, lambda one: one.with_parameter("omega_start", _VELOCITY)),
+            lambda s: f"up to {abs(largest(s)):.2g} rad/s",
             own=True,
         )
     if free("J"):
@@ -240,33 +158,24 @@ def _parameters(problem: Problem, motions: Sequence[FittedMotion]) -> Iterator[S
         yield Suspect("other preloads or stiffnesses of the return springs", columns(springs))
 
 
-def _filters(motions: Sequence[FittedMotion]) -> Iterator[Suspect]:
-    """A low-pass filter without delay, as recorded angles are smoothed."""
-    interval = max(float(np.median(np.diff(one.late))) for one in motions)
-    duration = min(float(np.ptp(one.late)) for one in motions)
-    for cutoff in _CUTOFFS:
-        # Shorter records show nothing of it.
-        if 1.0 / duration < cutoff < 0.5 / interval:
+def _differing(problem: Problem, x: FloatArray) -> Iterator[Suspect]:
+    """What all records share, with a value of its own for each: they may not be of one joystick."""
+    slopes = problem.jacobians(x)
+    names = [one.record.name for one in problem.predictors]
+    for place, free in enumerate(problem.variables.free):
+        if free.record is None:
             yield Suspect(
-                "a low-pass filter",
-                _each(motions, partial(_filtered, cutoff=cutoff)),
-                partial(_near, cutoff),
-                one_sided=True,
-                alternatives=len(_CUTOFFS),
+                f"records that differ in {free.name}",
+                tuple(one[:, [place]] for one in slopes),
+                partial(_spread, names, float(x[place])),
+                own=True,
             )
 
 
-def _near(cutoff: float, sizes: FloatArray) -> str:
-    return f"-3 dB near {cutoff:g} Hz"
-
-
-def _filtered(motion: FittedMotion, cutoff: float) -> FloatArray:
-    """Change of the first output by a filter, shape (n,)."""
-    grid = np.arange(motion.late[0], motion.late[-1] + motion.step, motion.step)
-    first = np.interp(grid, motion.time, motion.first())
-    change = sosfiltfilt(butter(_ORDER, cutoff, fs=1.0 / motion.step, output="sos"), first) - first
-    shown = np.interp(motion.late, grid, change)
-    return np.concatenate((shown, *[np.zeros_like(shown)] * (len(motion.predictor.outputs) - 1)))
+def _spread(names: Sequence[str], value: float, sizes: FloatArray) -> str:
+    """Where the value is lowest and where highest."""
+    low, high = int(np.argmin(sizes)), int(np.argmax(sizes))
+    return f"{value + sizes[low]:.4g} in {names[low]}, {value + sizes[high]:.4g} in {names[high]}"
 
 
 def _moving_at_release(motions: Sequence[FittedMotion]) -> Suspect:
@@ -285,26 +194,7 @@ def _moving_at_release(motions: Sequence[FittedMotion]) -> Suspect:
 
     return Suspect(
         "motion at the instant of release",
-        _each(motions, column),
+        each(motions, column),
         lambda sizes: f"about {math.sqrt(2.0 * slope * sizes[0]):.2g} rad/s",
         one_sided=True,
     )
-
-
-def _beyond(values: FloatArray, limit: float) -> FloatArray:
-    """By how much values are beyond a limit, on its side of zero, else 0."""
-    return np.asarray(np.sign(limit) * np.maximum(np.sign(limit) * values - abs(limit), 0.0))
-
-
-def _largest(sizes: FloatArray) -> float:
-    return float(sizes[np.argmax(np.abs(sizes))])
-
-
-@dataclass(frozen=True, slots=True)
-class _Unit:
-    """Numbers of an output as text: angles in degrees."""
-
-    output: str
-
-    def __call__(self, value: float) -> str:
-        return f"{math.degrees(value):.2g} deg" if self.output == "theta" else f"{value:.2g}"

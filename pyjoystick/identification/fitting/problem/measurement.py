@@ -14,7 +14,10 @@ from numpy.typing import ArrayLike
 
 from pyjoystick.fmu import FmuDescription, read_variables
 from pyjoystick.motion import Record
-from pyjoystick.support import FloatArray, SeriesError, UnknownVariableError, increasing_times
+from pyjoystick.support import FloatArray, ParameterError, SeriesError, UnknownVariableError, increasing_times
+
+_TURNED: Final = ("theta", "omega", "alpha")
+_RECORD: Final = "a Record (read_record) or Measurement.from_table(name, table)"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -60,6 +63,11 @@ class Measurement:
         columns = {str(column): table[column].to_numpy(dtype=np.float64) for column in table.columns}
         return cls(name, table.index.to_numpy(dtype=np.float64), columns)
 
+    def mirrored(self) -> Measurement:
+        """The same with the angle and its derivatives counted the other way round."""
+        columns = {name: -one if name in _TURNED else one for name, one in self.columns.items()}
+        return Measurement(self.name, self.time, columns)
+
     def _checked(self, name: str, series: ArrayLike) -> FloatArray:
         values = np.array(series, dtype=np.float64)
         if values.shape != self.time.shape:
@@ -76,9 +84,13 @@ def read_table_record(path: Path, names: Sequence[str], fmu: FmuDescription) -> 
 
 
 def measurements(records: Iterable[Record | Measurement]) -> tuple[Measurement, ...]:
-    """Records and measurements as measurements with names that differ."""
+    """Records and measurements as measurements with names that differ; ParameterError for anything else."""
+    if not isinstance(records, Iterable) or isinstance(records, pd.DataFrame):
+        raise ParameterError("records", f"a {type(records).__name__}", f"a list, each of it {_RECORD}")
     found: list[Measurement] = []
     for one in records:
+        if not isinstance(one, Record | Measurement):
+            raise ParameterError("records", f"a {type(one).__name__} among them", _RECORD)
         measured = Measurement.from_record(one) if isinstance(one, Record) else one
         names = {other.name for other in found}
         name, number = measured.name, 2

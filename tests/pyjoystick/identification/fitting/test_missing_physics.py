@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import importlib
 import math
+import re
 from pathlib import Path
 
 import numpy as np
@@ -52,12 +53,44 @@ def test_dry_friction_is_found_and_named(fmus_by_name: Path, rubbing: list[Recor
     assert "dry friction at the pivot (T_c about 0.006" in _message(found, "missing physics")
 
 
+def test_the_other_sign_of_the_angle_is_named(fmus_by_name: Path) -> None:
+    """Other preloads would explain almost as much: the springs of the two sides differ."""
+    seen = [dataclasses.replace(one, theta=-one.theta) for one in releases(NOMINAL, 2, noise=NOISE)]
+    found = fit(seen, QUICK)
+    message = _message(found, "missing physics")
+    assert message.startswith(
+        "the residuals are not noise: the other sign of the angle would explain them best"
+    )
+
+
+def test_records_of_two_joysticks_do_not_pass_for_one(fmus_by_name: Path) -> None:
+    """Their mean fits neither; C of the two differs by 1.5 %, some ten standard errors of one record."""
+    other = releases(NOMINAL.replace({"damping.C": 0.0457}), 4, noise=NOISE, seed=2)
+    one = releases(NOMINAL, 4, noise=NOISE)
+    found = fit([*one[:2], *other[2:]], QUICK)
+    assert "records that differ in damping.C" in _message(found, "missing physics")
+
+
 def test_friction_in_the_model_gives_both_coefficients(fmus_by_name: Path, rubbing: list[Record]) -> None:
     found = fit(rubbing, with_friction(QUICK))
     assert found.trusted, [check for check in found.checks if not check.passed]
     for name, truth in (("damping.C", 0.045), ("friction.T_c", 0.0072)):
         # Beyond four standard errors once in 16,000 fits; the seed is fixed.
         assert abs(found.value(name) - truth) < 4.0 * found.error(name) < 0.2 * truth
+
+
+def test_a_fit_that_passes_says_what_it_would_not_have_seen(fmus_by_name: Path) -> None:
+    """Friction of the size that it states moves C as it states, to the two digits that the sentence has."""
+    clean = fit(releases(NOMINAL, 4, noise=NOISE), QUICK)
+    assert clean.trusted
+    (check,) = (one for one in clean.checks if one.name == "missing physics")
+    stated = re.search(r"at the pivot \(T_c about (\S+) N m: damping\.C off by (\S+) %", check.message)
+    assert stated
+    size, part = float(stated[1]), 0.01 * float(stated[2])
+    rubbing = fit(releases(NOMINAL.replace({"friction.T_c": size}), 4, noise=NOISE), QUICK)
+    moved = rubbing.value("damping.C") / clean.value("damping.C") - 1.0
+    assert moved == pytest.approx(part, rel=0.1)
+    assert moved > 3.0 * clean.error("damping.C") / clean.value("damping.C")
 
 
 def test_colored_noise_is_no_reason_to_fail(fmus_by_name: Path) -> None:

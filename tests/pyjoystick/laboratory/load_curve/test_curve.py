@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -48,7 +49,6 @@ def test_compression_counted_negative_is_turned_and_told() -> None:
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        (lambda t: t.replace(";", " "), "separate the columns by commas, semicolons or tabs"),
         (lambda t: t.replace("0.0", "0,0"), "row 3: is not a number (found '0,0"),
         (
             lambda t: t.replace(".", ",").replace(";", ","),
@@ -62,7 +62,7 @@ def test_compression_counted_negative_is_turned_and_told() -> None:
             lambda t: t.replace(" (mm)", ""),
             "column 'travel', row 2: has no unit; write it in the heading, as in 'travel (m)', or",
         ),
-        (lambda t: t.replace("force", "load"), "has no column 'force'; which column holds force? There are"),
+        (lambda t: t.replace("force", "lid"), "has no column 'force'; which column holds force? There are"),
         (lambda t: t[: t.index("\n", 2000)] + "\n1.0;\n", "column 'force (N)', row "),
         (lambda t: t + t[t.index("\n", 30) + 1 :], "travel turns back by"),
     ],
@@ -74,6 +74,31 @@ def test_bad_files_are_named_with_row_and_remedy(tmp_path: Path, change: object,
         read_load_curve(path)
     assert str(refused.value).startswith(str(path))
     assert message in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    ("change", "encoding"),
+    [
+        (lambda t: t.replace(";", " ").replace(" (", "("), "utf-8"),
+        (lambda t: t.replace(".", ","), "utf-8"),
+        (lambda t: t.replace("travel (mm);force (N)", "Weg [mm];Kraft [N]").replace(".", ","), "cp1252"),
+        (
+            lambda t: t.replace(
+                "travel (mm);force (N)", "Prüfprotokoll;Müller\n\nStandardweg;Standardkraft\nmm;N"
+            ).replace(".", ","),
+            "cp1252",
+        ),
+    ],
+    ids=["spaces", "decimal commas", "german", "testing machine"],
+)
+def test_other_forms_give_the_same_curve(tmp_path: Path, change: Callable[[str], str], encoding: str) -> None:
+    path = write(tmp_path / "curve.csv", *cycle(FORWARD_TABLE, 1, step=20e-6))
+    expected = read_load_curve(path)
+    path.write_text(change(path.read_text(encoding="utf-8")), encoding=encoding)
+    found = read_load_curve(path)
+    for one, other in zip(found.branches, expected.branches, strict=True):
+        np.testing.assert_array_equal(one.travel, other.travel)
+        np.testing.assert_array_equal(one.force, other.force)
 
 
 def test_travel_that_turns_back_names_its_row(tmp_path: Path) -> None:

@@ -130,3 +130,11 @@ def test_a_binary_file_without_its_suffix_is_refused(tmp_path: Path) -> None:
     write_c3d(tmp_path / "a.dat", NAMES, POINTS, rate=60.0)
     with pytest.raises(RecordError, match=r"is not UTF-8 text; name a C3D file \.c3d"):
         read_markers(tmp_path / "a.dat")
+
+
+def test_an_export_of_motive_is_named_with_the_way_out(tmp_path: Path) -> None:
+    """Its first line would pass for a table that lacks headings."""
+    path = tmp_path / "take.csv"
+    path.write_text("Format Version,1.23,Take Name,Take 1\n\n,Type,Marker\n", encoding="utf-8")
+    with pytest.raises(RecordError, match=r"OptiTrack Motive, which is not read; export the take as C3D"):
+        read_markers(path)

@@ -207,7 +207,7 @@ def test_a_log_is_read_as_it_was_written(name: str, tmp_path: Path) -> None:
     assert not log.left_out.size
 
 
-THOUSANDS = "".join(f"{1000 + i:,};{1 + i % 7},{500 + i}\n" for i in range(COUNT))
+THOUSANDS = "".join(f"{1000 + i:,};{1 + abs(i % 12 - 6)},{500 + i}\n" for i in range(COUNT))
 #: Name -> content, what the message says, the options that it asks for.
 REFUSED: dict[str, tuple[str, str, dict[str, Any]]] = {
     "an angle without a unit": (
@@ -361,7 +361,7 @@ def test_both_decimal_marks_decide_what_was_doubtful(tmp_path: Path) -> None:
     path = written(tmp_path / "log.csv", f"time (ms);angle (deg)\n{THOUSANDS}")
     log = read_log(path, layout=Layout(decimal=","), units={"time": "ms"})
     assert log.series["time"][1] == pytest.approx(1.001e-3)
-    assert log.series["theta"][1] == pytest.approx(np.radians(2.501))
+    assert log.series["theta"][1] == pytest.approx(np.radians(6.501))
 
 
 def test_an_encoding_that_is_given_is_taken(tmp_path: Path) -> None:
@@ -424,3 +424,22 @@ def test_a_hole_between_two_records_is_noted(tmp_path: Path) -> None:
     [note] = read_log(path).notes
     assert note.startswith("a gap of 30")
     assert "between rows 11 and 12" in note
+
+
+def test_a_counter_that_wraps_is_refused_with_the_rows(tmp_path: Path) -> None:
+    """Its angles are all possible, and a fit to them would be one to nothing."""
+    wrapped = (ANGLE + 10.0) % 20.0 - 10.0
+    path = written(tmp_path / "wrapped.csv", text(("time (s)", "theta (deg)"), TIME, wrapped))
+    with pytest.raises(RecordError, match=r"jumps by .* did a counter wrap around") as caught:
+        read_log(path)
+    jumps = np.flatnonzero(np.abs(np.diff(wrapped)) > 10.0)
+    assert caught.value.rows == tuple(np.unique(np.concatenate((jumps, jumps + 1)) + 2).tolist())
+
+
+def test_an_angle_from_0_to_360_degrees_is_not_taken_for_degrees_under_another_name(tmp_path: Path) -> None:
+    path = written(tmp_path / "turn.csv", text(("time (s)", "theta (deg)"), TIME, ANGLE % 360.0))
+    with pytest.raises(RecordError, match=r"90 degrees or more.* wrap around at a full turn, or is zero not"):
+        read_log(path)
+    radians = written(tmp_path / "radians.csv", text(("time (s)", "theta (rad)"), TIME, ANGLE))
+    with pytest.raises(RecordError, match="degrees under the name of radians"):
+        read_log(radians)

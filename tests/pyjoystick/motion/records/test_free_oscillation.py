@@ -108,6 +108,12 @@ def test_a_gap_that_may_hide_a_peak_is_refused() -> None:
     assert error.rows == (HOLD + 7, HOLD + 15)
 
 
+def test_a_gap_is_noted_where_no_peaks_are_counted() -> None:
+    record = _without(_record(), *range(HOLD + 8, HOLD + 15))
+    [note] = check_free_oscillation(record, counted=False).notes
+    assert note == f"gaps: about 7 samples are missing between rows {HOLD + 7}, {HOLD + 15}"
+
+
 def test_a_gap_that_hides_a_whole_period_is_refused() -> None:
     """The two swings that are left beside it then look like one long one."""
     error = _refusal(_without(_record(), *range(HOLD + 12, HOLD + 26)))

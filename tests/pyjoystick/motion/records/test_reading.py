@@ -161,6 +161,11 @@ def test_repeats_are_read_together(tmp_path: Path) -> None:
         read_repeats([])
 
 
+def test_one_path_is_no_list_of_paths() -> None:
+    with pytest.raises(RecordError, match=r"run.csv: is one path; give a list of files"):
+        read_repeats("run.csv")
+
+
 def test_a_repeat_given_twice_is_refused(tmp_path: Path) -> None:
     paths = [write(tmp_path / name, rows(*motion()[:2])) for name in ("a.csv", "b.csv")]
     with pytest.raises(RecordError, match=r"b\.csv.*holds the same angles as .*a\.csv"):

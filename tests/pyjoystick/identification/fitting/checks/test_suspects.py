@@ -81,6 +81,29 @@ def _smoothed() -> list[Record]:
     ]
 
 
+def _loose(play: float) -> list[Record]:
+    """Seen by a sensor that moves on only when the handle has crossed the play."""
+    found = []
+    for one in _records(NOMINAL, rate=10.0 * RATE):
+        ends = [one.theta[0] - play / 2, one.theta[0] + play / 2]
+        shown = np.empty_like(one.theta)
+        for k, theta in enumerate(one.theta):
+            # The play moves along with the handle only at its ends.
+            if theta > ends[1]:
+                ends = [theta - play, theta]
+            elif theta < ends[0]:
+                ends = [theta, theta + play]
+            shown[k] = sum(ends) / 2
+        found.append(dataclasses.replace(one, time=one.time[::10], theta=shown[::10], rows=one.rows[::10]))
+    return found
+
+
+def _of_two_joysticks() -> list[Record]:
+    """The second record is of a joystick with another C."""
+    found = _records(NOMINAL)
+    return [found[0], _other(damping__C=0.0451)[1], found[2]]
+
+
 def _stopped(limit: float, stiffness: float) -> list[Record]:
     """Releases with a moment beside that of the springs: that of a stop along the motion without it."""
     found = []
@@ -132,6 +155,8 @@ _CLIPPED = -0.75 * math.radians(20.0)
         (lambda: _shown(lambda theta: np.maximum(theta, _CLIPPED)), "clipping", "at about -16 deg"),
         (_smoothed, "a low-pass filter", "-3 dB near 13 Hz"),
         (lambda: _stopped(_CLIPPED, 0.1), "a stop", "at about -15 deg"),
+        (lambda: _loose(math.radians(0.2)), "backlash of the sensor", "about 0.2 deg of play"),
+        (_of_two_joysticks, "records that differ in damping.C", "0.04501 in run 0, 0.0451 in run 1"),
     ],
 )
 def test_the_cause_is_named_with_its_size(

@@ -1,0 +1,78 @@
+"""A suspect: something that a model may lack, as the change of the residuals that it would make."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from pyjoystick.identification.fitting.checks.fitted_motion import FittedMotion
+from pyjoystick.identification.fitting.problem.settings import Free
+from pyjoystick.support import FloatArray
+
+#: Stops and limits are looked for at these parts of the largest angle on either side.
+LEVELS: Final = (0.9, 0.75, 0.6)
+
+
+@dataclass(frozen=True, slots=True)
+class Suspect:
+    """Something that the model may lack.
+
+    Attributes:
+        name: what it is
+        columns: by record
+        says: the sentence part that gives its size, from the estimates of its columns; empty where there is
+            none to give
+        one_sided: whether only a positive size makes sense
+        own: whether each record has a size of its own
+        free: the parameters of a fit that tries it in earnest; none where no FMU has them
+        alternatives: how many others of its kind are tried
+    """
+
+    name: str
+    columns: tuple[FloatArray, ...]
+    says: Callable[[FloatArray], str] = lambda sizes: ""
+    one_sided: bool = False
+    own: bool = False
+    free: tuple[Free, ...] = ()
+    alternatives: int = 1
+
+
+def each(
+    motions: Sequence[FittedMotion], column: Callable[[FittedMotion], FloatArray]
+) -> tuple[FloatArray, ...]:
+    """One column for each motion, as a suspect has them."""
+    return tuple(column(one)[:, np.newaxis] for one in motions)
+
+
+def limits(values: Sequence[FloatArray]) -> list[float]:
+    """Angles on either side within the motions."""
+    joined = np.concatenate(values)
+    ends = (max(float(np.max(joined)), 0.0), min(float(np.min(joined)), 0.0))
+    return [
+        level * end for end, sign in zip(ends, (1, -1), strict=True) if sign * end > 0 for level in LEVELS
+    ]
+
+
+def beyond(values: FloatArray, limit: float) -> FloatArray:
+    """By how much values are beyond a limit, on its side of zero, else 0."""
+    return np.asarray(np.sign(limit) * np.maximum(np.sign(limit) * values - abs(limit), 0.0))
+
+
+def largest(sizes: FloatArray) -> float:
+    """The size that is furthest from zero, with its sign."""
+    return float(sizes[np.argmax(np.abs(sizes))])
+
+
+@dataclass(frozen=True, slots=True)
+class Unit:
+    """Numbers of an output as text: angles in degrees."""
+
+    output: str
+
+    def __call__(self, value: float) -> str:
+        """The number with its unit, to two digits."""
+        return f"{math.degrees(value):.2g} deg" if self.output == "theta" else f"{value:.2g}"

@@ -1,0 +1,41 @@
+"""The dry friction along the plungers, from the hysteresis of the load-deflection curves."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from typing import Final
+
+import numpy as np
+
+from pyjoystick import laboratory, model
+from pyjoystick.project.steps import with_error
+
+_F_C: Final = "friction.F_c"
+
+
+def put_down(fit: laboratory.LoadCurveFit, side: model.Side) -> str:
+    """A note on a hysteresis that the project does not take for friction of the joystick."""
+    friction = with_error(fit.friction, fit.friction_error)
+    return (
+        f"half the hysteresis, {friction} N, counts as friction of the testing machine; if it is the "
+        f"plunger's, friction = true in [load_curve.{side}] gives the joystick this dry friction"
+    )
+
+
+def one_friction(found: Iterable[laboratory.MeasuredValues]) -> laboratory.MeasuredValues:
+    """F_c, which the joystick has once: the mean of what was measured, weighted by the variances.
+
+    If the values differ by more than their errors allow, the error is what they differ by (Birge's ratio).
+    """
+    pairs = [(one.values[_F_C], one.uncertainties[_F_C]) for one in found if _F_C in one.values]
+    if not pairs:
+        return laboratory.MeasuredValues(values={}, uncertainties={}, sources={})
+    values, errors = np.array(pairs).T
+    mean = float(np.average(values, weights=errors**-2))
+    error = float(np.sum(errors**-2) ** -0.5)
+    ratio = math.sqrt(float(np.sum(((values - mean) / errors) ** 2)) / max(len(values) - 1, 1))
+    error *= max(ratio, 1.0)
+    return laboratory.MeasuredValues(
+        values={_F_C: model.rounded(mean, error)}, uncertainties={_F_C: error}, sources={}
+    )
