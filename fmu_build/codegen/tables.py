@@ -10,16 +10,25 @@ _LINEAR, _CONSTANT = 1, 3
 
 
 def reject_unsupported_tables(model: LoweredModel, starts: StartValues) -> None:
-    """Raise `UnsupportedModelError` for a table that is smooth in two inputs."""
+    """Raise `UnsupportedModelError` for a table that is smooth in two inputs, or whose file was not read."""
     bindings = model.solve["layout"]["bindings"]
-    variables = {variable["name"]: variable for variable in model.dae["variables"]}
-    for name, variable in variables.items():
+    variables = {entry["name"]: entry for entry in model.dae["variables"] if entry["name"] in bindings}
+    for name, entry in variables.items():
         block, _, parameter = name.rpartition(".")
-        if parameter != "smoothness" or f"{block}.leastStep2" not in variables or name not in bindings:
+        if f"{block}.smoothness" not in variables or parameter not in ("smoothness", "tableOnFile"):
             continue
-        if starts.of(("p", bindings[name]["P"]["index"])) not in (_LINEAR, _CONSTANT):
+        value = starts.of(("p", bindings[name]["P"]["index"]))
+        span = entry["declaration"]["span"]
+        if parameter == "smoothness":
+            if f"{block}.leastStep2" in variables and value not in (_LINEAR, _CONSTANT):
+                raise model.unsupported(
+                    f"the smoothness of {block} is not supported: a table with two inputs can have "
+                    "LinearSegments or ConstantSegments",
+                    span,
+                )
+        elif value or name in model.computed_parameters:  # false where the build has read the file
             raise model.unsupported(
-                f"the smoothness of {block} is not supported: a table with two inputs can have "
-                "LinearSegments or ConstantSegments",
-                variable["declaration"]["span"],
+                f"tableOnFile of {block} is not the word true or false among the modifiers of the table; "
+                "the build reads the file only where it is true there, beside tableName and fileName",
+                span,
             )

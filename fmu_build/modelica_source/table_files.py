@@ -30,9 +30,10 @@ _MATRIX = re.compile(
 
 
 def with_tables_from_files(file: Path, text: str, libraries: Mapping[str, Path]) -> str:
-    """Return a text in which blocks with ``tableOnFile = true`` have the table itself as a parameter too.
+    """Return a text in which blocks with ``tableOnFile = true`` have the table itself as a parameter instead.
 
-    The name of its file then stands for loadResource() of it, which is an external function.
+    The name of its file then stands for loadResource() of it, which is an external function. A block whose
+    tableOnFile is anything but a literal is left alone: `fmu_build.codegen.tables` refuses it.
 
     Args:
         file: of the text; a relative fileName starts from its folder.
@@ -64,8 +65,10 @@ def with_tables_from_files(file: Path, text: str, libraries: Mapping[str, Path])
         added = f", table = [{'; '.join(', '.join(map(repr, row)) for row in rows)}]"
         if not kind.startswith("CombiTable2") and not re.search(r"\bcolumns\b", plain[start:end]):
             added += ", columns = {2}"  # 2:size(table, 2) of the table that has not been read
-        text = text[:end] + added + text[end:]
-        text = text[: source.start("value")] + f'"{path}"' + text[source.end("value") :]
+        value = on_file.end() - len("true"), on_file.end(), "false"
+        edits = [(end, end, added), (*source.span("value"), f'"{path}"'), value]
+        for first, last, new in sorted(edits, reverse=True):
+            text = text[:first] + new + text[last:]
     return text
 
 

@@ -16,12 +16,12 @@ _FUNCTIONS = Path(__file__).with_name("FmuBuildTables.mo")
 
 _WARNING = (
     "assert(not (verboseExtrapolation and Integer(extrapolation) <= 2) or noEvent({inside}),"
-    ' "The table is extrapolated: {0} (=" + String({0}) + ") is not in the range from " + String({1})'
+    ' "The table is extrapolated: {name} (=" + String({0}) + ") is not in the range from " + String({1})'
     ' + " to " + String({2}), level = AssertionLevel.warning);'
 )
 _ERROR = (
     "assert(Integer(extrapolation) <> 4 or noEvent({inside}),"
-    ' "The table must not be extrapolated: {0} (=" + String({0}) + ") is not in the range from "'
+    ' "The table must not be extrapolated: {name} (=" + String({0}) + ") is not in the range from "'
     ' + String({1}) + " to " + String({2}));'
 )
 _COLUMNS = (
@@ -45,7 +45,8 @@ _VALUE_2D = "FmuBuildTables.value2D(Integer(smoothness), Integer(extrapolation),
 
 def _checked(variable: str, least: str, most: str, inside: str = "{0} >= {1} and {0} <= {2}") -> str:
     names = variable, least, most
-    return (_WARNING + _ERROR).format(*names, inside=inside.format(*names))
+    name = variable.replace("[i]", '[" + String(i) + "]')
+    return (_WARNING + _ERROR).format(*names, name=name, inside=inside.format(*names))
 
 
 _TIME_INSIDE = "stop == 0 or reached >= {1} and 2*{0} - reached <= {2}"
@@ -112,10 +113,10 @@ _END = re.compile(
     r"\b(?:final\s+parameter\s+[\w.]+\s+[tu]_min\b|equation\b).*?(?=\bannotation\b|\Z)", re.DOTALL
 )
 """From the first variable that the external object determines to the annotation of the block."""
-_COLUMNS_DECLARED = re.compile(
-    r"\bparameter\s+Integer\s+columns\b[^;]*?(?:(?P<annotation>\bannotation\s*\()|(?=;))"
+_FIXED = re.compile(
+    r"\bparameter\s+(?:Integer\s+columns|Boolean\s+tableOnFile)\b[^;]*?(?:(?P<annotation>\bannotation\s*\()|(?=;))"
 )
-"""The numbers of columns, which are not to be set in the FMU: few others are possible."""
+"""What is not to be set in the FMU: few other columns are possible, and a file is read while it is built."""
 _EXTERNAL_OBJECT = re.compile(r"\bExternalCombi(?:TimeTable|Table[12]D)\b")
 
 
@@ -141,8 +142,7 @@ def _own_tables(text: str) -> str:
             continue
         lines = "\n" * text.count("\n", *end.span())
         text = text[: end.start()] + " ".join(_ENDS[block["name"]].split("\n")) + lines + text[end.end() :]
-        columns = _COLUMNS_DECLARED.search(plain, body[0], end.start())
-        if columns is not None:
-            fixed = "Evaluate = true, " if columns["annotation"] else " annotation (Evaluate = true)"
-            text = text[: columns.end()] + fixed + text[columns.end() :]
+        for one in reversed([*_FIXED.finditer(plain, body[0], end.start())]):
+            fixed = "Evaluate = true, " if one["annotation"] else " annotation (Evaluate = true)"
+            text = text[: one.end()] + fixed + text[one.end() :]
     return text

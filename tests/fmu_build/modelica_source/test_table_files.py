@@ -38,6 +38,21 @@ def test_a_file_that_is_named_elsewhere_is_refused(tmp_path: Path) -> None:
         build_fmu("Tables.NamedElsewhere", tmp_path, library=[_MODELS, _LIBRARY])
 
 
+@pytest.mark.parametrize("model", ["Chosen", "Mounted"])
+def test_a_file_that_is_not_read_is_not_ignored(model: str, tmp_path: Path) -> None:
+    """Where a parameter chooses the file, or a class is extended."""
+    with pytest.raises(UnsupportedModelError, match=r"tableOnFile"):
+        build_fmu(f"Tables.{model}", tmp_path, library=[_MODELS, _LIBRARY])
+
+
+def test_whether_a_table_is_on_file_is_settled(tmp_path: Path) -> None:
+    built = build_fmu("Tables.Files", tmp_path, library=[_MODELS, _LIBRARY])
+    with Fmu(built.path) as fmu:
+        found = {n: v.causality for n, v in fmu.description.variables.items() if n.endswith("tableOnFile")}
+    assert found
+    assert set(found.values()) == {"local"}
+
+
 def test_format() -> None:
     assert read_table(_HERE / "curves.txt", "curve") == _CURVE
     assert read_table(_HERE / "curves.txt", "surface") == [[0, 1, 2, 3], [0, 1, 2, 1], [2, -1, 4, 0.5]]

@@ -78,8 +78,13 @@ def _curve(x: FloatArray, y: FloatArray, smoothness: int, extrapolation: int) ->
     if extrapolation == HOLD:
         return lambda u: piece(np.clip(u, x[0], x[-1]))
     if extrapolation == PERIODIC:
-        return lambda u: piece(np.where((u < x[0]) | (u > x[-1]), x[0] + (u - x[0]) % (x[-1] - x[0]), u))
+        return lambda u: piece(_repeated(u, x))
     return piece
+
+
+def _repeated(u: FloatArray, x: FloatArray) -> FloatArray:
+    """What is outside of the points, moved by whole periods."""
+    return np.where((u < x[0]) | (u > x[-1]), x[0] + (u - x[0]) % (x[-1] - x[0]), u)
 
 
 def _surface(area: FloatArray, smoothness: int, extrapolation: int) -> Callable[..., FloatArray]:
@@ -89,6 +94,8 @@ def _surface(area: FloatArray, smoothness: int, extrapolation: int) -> Callable[
     def value(a: FloatArray, b: FloatArray) -> FloatArray:
         if extrapolation == HOLD:
             a, b = np.clip(a, u1[0], u1[-1]), np.clip(b, u2[0], u2[-1])
+        if extrapolation == PERIODIC:
+            a, b = _repeated(a, u1), _repeated(b, u2)
         outside = (a < u1[0]) | (a > u1[-1]) | (b < u2[0]) | (b > u2[-1])
         i = np.clip(np.searchsorted(u1, a, side="right") - 1, 0, len(u1) - 1)
         j = np.clip(np.searchsorted(u2, b, side="right") - 1, 0, len(u2) - 1)
@@ -135,7 +142,7 @@ def test_one_input(smoothness: int, extrapolation: int, built: Callable[[str], P
 
 
 @pytest.mark.parametrize(
-    ("smoothness", "extrapolation"), [*itertools.product((LINEAR, CONSTANT), (HOLD, LAST_TWO))]
+    ("smoothness", "extrapolation"), [*itertools.product((LINEAR, CONSTANT), (HOLD, LAST_TWO, PERIODIC))]
 )
 def test_two_inputs(smoothness: int, extrapolation: int, built: Callable[[str], Path]) -> None:
     rng = np.random.default_rng(21)
@@ -248,6 +255,25 @@ def test_time_table_in_model_exchange(
     np.testing.assert_allclose(result["x"][::-1][last], expected, atol=1e-8)
 
 
+@pytest.mark.parametrize("smoothness", [LINEAR, AKIMA, FRITSCH_BUTLAND, STEFFEN, MODIFIED_AKIMA])
+@pytest.mark.parametrize("extrapolation", [HOLD, LAST_TWO, PERIODIC])
+def test_time_table_without_events_at_its_points(
+    smoothness: int, extrapolation: int, built: Callable[[str], Path]
+) -> None:
+    """Values off the ends, where a smooth table has events, and kinks only cost accuracy."""
+    table = np.array([[-0.4, 1, 0], [0.3, 2, 1], [0.5, -1, 1], [1.1, 0.5, 2], [1.4, 0.5, 3], [2, -2.0, 5]])
+    times = np.linspace(0.01, 7.01, 83)
+    settings: dict[str, float] = {
+        "source.smoothness": smoothness,
+        "source.extrapolation": extrapolation,
+        "source.timeEvents": NEVER,
+    }
+    with Fmu(built("Times")) as fmu:
+        found = fmu.run(np.append(0.0, times), parameters=settings | _elements("source.table", table))
+    expected = 0.5 + _curve(table[:, 0], table[:, 1], smoothness, extrapolation)(times)
+    np.testing.assert_allclose(found["y"].iloc[1:], expected, atol=1e-12)
+
+
 def test_time_scale(built: Callable[[str], Path]) -> None:
     """Points are at 0.1 s and 0.3, 0.6, 0.6, 2.1 s later, every 2.1 s, and count from 0.3 s on."""
     x = np.array([0.1, 0.4, 0.7, 0.7, 2.2])
@@ -283,6 +309,20 @@ def test_extrapolation_is_refused_where_the_block_says_so(built: Callable[[str],
         fmu.run([0.0, 0.4])
         with pytest.raises(FmuRunError, match=r"must not be extrapolated.*not in the range from 0 to 0\.5"):
             fmu.run([0.0, 0.4, 0.8])
+
+
+@pytest.mark.parametrize(("block", "reason"), [("single", "u "), ("several", "u[2]"), ("surface", "u2 ")])
+def test_inputs_beyond_a_table_end_the_run_where_it_says_so(
+    block: str, reason: str, built: Callable[[str], Path]
+) -> None:
+    inside = pd.DataFrame({"u": [0.0, 0.5], "v": [1.5, 2.0]}, index=pd.Index([0.0, 1.0], name="time"))
+    beyond = inside.assign(**{"u" if block == "single" else "v": [1.5, 20.0]})
+    forbidden = {f"{block}.extrapolation": 4}
+    with Fmu(built("Inputs")) as fmu:
+        fmu.run([0.0, 1.0], parameters=forbidden, inputs=inside)
+        with pytest.raises(FmuRunError, match="must not be extrapolated") as caught:
+            fmu.run([0.0, 1.0], parameters=forbidden, inputs=beyond)
+    assert reason in str(caught.value)
 
 
 def test_points_must_increase(built: Callable[[str], Path]) -> None:

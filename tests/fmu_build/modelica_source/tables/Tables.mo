@@ -79,6 +79,19 @@ package Tables "Models with tables"
     annotation (uses(Modelica(version = "1")));
   end NamedElsewhere;
 
+  model Chosen
+    parameter Boolean useFile = true;
+    Modelica.Blocks.Sources.CombiTimeTable source(
+      tableOnFile = useFile, table = [0, 0; 1, 1], tableName = "curve", fileName = "curves.txt");
+    output Real y = source.y[1];
+    annotation (uses(Modelica(version = "1")));
+  end Chosen;
+
+  model Mounted
+    extends Modelica.Blocks.Sources.CombiTimeTable(tableOnFile = true, tableName = "curve", fileName = "curves.txt");
+    annotation (uses(Modelica(version = "1")));
+  end Mounted;
+
   model Decreasing
     Modelica.Blocks.Tables.CombiTable1Ds source(table = [0, 0; 1, 1; 1, 2]);
     output Real y = source.y[1];
