@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from pyjoystick.fmu.description import FmuDescription, Variable
 from pyjoystick.fmu.values import REALS, Value, checked_value, limits, require_scalar
-from pyjoystick.support import FloatArray, ParameterError, SeriesError, UnknownInputError
+from pyjoystick.support import FloatArray, ParameterError, SeriesError, UnknownInputError, type_text
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 #: A constant by name of the input, or a table indexed by time (s) with one column an input. Between rows a
 #: continuous input is straight and any other keeps its value; before the first and after the last row both
 #: stay. Two rows of one time are a jump: the second holds from there on. Where `attrs["units"]` of the table
-#: gives a column a unit, it must be that of the input.
+#: gives a column a unit, it must be that of the input, and s for the index.
 Inputs = Union[Mapping[str, Value], "pd.DataFrame"]  # `|` takes no name that is to come
 _INDEX: Final = "index of the inputs"
 
@@ -58,7 +58,8 @@ def checked_inputs(description: FmuDescription, inputs: Inputs) -> InputTable:
     Raises:
         UnknownInputError: the FMU has no input of that name
         ParameterError: the inputs are neither a mapping nor a table; the table is empty, or has an input
-            twice or in another unit; a value is of the wrong type, NaN or out of range
+            twice or in another unit, or its time is not in s; a value is of the wrong type, NaN or out of
+            range
         SeriesError: the index of the table is not a time in s, not finite or falls
     """
     if isinstance(inputs, Mapping):
@@ -92,7 +93,7 @@ def checked_constants(description: FmuDescription, inputs: Mapping[str, Value]) 
         ParameterError: the inputs are not a mapping; a value is of the wrong type, NaN or out of range
     """
     if not isinstance(inputs, Mapping):
-        raise ParameterError("inputs", f"a {type(inputs).__name__}", "a mapping from names to constants")
+        raise ParameterError("inputs", type_text(inputs), "a mapping from names to constants")
     checked_inputs(description, inputs)
     return {name: checked_value(description.variables[name], value) for name, value in inputs.items()}
 
@@ -110,7 +111,7 @@ def _require_table(inputs: object) -> None:
 
     if not isinstance(inputs, pd.DataFrame):
         allowed = "a mapping from names to constants, or a pandas DataFrame of inputs indexed by time in s"
-        raise ParameterError("inputs", f"a {type(inputs).__name__}", allowed)
+        raise ParameterError("inputs", type_text(inputs), allowed)
     for name in inputs.columns[inputs.columns.duplicated()][:1]:
         raise ParameterError("inputs", f"the columns {', '.join(map(str, inputs))}", f"one column for {name}")
     if inputs.empty and len(inputs.columns):
@@ -118,8 +119,11 @@ def _require_table(inputs: object) -> None:
 
 
 def _require_units(description: FmuDescription, inputs: pd.DataFrame) -> None:
-    """Refuse a column that says it is in another unit than its input."""
+    """Refuse a column that says it is in another unit than its input, and an index that is not in s."""
     units = inputs.attrs.get("units", {})
+    time = inputs.index.name or "time"
+    if units.get(time, "s") != "s":
+        raise ParameterError(f"unit of {time}", units[time], "s")
     for name in inputs.columns:
         wanted = description.variables[name].unit
         if wanted and units.get(name, wanted) != wanted:
@@ -127,15 +131,23 @@ def _require_units(description: FmuDescription, inputs: pd.DataFrame) -> None:
 
 
 def _seconds(index: pd.Index[Any]) -> pd.Index[Any]:
-    """The index, unless it counts the rows, or nanoseconds: as seconds these would be another time."""
+    """The index, unless it may count rows, or has dates or durations: as seconds these are another time."""
     import pandas as pd
 
-    if isinstance(index, pd.RangeIndex) and index.name is None and len(index) > 1:
-        problem = "counts the rows; must be time in s: DataFrame(..., index=time)"
-        raise SeriesError(_INDEX, problem)
-    if isinstance(index, (pd.DatetimeIndex, pd.TimedeltaIndex, pd.PeriodIndex)):
-        seconds = "(index - index[0]).total_seconds()"
-        raise SeriesError(_INDEX, f"is a {type(index).__name__}; must be time in s, as numbers: {seconds}")
+    # Row numbers stay whole numbers where rows were left out.
+    if index.inferred_type == "integer" and index.name is None and len(index) > 1:
+        problem = "has whole numbers and no name, as one that counts the rows; must be time in s"
+        raise SeriesError(
+            _INDEX, f'{problem}: DataFrame(..., index=time); name the index "time" if these are seconds'
+        )
+    since_first = "(index - index[0]).total_seconds()"
+    for kind, seconds in (
+        (pd.TimedeltaIndex, "index.total_seconds()"),
+        (pd.DatetimeIndex, since_first),
+        (pd.PeriodIndex, f"index = index.to_timestamp(), then {since_first}"),
+    ):
+        if isinstance(index, kind):
+            raise SeriesError(_INDEX, f"is a {kind.__name__}; must be time in s, as numbers: {seconds}")
     return index
 
 
@@ -152,7 +164,7 @@ def _constant(name: str, value: object) -> NDArray[Any]:
     """The one row of an input that holds for the whole run."""
     if not np.isscalar(value):
         allowed = "a number; a table (pandas DataFrame indexed by time in s) gives values that change"
-        raise ParameterError(name, f"a {type(value).__name__}", allowed)
+        raise ParameterError(name, type_text(value), allowed)
     return np.array([value], dtype=object if isinstance(value, str) else None)
 
 

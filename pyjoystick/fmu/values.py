@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pyjoystick.fmu.description import FmuDescription, Variable
-from pyjoystick.support import ParameterError, UnknownParameterError, UnknownVariableError
+from pyjoystick.support import ParameterError, UnknownParameterError, UnknownVariableError, type_text
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -44,7 +44,7 @@ def checked_parameters(description: FmuDescription, parameters: Mapping[str, Val
             wrong type, NaN or out of range
     """
     if not callable(getattr(parameters, "items", None)):  # a row of a pandas table has them too
-        raise ParameterError("parameters", f"a {type(parameters).__name__}", "a mapping from names to values")
+        raise ParameterError("parameters", type_text(parameters), "a mapping from names to values")
     return {
         name: checked_value(_settable(description, name, value), value) for name, value in parameters.items()
     }
@@ -303,7 +303,7 @@ class Varied:
             given = values.to_numpy(self._type) if hasattr(values, "to_numpy") else values
             numbers = np.ascontiguousarray(given, dtype=self._type)
         if numbers is None or (self._type is object and not all(map(_is_real, numbers.flat))):
-            raise ParameterError("values", f"a {type(values).__name__}", "made of numbers in rows")
+            raise ParameterError("values", type_text(values), "made of numbers in rows")
         return numbers
 
 

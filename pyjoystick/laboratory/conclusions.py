@@ -55,7 +55,7 @@ def measured_friction(fit: LoadCurveFit, source: str) -> MeasuredValues:
         raise RecordError(fit.curve.source, "has no unloading", "record the way back too for its friction")
     if fit.friction < _CLEAR * fit.friction_error:
         reason = f"shows no friction: {fit.friction:.2g} N +- {fit.friction_error:.1g} N"
-        raise RecordError(fit.curve.source, reason, "repeat without --friction")
+        raise RecordError(fit.curve.source, reason, "leave out --friction, or friction = true in a project")
     return MeasuredValues(
         values={"friction.F_c": rounded(fit.friction, fit.friction_error)},
         uncertainties={"friction.F_c": fit.friction_error},

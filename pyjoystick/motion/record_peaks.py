@@ -16,7 +16,7 @@ from pyjoystick.motion.records.record import Record
 from pyjoystick.motion.records.swings import THRESHOLD, Swing, find_swings
 from pyjoystick.motion.release_peaks import ReleasePeaks
 from pyjoystick.motion.spline import MotionSpline, fit_spline
-from pyjoystick.support import FloatArray, ParameterError
+from pyjoystick.support import FloatArray, ParameterError, type_text
 
 #: A swing of fewer samples cannot determine its part of the spline.
 FEWEST_SAMPLES_IN_SWING: Final = 2.0
@@ -65,7 +65,7 @@ def measured_peaks(record: Record) -> MeasuredPeaks:
     """
     if not isinstance(record, Record):
         allowed = "a Record; of a run, find_peaks(run.index, run['theta'])"
-        raise ParameterError("record", f"a {type(record).__name__}", allowed)
+        raise ParameterError("record", type_text(record), allowed)
     largest = float(np.max(np.abs(record.theta)))
     fitted = _fit(record, THRESHOLD * largest)
     finer = max(_ABOVE_NOISE * fitted.noise, _SMALLEST * largest)

@@ -24,9 +24,10 @@ def put_down(fit: laboratory.LoadCurveFit, side: model.Side) -> str:
 
 
 def one_friction(found: Iterable[laboratory.MeasuredValues]) -> laboratory.MeasuredValues:
-    """F_c, which the joystick has once: the mean of what was measured, weighted by the variances.
+    """F_c, which the joystick has once: the mean of the curves that have it.
 
-    If the values differ by more than their errors allow, the error is what they differ by (Birge's ratio).
+    Each is weighted by the inverse square of its standard error. If the values differ by more than their
+    errors allow, the error is what they differ by (Birge's ratio).
     """
     pairs = [(one.values[_F_C], one.uncertainties[_F_C]) for one in found if _F_C in one.values]
     if not pairs:

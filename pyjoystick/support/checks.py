@@ -25,6 +25,11 @@ DEFAULT_DURATION: Final = 1.5
 DEFAULT_OUTPUT_INTERVAL: Final = 1e-3
 
 
+def type_text(value: object) -> str:
+    """What stands for a value of a wrong type in a message."""
+    return f"an object of type {type(value).__name__}"
+
+
 def finite(field: str, value: object, unit: str = "", allowed: str = "a finite number") -> float:
     """`value` as a float; text, complex numbers, NaN and infinities are rejected."""
     number = math.nan

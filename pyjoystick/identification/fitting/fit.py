@@ -51,7 +51,7 @@ from pyjoystick.identification.fitting.solution.uncertainty import (
     standard_errors,
 )
 from pyjoystick.motion import Record
-from pyjoystick.support import FloatArray, ParameterError, UnknownVariableError, notebook_progress
+from pyjoystick.support import FloatArray, ParameterError, UnknownVariableError, notebook_progress, type_text
 
 
 def make_problem(records: Iterable[Record | Measurement], settings: FitSettings, fmu: Fmu) -> Problem:
@@ -128,7 +128,7 @@ def fit(
     """
     begun = time.perf_counter()
     if not isinstance(settings, FitSettings):
-        raise ParameterError("settings", f"a {type(settings).__name__}", "FitSettings, as CONSTANT_DAMPING")
+        raise ParameterError("settings", type_text(settings), "FitSettings, as CONSTANT_DAMPING")
     if fmu is not None and not isinstance(fmu, Fmu):
         raise ParameterError("fmu", fmu, "an open Fmu; the settings name another one by replace(..., fmu=)")
     given = measurements(records)

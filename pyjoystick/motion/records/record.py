@@ -181,7 +181,8 @@ class Record:
             raise RecordError(
                 self.source,
                 "an angle of 90 degrees or more, where the geometry of the joystick ends",
-                "does it wrap around at a full turn, or is zero not the middle position?"
+                "is this in degrees (name the column theta (deg)), does it wrap around at a full turn, or is "
+                "zero not the middle position?"
                 if in_a_turn
                 else "are these degrees under the name of radians? Name the column theta (deg)",
                 column="theta",

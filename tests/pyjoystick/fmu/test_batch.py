@@ -396,7 +396,7 @@ GOOD = pd.DataFrame({"J": [0.01, 0.02], "theta_start": [0.1, 0.2]})
             pd.DataFrame({"J": ["a"], "theta_start": [1.0]}),
             {},
             ParameterError,
-            "values = a DataFrame: must be made of numbers",
+            "values = an object of type DataFrame: must be made of numbers",
         ),
         (GOOD.assign(x=1.0), {}, ParameterError, "table = the columns J, theta_start, x"),
         (GOOD, {"threads": 0}, ParameterError, "threads = 0: must be a whole number, 1 or more"),

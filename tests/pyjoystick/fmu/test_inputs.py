@@ -27,6 +27,18 @@ def inverse(joystick_fmus: Path) -> Iterator[Fmu]:
         yield fmu
 
 
+def filtered() -> pd.DataFrame:
+    """Rows that are left of a table without a time, with their numbers."""
+    rows = pd.DataFrame({"T": np.arange(9.0)})
+    return rows[rows["T"].isin([0.0, 5.0])]
+
+
+def in_milliseconds(name: str | None) -> pd.DataFrame:
+    table = pd.DataFrame({"T": [1.0, 2.0]}, index=pd.Index([0.0, 1000.0], name=name))
+    table.attrs["units"] = {name or "time": "ms"}
+    return table
+
+
 def in_millinewton_metres() -> pd.DataFrame:
     table = pd.DataFrame({"T": [1000.0, 2000.0]}, index=[0.0, 1.0])
     table.attrs["units"] = {"time": "s", "T": "mN.m"}
@@ -101,31 +113,49 @@ def test_outputs_that_depend_on_inputs_at_once_belong_to_the_same_instant(invers
         ({"theta": 1.0}, UnknownInputError, "no input 'theta'"),
         ({"T": math.nan}, ParameterError, r"T = nan: must be a finite number in N\.m"),
         ({"T": "much"}, ParameterError, "T = much: must be a finite number"),
-        ({"T": pd.Series([1.0, 2.0])}, ParameterError, "T = a Series: must be a number; a table"),
-        ({"T": [1.0, 2.0]}, ParameterError, "T = a list: must be a number; a table"),
+        (
+            {"T": pd.Series([1.0, 2.0])},
+            ParameterError,
+            "T = an object of type Series: must be a number; a table",
+        ),
+        ({"T": [1.0, 2.0]}, ParameterError, "T = an object of type list: must be a number; a table"),
         (pd.DataFrame({"T": [1.0, math.nan]}, index=[0.0, 1.0]), ParameterError, "T = nan"),
         (pd.DataFrame({"T": []}, index=[]), ParameterError, "inputs = an empty table"),
         (pd.DataFrame({"T": [1.0, 2.0]}, index=[0.5, 0.4]), SeriesError, "is 0.4 at row 1"),
         (pd.DataFrame({"T": [1.0, 2.0]}, index=[0.5, math.nan]), SeriesError, "is nan at row 1"),
         (pd.DataFrame({"T": [1.0, 2.0]}, index=["a", "b"]), SeriesError, "must be time in s"),
         (pd.DataFrame({"T": [1.0, 2.0]}), SeriesError, "counts the rows; must be time in s"),
+        (filtered(), SeriesError, 'counts the rows; .*; name the index "time" if these are seconds$'),
+        (filtered().set_axis(pd.Index([0, 5], dtype=object)), SeriesError, "counts the rows"),
         (
             pd.DataFrame({"T": [1.0, 2.0]}, index=pd.to_timedelta([0, 1], unit="s")),
             SeriesError,
-            "is a TimedeltaIndex; must be time in s",
+            r"is a TimedeltaIndex; must be time in s, as numbers: index\.total_seconds\(\)",
         ),
         (
             pd.DataFrame({"T": [1.0, 2.0]}, index=pd.to_datetime([0, 1], unit="s")),
             SeriesError,
-            "is a DatetimeIndex; must be time in s",
+            r"is a DatetimeIndex; must be time in s, as numbers: \(index - index\[0\]\)\.total_seconds\(\)",
         ),
+        (
+            pd.DataFrame({"T": [1.0, 2.0]}, index=pd.period_range("2004-01-01", periods=2, freq="s")),
+            SeriesError,
+            r"is a PeriodIndex; .*: index = index\.to_timestamp\(\), then \(index - index\[0\]\)\.total_s",
+        ),
+        (in_milliseconds("time"), ParameterError, "unit of time = ms: must be s"),
+        (in_milliseconds("instant"), ParameterError, "unit of instant = ms: must be s"),
+        (in_milliseconds(None), ParameterError, "unit of time = ms: must be s"),
         (in_millinewton_metres(), ParameterError, r"unit of T = mN\.m: must be N\.m"),
         (
             pd.DataFrame([[1.0, 2.0]], columns=["T", "T"], index=[0.0]),
             ParameterError,
             "columns T, T: must be one column for T",
         ),
-        (np.zeros((3, 2)), ParameterError, "inputs = a ndarray: must be a mapping .* DataFrame"),
+        (
+            np.zeros((3, 2)),
+            ParameterError,
+            "inputs = an object of type ndarray: must be a mapping .* DataFrame",
+        ),
     ],
 )
 def test_inputs_that_are_refused(
@@ -137,7 +167,7 @@ def test_inputs_that_are_refused(
 
 def test_whole_seconds_and_a_unit_that_is_right_are_taken(joystick: Fmu) -> None:
     table = pd.DataFrame({"T": [0.0, 1.0]}, index=pd.Index([0, 1], name="time"))
-    table.attrs["units"] = {"T": "N.m"}
+    table.attrs["units"] = {"time": "s", "T": "N.m"}
     last = joystick.run(TIME, inputs=table, outputs=["T"])["T"].iloc[-1]
     assert last == 1.0
 
@@ -146,12 +176,16 @@ def test_constants_come_as_a_mapping(joystick: Fmu) -> None:
     """A table has no one value: its first row would be an arbitrary choice."""
     given: Any = TORQUE
     for call in (lambda: joystick.linearize(0.1, inputs=given), lambda: joystick.start(inputs=given)):
-        with pytest.raises(ParameterError, match="inputs = a DataFrame: must be a mapping from names"):
+        with pytest.raises(
+            ParameterError, match="inputs = an object of type DataFrame: must be a mapping from names"
+        ):
             call()
 
 
 def test_parameters_come_as_a_mapping(joystick: Fmu) -> None:
-    with pytest.raises(ParameterError, match="parameters = a list: must be a mapping from names to values"):
+    with pytest.raises(
+        ParameterError, match="parameters = an object of type list: must be a mapping from names to values"
+    ):
         joystick.run(TIME, parameters=[0.045])  # type: ignore[arg-type]
     row: Any = pd.Series({"theta_start": 0.1, "damping.C": 0.05})
     np.testing.assert_array_equal(

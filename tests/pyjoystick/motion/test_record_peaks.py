@@ -140,5 +140,7 @@ def test_too_few_samples_are_refused() -> None:
 
 
 def test_a_run_is_not_a_record() -> None:
-    with pytest.raises(ParameterError, match="record = a DataFrame: must be a Record; of a run, find_peaks"):
+    with pytest.raises(
+        ParameterError, match="record = an object of type DataFrame: must be a Record; of a run, find_peaks"
+    ):
         measured_peaks(pd.DataFrame({"theta": [0.1, 0.2]}))  # type: ignore[arg-type]

@@ -16,7 +16,7 @@ from pyjoystick.identification.fitting.checks.score_test import Finding
 from pyjoystick.identification.fitting.checks.suspect import Suspect
 from pyjoystick.identification.fitting.problem.instrument import ZERO_OFFSET
 from pyjoystick.identification.fitting.problem.least_squares import Problem, choose_steps
-from pyjoystick.identification.fitting.problem.settings import WITH_FRICTION, FitSettings
+from pyjoystick.identification.fitting.problem.settings import WITH_FRICTION, FitSettings, Free
 from pyjoystick.identification.fitting.solution.search import staged_search
 from pyjoystick.support import FloatArray, ParameterError
 
@@ -119,12 +119,28 @@ def _mirrored(problem: Problem, settings: FitSettings, x: FloatArray, make: Make
     """
     if settings.outputs[0] != _ANGLE:
         return None
-    rival = make(settings, None, mirrored=True)
+    try:
+        rival = make(_turned(settings), None, mirrored=True)
+    except (FitError, ParameterError):
+        return None
     rival.weights, rival.shares, rival.memories = problem.weights, problem.shares, problem.memories
     start = [-v if one.name in _TURNED else v for one, v in zip(rival.variables.free, x, strict=True)]
     part = _better(rival, np.array(start), problem, settings, x)[1]
     evidence = problem.size * -math.log1p(-part)
     return Finding("the other sign of the angle", "", part, evidence, 0.0) if part > 0.0 else None
+
+
+def _turned(settings: FitSettings) -> FitSettings:
+    """The settings with starts, bounds and fixed values for the angle counted the other way round."""
+    fixed = {name: -float(value) if name in _TURNED else value for name, value in settings.fixed.items()}
+    return dataclasses.replace(settings, free=tuple(map(_turned_variable, settings.free)), fixed=fixed)
+
+
+def _turned_variable(one: Free) -> Free:
+    if one.name not in _TURNED:
+        return one
+    start, minimum, maximum = (None if v is None else -v for v in (one.start, one.maximum, one.minimum))
+    return dataclasses.replace(one, start=start, minimum=minimum, maximum=maximum)
 
 
 def _better(

@@ -14,10 +14,17 @@ from numpy.typing import ArrayLike
 
 from pyjoystick.fmu import FmuDescription, read_variables
 from pyjoystick.motion import Record
-from pyjoystick.support import FloatArray, ParameterError, SeriesError, UnknownVariableError, increasing_times
+from pyjoystick.support import (
+    FloatArray,
+    ParameterError,
+    SeriesError,
+    UnknownVariableError,
+    increasing_times,
+    type_text,
+)
 
 _TURNED: Final = ("theta", "omega", "alpha")
-_RECORD: Final = "a Record (read_record) or Measurement.from_table(name, table)"
+_RECORDS: Final = "a list of Records (read_record) or Measurements (Measurement.from_table(name, table))"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -86,11 +93,11 @@ def read_table_record(path: Path, names: Sequence[str], fmu: FmuDescription) -> 
 def measurements(records: Iterable[Record | Measurement]) -> tuple[Measurement, ...]:
     """Records and measurements as measurements with names that differ; ParameterError for anything else."""
     if not isinstance(records, Iterable) or isinstance(records, pd.DataFrame):
-        raise ParameterError("records", f"a {type(records).__name__}", f"a list, each of it {_RECORD}")
+        raise ParameterError("records", type_text(records), _RECORDS)
     found: list[Measurement] = []
     for one in records:
         if not isinstance(one, Record | Measurement):
-            raise ParameterError("records", f"a {type(one).__name__} among them", _RECORD)
+            raise ParameterError("records", f"{type_text(one)} among them", _RECORDS)
         measured = Measurement.from_record(one) if isinstance(one, Record) else one
         names = {other.name for other in found}
         name, number = measured.name, 2

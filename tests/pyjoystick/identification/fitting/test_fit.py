@@ -239,10 +239,10 @@ def test_json_has_every_number_and_no_nan(with_bootstrap: Fit) -> None:
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ((pd.DataFrame({"theta": [0.1]}), QUICK), "a DataFrame: must be a list, each of it a Record"),
-        ((releases(NOMINAL)[0], QUICK), "records = a Record: must be a list"),
-        (([pd.DataFrame({"theta": [0.1]})], QUICK), "a DataFrame among them: must be .* Measurement"),
-        ((releases(NOMINAL), None), "settings = a NoneType: must be FitSettings"),
+        ((pd.DataFrame({"theta": [0.1]}), QUICK), "an object of type DataFrame: must be a list of Records"),
+        ((releases(NOMINAL)[0], QUICK), "records = an object of type Record: must be a list"),
+        (([pd.DataFrame({"theta": [0.1]})], QUICK), "of type DataFrame among them: must be .* Measurement"),
+        ((releases(NOMINAL), None), "settings = an object of type NoneType: must be FitSettings"),
     ],
 )
 def test_arguments_of_other_types_are_named(arguments: tuple[object, object], message: str) -> None:

@@ -7,6 +7,7 @@ import importlib
 import math
 import re
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -28,6 +29,8 @@ from pyjoystick.motion import Record
 from tests.pyjoystick.identification.fitting.made import releases
 
 NOISE = math.radians(0.1)
+ZERO = math.radians(1.0)
+RELEASED = Free("release_time", per_record=True)
 QUICK = dataclasses.replace(CONSTANT_DAMPING, uncertainty=Uncertainty(profiles=()))
 
 
@@ -61,6 +64,24 @@ def test_the_other_sign_of_the_angle_is_named(fmus_by_name: Path) -> None:
     assert message.startswith(
         "the residuals are not noise: the other sign of the angle would explain them best"
     )
+
+
+@pytest.mark.parametrize(
+    "own",
+    [
+        {"free": (Free("theta_start", minimum=0.1, maximum=0.6, per_record=True), RELEASED)},
+        {"free": (Free("theta_start", per_record=True), RELEASED), "fixed": {"zero_offset": ZERO}},
+    ],
+    ids=["bounds", "fixed"],
+)
+def test_the_other_sign_turns_bounds_and_fixed_values(fmus_by_name: Path, own: dict[str, Any]) -> None:
+    """Bounds for one sign refuse the guess from the other, and a zero on the wrong side explains less."""
+    zero = own.get("fixed", {}).get("zero_offset", 0.0)
+    seen = [dataclasses.replace(one, theta=zero - one.theta) for one in releases(NOMINAL, 2, noise=NOISE)]
+    damping = next(one for one in QUICK.free if one.name == "damping.C")
+    found = fit(seen, dataclasses.replace(QUICK, **{**own, "free": (damping, *own["free"])}))
+    message = _message(found, "missing physics")
+    assert "the other sign of the angle would explain them best" in message
 
 
 def test_records_of_two_joysticks_do_not_pass_for_one(fmus_by_name: Path) -> None:

@@ -440,6 +440,16 @@ def test_an_angle_from_0_to_360_degrees_is_not_taken_for_degrees_under_another_n
     path = written(tmp_path / "turn.csv", text(("time (s)", "theta (deg)"), TIME, ANGLE % 360.0))
     with pytest.raises(RecordError, match=r"90 degrees or more.* wrap around at a full turn, or is zero not"):
         read_log(path)
+
+
+def test_degrees_under_the_name_of_radians_are_told_in_a_turn_too(tmp_path: Path) -> None:
+    """Angles of up to 6 degrees are none of up to 6 rad, and could be such of a sensor that turns round."""
+    small = written(
+        tmp_path / "small.csv", text(("time (s)", "theta (rad)"), TIME, ANGLE * 6.0 / np.abs(ANGLE).max())
+    )
+    question = r"is this in degrees \(name the column theta \(deg\)\), does it wrap around at a full turn, or"
+    with pytest.raises(RecordError, match=question):
+        read_log(small)
     radians = written(tmp_path / "radians.csv", text(("time (s)", "theta (rad)"), TIME, ANGLE))
     with pytest.raises(RecordError, match="degrees under the name of radians"):
         read_log(radians)
