@@ -293,7 +293,8 @@ def _joystick(between: _BetweenFmus, description: fmu.FmuDescription) -> Mapping
     """The values of the parameter file, with the damping law of the FMU."""
     if between.parameters is None:
         return {}
-    return options.parameter_file(between.parameters).with_law(law_of(description)).to_names()
+    joystick = options.parameter_file(between.parameters).with_law(law_of(description))
+    return model.values_for(joystick, description.variables)
 
 
 def _write_json(

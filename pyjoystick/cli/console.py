@@ -75,6 +75,6 @@ def note_stops(largest: float, joystick: model.JoystickParameters) -> None:
     """Report an angle (rad) beyond the stops of the real joystick, if the simulated one has none."""
     if largest > _ABOUT * model.STOP_ANGLE and not joystick.stops:
         print_note(
-            f"note: {math.degrees(largest):.4g} degrees are beyond the paper's stops at about "
-            f"{math.degrees(model.STOP_ANGLE):.0f}, which are off (stops.theta_stop)"
+            f"note: {math.degrees(largest):.4g} degrees are beyond the stops of the paper's joystick at "
+            f"about {math.degrees(model.STOP_ANGLE):.0f} degrees; none are set here (stops.theta_stop)"
         )

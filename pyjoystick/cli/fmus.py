@@ -13,7 +13,7 @@ import typer
 from pyjoystick import fmu, model, runs
 from pyjoystick.cli.console import messages, print_note
 from pyjoystick.cli.options import joystick_of, parameter_file, parse_assignments
-from pyjoystick.support import ParameterError, PyJoystickError
+from pyjoystick.support import PyJoystickError
 
 _TOOLS: Final = ("fmu_build", "rumoca", "ziglang")
 
@@ -33,7 +33,6 @@ def opened(
     Raises:
         BadParameter: both --damping and --fmu are given
         UnsupportedFmuError: the FMU of --fmu is no joystick
-        ParameterError: the FMU of --fmu has friction or stops, and the joystick none
         PyJoystickError: the FMU or a parameter cannot be used
     """
     file = parameter_file(parameters)
@@ -48,19 +47,7 @@ def opened(
         with fmu.Fmu(found_or_built(name)) as one:
             own = None if parameters is not None else runs.joystick_of_fmu(one.description)
             joystick = joystick_of(law_of(one.description), changes, file, own)
-            _require_no_other_parts(one.description, joystick)
             yield one, joystick
-
-
-def _require_no_other_parts(description: fmu.FmuDescription, joystick: model.JoystickParameters) -> None:
-    """Refuse an FMU with friction or stops of its own for a joystick without: they would stay."""
-    own_parts = {"friction": ("friction.T_c", "friction.F_c", "friction.T_s"), "stops": ("stops.theta_stop",)}
-    for part, names in own_parts.items():
-        for name in names:
-            variable = description.variables.get(name)
-            if variable is not None and float(variable.start or 0.0) and not getattr(joystick, part):
-                allowed = f"above 0: {description.path.name} has {part} of its own, and they stay"
-                raise ParameterError(name, 0.0, allowed)
 
 
 def law_of(description: fmu.FmuDescription) -> model.LawName:

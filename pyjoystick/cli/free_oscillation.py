@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Final
 import typer
 from rich.table import Table
 
-from pyjoystick import forced_motion, motion, runs, support
+from pyjoystick import forced_motion, model, motion, runs, support
 from pyjoystick.cli import options
 from pyjoystick.cli.console import messages, note_stops, output, write
 from pyjoystick.cli.fmus import opened
@@ -42,7 +42,9 @@ def run(
     trusted: Annotated[
         bool,
         typer.Option(
-            "--trusted", help="Run it again from an angle beside, to see how long it can be trusted."
+            "--trusted",
+            help="Also say until when the run can be trusted, by a second run from an angle that differs by "
+            "the tolerance.",
         ),
     ] = False,
 ) -> None:
@@ -68,7 +70,7 @@ def run(
                 joystick,
                 table.index,
                 theta_start=start,
-                parameters=dict(parameters.to_names()),
+                parameters=dict(model.values_for(parameters, joystick.description.variables)),
                 tolerance=tolerance,
             )
     degrees = math.degrees(start)
@@ -76,7 +78,10 @@ def run(
     _print_peaks(table, f"{name}: free oscillation from {degrees:.6g} deg ({start:.6g} rad), {duration:g} s")
     if until is not None:
         end = "the end" if math.isinf(until) else f"{until:.4g} s"
-        output().print(f"trusted until {end}: an error as large as the tolerance stays below 1 % up to there")
+        output().print(
+            f"trusted until {end}: up to there an error as large as the tolerance stays below 1 % of the "
+            "largest angle"
+        )
     write(csv, lambda path: motion.write_csv(table, path))
     title = f"Free oscillation from {degrees:.6g} deg"
     write(plot, lambda path: support.save_figure(support.plot_motion({name: table}, title=title), path))

@@ -44,11 +44,13 @@ def run(
         ),
     ] = None,
     stiffness: Annotated[
-        float, typer.Option("--hand-stiffness", metavar="N.M/RAD", help="Of hand and arm about the pivot.")
-    ] = 25.0,
+        float | None,
+        typer.Option("--hand-stiffness", metavar="N.M/RAD", help="Of hand and arm about the pivot."),
+    ] = None,
     hand_damping: Annotated[
-        float, typer.Option("--hand-damping", metavar="N.M.S/RAD", help="Of hand and arm about the pivot.")
-    ] = 0.7,
+        float | None,
+        typer.Option("--hand-damping", metavar="N.M.S/RAD", help="Of hand and arm about the pivot."),
+    ] = None,
     mass: Annotated[
         float, typer.Option("--hand-mass", metavar="KG", help="What of hand and arm moves with the handle.")
     ] = 0.0,
@@ -71,7 +73,8 @@ def run(
     file = options.parameter_file(parameters)
     joystick = options.joystick_of(damping, options.parse_assignments(assignments, "--set"), file)
     top = file.pivot_to_top or model.PIVOT_TO_TOP
-    hand = forced_motion.Hand(stiffness=stiffness, damping=hand_damping, mass=mass, distance=top)
+    given = {"stiffness": stiffness, "damping": hand_damping, "mass": mass, "distance": top}
+    hand = forced_motion.Hand(**{name: value for name, value in given.items() if value is not None})
     with fmu.Fmu(found_or_built(runs.mounted_fmu(joystick))) as mounted:
         handles = {"hand": forced_motion.MountedHandle(mounted, joystick, held, hand, pivot_to_top=top)}
         try:

@@ -11,10 +11,10 @@ from typing import Final
 import numpy as np
 import pandas as pd
 
-from pyjoystick.fmu import Fmu, Interface, run_model_exchange
+from pyjoystick.fmu import Fmu, Interface, find_fmu, read_description, run_model_exchange
 from pyjoystick.forced_motion.motions import ForwardAndReturn, Kinematics
 from pyjoystick.forced_motion.samples import smooth_spans
-from pyjoystick.model import Friction, JoystickParameters, inverse_torque, sliding_friction
+from pyjoystick.model import Friction, JoystickParameters, inverse_torque, sliding_friction, values_for
 from pyjoystick.runs import fmu_of_joystick
 from pyjoystick.support import FloatArray, positive
 
@@ -81,8 +81,9 @@ def round_trip(
     steps = max(1, round(motion.duration / positive("output_interval", output_interval, "s")))
     time = motion.duration * np.arange(steps + 1) / steps
     inputs = torque_rows(joystick, motion) if torque is None else torque
-    path = fmu_of_joystick(joystick) if fmu is None else fmu
-    parameters, outputs = joystick.to_names(), ("theta", "omega")
+    path = find_fmu(fmu_of_joystick(joystick) if fmu is None else fmu)
+    parameters = values_for(joystick, read_description(path).variables)
+    outputs = ("theta", "omega")
     if interface == "ModelExchange":
         found = run_model_exchange(path, time, parameters=parameters, inputs=inputs, outputs=outputs)
     else:

@@ -41,6 +41,7 @@ from .parameters.joystick import (
     Friction as Friction,
     JoystickParameters as JoystickParameters,
     PowerLawDamping as PowerLawDamping,
+    values_for as values_for,
 )
 from .parameters.plausible import (
     ImplausibleError as ImplausibleError,

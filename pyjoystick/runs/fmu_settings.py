@@ -17,9 +17,13 @@ from pyjoystick.fmu import (
     find_fmu,
     read_description,
 )
-from pyjoystick.model import FRICTION_NAMES, LawName, read_parameter_file
+from pyjoystick.model import FRICTION_NAMES, STOP_NAMES, LawName, read_parameter_file, values_for
 from pyjoystick.support import ParameterError, Table
 
+_HINTS: Final = {
+    **dict.fromkeys(FRICTION_NAMES, "JoystickFriction and JoystickFrictionPowerLaw have friction"),
+    **dict.fromkeys(STOP_NAMES, "MountedJoystick and MountedJoystickPowerLaw have stops"),
+}
 _AMOUNT: Final = re.compile(r"\s*(?P<number>[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?)\s*(?P<unit>\S+)\s*")
 
 
@@ -51,15 +55,11 @@ def joystick_values(table: Table, fmu: FmuDescription) -> dict[str, Value]:
         return {}
     file = read_parameter_file(table.path.parent / table.text("parameters"))
     law: LawName = "power-law" if "damping.alpha" in fmu.variables else "constant"
-    values: dict[str, Value] = dict(file.with_law(law).to_names())
+    values: dict[str, Value] = dict(values_for(file.with_law(law), fmu.variables))
     for name in values:
         if name not in fmu.variables:
-            hint = (
-                "JoystickFriction and JoystickFrictionPowerLaw have friction"
-                if name in FRICTION_NAMES
-                else ""
-            )
-            raise table.error("parameters", f"is for joysticks, and {fmu.model_name} has no {name}", hint)
+            reason = f"is for joysticks, and {fmu.model_name} has no {name}"
+            raise table.error("parameters", reason, _HINTS.get(name, ""))
     return values
 
 

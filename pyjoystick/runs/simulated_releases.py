@@ -22,7 +22,9 @@ _OUTPUTS: Final = ("theta", "omega", "alpha")
 
 
 class SimulatedReleases:
-    """Releases from rest on the FMUs of both damping laws, with friction or without, each opened when needed.
+    """Releases from rest on the FMUs of both damping laws, with or without friction and stops.
+
+    Each FMU is opened when needed.
 
     Use it in a `with` statement, which closes the FMUs. A call returns the peaks of one release:
 
@@ -81,7 +83,7 @@ class SimulatedReleases:
         checked = [joystick.replace({name: float(value)}) for value in values]
         # The FMU with stops if one of them has some, which has friction too; else with friction if one has.
         fullest = max([joystick, *checked], key=lambda one: (bool(one.stops), bool(one.friction)))
-        fixed = joystick.to_names() | {"theta_start": angle("release_angle", release_angle)}
+        fixed = fullest.to_names() | {"theta_start": angle("release_angle", release_angle)}
         fixed.pop(name, None)
         plan = self._fmu(fmu_of_joystick(fullest)).plan(
             self._time, varied=[name], parameters=fixed, outputs=_OUTPUTS

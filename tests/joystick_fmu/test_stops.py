@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable
 from pathlib import Path
 
+import fmpy
 import numpy as np
 import pytest
+from fmpy.fmi1 import FMICallException
 from scipy.integrate import solve_ivp
 
 from pyjoystick.fmu import Fmu, FmuRunError
 from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW, JoystickParameters, simulate
 from pyjoystick.runs import fmu_of_joystick
+from pyjoystick.support import ParameterError
 from tests.joystick_fmu.driver import model_exchange
 from tests.joystick_fmu.test_friction import BARE
 from tests.modelica.physics import Array, Damping, J, constant_damping, power_law_damping, shaft_torque
@@ -151,17 +155,43 @@ def test_dry_friction_holds_against_the_stop(fmus: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "value", "says"),
+    ("name", "value", "python_says", "fmu_says"),
     [
-        ("theta_stop", -0.1, "negative"),
-        ("theta_stop", 1.6, "pi/2"),
-        ("K", 0.0, "positive"),
-        ("D", -1.0, "negative"),
+        (
+            "theta_stop",
+            -0.1,
+            "must be a finite number from 0 to 1.5708 rad",
+            "the allowed range is 0 to 1.57079633",
+        ),
+        (
+            "theta_stop",
+            0.5 * math.pi,
+            "must not be negative and below pi/2",
+            "stops.theta_stop must not be negative and below pi/2",
+        ),
+        ("K", 0.0, "must be positive, but is 0 N.m/rad", "stops.K must be positive"),
+        ("D", -1.0, "must be a finite number, 0 N.m.s/rad or more", "the allowed range is 0 to inf"),
     ],
 )
-def test_impossible_stops_are_refused_by_name(name: str, value: float, says: str, fmus: Path) -> None:
+def test_impossible_stops_are_refused_by_name(
+    name: str, value: float, python_says: str, fmu_says: str, joystick_fmus: Path
+) -> None:
+    """Python refuses what the description forbids; other tools hear it from the FMU itself."""
+    path, values = joystick_fmus / "MountedJoystick.fmu", STOPS | {f"stops.{name}": value}
     with (
-        Fmu(fmus / "MountedJoystick.fmu") as fmu,
-        pytest.raises((FmuRunError, ValueError), match=f"{name}.*"),
+        Fmu(path) as fmu,
+        pytest.raises((FmuRunError, ParameterError), match=re.escape(f"stops.{name}")) as refused,
     ):
-        fmu.run(TIMES, parameters=STOPS | {f"stops.{name}": value})
+        fmu.run(TIMES, parameters=values)
+    assert python_says in str(refused.value)
+    said: list[str] = []
+    with pytest.raises(FMICallException):
+        fmpy.simulate_fmu(
+            str(path),
+            fmi_type="CoSimulation",
+            stop_time=0.01,
+            start_values=values,
+            logger=lambda *message: said.append(message[-1].decode()),
+        )
+    assert f"stops.{name}" in said[0]
+    assert fmu_says in said[0]

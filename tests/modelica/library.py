@@ -155,7 +155,8 @@ def split_statements(text: str) -> list[str]:
     """What stands before a class's header, the header to its description, and each statement after it."""
     header = _HEADER.search(text)
     assert header, text[:200]
-    body = re.findall(rf"((?:{_STRING}|[^;\"])*);", text[header.end() :])
+    # The rows of a matrix are parted by semicolons too.
+    body = re.findall(rf"((?:{_STRING}|\[[^\]\"]*\]|[^;\"\[])*);", text[header.end() :])
     return [text[: header.start()].strip(), header.group(), *(statement.strip() for statement in body)]
 
 

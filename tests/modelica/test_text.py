@@ -104,7 +104,7 @@ def test_every_component_of_a_diagram_is_placed_and_every_connection_drawn(name:
     connections = re.findall(r"connect\([^)]*\)\s*(annotation \(Line\(points = )?", text)
     assert all(connections)
     for statement in re.findall(
-        r"^  (?!parameter|constant|final|extends)[A-Z][\w.]* \w+.*?;", text, re.M | re.S
+        r"^  (?!parameter|constant|final|extends)[A-Z][\w.]* \w+(?:\[[^\]]*\]|[^;])*;", text, re.M
     ):
         type_name = statement.split()[0]
         if not type_name.startswith(("Units.", "SI.")) and type_name not in ("Boolean", "Integer"):

@@ -19,7 +19,7 @@ block Stops "Mechanical stops on both sides: stiff springs with damping that pus
   Units.Torque push "What spring and damper of the stop would exert together, outward compression positive";
   Units.Energy E "Energy of the compressed stop";
   Boolean isMet "True where the handle is beyond the angle of a stop";
-  Boolean isPushing "True where the stop does not have to pull";
+  Boolean isPushing "True where spring and damper together push";
 protected
   constant Units.Angle theta_limit = Constants.pi/2 "Angle at which the handle lies flat";
   // Without stops neither relation ever changes: there are no events.
@@ -60,7 +60,7 @@ compression does, because a stop does not hold the handle back. Both are state e
 times</p>
 <blockquote><code>exp(-zeta/sqrt(1 - zeta^2)*arctan2(2*zeta*sqrt(1 - zeta^2), 2*zeta^2 - 1))</code>,
 <code>zeta = D/(2*sqrt(K*J))</code>,</blockquote>
-<p>where other moments are small beside that of the stop. What remains of the energy <code>K*delta^2/2</code> when the
+<p>for <code>zeta &lt; 1</code>, where other moments are small beside that of the stop. What remains of the energy <code>K*delta^2/2</code> when the
 handle leaves is lost with the rest of the damping.</p>
 <p>The paper does not describe the stops. The preset <code>K</code> is this library's choice: a handle of 0.27 m
 yields by 1 mm to 14 N at its top; with the preset <code>D</code> and the paper's <code>J</code> an impact returns

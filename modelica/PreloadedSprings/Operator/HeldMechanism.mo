@@ -27,7 +27,7 @@ equation
     Documentation(info = "<html>
 <p>What <a href=\"modelica://PreloadedSprings.Operator.HeldJoystick\">HeldJoystick</a> and
 <a href=\"modelica://PreloadedSprings.Operator.HeldJoystickPowerLaw\">HeldJoystickPowerLaw</a> have in common. A model
-that extends this gives the torque on the shaft, <code>drive.T</code>, to which <code>T_hand</code> belongs.
+that extends this must set the torque on the shaft, <code>drive.T</code>, to a sum that includes <code>T_hand</code>.
 <a href=\"modelica://PreloadedSprings.Operator.HandArm\">Hand and arm</a> act on the shaft beside the torque
 <code>T</code>, as far as <code>grip</code> closes: <code>T_hand = grip*(K*(theta_ref - theta) + D*(omega_ref -
 omega))</code>. The hand's mass counts only if it is part of <code>J</code>, also after letting go.</p>

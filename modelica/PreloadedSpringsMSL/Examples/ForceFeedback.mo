@@ -79,8 +79,8 @@ equation
     experiment(StartTime = 0, StopTime = 2, Tolerance = 1e-8, Interval = 1e-3),
     Documentation(info = "<html>
 <p>
-A table gives the torque of a hand, which pushes the joystick forward and lets go, and the angle <code>course.y[2]</code>
-of the neutral position that it is made to feel, which jumps at 1.2 s. The motor adds the torque
+A table gives the torque of a hand, which pushes the joystick forward and lets go, and the angle
+<code>course.y[2]</code> of the neutral position that it is made to feel, which jumps at 1.2 s. The motor adds the torque
 <code>c_feedback*(course.y[2] - theta)</code>: the wanted current follows from the angle, and a PI controller sets the
 voltage of the winding. Gear and rotor add <code>ratio^2*rotor.J</code> to the moment of inertia of the handle.
 </p>

@@ -14,7 +14,7 @@ from pyjoystick.fmu import Fmu, FmuRunError, Plan, Value
 from pyjoystick.forced_motion.periodic.maps import CentralDifferences
 from pyjoystick.forced_motion.predictability import trusted_until
 from pyjoystick.forced_motion.sine import sine_table
-from pyjoystick.model import JoystickParameters, angle_of_travel
+from pyjoystick.model import JoystickParameters, angle_of_travel, values_for
 from pyjoystick.support import FloatArray, ParameterError, UnknownParameterError, positive, whole_number
 
 #: Of the FMU's integrator.
@@ -209,7 +209,10 @@ class ShakenJoystick:
         periods of the torque.
         """
         torque = sine_table("T", self.shaking.torque, self.shaking.frequency, periods)
-        parameters: dict[str, Value] = {**self.joystick.to_names(), "omega_start": float(state[1])}
+        parameters: dict[str, Value] = {
+            **values_for(self.joystick, self.fmu.description.variables),
+            "omega_start": float(state[1]),
+        }
         return trusted_until(
             self.fmu, torque.index, theta_start=float(state[0]), inputs=torque, parameters=parameters
         )
@@ -221,7 +224,7 @@ class ShakenJoystick:
         return self.fmu.plan(
             time if is_recorded else time[[0, -1]],
             varied=_STATES,
-            parameters=joystick.to_names(),
+            parameters=values_for(joystick, self.fmu.description.variables),
             inputs=torque,
             outputs=_OUTPUTS,
             tolerance=self._tolerance,

@@ -72,7 +72,7 @@ def feedthrough_report(found: Feedthrough) -> str:
 
 
 def _cell(value: float) -> str:
-    return "does not repeat" if np.isnan(value) else f"{value:.3g}"
+    return "not with its period" if np.isnan(value) else f"{value:.3g}"
 
 
 def feedthrough_table(found: Feedthrough) -> pd.DataFrame:

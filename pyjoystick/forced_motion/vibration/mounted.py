@@ -19,13 +19,15 @@ from numpy.typing import ArrayLike
 
 from pyjoystick.fmu import Fmu, Linearization, UnsupportedFmuError, Value
 from pyjoystick.forced_motion.sine import ROWS, sine_table
-from pyjoystick.model import PIVOT_TO_TOP, JoystickParameters
+from pyjoystick.model import PIVOT_TO_TOP, JoystickParameters, values_for
 from pyjoystick.support import FloatArray, ParameterError, angle, not_negative, positive
 
 #: The part of the motion at the beginning that may be left in what is measured, and in its fundamental from
 #: one period to the next.
 _TRANSIENT: Final = 1e-5
 _STEADY: Final = 1e-3
+#: Periods of further runs where a motion is not steady when small ones would be.
+_LONGER: Final = (50, 200)
 _NEEDED: Final = ("a_base", "theta_ref", "grip", "hand.K", "hand.D", "stops.theta_stop")
 
 
@@ -103,7 +105,10 @@ class MountedHandle:
         self.fmu = fmu
         self.joystick = joystick if hand is None else hand.on(joystick)
         self._arm = positive("pivot_to_top", pivot_to_top, "m") * math.cos(held)
-        self._parameters: dict[str, Value] = {**self.joystick.to_names(), "theta_start": held}
+        self._parameters: dict[str, Value] = {
+            **values_for(self.joystick, fmu.description.variables),
+            "theta_start": held,
+        }
         self._inputs = {"theta_ref": held, "grip": 0.0 if hand is None else 1.0}
         if hand is not None:
             self._parameters |= {"hand.K": hand.stiffness, "hand.D": hand.damping}
@@ -153,7 +158,7 @@ class MountedHandle:
 
         Returns:
             the columns of `small`, and ``theta_max`` and ``theta_min`` (rad); NaN where the motion does not
-            become one that repeats every period
+            repeat with its period within 200 periods: it is chaotic, or takes several periods to repeat
 
         Raises:
             ParameterError: a frequency or the acceleration is not above 0
@@ -169,16 +174,21 @@ class MountedHandle:
 
     def _fundamental(self, frequency: float, acceleration: float) -> tuple[complex, float, float]:
         """The angle over the acceleration as `small` has it, and the largest and smallest angle (rad)."""
-        periods = math.ceil(frequency * -math.log(_TRANSIENT) / self.decay) + 2
-        inputs = sine_table("a_base", acceleration, frequency, periods).assign(**self._inputs)
-        time = np.append(0.0, inputs.index[-2 * ROWS - 1 :]) if periods > 2 else inputs.index.to_numpy()
-        run = self.fmu.run(time, parameters=self._parameters, inputs=inputs, outputs=["theta"])
-        theta = run["theta"].to_numpy()[-2 * ROWS :].reshape(2, ROWS)
         turn = np.exp(-2j * np.pi * np.arange(1, ROWS + 1) / ROWS)
-        before, last = 2.0 / ROWS * theta @ turn
-        if abs(last - before) > _STEADY * abs(last):
-            return complex(math.nan, math.nan), math.nan, math.nan
-        return 1j * complex(last) / acceleration, float(theta.max()), float(theta.min())
+        small = math.ceil(frequency * -math.log(_TRANSIENT) / self.decay) + 2
+        for periods in (small, *(longer for longer in _LONGER if longer > small)):
+            theta = self._last_periods(frequency, acceleration, periods)
+            before, last = 2.0 / ROWS * theta @ turn
+            if abs(last - before) <= _STEADY * abs(last):
+                return 1j * complex(last) / acceleration, float(theta.max()), float(theta.min())
+        return complex(math.nan, math.nan), math.nan, math.nan
+
+    def _last_periods(self, frequency: float, acceleration: float, periods: int) -> FloatArray:
+        """The angle (rad) in the last two of 3 or more periods from rest, shape (2, `ROWS`)."""
+        inputs = sine_table("a_base", acceleration, frequency, periods).assign(**self._inputs)
+        time = np.append(0.0, inputs.index[-2 * ROWS - 1 :])
+        run = self.fmu.run(time, parameters=self._parameters, inputs=inputs, outputs=["theta"])
+        return run["theta"].to_numpy()[-2 * ROWS :].reshape(2, ROWS)
 
     def _table(
         self, frequencies: FloatArray, responses: np.ndarray[tuple[int], np.dtype[np.complex128]]

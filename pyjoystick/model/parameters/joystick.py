@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Mapping
+from collections.abc import Container, Mapping
 from dataclasses import dataclass
 from typing import Final, TypeVar
 
@@ -202,6 +202,29 @@ class JoystickParameters:
             if name not in names:
                 raise UnknownParameterError(name, names)
         return _from_names(names | dict(changes), type(self.damping))
+
+
+#: What a part is absent by: a joystick lacks it where all of these are 0.
+_ABSENT: Final = {
+    "friction": ("friction.T_c", "friction.F_c", "friction.T_s"),
+    "stops": ("stops.theta_stop",),
+}
+
+
+def values_for(joystick: JoystickParameters, names: Container[str]) -> dict[str, float]:
+    """What makes an FMU this joystick: its `to_names`, and zeros for the parts that only the FMU has.
+
+    Without the zeros an FMU would keep friction or stops of its start values.
+
+    Args:
+        joystick: the joystick
+        names: of the FMU's variables
+
+    Returns:
+        values (SI units) by FMU name
+    """
+    absent = [name for part, which in _ABSENT.items() if not getattr(joystick, part) for name in which]
+    return joystick.to_names() | {name: 0.0 for name in absent if name in names}
 
 
 def _prefixed(prefix: str, record: RestrainedSpring | Damping | Friction | Stops) -> dict[str, float]:

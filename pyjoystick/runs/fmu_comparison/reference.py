@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Mapping
 from os import PathLike
 
 from pyjoystick.fmu import Interface, find_fmu, read_description
-from pyjoystick.model import ConstantDamping, JoystickParameters
+from pyjoystick.model import ConstantDamping, JoystickParameters, values_for
 from pyjoystick.motion import compare
 from pyjoystick.runs.experiments import reference_free_oscillation, require_joystick
 from pyjoystick.runs.fmu_comparison.compare import RunComparison
@@ -62,7 +62,7 @@ def compare_with_reference(
         expected = reference_free_oscillation(
             angle, parameters=joystick, duration=duration, output_interval=output_interval
         )
-        values = {**joystick.to_names(), "theta_start": angle}
+        values = {**values_for(joystick, description.variables), "theta_start": angle}
         experiment = Experiment(label, expected.index.to_numpy(), values)
         table = run(description.path, interface, experiment, [*map(str, expected.columns)], tolerances)
         tolerance, factor = _accuracy(interface, joystick, tolerances)

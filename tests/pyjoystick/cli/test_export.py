@@ -54,15 +54,24 @@ def test_an_exported_fmu_is_its_own_joystick_in_commands(command: Command, stick
 
 
 def test_stops_of_an_exported_fmu(command: Command, stick: Path) -> None:
-    """Commands take them as the FMU's own; what cannot be switched off is not taken to be off."""
+    """Commands take them as the FMU's own, and a joystick without stops switches them off."""
     write_parameters(stick, read_parameters(stick).replace({"stops.theta_stop": 0.3}))
     assert command("export", "-p", "stick.toml", "-o", "out", "--name", "Left").code == 0
     with opened(None, "out/Left.fmu", None) as (_, joystick):
         assert joystick == read_parameters(stick)
     assert command("torque", "-p", "stick.toml", "--angle", "15deg").code == 0
     assert "within the stops" in command("torque", "-p", "stick.toml", "--angle", "20deg").message
-    refused = command("free-oscillation", "--fmu", "out/Left.fmu", "--set", "stops.theta_stop=0")
-    assert "Left.fmu has stops of its own, and they stay" in refused.message
+    release = ("--release-angle", "-20deg", "--csv")
+    assert command("free-oscillation", "--fmu", "out/Left.fmu", *release, "own.csv").code == 0
+    off = ("--set", "stops.theta_stop=0")
+    assert command("free-oscillation", "--fmu", "out/Left.fmu", *off, *release, "off.csv").code == 0
+    assert command("free-oscillation", "-p", "stick.toml", *off, *release, "free.csv").code == 0
+    own, without, free = (
+        pd.read_csv(f"{name}.csv", comment="#").iloc[:, 1] for name in ("own", "off", "free")
+    )
+    np.testing.assert_allclose(without, free, rtol=0.0, atol=1e-5)
+    assert np.abs(own - free).max() > 0.01
+    assert command("compare", "out/Left.fmu", *off).code == 0
 
 
 def test_an_fmu_that_is_no_joystick(command: Command) -> None:

@@ -177,7 +177,16 @@ def test_the_paper_is_what_no_option_gives(command: Command, tmp_path: Path) -> 
     np.testing.assert_array_equal(_csv(tmp_path / "run.csv").to_numpy(), expected.to_numpy())
 
 
+def test_how_long_the_run_can_be_trusted(command: Command) -> None:
+    """A free oscillation forgets where it was released: its error never grows."""
+    outcome = command("free-oscillation", "--release-angle", "-20deg", "--trusted")
+    assert outcome.code == 0
+    expected = "trusted until the end: up to there an error as large as the tolerance stays below 1 %"
+    assert f"{expected} of the largest angle" in outcome.out
+    assert "trusted" not in command("free-oscillation", "--release-angle", "-20deg").out
+
+
 def test_angles_beyond_the_stops_are_told(command: Command) -> None:
     outcome = command("free-oscillation", "--release-angle", "-45", "--duration", "0.1")
     assert outcome.code == 0
-    assert "45 degrees are beyond the paper's stops at about 20, which are off" in outcome.err
+    assert "45 degrees are beyond the stops of the paper's joystick at about 20 degrees" in outcome.err

@@ -135,4 +135,4 @@ def test_errors_are_one_line(command: Command, arguments: tuple[str, ...], messa
 def test_angles_beyond_the_stops_are_told(command: Command) -> None:
     outcome = command("torque", "--angle", "45")
     assert outcome.code == 0
-    assert "45 degrees are beyond the paper's stops at about 20, which are off" in outcome.err
+    assert "45 degrees are beyond the stops of the paper's joystick at about 20 degrees" in outcome.err

@@ -39,6 +39,16 @@ def test_varied_runs_are_the_single_ones(fmus_by_name: Path) -> None:
             assert peaks.name == f"damping.C = {value:g}"
 
 
+def test_stops_that_vary_from_none_keep_their_stiffness(fmus_by_name: Path) -> None:
+    joystick = NOMINAL.replace({"stops.K": 50.0, "stops.D": 0.1})
+    with SimulatedReleases(duration=0.5) as simulate:
+        runs = simulate.vary(joystick, RELEASE, "stops.theta_stop", np.array([0.0, 0.2]))
+        single = simulate(joystick.replace({"stops.theta_stop": 0.2}), RELEASE)
+        stiff = simulate(NOMINAL.replace({"stops.theta_stop": 0.2}), RELEASE)
+    assert runs[0.2].displacement.equals(single.displacement)
+    assert not runs[0.2].displacement.equals(stiff.displacement)
+
+
 def test_what_cannot_be_is_refused(fmus_by_name: Path) -> None:
     with SimulatedReleases() as simulate:
         with pytest.raises(UnknownParameterError):

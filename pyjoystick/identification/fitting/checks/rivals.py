@@ -16,6 +16,7 @@ from pyjoystick.identification.fitting.checks.score_test import Finding
 from pyjoystick.identification.fitting.checks.suspect import Suspect
 from pyjoystick.identification.fitting.problem.instrument import ZERO_OFFSET
 from pyjoystick.identification.fitting.problem.least_squares import Problem, choose_steps
+from pyjoystick.identification.fitting.problem.prediction import TrajectoryPredictor
 from pyjoystick.identification.fitting.problem.settings import WITH_FRICTION, FitSettings, Free
 from pyjoystick.identification.fitting.solution.search import staged_search
 from pyjoystick.support import FloatArray, ParameterError
@@ -90,15 +91,17 @@ def _refitted(
     make: Make,
 ) -> Finding:
     """The finding as a fit has it; as the score test had it where that fit cannot be made or is no better."""
-    needs_friction = any(one.name.startswith(_FRICTION) for one in suspect.free)
+    needs_friction = any(
+        one.name.startswith(_FRICTION) and not _has(problem, one.name) for one in suspect.free
+    )
     if not suspect.free or (needs_friction and with_friction is None):
         return finding
-    wider = dataclasses.replace(
-        settings,
-        free=(*settings.free, *suspect.free),
-        fixed={name: value for name, value in settings.fixed.items() if name not in _names(suspect)},
-    )
     try:
+        wider = dataclasses.replace(
+            settings,
+            free=(*settings.free, *suspect.free),
+            fixed={name: value for name, value in settings.fixed.items() if name not in _names(suspect)},
+        )
         rival = make(wider, with_friction if needs_friction else None)
     except (FitError, ParameterError):
         return finding
@@ -110,6 +113,11 @@ def _refitted(
         return finding
     evidence = problem.size * -math.log1p(-part) - len(sizes) * math.log(problem.size)
     return dataclasses.replace(finding, size=suspect.says(sizes), explained=part, evidence=evidence)
+
+
+def _has(problem: Problem, name: str) -> bool:
+    """The fit's own FMU has the parameter."""
+    return any(isinstance(one, TrajectoryPredictor) and name in one.known for one in problem.predictors)
 
 
 def _mirrored(problem: Problem, settings: FitSettings, x: FloatArray, make: Make) -> Finding | None:

@@ -11,6 +11,7 @@ import pytest
 
 from pyjoystick.fmu import Fmu, UnsupportedFmuError
 from pyjoystick.forced_motion import Hand, MountedHandle, plot_transmissibility
+from pyjoystick.forced_motion.sine import sine_table
 from pyjoystick.model import NOMINAL, ConstantDamping, JoystickParameters, contact_moment
 from pyjoystick.support import ParameterError
 
@@ -78,10 +79,34 @@ def test_driven_hard_it_does_something_else(mounted: Fmu) -> None:
     assert without.driven([2.0], 5.0)["theta_max"].iloc[0] > math.radians(13.0)
 
 
+def _fundamentals(mounted: Fmu, frequency: float, acceleration: float, periods: int) -> np.ndarray:
+    """Amplitude (rad) and phase of every period of one long run at `HELD`, without a hand."""
+    point = mounted.linearize(parameters={"theta_start": HELD}).point
+    inputs = sine_table("a_base", acceleration, frequency, periods)
+    inputs = inputs.assign(T=point["M_s"] - point["M_g"])
+    run = mounted.run(inputs.index, parameters={"theta_start": HELD}, inputs=inputs, outputs=["theta"])
+    theta = run["theta"].to_numpy()[1:].reshape(periods, -1)
+    samples = theta.shape[1]
+    return np.asarray(2.0 / samples * theta @ np.exp(-2j * np.pi * np.arange(1, samples + 1) / samples))
+
+
+def test_what_settles_slowly_is_waited_for(mounted: Fmu) -> None:
+    """At 1.7559 Hz a large motion takes 47 periods to repeat; small ones are steady after 13."""
+    handle = MountedHandle(mounted, NOMINAL, HELD)
+    found = handle.driven([1.7559], 5.0)
+    whole = _fundamentals(mounted, 1.7559, 5.0, 200)
+    changes = np.abs(np.diff(whole) / whole[1:])
+    assert (changes[12:40] > 1e-3).any()
+    assert (changes[60:] < 1e-3).all()
+    assert found["gain"].iloc[0] == pytest.approx(abs(whole[-1]) / 5.0, rel=1e-3)
+
+
 def test_what_does_not_repeat_is_not_given(mounted: Fmu) -> None:
-    """Without a hand 5 m/s2 at 1.76 Hz throw the handle about differently every time."""
-    found = MountedHandle(mounted, NOMINAL, HELD).driven([1.7559], 5.0)
-    assert found.isna().all(axis=None)
+    """Without a hand 5 m/s2 at 1.65 Hz throw the handle about differently every time, for 400 periods."""
+    whole = _fundamentals(mounted, 1.65, 5.0, 400)
+    changes = np.abs(np.diff(whole) / whole[1:])
+    assert (changes[200:] > 1e-3).all()
+    assert MountedHandle(mounted, NOMINAL, HELD).driven([1.65], 5.0).isna().all(axis=None)
 
 
 def test_a_hand_is_a_part_of_the_handle() -> None:

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from pyjoystick.model import (
+    FRICTION_NAMES,
     NOMINAL,
     NOMINAL_POWER_LAW,
     PAPER,
@@ -19,6 +20,7 @@ from pyjoystick.model import (
     read_parameter_file,
     undamped_oscillation,
     updated_text,
+    values_for,
     write_parameters,
 )
 from pyjoystick.support import ParameterError, SettingsError
@@ -87,3 +89,12 @@ def test_a_swing_against_the_stops_has_no_undamped_period() -> None:
     assert undamped_oscillation(WITH, 0.3).period == undamped_oscillation(NOMINAL, 0.3).period
     with pytest.raises(NoOscillationError, match="stops"):
         undamped_oscillation(WITH, 0.36)
+
+
+def test_an_fmu_with_more_parts_gets_zeros_for_them() -> None:
+    """Only for names that it has: those that switch a part off."""
+    off = {"stops.theta_stop": 0.0, "friction.T_c": 0.0, "friction.F_c": 0.0, "friction.T_s": 0.0}
+    names = {*NOMINAL.to_names(), *STOP_NAMES, *FRICTION_NAMES}
+    assert values_for(NOMINAL, names) == NOMINAL.to_names() | off
+    assert values_for(NOMINAL, NOMINAL.to_names()) == NOMINAL.to_names()
+    assert values_for(WITH, names) == off | WITH.to_names()
