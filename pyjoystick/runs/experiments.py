@@ -94,17 +94,16 @@ def free_oscillation(
     """
     start = angle("release_angle", release_angle)
     time = time_grid(duration, output_interval)
-    joystick = parameters if isinstance(parameters, JoystickParameters) else None
-    values = {} if joystick is not None else dict(parameters or {})
+    values = {} if isinstance(parameters, JoystickParameters) else dict(parameters or {})
     for name in ("theta_start", "omega_start"):
         if name in values:
             raise ParameterError(name, values[name], "left out", "a free oscillation starts at rest")
     if fmu is None:
-        fmu = fmu_of_joystick(joystick or NOMINAL)
+        fmu = fmu_of_joystick(parameters if isinstance(parameters, JoystickParameters) else NOMINAL)
     with nullcontext(fmu) if isinstance(fmu, Fmu) else Fmu(fmu) as opened:
         require_joystick(opened.description)
-        if joystick is not None:
-            values = model.values_for(joystick, opened.description.variables)
+        if isinstance(parameters, JoystickParameters):
+            values = model.values_for(parameters, opened.description.variables)
         extra = FRICTION_COLUMNS if has_friction(opened.description) else ()
         return opened.run(
             time, parameters=values | {"theta_start": start}, outputs=(*COLUMNS, *extra), tolerance=tolerance

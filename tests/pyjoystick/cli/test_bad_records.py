@@ -53,7 +53,6 @@ def _twice(table: Table) -> Table:
 
 
 REFUSED: dict[str, tuple[Callable[[Table], Table], str, str]] = {
-    "gap": (_gap, f"rows {HOLD + 7 + FIRST_LINE}-{HOLD + 8 + FIRST_LINE}", "in which a peak may hide"),
     "NaN": (_nan, "row 32", "samples without a finite number"),
     "repeated times": (_repeated, "row 22", "times are repeated"),
     "unsorted times": (_unsorted, "row 33", "time runs backward"),
@@ -101,6 +100,19 @@ def test_the_wrong_sign(command: Command, tmp_path: Path) -> None:
         message = command(name, str(good), str(bad)).message
         assert "bad.csv, column 'theta', row" in message
         assert "is released from the other side than" in message
+
+
+def test_a_gap_in_which_a_peak_may_hide(command: Command, tmp_path: Path) -> None:
+    """Peaks after it would be counted wrongly; a fit of the whole motion counts none."""
+    path = str(_file(tmp_path, _gap))
+    beside = f"rows {HOLD + 7 + FIRST_LINE}-{HOLD + 8 + FIRST_LINE}"
+    refused = command("peaks", path)
+    assert (refused.code, refused.out) == (1, "")
+    assert "a gap of 0.1333 s in which a peak may hide" in refused.message
+    assert beside in refused.message
+    fitted = command("fit", path)
+    assert fitted.code in (0, 3), fitted.err
+    assert f"bad: gaps: about 7 samples are missing between {beside}" in fitted.err
 
 
 @pytest.mark.parametrize("name", ["fit", "peaks"])
