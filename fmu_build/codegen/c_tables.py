@@ -101,6 +101,7 @@ def tables(
     blocks = [step for step in e.algebraics if isinstance(step, NewtonBlock)]
     writer.array("Block *const", "blocks", [f"&block_{number}" for number in range(len(blocks))])
     initial_event = "NO_SLOT" if e.initial_event is None else names["p", e.initial_event]
+    homotopy = "NO_SLOT" if e.homotopy is None else names["p", e.homotopy]
     counts = {
         "n_states": e.n_states,
         "n_y": e.n_y,
@@ -127,6 +128,7 @@ def tables(
         f".roots_follow_time = {_bool(ex.TIME in followed)}",
         f".roots_follow_inputs = {_bool(not continuous_inputs.isdisjoint(followed))}",
         f".initial_event_slot = {initial_event}",
+        f".homotopy_slot = {homotopy}",
         f".has_tangents = {_bool(tangents is not None)}",
         f".has_initial_tangents = {_bool(tangents is not None and tangents.cover_initialization)}",
         *(f".{name} = {name}" for name in writer.defined),

@@ -43,6 +43,7 @@ def _without_unread(equations: Equations) -> Equations:
             equations,
             discrete=tuple(r for r in equations.discrete if r.kind != "condition" or r.slot[1] in read),
             pre=tuple(binding for binding in equations.pre if binding[0] in read),
+            homotopy=equations.homotopy if equations.homotopy in read else None,
             relations=replace(
                 relations,
                 crossings=[r for r in relations.crossings if r.memory in read or _keeps_step(r, relations)],
@@ -126,7 +127,7 @@ def _renumbered(equations: Equations, numbers: dict[int, int]) -> Equations:
         return slot if slot[0] == "y" else ("p", numbers[slot[1]])
 
     relations = equations.relations
-    initial_event = equations.initial_event
+    initial_event, homotopy = equations.initial_event, equations.homotopy
     return replace(
         equations,
         n_p=len(numbers),
@@ -141,4 +142,5 @@ def _renumbered(equations: Equations, numbers: dict[int, int]) -> Equations:
         clocks=tuple(replace(clock, activation=numbers[clock.activation]) for clock in equations.clocks),
         pre=tuple((numbers[slot], moved(source)) for slot, source in equations.pre),
         initial_event=None if initial_event is None else numbers[initial_event],
+        homotopy=None if homotopy is None else numbers[homotopy],
     )

@@ -11,6 +11,7 @@ from fmu_build.codegen.algebraics import NewtonBlock, Step, isolate, order
 from fmu_build.codegen.clocks import Clock, periodic_clocks, ticks_of_slots
 from fmu_build.codegen.expression import Expression, Slot
 from fmu_build.codegen.guesses import derived_guesses
+from fmu_build.codegen.homotopy import deformable
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.programs import FunctionNames, ProgramReader
 from fmu_build.codegen.rejections import initial_spans
@@ -81,6 +82,8 @@ class Equations:
     initial_unknowns: tuple[Slot, ...]
     initial_residuals: tuple[Expression, ...]
     initial_event: int | None
+    homotopy: int | None = None
+    """The slot of p for how far homotopy() is from its actual expression, from 0 to 1."""
     guesses: tuple[tuple[Slot, Expression], ...] = ()
     """Initial guesses for the unknowns of algebraic loops, as far as they depend on parameters."""
     sensitivities: EventSensitivities | None = None
@@ -135,6 +138,7 @@ class _Reader:
             initial_unknowns=unknowns,
             initial_residuals=residuals,
             initial_event=self.layout["initial_event_parameter_index"],
+            homotopy=self.homotopy,
             relations=self.relations,
             n_p=self.relations.n_p,
         )
@@ -142,25 +146,27 @@ class _Reader:
     def _rows(self, section: Mapping[str, Any]) -> dict[int, Expression]:
         """Return the rows of a section; raises `UnsupportedModelError` unless all are scalar programs."""
         if "scalar_programs" in section:
-            return self.programs.read_rows(section["scalar_programs"])
+            return self._read_rows(section["scalar_programs"])
         rows: dict[int, Expression] = {}
         for node in section["nodes"]:
             ((kind, table),) = node.items()
             if kind != "ScalarPrograms":
                 raise self.model.unsupported(f"equation node {kind} of the Solve IR is not supported")
-            rows |= self.programs.read_rows(table)
+            rows |= self._read_rows(table)
         return rows
 
+    def _read_rows(self, table: Mapping[str, Any]) -> dict[int, Expression]:
+        rows = self.programs.read_rows(table)
+        return rows if self.homotopy is None else deformable(rows, self.homotopy)
+
     def _frozen(self, rows: dict[int, Expression]) -> dict[int, Expression]:
-        """Return the rows with memories in place of relations, and the actual expression of homotopy()."""
-        if self.homotopy is not None:
-            rows = {n: ex.substitute(row, {ex.p(self.homotopy): ex.ONE}) for n, row in rows.items()}
+        """Return the rows with memories in place of relations."""
         memories = freeze_comparisons(rows.values(), self.relations, self.unwatched)
         return {number: ex.substitute(row, memories) for number, row in rows.items()}
 
     def _discrete(self, n_states: int) -> tuple[DiscreteRow, ...]:
         discrete = self.solve["discrete"]
-        rows = self._frozen(self.programs.read_rows(discrete["rhs"]))
+        rows = self._frozen(self._read_rows(discrete["rhs"]))
         ticks = ticks_of_slots(self.model)
         conditions = self._condition_memories()
         result = []
@@ -218,7 +224,7 @@ class _Reader:
 
     def _actions(self) -> tuple[Action, ...]:
         events = self.solve["events"]
-        conditions = self._frozen(self.programs.read_rows(events["action_conditions"]))
+        conditions = self._frozen(self._read_rows(events["action_conditions"]))
         kinds: dict[str, ActionKind] = {"Assert": "error", "Warning": "warning", "Terminate": "terminate"}
         actions = []
         for number, action in enumerate(events["actions"]):
@@ -234,6 +240,8 @@ class _Reader:
             return str(content)
         if kind == "Conversion":
             (value,) = self.programs.read(content["value"])
+            if self.homotopy is not None:
+                value = deformable({0: value}, self.homotopy)[0]
             return (content["source"], value)
         raise self.model.unsupported(f"message part {kind} is not supported")
 
@@ -242,7 +250,7 @@ class _Reader:
     ) -> tuple[tuple[tuple[int, Expression], ...], _Starts, _Starts]:
         """Return computed parameters, start values given by parameters, and guesses for `sought` slots."""
         initialization = self.solve["initialization"]
-        rows = self.programs.read_rows(initialization["update_rhs"])
+        rows = self._read_rows(initialization["update_rhs"])
         targets = [_slot(target) for target in initialization["update_targets"]]
         n_parameters = self.layout["parameter_count"]
         dependent: list[tuple[int, Expression]] = []
@@ -326,7 +334,7 @@ def written_slots(equations: Equations) -> set[int]:
     slots |= {slot for slot, _ in equations.pre} | {clock.activation for clock in equations.clocks}
     if equations.sensitivities is not None:
         slots |= {*equations.sensitivities.moves, *equations.sensitivities.next_moves}
-    return slots if equations.initial_event is None else slots | {equations.initial_event}
+    return slots | {slot for slot in (equations.initial_event, equations.homotopy) if slot is not None}
 
 
 def acting_expressions(equations: Equations) -> Sequence[Expression]:

@@ -64,6 +64,8 @@ def _parts(model: LoweredModel, parts: Mapping[Expression, int]) -> Iterator[tup
 def _others(equations: Equations) -> Iterator[tuple[Slot, str]]:
     if equations.initial_event is not None:
         yield ("p", equations.initial_event), "initial"
+    if equations.homotopy is not None:
+        yield ("p", equations.homotopy), "homotopy"
     for index in range(equations.n_p):
         yield ("p", index), f"slot_{index}"
 

@@ -9,8 +9,10 @@
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { MAX_ROUNDS = 100 };
+static const double FIRST_STEP = 0.25, SHORTEST_STEP = 1.0 / 1024.0; /* of homotopy(), from 1 to 0 */
 
 typedef struct {
     Values *values;
@@ -138,6 +140,57 @@ static const char *settle_together(InitialSystem *system, Iteration *iteration)
     return "the initial values do not settle: equations and relations change each other in a circle";
 }
 
+static void keep(const Values *values, double *kept)
+{
+    memcpy(kept, values->y, model.n_y * sizeof(double));
+    memcpy(kept + model.n_y, values->p, model.n_p * sizeof(double));
+}
+
+static void restore(Values *values, const double *kept)
+{
+    memcpy(values->y, kept, model.n_y * sizeof(double));
+    memcpy(values->p, kept + model.n_y, model.n_p * sizeof(double));
+}
+
+/* Solves with the simplified expressions of homotopy() and deforms them into the actual ones, in steps that become
+ * shorter where no solution is found. Returns whether it got there; if not, the values are undefined. */
+static bool deform(InitialSystem *system, Iteration *iteration, double *kept)
+{
+    Values *values = system->values;
+    double *const distance = &values->p[model.homotopy_slot];
+    *distance = 1.0;
+    if (settle_together(system, iteration) != NULL)
+        return false;
+    for (double step = FIRST_STEP; *distance > 0.0 && step >= SHORTEST_STEP;) {
+        keep(values, kept);
+        *distance = fmax(*distance - step, 0.0);
+        if (settle_together(system, iteration) != NULL) {
+            restore(values, kept);
+            step /= 2.0;
+        }
+    }
+    return *distance == 0.0;
+}
+
+/* Of several solutions, that which homotopy() leads to; where it leads to none, that near the start values. */
+static const char *settle_from_simplified(InitialSystem *system, Iteration *iteration)
+{
+    if (model.homotopy_slot == NO_SLOT)
+        return settle_together(system, iteration);
+    const size_t size = model.n_y + model.n_p;
+    double *start = malloc(2 * size * sizeof(double));
+    if (start == NULL)
+        return "out of memory";
+    keep(system->values, start);
+    const char *problem = NULL;
+    if (!deform(system, iteration, start + size)) {
+        restore(system->values, start);
+        problem = settle_together(system, iteration);
+    }
+    free(start);
+    return problem;
+}
+
 /* Commits the states and conditions of the initial pass, to which pre() and edges refer in the events that follow. */
 static const char *conclude(Iteration *iteration, Values *values)
 {
@@ -154,7 +207,7 @@ static EventStatus initialize(InitialSystem *system, Iteration *iteration, const
 {
     Values *values = system->values;
     iteration_copy_pre(values);
-    const char *problem = settle_together(system, iteration);
+    const char *problem = settle_from_simplified(system, iteration);
     EventStatus status = EVENT_OK;
     if (problem == NULL) {
         status = actions_take(values, iteration->active, reporter);

@@ -4,23 +4,26 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* Equations that depend on each other may oscillate forever if they change all at once, but settle if they change in
  * turn: after ROUNDS_AT_ONCE rounds they change one at a time. What has not settled after MAX_TURNS turns for each of
- * them never settles. */
-enum { ROUNDS_AT_ONCE = 100, MAX_TURNS = 100 };
+ * them is searched among the combinations of at most MAX_CIRCLING relations. */
+enum { ROUNDS_AT_ONCE = 100, MAX_TURNS = 100, MAX_CIRCLING = 10 };
 
 bool iteration_create(Iteration *iteration)
 {
     const size_t n_roots = model.n_roots + model.n_time_relations;
-    const size_t n_doubles = n_roots + model.n_discrete;
-    iteration->memory = malloc(n_doubles * sizeof(double) + (model.n_actions + model.n_relations) * sizeof(bool) + 1);
+    const size_t n_doubles = 2 * n_roots + model.n_discrete;
+    iteration->memory = malloc(n_doubles * sizeof(double) + (model.n_actions + 2 * model.n_relations) * sizeof(bool) + 1);
     if (iteration->memory == NULL)
         return false;
     iteration->root = iteration->memory;
-    iteration->value = iteration->root + n_roots;
+    iteration->before = iteration->root + n_roots;
+    iteration->value = iteration->before + n_roots;
     iteration->active = (bool *)(iteration->memory + n_doubles);
     iteration->stopped = iteration->active + model.n_actions;
+    iteration->circling = iteration->stopped + model.n_relations;
     iteration->any_stopped = false;
     return true;
 }
@@ -131,19 +134,105 @@ static bool update_all(const Iteration *iteration, Values *values)
     return update_assigned(iteration, values) || changed;
 }
 
-const char *iteration_settle(Iteration *iteration, Values *values)
+/* Brings what the relations and discrete equations read up to date. */
+static bool refresh(Iteration *iteration, Values *values)
 {
+    if ((model.discrete_reads_algebraic && !model_algebraics(values->time, values->y, values->p)) ||
+        !model_roots(values->time, values->y, values->p, iteration->root))
+        return false;
+    model_time_relations(time_just_after(values->time), values->p, iteration->root + model.n_roots);
+    return true;
+}
+
+/* The states are constant, so that a root moves only with a relation or a discrete variable that is in the circle. */
+static void note_circling(Iteration *iteration, const Values *values, bool is_first)
+{
+    for (size_t i = 0; i < model.n_relations; ++i) {
+        const size_t root = model.relations[i].root;
+        const bool moved = !is_first && iteration->root[root] != iteration->before[root];
+        iteration->circling[i] |= moved || values->p[model.relations[i].memory] != truth(iteration, i);
+    }
+    memcpy(iteration->before, iteration->root, (model.n_roots + model.n_time_relations) * sizeof(double));
+}
+
+/* Changes relations and discrete equations until they settle; returns NULL on success, else what went wrong. */
+static const char *change_in_turn(Iteration *iteration, Values *values)
+{
+    memset(iteration->circling, 0, model.n_relations * sizeof(bool));
     const size_t rounds = ROUNDS_AT_ONCE + MAX_TURNS * (model.n_relations + model.n_discrete);
     Turn turn = {0, 0};
     for (size_t round = 0; round < rounds; ++round) {
-        if ((model.discrete_reads_algebraic && !model_algebraics(values->time, values->y, values->p)) ||
-            !model_roots(values->time, values->y, values->p, iteration->root))
+        if (!refresh(iteration, values))
             return blocks_explain(values->time, values->y, values->p, iteration->text);
-        model_time_relations(time_just_after(values->time), values->p, iteration->root + model.n_roots);
+        if (round >= ROUNDS_AT_ONCE / 2)
+            note_circling(iteration, values, round == ROUNDS_AT_ONCE / 2);
         if (!(round < ROUNDS_AT_ONCE ? update_all(iteration, values) : update_one(iteration, values, &turn)))
             return NULL;
     }
     return "the discrete equations do not settle: relations or discrete variables change in a circle";
+}
+
+/* Settles everything but the circling relations; returns whether these hold as assumed. */
+static bool is_consistent(Iteration *iteration, Values *values)
+{
+    bool changed = true;
+    for (int round = 0; changed && round < ROUNDS_AT_ONCE; ++round) {
+        if (!refresh(iteration, values))
+            return false;
+        changed = false;
+        for (size_t i = 0; i < model.n_relations; ++i)
+            if (!iteration->circling[i])
+                changed |= set(&values->p[model.relations[i].memory], truth(iteration, i));
+        model_discrete(values->time, values->y, values->p, iteration->value);
+        changed |= update_assigned(iteration, values);
+    }
+    for (size_t i = 0; i < model.n_relations; ++i)
+        if (iteration->circling[i] && values->p[model.relations[i].memory] != truth(iteration, i))
+            return false;
+    return !changed;
+}
+
+/* Fills the memories of the circling relations; returns how many there are, 0 for more than MAX_CIRCLING. */
+static size_t circling_memories(const Iteration *iteration, size_t memory[MAX_CIRCLING])
+{
+    size_t n = 0;
+    for (size_t i = 0; i < model.n_relations; ++i)
+        if (iteration->circling[i]) {
+            if (n == MAX_CIRCLING)
+                return 0;
+            memory[n++] = model.relations[i].memory;
+        }
+    return n;
+}
+
+/* Tries all combinations of the circling relations. Relations in an algebraic loop can deny each other in turn although
+ * all agree in some combination: an amplifier with positive feedback jumps from one limit to the other, and no
+ * combination on the way there is consistent. */
+static bool find_consistent(Iteration *iteration, Values *values)
+{
+    size_t memory[MAX_CIRCLING];
+    const size_t n = circling_memories(iteration, memory);
+    double *start = n == 0 ? NULL : malloc((model.n_y + model.n_p) * sizeof(double));
+    if (start == NULL)
+        return false;
+    memcpy(start, values->y, model.n_y * sizeof(double));
+    memcpy(start + model.n_y, values->p, model.n_p * sizeof(double));
+    bool found = false;
+    for (size_t combination = 0; !found && combination < (size_t)1 << n; ++combination) {
+        memcpy(values->y, start, model.n_y * sizeof(double));
+        memcpy(values->p, start + model.n_y, model.n_p * sizeof(double));
+        for (size_t k = 0; k < n; ++k)
+            values->p[memory[k]] = (double)(combination >> k & 1);
+        found = is_consistent(iteration, values);
+    }
+    free(start);
+    return found;
+}
+
+const char *iteration_settle(Iteration *iteration, Values *values)
+{
+    const char *problem = change_in_turn(iteration, values);
+    return problem == NULL || find_consistent(iteration, values) ? NULL : problem;
 }
 
 bool iteration_commit_conditions(const Iteration *iteration, Values *values)

@@ -8,9 +8,11 @@
 typedef struct {
     double *memory; /* holds the arrays below */
     double *root;   /* [n_roots + n_time_relations] */
+    double *before; /* [n_roots + n_time_relations] the roots of the round before */
     double *value;  /* [n_discrete] */
     bool *active;   /* [n_actions] */
     bool *stopped;  /* [n_relations] whether the relation must stay false for now */
+    bool *circling; /* [n_relations] whether the relation or its root changed while nothing settled */
     bool any_stopped;
     char text[NEWTON_TEXT_SIZE]; /* the message of a failure */
 } Iteration;

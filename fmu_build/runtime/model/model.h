@@ -163,6 +163,8 @@ typedef struct {
     bool actions_read_algebraic;   /* some action's condition reads an algebraic variable */
     bool discrete_reads_algebraic; /* some discrete equation reads an algebraic variable */
     size_t initial_event_slot; /* p[slot] is 1 during initialization; or NO_SLOT */
+    size_t homotopy_slot; /* p[slot] is 1 where homotopy() is its simplified expression, 0 where it is the actual one,
+                           * as it is after initialization; or NO_SLOT */
 
     size_t n_initial_unknowns;
     const InitialUnknown *initial_unknowns;
