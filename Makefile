@@ -12,6 +12,8 @@
 # make fuzz  random FMI calls (with clang), damaged files, random models, SECONDS=60 in all; corpora in build/fuzz/
 # make lint   ruff, mypy, the C compilers with every warning an error, the Modelica checks
 # make lint-js  the JavaScript of the pages by Biome, which npm gets; skipped where it cannot
+# make try-rumoca  what another release of rumoca changes: its intermediate forms, and the tests that fail with it
+#             (RUMOCA=0.10.1; by default the newest)
 # make bench  speed as ratios within one run
 # make figure  the figure of the README and the drawings of the documentation
 # make figures  every figure and table of the paper, in results/
@@ -63,7 +65,7 @@ INSTALL = $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-
 unexport PYTHONDONTWRITEBYTECODE
 
 .DELETE_ON_ERROR:
-.PHONY: FORCE run env test test-quick fuzz fmu fmu-msl ssp lint lint-js bench figure figures claims docs docs-links wheel lock clean distclean
+.PHONY: FORCE run env test test-quick fuzz fmu fmu-msl ssp lint lint-js try-rumoca bench figure figures claims docs docs-links wheel lock clean distclean
 
 run: fmu
 	$(BIN)/python scenarios/free_oscillation.py
@@ -117,6 +119,9 @@ lint-js:
 	@if ! command -v npm > /dev/null; then echo "lint-js: skipped, npm is not installed"; \
 	elif ! $(BIOME) --version > /dev/null 2>&1; then echo "lint-js: skipped, npm cannot get Biome"; \
 	else $(BIOME) ci fmu_build/explore/assets pyjoystick/reports/live_page/assets; fi
+
+try-rumoca: $(READY)
+	$(BIN)/python -m tests.rumoca_release $(RUMOCA)
 
 bench: $(READY) fmu
 	$(BIN)/python -m benchmarks

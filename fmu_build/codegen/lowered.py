@@ -20,7 +20,8 @@ from fmu_build.support.errors import UnsupportedModelError
 SOLVE_SCHEMA = 71
 """The version of rumoca's Solve IR that this generator was written for."""
 
-_TARGET = Path(__file__).parent / "target"
+TARGET = Path(__file__).parent / "target"
+"""Templates that print the stages of a model for `read_mapping`."""
 
 # The template engine prints a mapping as JSON, except for its null and its non-finite numbers.
 _TOKEN = re.compile(r'("(?:[^"\\]|\\.)*")|\b(none|undefined)\b|(-?)\b(inf|NaN|nan)\b')
@@ -69,7 +70,7 @@ def lower(model: rumoca.Model) -> LoweredModel:
         source_files=tuple((number, path.removeprefix(IN_MEMORY), text) for number, path, text in files),
     )
     try:
-        rendered = model.codegen(str(_TARGET))
+        rendered = model.codegen(str(TARGET))
     except RuntimeError as error:
         raise not_lowered(compiled, str(error)) from error
     stages = read_mapping(rendered.files[0].content)
