@@ -12,7 +12,7 @@ import numpy as np
 import typer
 from rich.progress import Progress
 
-from pyjoystick import fmu, identification, model, support
+from pyjoystick import fmu, identification, model, runs, support
 from pyjoystick.cli import options
 from pyjoystick.cli.console import messages, output, print_note, write
 from pyjoystick.cli.fit import settings_of
@@ -120,7 +120,7 @@ def _settings(
 ) -> identification.FitSettings:
     settings = settings_of(file, model.law_name(joystick.damping))
     if file is None:
-        fmu = identification.fmu_with_parts(settings.fmu, joystick)
+        fmu = runs.fmu_with_parts(settings.fmu, joystick)
         settings = dataclasses.replace(settings, fmu=fmu)
     more = tuple(identification.Free(name) for name in free)
     settings = dataclasses.replace(settings, free=(*more, *settings.free))

@@ -11,7 +11,7 @@ from typing import Annotated, Final
 import typer
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
-from pyjoystick import fmu, identification, model, motion
+from pyjoystick import fmu, identification, model, motion, runs
 from pyjoystick.cli import options
 from pyjoystick.cli.console import messages, output, print_error, print_note, print_notes
 from pyjoystick.cli.fmus import found_or_built, law_of
@@ -114,7 +114,7 @@ def run(
     given = file_to_update(parameters) if update else options.parameter_file(parameters)
     settings = settings_of(settings_file, damping or given.law, is_driven=is_driven, friction=friction)
     if settings_file is None:
-        settings = replace(settings, fmu=identification.fmu_with_parts(settings.fmu, given.joystick))
+        settings = replace(settings, fmu=runs.fmu_with_parts(settings.fmu, given.joystick))
     if not identification.reads_releases(settings):
         _refuse_for_tables(
             settings, {"--both-sides": both_sides or None, "--column": columns, "--unit": units}

@@ -54,6 +54,16 @@ from .fitting.problem.instrument import (
     TIME_BASE as TIME_BASE,
     ZERO_OFFSET as ZERO_OFFSET,
 )
+from .fitting.problem.joystick_settings import (
+    CONSTANT_DAMPING as CONSTANT_DAMPING,
+    DISPLACEMENT_DAMPING as DISPLACEMENT_DAMPING,
+    PIVOT_FRICTION as PIVOT_FRICTION,
+    PLUNGER_FRICTION as PLUNGER_FRICTION,
+    POWER_LAW_DAMPING as POWER_LAW_DAMPING,
+    RELEASE as RELEASE,
+    driven as driven,
+    with_friction as with_friction,
+)
 from .fitting.problem.measurement import (
     Measurement as Measurement,
     Release as Release,
@@ -61,20 +71,11 @@ from .fitting.problem.measurement import (
     read_table_record as read_table_record,
 )
 from .fitting.problem.settings import (
-    CONSTANT_DAMPING as CONSTANT_DAMPING,
-    DISPLACEMENT_DAMPING as DISPLACEMENT_DAMPING,
-    PIVOT_FRICTION as PIVOT_FRICTION,
-    PLUNGER_FRICTION as PLUNGER_FRICTION,
-    POWER_LAW_DAMPING as POWER_LAW_DAMPING,
-    RELEASE as RELEASE,
     FitSettings as FitSettings,
     Free as Free,
     Noise as Noise,
     Search as Search,
     Uncertainty as Uncertainty,
-    driven as driven,
-    fmu_with_parts as fmu_with_parts,
-    with_friction as with_friction,
     with_known as with_known,
     with_values as with_values,
 )

@@ -6,10 +6,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
-from pyjoystick.identification.fitting.problem.settings import WITH_FRICTION
 from pyjoystick.laboratory import PLACES, LoadCurveFit
 from pyjoystick.model import FRICTION_NAMES, SIDES, JoystickParameters, ParameterFile, Side
-from pyjoystick.runs import fmu_of_joystick
+from pyjoystick.runs import FMU_WITH_FRICTION, fmu_of_joystick
 
 #: Parameters that are single numbers and may be uncertain, in the order of tables, and their places in a
 #: parameter file.
@@ -43,7 +42,7 @@ class Bench:
     def fmu(self) -> str:
         """Name of the FMU of the fits: with friction also where it is 0 and only its uncertainty is not."""
         name = fmu_of_joystick(self.joystick)
-        return WITH_FRICTION.get(name, name) if self._rubs else name
+        return FMU_WITH_FRICTION.get(name, name) if self._rubs else name
 
     @property
     def exact(self) -> tuple[str, ...]:

@@ -18,8 +18,8 @@ import pandas as pd
 from pyjoystick.fmu import Fmu
 from pyjoystick.identification.bench import UNCERTAIN, Bench
 from pyjoystick.identification.fitting.fit import fit, fitted_values
+from pyjoystick.identification.fitting.problem.joystick_settings import RELEASE
 from pyjoystick.identification.fitting.problem.settings import (
-    RELEASE,
     FitSettings,
     Free,
     Noise,

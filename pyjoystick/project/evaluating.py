@@ -13,7 +13,7 @@ from pyjoystick import fmu, identification, model, motion, runs, support
 from pyjoystick.project.laboratory import Laboratory, plain
 from pyjoystick.project.measuring import MEASURED, fitted_curve
 from pyjoystick.project.sources import table_of, table_sources
-from pyjoystick.project.steps import FMUS, RESULTS, Done, Find, Step, Tell, content_of
+from pyjoystick.project.steps import RESULTS, Done, Find, Step, Tell, content_of
 from pyjoystick.support import PyJoystickError, read_toml, write_text
 
 PEAKS: Final = f"{RESULTS}/peaks"
@@ -110,7 +110,7 @@ def standard_fmus(lab: Laboratory) -> tuple[str, str]:
     if any(one.friction for one in lab.curves.values()):
         joystick = joystick.replace({"friction.F_c": 1.0})  # any but 0: the curves are yet to say how much
     constant, power_law = (
-        identification.fmu_with_parts(FMUS[law], joystick) for law in ("constant", "power-law")
+        runs.fmu_with_parts(runs.FMU_OF_LAW[law], joystick) for law in ("constant", "power-law")
     )
     return constant, power_law
 

@@ -14,8 +14,6 @@ from pyjoystick.support import PyJoystickError, write_text
 
 #: The folder of results, relative to the project.
 RESULTS: Final = "results"
-#: The FMU that runs a joystick, by damping law; `runs` has it too, but loads pandas and SciPy.
-FMUS: Final[Mapping[model.LawName, str]] = {"constant": "Joystick", "power-law": "JoystickPowerLaw"}
 
 #: From the name of an FMU, or its path, to its file.
 Find = Callable[[str], Path]

@@ -17,11 +17,9 @@ from .errors import (
     SweepFileError as SweepFileError,
 )
 from .experiments import (
-    fmu_of_joystick as fmu_of_joystick,
     free_oscillation as free_oscillation,
     has_friction as has_friction,
     joystick_of_fmu as joystick_of_fmu,
-    mounted_fmu as mounted_fmu,
     reference_free_oscillation as reference_free_oscillation,
     time_grid as time_grid,
 )
@@ -49,6 +47,13 @@ from .fmu_settings import (
     joystick_values as joystick_values,
     number_of as number_of,
     value_of as value_of,
+)
+from .joystick_fmus import (
+    FMU_OF_LAW as FMU_OF_LAW,
+    FMU_WITH_FRICTION as FMU_WITH_FRICTION,
+    fmu_of_joystick as fmu_of_joystick,
+    fmu_with_parts as fmu_with_parts,
+    mounted_fmu as mounted_fmu,
 )
 from .simulated_releases import SimulatedReleases as SimulatedReleases
 from .sweeps.files import read_sweep as read_sweep

@@ -18,15 +18,9 @@ import pandas as pd
 
 from pyjoystick import model  # whose reference loads SciPy, which runs of FMUs do without
 from pyjoystick.fmu import Fmu, FmuDescription, UnsupportedFmuError
-from pyjoystick.model import (
-    FRICTION_NAMES,
-    NOMINAL,
-    NOMINAL_POWER_LAW,
-    STOP_NAMES,
-    ConstantDamping,
-    JoystickParameters,
-)
+from pyjoystick.model import FRICTION_NAMES, NOMINAL, NOMINAL_POWER_LAW, STOP_NAMES, JoystickParameters
 from pyjoystick.motion import DisplayUnit, Quantity, make_table
+from pyjoystick.runs.joystick_fmus import fmu_of_joystick
 from pyjoystick.support import (
     DEFAULT_DURATION,
     DEFAULT_OUTPUT_INTERVAL,
@@ -176,23 +170,6 @@ def joystick_of_fmu(description: FmuDescription) -> JoystickParameters:
 def has_friction(description: FmuDescription) -> bool:
     """It has the parameters and outputs of dry friction, as ``JoystickFriction`` has."""
     return {*FRICTION_NAMES, *FRICTION_COLUMNS} <= set(description.variables)
-
-
-def fmu_of_joystick(joystick: JoystickParameters) -> str:
-    """Name of the FMU that computes the motion of a joystick with its damping law, friction and stops.
-
-    ``Joystick`` or ``JoystickPowerLaw``; ``JoystickFriction`` or ``JoystickFrictionPowerLaw`` where it has
-    dry friction; ``MountedJoystick`` or ``MountedJoystickPowerLaw`` where it has stops.
-    """
-    if joystick.stops:
-        return mounted_fmu(joystick)
-    friction = "Friction" if joystick.friction else ""
-    return f"Joystick{friction}" + ("" if isinstance(joystick.damping, ConstantDamping) else "PowerLaw")
-
-
-def mounted_fmu(joystick: JoystickParameters) -> str:
-    """Name of the FMU of a joystick with its stops, in a hand, on a base that moves: by its damping law."""
-    return "MountedJoystick" + ("" if isinstance(joystick.damping, ConstantDamping) else "PowerLaw")
 
 
 def time_grid(duration: float, output_interval: float) -> FloatArray:

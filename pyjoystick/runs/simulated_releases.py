@@ -12,7 +12,8 @@ import pandas as pd
 from pyjoystick.fmu import Fmu
 from pyjoystick.model import JoystickParameters
 from pyjoystick.motion import ReleasePeaks, peaks_of_run
-from pyjoystick.runs.experiments import fmu_of_joystick, time_grid
+from pyjoystick.runs.experiments import time_grid
+from pyjoystick.runs.joystick_fmus import fmu_of_joystick
 from pyjoystick.support import FloatArray, angle
 
 #: Length of a run and time between its samples (s); peaks are located between the samples.

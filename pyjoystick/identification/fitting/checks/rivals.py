@@ -17,8 +17,9 @@ from pyjoystick.identification.fitting.checks.suspect import Suspect
 from pyjoystick.identification.fitting.problem.instrument import ZERO_OFFSET
 from pyjoystick.identification.fitting.problem.least_squares import Problem, choose_steps
 from pyjoystick.identification.fitting.problem.prediction import TrajectoryPredictor
-from pyjoystick.identification.fitting.problem.settings import WITH_FRICTION, FitSettings, Free
+from pyjoystick.identification.fitting.problem.settings import FitSettings, Free
 from pyjoystick.identification.fitting.solution.search import staged_search
+from pyjoystick.runs import FMU_WITH_FRICTION
 from pyjoystick.support import FloatArray, ParameterError
 
 _FRICTION: Final = "friction."
@@ -72,7 +73,7 @@ def tried(
 
 
 def _with_friction(settings: FitSettings, stack: ExitStack) -> Fmu | None:
-    name = WITH_FRICTION.get(settings.fmu)
+    name = FMU_WITH_FRICTION.get(settings.fmu)
     if name is None:
         return None
     try:

@@ -18,9 +18,9 @@ from pyjoystick.fmu import REALS
 from pyjoystick.identification.fitting.checks.fitted_motion import FittedMotion
 from pyjoystick.identification.fitting.checks.instrument_suspects import instruments
 from pyjoystick.identification.fitting.checks.suspect import LEVELS, Suspect, beyond, each, largest, limits
+from pyjoystick.identification.fitting.problem.joystick_settings import PIVOT_FRICTION, PLUNGER_FRICTION
 from pyjoystick.identification.fitting.problem.least_squares import Problem
 from pyjoystick.identification.fitting.problem.prediction import TrajectoryPredictor
-from pyjoystick.identification.fitting.problem.settings import PIVOT_FRICTION, PLUNGER_FRICTION
 from pyjoystick.support import FloatArray
 
 #: Parameters are moved by this part, velocities by this (rad/s).

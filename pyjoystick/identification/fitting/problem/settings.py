@@ -1,4 +1,4 @@
-"""Settings of a fit: free parameters, what is compared, search, uncertainty; defaults for the joystick."""
+"""Settings of a fit: free parameters, what is compared, noise, search, uncertainty."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from pyjoystick.identification.fitting.problem.instrument import (
     INSTRUMENT,
     RELEASE_TIME,
     TIME_BASE,
-    ZERO_OFFSET,
 )
-from pyjoystick.model import JoystickParameters
 from pyjoystick.support import ParameterError, finite, positive, whole_number
 
 Comparison = Literal["trajectory", "peaks"]
 Resampling = Literal["records", "residuals"]
+#: Dry friction that does not depend on the speed, by its names in the FMUs.
+_SLIDING: Final = ("friction.T_c", "friction.F_c")
 
 
 @dataclass(frozen=True, slots=True)
@@ -223,8 +223,7 @@ class FitSettings:
         """The parameters of `Search.scan`, or what stands for them."""
         if self.search.scan is not None:
             return self.search.scan
-        friction = (PIVOT_FRICTION.name, PLUNGER_FRICTION.name)
-        return tuple(one.name for one in self.free if one.name in friction and not one.per_record)
+        return tuple(one.name for one in self.free if one.name in _SLIDING and not one.per_record)
 
     def _check_peaks(self) -> None:
         if len(self.outputs) != 1:
@@ -322,101 +321,3 @@ def with_known(
         ),
         fixed={name: value for name, value in settings.fixed.items() if name not in known},
     )
-
-
-#: What belongs to each record of a release: its angle, its instant, and what the record shows in the middle.
-RELEASE: Final = (
-    Free("theta_start", per_record=True),
-    Free(RELEASE_TIME, per_record=True),
-    Free(ZERO_OFFSET, per_record=True),
-)
-
-#: A constant damping coefficient.
-CONSTANT_DAMPING: Final = FitSettings(
-    fmu="Joystick", free=(Free("damping.C", start=0.05, minimum=0.0, maximum=0.5), *RELEASE)
-)
-
-#: Eq. (11). Only the products alpha*A and (1 - alpha)*B act on the motion, so that alpha cannot be fitted
-#: beside A and B: it is fixed at the paper's 0.9.
-POWER_LAW_DAMPING: Final = FitSettings(
-    fmu="JoystickPowerLaw",
-    fixed={"damping.alpha": 0.9},
-    free=(
-        Free("damping.A_pos", start=0.05, minimum=0.0, maximum=1.0),
-        Free("damping.n_pos", start=0.0, minimum=-1.0, maximum=1.0),
-        Free("damping.A_neg", start=0.05, minimum=0.0, maximum=1.0),
-        Free("damping.n_neg", start=0.0, minimum=-1.0, maximum=1.0),
-        Free("damping.B", start=0.05, minimum=0.0, maximum=1.0),
-        Free("damping.m", start=0.0, minimum=-1.0, maximum=1.0),
-        *RELEASE,
-    ),
-    # With the sides exchanged eq. (11) has a second minimum that looks right at 0.1 degree of noise.
-    search=Search(exchanges=(("damping.A_pos", "damping.A_neg"), ("damping.n_pos", "damping.n_neg"))),
-    # Six parameters along a curved valley: their profiles take minutes, and are there where asked for.
-    uncertainty=Uncertainty(profiles=()),
-)
-
-#: The displacement terms of eq. (11) alone, at alpha = 1: four records of 0.1 degree of noise determine them.
-DISPLACEMENT_DAMPING: Final = dataclasses.replace(
-    POWER_LAW_DAMPING,
-    fixed={"damping.alpha": 1.0},
-    free=tuple(one for one in POWER_LAW_DAMPING.free if one.name not in ("damping.B", "damping.m")),
-)
-
-#: What belongs to each record of a driven motion: where it begins, at rest, and what it shows in the middle.
-DRIVEN: Final = (Free("theta_start", per_record=True), Free(ZERO_OFFSET, per_record=True))
-_DRIVEN_STAGES: Final = (0.1, 0.2, 0.4, 0.7)
-
-
-def driven(settings: FitSettings) -> FitSettings:
-    """Settings for releases as settings for records with the torque that drove the joystick, column ``T``.
-
-    The torque says how large moments are, so that the moment of inertia is fitted too; and so is the delay of
-    the angle behind the torque, which all records share. Records begin at rest, unless `omega_start` is made
-    free as well.
-    """
-    own = tuple(one for one in settings.free if not one.per_record)
-    delay = Free(DELAY, start=0.0, minimum=-0.05, maximum=0.05)
-    return dataclasses.replace(
-        settings,
-        free=(*own, Free("J"), delay, *DRIVEN),
-        inputs=("T",),
-        # A drive passes the middle again and again, at instants on which all that follows depends.
-        search=dataclasses.replace(settings.search, stages=_DRIVEN_STAGES),
-    )
-
-
-#: FMUs of the same joystick with dry friction.
-WITH_FRICTION: Final[Mapping[str, str]] = {
-    "Joystick": "JoystickFriction",
-    "JoystickPowerLaw": "JoystickFrictionPowerLaw",
-}
-#: FMUs of the same joystick with stops, which have dry friction too.
-WITH_STOPS: Final[Mapping[str, str]] = {
-    "Joystick": "MountedJoystick",
-    "JoystickPowerLaw": "MountedJoystickPowerLaw",
-    "JoystickFriction": "MountedJoystick",
-    "JoystickFrictionPowerLaw": "MountedJoystickPowerLaw",
-}
-#: Dry friction at the pivot (N m) and along the plungers in contact (N).
-PIVOT_FRICTION: Final = Free("friction.T_c", start=5e-3, minimum=0.0, maximum=1.0)
-PLUNGER_FRICTION: Final = Free("friction.F_c", start=0.2, minimum=0.0, maximum=50.0)
-
-
-def fmu_with_parts(fmu: str, joystick: JoystickParameters) -> str:
-    """Name of the FMU with the damping law of `fmu` that has the dry friction and the stops of a joystick."""
-    if joystick.friction:
-        fmu = WITH_FRICTION.get(fmu, fmu)
-    return WITH_STOPS.get(fmu, fmu) if joystick.stops else fmu
-
-
-def with_friction(settings: FitSettings, *friction: Free) -> FitSettings:
-    """The same fit with dry friction: that at the pivot where nothing is said.
-
-    Raises:
-        ParameterError: the FMU has no counterpart with friction
-    """
-    if settings.fmu not in WITH_FRICTION:
-        raise ParameterError("fmu", settings.fmu, f"one of {', '.join(WITH_FRICTION)}")
-    free = (*settings.free, *(friction or (PIVOT_FRICTION,)))
-    return dataclasses.replace(settings, fmu=WITH_FRICTION[settings.fmu], free=free)

@@ -1,0 +1,50 @@
+"""Which FMU computes which joystick: by its damping law, dry friction and stops.
+
+Apart from the experiments, so that a look at a project does not load pandas.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Final
+
+from pyjoystick.model import ConstantDamping, JoystickParameters, LawName
+
+#: The FMUs of a joystick without dry friction and stops.
+FMU_OF_LAW: Final[Mapping[LawName, str]] = {"constant": "Joystick", "power-law": "JoystickPowerLaw"}
+#: FMUs of the same joystick with dry friction.
+FMU_WITH_FRICTION: Final[Mapping[str, str]] = {
+    "Joystick": "JoystickFriction",
+    "JoystickPowerLaw": "JoystickFrictionPowerLaw",
+}
+#: FMUs of the same joystick with stops, which have dry friction too.
+FMU_WITH_STOPS: Final[Mapping[str, str]] = {
+    "Joystick": "MountedJoystick",
+    "JoystickPowerLaw": "MountedJoystickPowerLaw",
+    "JoystickFriction": "MountedJoystick",
+    "JoystickFrictionPowerLaw": "MountedJoystickPowerLaw",
+}
+
+
+def fmu_of_joystick(joystick: JoystickParameters) -> str:
+    """Name of the FMU that computes the motion of a joystick with its damping law, friction and stops."""
+    return fmu_with_parts(_fmu_of_law(joystick), joystick)
+
+
+def fmu_with_parts(fmu: str, joystick: JoystickParameters) -> str:
+    """Name of the FMU with the damping law of `fmu` that has the dry friction and the stops of a joystick.
+
+    Other FMUs than those of this package have no counterpart: their name stays.
+    """
+    if joystick.stops:
+        return FMU_WITH_STOPS.get(fmu, fmu)
+    return FMU_WITH_FRICTION.get(fmu, fmu) if joystick.friction else fmu
+
+
+def mounted_fmu(joystick: JoystickParameters) -> str:
+    """Name of the FMU of a joystick with its stops, in a hand, on a base that moves: by its damping law."""
+    return FMU_WITH_STOPS[_fmu_of_law(joystick)]
+
+
+def _fmu_of_law(joystick: JoystickParameters) -> str:
+    return FMU_OF_LAW["constant" if isinstance(joystick.damping, ConstantDamping) else "power-law"]
