@@ -102,6 +102,14 @@ class LivePage:
             self.page.wait_for_timeout(5)
         pytest.fail("the page did not run the model again")
 
+    def settle(self) -> None:
+        """Wait until the page has done what waits for the sliders to rest, such as its words."""
+        for _ in range(1000):
+            if self.page.get_attribute("body", "data-settled") == str(self.runs):
+                return
+            self.page.wait_for_timeout(5)
+        pytest.fail("the page does not come to rest")
+
     def control(self, name: str) -> Locator:
         """The control of a value; its group is opened."""
         control = self.page.locator(f'.control[data-name="{name}"]')
@@ -124,7 +132,7 @@ class LivePage:
 
     def words(self) -> list[str]:
         """What the plots say of themselves: the range of each curve."""
-        self.page.wait_for_timeout(50)  # they are drawn with the next frame
+        self.settle()
         plots = self.page.locator("figure canvas").all()
         return [plot.get_attribute("aria-label") or "" for plot in plots]
 

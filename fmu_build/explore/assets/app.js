@@ -1,9 +1,9 @@
 // The page: state -> request -> worker -> run -> plots, table, files. What another package adds takes part by
-// the functions of its `addition`: names(), mount(app), curves(panel, theme), plots(), ran() after a run, and
-// shown(run, row, state, theme), all optional.
+// the functions of its `addition`: names(), mount(app), curves(panel, theme), plots(), shown(run, row, state, theme,
+// isWhole) for each picture, and rested() where nothing has changed for a while, all optional.
 
 import { Controls } from "./controls.js";
-import { make, save } from "./elements.js";
+import { make, save, write } from "./elements.js";
 import { csvText, pngOf } from "./files.js";
 import { numberText } from "./format.js";
 import { experimentBox, header, presetBox } from "./header.js";
@@ -16,6 +16,8 @@ import { Run } from "./run.js";
 import { Simulation } from "./simulation.js";
 import { State } from "./state.js";
 import { ValueTable } from "./value-table.js";
+
+const REST = 150; // milliseconds
 
 export async function start(addition = {}) {
   const app = new App(addition);
@@ -92,6 +94,7 @@ class App {
   }
 
   async savePng(name) {
+    this.settle();
     const panels = [...this.plots.panels, ...(this.addition.plots?.() ?? [])].filter(
       (one) => one.canvas.clientWidth > 0,
     );
@@ -101,6 +104,7 @@ class App {
   // A changed value: shown at once, run as soon as the model is free. It ends a session.
   changed(origin) {
     this.session?.end();
+    this.settleSoon();
     this.controls.refresh(origin);
     if (origin === "address") this.noteIgnored();
     if (origin === "plots" || origin === "address" || origin === "reset") this.plots.choose(this.state.plots);
@@ -115,7 +119,6 @@ class App {
       return;
     }
     if (result.rows > 0) this.show(new Run(request, result));
-    this.addition.ran?.();
     document.body.classList.toggle("stale", result.rows === 0);
     this.explain(result, request);
     this.draw();
@@ -124,7 +127,6 @@ class App {
   show(run, time = this.playback.time) {
     this.run = run;
     this.playback.over(run, time);
-    this.table.show(run, this.shownNames);
   }
 
   explain(result, request) {
@@ -134,13 +136,13 @@ class App {
     const time =
       request && result.rows > 0 ? ` at ${numberText(request.start + (result.rows - 1) * request.step)} s` : "";
     this.alert(isWhole ? "" : `The run stopped${time} (${result.status}). ${message}`);
-    if (isWhole) this.footer.textContent = `${result.rows} rows in ${result.milliseconds.toFixed(1)} ms`;
+    if (isWhole) write(this.footer, `${result.rows} rows in ${result.milliseconds.toFixed(1)} ms`);
     document.body.dataset.runs = Number(document.body.dataset.runs ?? 0) + 1;
   }
 
   alert(message) {
     const place = document.getElementById("alert");
-    if (place.textContent !== message) place.textContent = message;
+    write(place, message);
     place.hidden = message === "";
   }
 
@@ -155,17 +157,37 @@ class App {
     this.draw();
   }
 
-  // Once for everything that changes before the next picture. Plots first, texts last: a plot asks for its width, and
-  // after a text the browser would arrange the whole page to answer.
+  // Once for everything that changes before the next picture.
   draw() {
+    this.settleSoon();
     if (this.isDrawing) return;
     this.isDrawing = true;
     requestAnimationFrame(() => {
       this.isDrawing = false;
-      const row = this.run.rowAt(this.playback.time);
-      this.plots.draw(this.run, this.kept, row);
-      this.addition.shown?.(this.run, row, this.state, this.plots.theme);
-      this.plots.tell(this.run, row);
+      this.drawNow(false);
     });
+  }
+
+  // What is in view, or the whole page.
+  drawNow(isWhole) {
+    const row = this.run.rowAt(this.playback.time);
+    this.plots.draw(this.run, this.kept, row, isWhole);
+    this.addition.shown?.(this.run, row, this.state, this.plots.theme, isWhole);
+    this.plots.tell(this.run, row);
+  }
+
+  settleSoon() {
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => this.settle(), REST);
+  }
+
+  // What would only hold up the pictures while a slider moves: plots out of view, words and tables.
+  settle() {
+    clearTimeout(this.timer);
+    this.drawNow(true);
+    this.plots.describe(this.run);
+    this.table.show(this.run, this.shownNames);
+    this.addition.rested?.();
+    document.body.dataset.settled = document.body.dataset.runs ?? 0;
   }
 }

@@ -1,6 +1,6 @@
 // A control for each value of the model: slider, field and reset; a box; a list of literals.
 
-import { make } from "./elements.js";
+import { make, put, write } from "./elements.js";
 import { fieldText, fromShown, parsed, rounded, shownUnit, toShown, valueText } from "./format.js";
 import { inputTable } from "./input-table.js";
 import { byName, page } from "./page-data.js";
@@ -11,6 +11,7 @@ export class Controls {
   constructor(place, state) {
     this.state = state;
     this.controls = new Map();
+    this.groups = [];
     const first = page.first.filter((name) => byName.has(name));
     const groups = new Map([["", first]]);
     for (const one of page.variables.filter((one) => one.settable && !first.includes(one.name))) {
@@ -26,7 +27,8 @@ export class Controls {
     if (title === "") return list;
     const count = make("span", { class: "changed-count" });
     const details = make("details", {}, make("summary", {}, title, count), list);
-    for (const name of names) Object.assign(this.controls.get(name), { details, count, names });
+    for (const name of names) this.controls.get(name).details = details;
+    this.groups.push({ count, names });
     return details;
   }
 
@@ -88,14 +90,16 @@ export class Controls {
     const show = (value, origin) => {
       if (origin !== field) field.value = fieldText(toShown(one, value));
       if (origin !== slider) slider.value = String(toSlider(one, value));
-      slider.setAttribute("aria-valuetext", valueText(one, value));
+      put(slider, "aria-valuetext", valueText(one, value));
     };
     return { line: [field, unit], below: [slider], field, slider, show };
   }
 
-  // Shows the values of the state, except in the element in which the user is at work.
+  // Shows the values of the state, except in the element in which the user is at work. Such an element changes the value
+  // of its own control only: a large model has hundreds.
   refresh(origin = null) {
     for (const [name, control] of this.controls) {
+      if (origin instanceof Element && !control.row.contains(origin)) continue;
       if (typeof origin === "string") this.typed(control.one, null); // all values are new
       control.show(this.state.value(name), origin);
       const changed = this.state.isChanged(name);
@@ -103,10 +107,9 @@ export class Controls {
       control.reset.disabled = !changed;
       control.row.dispatchEvent(new CustomEvent("refresh", { detail: origin }));
     }
-    for (const { count, names } of this.controls.values()) {
-      if (!count) continue;
+    for (const { count, names } of this.groups) {
       const changed = names.filter((name) => this.state.isChanged(name)).length;
-      count.textContent = changed ? `${changed} changed` : "";
+      write(count, changed ? `${changed} changed` : "");
     }
   }
 
@@ -128,9 +131,9 @@ export class Controls {
 
   showError(name, message) {
     const { error, field, details } = this.controls.get(name);
-    error.textContent = message ?? "";
+    write(error, message ?? "");
     error.hidden = !message;
-    field.setAttribute("aria-invalid", String(Boolean(message)));
+    put(field, "aria-invalid", Boolean(message));
     if (message && details) details.open = true;
   }
 }

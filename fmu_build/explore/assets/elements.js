@@ -18,6 +18,16 @@ function fill(element, attributes, content) {
   return element;
 }
 
+// Only where it differs: a browser would arrange and paint the same text or attribute again.
+export function write(element, text) {
+  if (element.textContent !== text) element.textContent = text;
+}
+
+export function put(element, name, value) {
+  const text = String(value);
+  if (element.getAttribute(name) !== text) element.setAttribute(name, text);
+}
+
 export function save(name, content, type) {
   const blob = content instanceof Blob ? content : new Blob([content], { type });
   const url = URL.createObjectURL(blob);

@@ -1,15 +1,16 @@
 // A plot of what is no variable of the model, such as a difference: curves that another package computes from runs,
 // with the numbers behind them as a file.
 
-import { make, save } from "./elements.js";
+import { make, put, save } from "./elements.js";
 import { csvOf } from "./files.js";
-import { drawOn } from "./plot.js";
+import { Surface } from "./surface.js";
 
 export class ExtraPlot {
   // Entries of the legend by the number of their color.
-  constructor(kind, file, entries) {
+  constructor(kind, file, entries, onChange) {
     this.entries = entries;
-    this.canvas = make("canvas", { role: "img" });
+    this.surface = new Surface(onChange);
+    this.canvas = this.surface.canvas;
     this.table = { heads: [], rows: [] };
     const names = Object.entries(entries).map(([color, text]) =>
       make("span", { class: `entry c${color}` }, make("i"), text),
@@ -32,7 +33,7 @@ export class ExtraPlot {
   // Curves of plot.js, the numbers behind them, and what they say in words.
   draw(content, theme, table, words) {
     this.table = table;
-    this.canvas.setAttribute("aria-label", words);
-    drawOn(this.canvas, content, theme);
+    put(this.canvas, "aria-label", words);
+    this.surface.draw(content, theme);
   }
 }

@@ -1,19 +1,21 @@
 // A plot with its legend, in which the values at the cursor stand.
 
-import { make } from "./elements.js";
+import { make, put, write } from "./elements.js";
+import { extentOf } from "./extent.js";
 import { numberText, shownUnit } from "./format.js";
 import { byName } from "./page-data.js";
-import { drawOn } from "./plot.js";
+import { Surface } from "./surface.js";
 
 const TIME = { name: "time", unit: "s", text: "Time" };
 
 export class Panel {
-  constructor(choice, onCursor) {
+  constructor(choice, onCursor, onChange) {
     this.choice = choice;
     this.x = choice.x ? byName.get(choice.x) : TIME;
     this.ys = choice.y.map((name) => byName.get(name));
     this.isOverTime = !choice.x;
-    this.canvas = make("canvas", { role: "img" });
+    this.surface = new Surface(onChange);
+    this.canvas = this.surface.canvas;
     this.values = this.ys.map(() => make("span", { class: "value" }));
     const entries = this.ys.map((one, i) =>
       make("span", { class: `entry c${i % 6}`, title: one.text ?? "" }, make("i"), one.name, " ", this.values[i]),
@@ -29,8 +31,8 @@ export class Panel {
   }
 
   pointed(event, onCursor) {
-    if (!this.scale) return;
-    const { box, xEnds } = this.scale;
+    if (!this.surface.scale) return;
+    const { box, xEnds } = this.surface.scale;
     const part = (event.offsetX - box.left) / box.width;
     onCursor(xEnds[0] + Math.min(1, Math.max(0, part)) * (xEnds[1] - xEnds[0]));
   }
@@ -59,16 +61,14 @@ export class Panel {
   }
 
   draw(run, kept, row, theme, more) {
-    const scale = drawOn(this.canvas, this.content(run, kept, row, theme, more), theme);
-    if (scale) this.scale = scale;
+    this.surface.draw(this.content(run, kept, row, theme, more), theme);
   }
 
   // The values at the cursor.
   tell(run, row) {
-    if (!this.scale) return;
     this.ys.forEach((one, i) => {
       const text = run.rows ? numberText(run.shown(one)[row], 4) : "–";
-      this.values[i].textContent = `${text} ${shownUnit(one)}`;
+      write(this.values[i], `${text} ${shownUnit(one)}`);
     });
   }
 
@@ -82,11 +82,10 @@ export class Panel {
   // In words, for those who do not see the curves.
   describe(run) {
     const parts = this.ys.map((one) => {
-      const values = run.rows ? run.shown(one) : [];
-      const ends = values.reduce(([low, high], v) => [Math.min(low, v), Math.max(high, v)], [Infinity, -Infinity]);
+      const ends = extentOf(run.shown(one));
       return `${one.name} from ${numberText(ends[0])} to ${numberText(ends[1])} ${shownUnit(one)}`.trim();
     });
-    this.canvas.setAttribute("aria-label", `${parts.join("; ")}; over ${this.x.name}`);
+    put(this.canvas, "aria-label", `${parts.join("; ")}; over ${this.x.name}`);
   }
 }
 

@@ -1,6 +1,6 @@
 // The cursor: a time of the run, moved by hand or played at a chosen speed.
 
-import { make } from "./elements.js";
+import { make, put, write } from "./elements.js";
 import { numberText } from "./format.js";
 
 const SPEEDS = [0.01, 0.05, 0.1, 0.25, 0.5, 1];
@@ -44,8 +44,8 @@ export class Playback {
     this.time = time;
     this.slider.value = String(Math.round((1000 * (time - this.start)) / this.span));
     const text = `${numberText(time, 4)} s`;
-    this.slider.setAttribute("aria-valuetext", text);
-    this.text.textContent = `${time.toFixed(this.span < 10 ? 3 : 2)} s`;
+    put(this.slider, "aria-valuetext", text);
+    write(this.text, `${time.toFixed(this.span < 10 ? 3 : 2)} s`);
     this.onMove(time);
   }
 

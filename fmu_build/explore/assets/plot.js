@@ -1,33 +1,21 @@
 // Curves on a canvas: any x, sorted or not, so that time plots and phase planes are one thing; PNG files are the
 // same pixels.
 
+import { extentOf } from "./extent.js";
+import { trace } from "./polyline.js";
+
+export const HEIGHT = 210;
+
 const LEFT = 58;
 const BOTTOM = 30;
 const TOP = 8;
 const RIGHT = 12;
-const HEIGHT = 210;
-
-// Draws on a canvas with the pixels of the screen; null where it has no width yet.
-export function drawOn(canvas, content, theme) {
-  const width = canvas.clientWidth;
-  if (width === 0) return null;
-  const ratio = window.devicePixelRatio || 1;
-  if (canvas.width !== Math.round(width * ratio)) {
-    canvas.width = Math.round(width * ratio);
-    canvas.height = Math.round(HEIGHT * ratio);
-  }
-  const context = canvas.getContext("2d");
-  context.setTransform(ratio, 0, 0, ratio, 0, 0);
-  context.clearRect(0, 0, width, HEIGHT);
-  return drawPlot(context, width, HEIGHT, content, theme);
-}
 
 // A plot's content: { x, y: [{ values, color, dash, width, dots }], xLabel, cursor, points }, values in display units.
-function drawPlot(context, width, height, content, theme) {
+export function drawPlot(context, width, height, content, theme) {
   const box = { left: LEFT, top: TOP, width: width - LEFT - RIGHT, height: height - TOP - BOTTOM };
-  const xs = extent(content.curves.map((curve) => curve.x));
   const ys = extent(content.curves.map((curve) => curve.y));
-  const xTicks = ticks(...(content.xRange ?? xs), box.width / 70);
+  const xTicks = ticks(...(content.xRange ?? extent(content.curves.map((curve) => curve.x))), box.width / 70);
   const yTicks = ticks(...padded(ys), box.height / 34);
   const xEnds = content.xRange ?? [xTicks[0], xTicks[xTicks.length - 1]];
   const yEnds = [yTicks[0], yTicks[yTicks.length - 1]];
@@ -106,16 +94,12 @@ function drawCurve(context, scale, curve) {
       context.fillRect(scale.x(curve.x[i]) - size / 2, scale.y(curve.y[i]) - size / 2, size, size);
   } else {
     context.beginPath();
-    let isDown = false;
-    for (let i = 0; i < curve.x.length; i++) {
-      const [px, py] = [scale.x(curve.x[i]), scale.y(curve.y[i])];
-      if (!Number.isFinite(px) || !Number.isFinite(py)) isDown = false;
-      else if (isDown) context.lineTo(px, py);
-      else {
-        context.moveTo(px, py);
-        isDown = true;
-      }
-    }
+    trace(
+      context,
+      curve.x.length,
+      (i) => scale.x(curve.x[i]),
+      (i) => scale.y(curve.y[i]),
+    );
     context.stroke();
   }
   context.setLineDash([]);
@@ -140,13 +124,8 @@ function drawCursor(context, scale, content, theme) {
 }
 
 function extent(columns) {
-  let [low, high] = [Infinity, -Infinity];
-  for (const column of columns) {
-    for (const value of column) {
-      if (value < low && value > -Infinity) low = value;
-      if (value > high && value < Infinity) high = value;
-    }
-  }
+  const ends = columns.map(extentOf);
+  const [low, high] = [Math.min(...ends.map(([end]) => end)), Math.max(...ends.map(([, end]) => end))];
   return low <= high ? [low, high] : [0, 1];
 }
 

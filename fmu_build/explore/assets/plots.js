@@ -12,7 +12,6 @@ export class Plots {
     this.choose(app.state.plots);
     this.readTheme();
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.readTheme());
-    new ResizeObserver(() => app.draw()).observe(this.element);
   }
 
   get names() {
@@ -24,7 +23,14 @@ export class Plots {
     if (text === this.chosen) return;
     this.chosen = text;
     for (const panel of this.panels ?? []) panel.element.remove();
-    this.panels = choices.map((choice) => new Panel(choice, (time) => this.app.playback.goTo(time)));
+    this.panels = choices.map(
+      (choice) =>
+        new Panel(
+          choice,
+          (time) => this.app.playback.goTo(time),
+          () => this.app.draw(),
+        ),
+    );
     this.panels.forEach((panel, i) => {
       const remove = () => this.app.state.setPlots(choices.filter((_, other) => other !== i));
       const name = `Remove the plot of ${panel.choice.y.join(", ")}`;
@@ -70,18 +76,20 @@ export class Plots {
     this.app.draw();
   }
 
-  draw(run, kept, row) {
+  // Those in view, or all.
+  draw(run, kept, row, isWhole) {
     for (const panel of this.panelsOf(run)) {
-      panel.draw(run, kept, row, this.theme, this.app.addition.curves?.(panel, this.theme, run) ?? []);
+      if (isWhole || panel.surface.isInView)
+        panel.draw(run, kept, row, this.theme, this.app.addition.curves?.(panel, this.theme, run) ?? []);
     }
   }
 
   tell(run, row) {
-    for (const panel of this.panelsOf(run)) {
-      panel.tell(run, row);
-      if (run !== this.described) panel.describe(run);
-    }
-    this.described = run;
+    for (const panel of this.panelsOf(run)) panel.tell(run, row);
+  }
+
+  describe(run) {
+    for (const panel of this.panelsOf(run)) panel.describe(run);
   }
 
   // A new plot waits for the run with its variables.

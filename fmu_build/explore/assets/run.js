@@ -1,7 +1,5 @@
 // The result of a run: rows of numbers by the names that were asked for.
 
-import { toShown } from "./format.js";
-
 // Loops, because Float64Array.from with a function takes many times as long, and a page draws while a slider moves.
 
 export function timesOf({ start, step }, rows) {
@@ -46,7 +44,8 @@ export class Run {
   shown(one) {
     if (!this.cache.has(one.name)) {
       const values = one.name === "time" ? this.times.slice() : this.column(one.name);
-      for (let row = 0; row < values.length; row++) values[row] = toShown(one, values[row]);
+      const { factor = 1, offset = 0 } = one;
+      for (let row = 0; row < values.length; row++) values[row] = values[row] * factor + offset;
       this.cache.set(one.name, values);
     }
     return this.cache.get(one.name);

@@ -127,35 +127,39 @@ static fmi2Status set_inputs(int32_t row, bool is_last)
     return status;
 }
 
-static fmi2Status get(char kind, const uint32_t *reference, double *value)
+enum { MOST = 64 }; /* Integer or Boolean variables of one call */
+
+static fmi2Status get(char kind, const uint32_t *references, size_t n, double *values)
 {
-    fmi2Integer number = 0;
+    fmi2Integer numbers[MOST];
     fmi2Status status = fmi2Error;
     switch (kind) {
+    case 'r':
+        return fmi2GetReal(component, references, n, values);
     case 'i':
-        status = fmi2GetInteger(component, reference, 1, &number);
+        status = fmi2GetInteger(component, references, n, numbers);
         break;
     case 'b':
-        status = fmi2GetBoolean(component, reference, 1, &number);
+        status = fmi2GetBoolean(component, references, n, numbers);
         break;
     default:
         messages_add(NULL, "", fmi2Error, "", "a kind of variable is none of 'r', 'i' and 'b'.");
     }
-    *value = number;
+    for (size_t i = 0; i < n && is_good(status); ++i)
+        values[i] = numbers[i];
     return status;
 }
 
-/* Real variables that stand side by side with one call. */
+/* Variables of one kind that stand side by side with one call. */
 static fmi2Status fill(const Columns *columns, double *row)
 {
     fmi2Status status = fmi2OK;
     size_t end = 0;
     for (size_t i = 0; i < columns->n && is_good(status); i = end) {
-        for (end = i; end < columns->n && columns->kinds[end] == 'r'; ++end) {}
-        if (end > i)
-            status = fmi2GetReal(component, &columns->references[i], end - i, &row[i]);
-        else
-            status = get(columns->kinds[i], &columns->references[i], &row[end++]);
+        const char kind = columns->kinds[i];
+        const size_t most = kind == 'r' ? columns->n : MOST;
+        for (end = i + 1; end < columns->n && end - i < most && columns->kinds[end] == kind; ++end) {}
+        status = get(kind, &columns->references[i], end - i, &row[i]);
     }
     return status;
 }

@@ -38,7 +38,8 @@ class JoystickWidget(anywidget.AnyWidget):
     _page = traitlets.Unicode().tag(sync=True)
     _start = traitlets.Dict().tag(sync=True)
     _names = traitlets.List(traitlets.Unicode()).tag(sync=True)
-    _table = traitlets.Bytes().tag(sync=True)
+    # Jupyter gives a memoryview.
+    _table = traitlets.Bytes().tag(sync=True, from_json=lambda table, _: bytes(table))
     height = traitlets.Int().tag(sync=True)
     values = traitlets.Dict().tag(sync=True)
     message = traitlets.Unicode(read_only=True).tag(sync=True)

@@ -1,7 +1,7 @@
 // A plunger with two fingers over its restrained springs, below the cam plate. Lengths in millimeters; y points
 // down. Clearances and displacements are to scale, too small to see though some of them are.
 
-import { makeSvg } from "./elements.js";
+import { makeSvg, put } from "./elements.js";
 
 export const SIDES = ["backward", "forward"];
 export const SPRINGS = SIDES.flatMap((side) => ["return", "balance"].map((kind) => `${side}.${kind}Spring`));
@@ -49,11 +49,11 @@ export class Actuator {
   }
 
   show(travel, force, value) {
-    this.plunger.setAttribute("transform", `translate(0 ${travel})`);
+    put(this.plunger, "transform", `translate(0 ${travel})`);
     for (const spring of this.springs) spring.show(value);
     const [tip, length, head] = [-this.b + travel, FORCE * force * this.unit, 1.3 * this.unit];
     const arrow = `M ${this.x} ${tip - length} V ${tip} M ${this.x - head} ${tip - head} L ${this.x} ${tip} l ${head} ${-head}`;
-    this.force.setAttribute("d", length > head ? arrow : "");
+    put(this.force, "d", length > head ? arrow : "");
   }
 }
 
@@ -74,14 +74,14 @@ class Spring {
     const { x, unit, top, foot, name } = this;
     const kind = value(`${name}.isReleased`) ? "released" : value(`${name}.isEngaged`) ? "held" : "free";
     const y = top + Math.max(0, value(`${name}.delta`)) * MM;
-    this.element.setAttribute("class", `spring ${kind}`);
-    this.plate.setAttribute("y", y);
+    put(this.element, "class", `spring ${kind}`);
+    put(this.plate, "y", y);
     const start = y + 1.3 * unit;
     const turns = 7;
     const points = Array.from({ length: 2 * turns }, (_, i) => {
       const part = (i + 0.5) / (2 * turns);
       return `L ${x + (i % 2 ? 3 : -3) * unit} ${(start + part * (foot - start)).toFixed(3)}`;
     });
-    this.coil.setAttribute("d", `M ${x} ${start} ${points.join(" ")} L ${x} ${foot}`);
+    put(this.coil, "d", `M ${x} ${start} ${points.join(" ")} L ${x} ${foot}`);
   }
 }

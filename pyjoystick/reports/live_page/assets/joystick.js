@@ -32,10 +32,10 @@ start({
   },
   curves: (panel, theme) => records.curves(panel, theme),
   plots: () => [...records.plots, periods.plot],
-  ran: () => periods.ran(),
-  shown(run, row, state, theme) {
-    periods.show(run, theme);
-    records.show(run, theme);
+  rested: () => periods.rested(),
+  shown(run, row, state, theme, isWhole) {
+    periods.show(run, theme, isWhole);
+    records.show(run, theme, isWhole);
     scene.show(run, row, state);
   },
 });

@@ -5,6 +5,7 @@ function render({ model, el }) {
   const frame = document.createElement("iframe");
   frame.title = "Live page";
   frame.style.cssText = `width: 100%; height: ${model.get("height")}px; border: 0`;
+  frame.style.colorScheme = { true: "light", false: "dark" }[document.body.dataset.jpThemeLight] ?? ""; // of JupyterLab
   let port = null;
   const tell = (values) => port?.postMessage(values);
   const changed = () => tell(model.get("values"));

@@ -1,5 +1,5 @@
 // Period over amplitude: the model is released from twenty angles with the values of the page, in a worker of its
-// own, so that the other curves do not wait. Dots are the periods of the motion that is shown.
+// own and once nothing changes, so that the other curves do not wait. Dots are the periods of the motion that is shown.
 
 import { ExtraPlot } from "./extra-plot.js";
 import { numberText } from "./format.js";
@@ -21,7 +21,8 @@ export class PeriodPlot {
   constructor(stop) {
     const ratio = (stop / SMALLEST) ** (1 / (RELEASES - 1));
     this.releases = Array.from({ length: RELEASES }, (_, i) => SMALLEST * ratio ** i);
-    this.plot = new ExtraPlot("periods", "periods", { 0: "period over amplitude", 1: "of the motion shown" });
+    const entries = { 0: "period over amplitude", 1: "of the motion shown" };
+    this.plot = new ExtraPlot("periods", "periods", entries, () => this.app.draw());
     this.plot.element.hidden = false;
     this.points = [];
     this.kept = null;
@@ -37,8 +38,9 @@ export class PeriodPlot {
   }
 
   // New values: all releases anew; those that are still to be made with the old ones are left out.
-  ran() {
+  rested() {
     const { app } = this;
+    if (!app.simulation) return; // still loading
     const asked = runRequest(app.state, ["theta", "omega"]);
     Object.assign(asked, { step: STEP, rows: ROWS, stop: asked.start + STEP * (ROWS - 1) });
     asked.inputs = { references: [], rows: 0, values: [], slopes: [] };
@@ -70,11 +72,13 @@ export class PeriodPlot {
       return;
     }
     this.points = this.found.sort((one, other) => one.amplitude - other.amplitude);
-    this.app.draw();
+    this.show(this.app.run, this.app.plots.theme, true);
   }
 
-  show(run, theme) {
+  // In view, or anyhow.
+  show(run, theme, isWhole) {
     if (Boolean(this.app.kept) !== Boolean(this.kept)) this.kept = this.app.kept ? this.points : null;
+    if (!isWhole && !this.plot.surface.isInView) return;
     const shown = periodsShown(run);
     const color = theme.colors[0];
     const curves = [

@@ -1,6 +1,6 @@
 // Measured records over the simulated motion: samples as dots, and the difference between both.
 
-import { make } from "./elements.js";
+import { make, write } from "./elements.js";
 import { MOST_ROWS } from "./experiment.js";
 import { ExtraPlot } from "./extra-plot.js";
 import { numberText } from "./format.js";
@@ -38,7 +38,8 @@ export class Records {
       this.text,
     );
     app.controlsPlace.prepend(box);
-    this.plot = new ExtraPlot("difference", "difference", { 1: "simulated − measured theta" });
+    const entries = { 1: "simulated − measured theta" };
+    this.plot = new ExtraPlot("difference", "difference", entries, () => app.draw());
     app.state.watch((origin) => origin === "address" && this.read());
     if (!app.state.hasLink) {
       this.choose("0");
@@ -56,6 +57,7 @@ export class Records {
   choose(index) {
     this.select.value = index;
     this.chosen = index === "" ? null : this.records[Number(index)];
+    this.dots = this.chosen?.theta.map((angle) => angle * DEGREES);
     this.plot.element.hidden = !this.chosen;
     if (!this.chosen) this.text.textContent = "";
     this.app.state.setExtra(KEY, index === "0" ? null : (this.chosen?.name ?? ""));
@@ -75,11 +77,11 @@ export class Records {
 
   curves(panel, theme) {
     if (!this.chosen || !panel.isOverTime || panel.choice.y[0] !== "theta") return [];
-    const y = this.chosen.theta.map((angle) => angle * DEGREES);
-    return [{ x: this.chosen.time, y, color: theme.text, dots: 2 }];
+    return [{ x: this.chosen.time, y: this.dots, color: theme.text, dots: 2 }];
   }
 
-  show(run, theme) {
+  // The difference as a number, and as a curve in view or anyhow.
+  show(run, theme, isWhole) {
     if (!this.chosen || run.rows < 2 || !run.has("theta")) return;
     const [x, y] = this.difference(run);
     const squares = y.reduce((sum, one) => sum + one * one, 0);
@@ -88,7 +90,8 @@ export class Records {
     const { element } = this.plot;
     const first = this.app.plots.element.querySelector(".plot");
     if (first?.nextSibling !== element) this.app.plots.element.insertBefore(element, first?.nextSibling ?? null);
-    this.text.textContent = `difference ${numberText(rms, 3)}° rms, ${numberText(largest, 3)}° at most`;
+    write(this.text, `difference ${numberText(rms, 3)}° rms, ${numberText(largest, 3)}° at most`);
+    if (!isWhole && !this.plot.surface.isInView) return;
     const curves = [{ x, y, color: theme.colors[1] }];
     const rows = x.map((time, i) => [time, y[i] / DEGREES]);
     this.plot.draw(

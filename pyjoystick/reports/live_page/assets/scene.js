@@ -2,7 +2,7 @@
 // parameter; only lengths that the model does not have (of springs, rods, the plate) are the drawing's own.
 
 import { Actuator, SIDES, SPRINGS } from "./actuator.js";
-import { make, makeSvg } from "./elements.js";
+import { make, makeSvg, put, write } from "./elements.js";
 import { numberText } from "./format.js";
 
 const MM = 1000;
@@ -38,7 +38,7 @@ export class Scene {
   }
 
   get names() {
-    const ends = ["delta", "isEngaged", "isReleased"];
+    const ends = ["delta", "isEngaged", "isReleased"]; // by type: a run reads neighbors of one type by one call
     return [
       "theta",
       "x",
@@ -46,7 +46,7 @@ export class Scene {
       "theta_ref",
       "grip",
       "T_hand",
-      ...SPRINGS.flatMap((name) => ends.map((end) => `${name}.${end}`)),
+      ...ends.flatMap((end) => SPRINGS.map((name) => `${name}.${end}`)),
     ];
   }
 
@@ -61,8 +61,8 @@ export class Scene {
     const theta = value("theta");
     this.theta = theta;
     const turned = `rotate(${(theta * DEGREES).toFixed(4)})`;
-    this.handle.setAttribute("transform", turned);
-    this.plate.setAttribute("transform", turned);
+    put(this.handle, "transform", turned);
+    put(this.plate, "transform", turned);
     for (const side of SIDES) {
       const isActive = side === "forward" ? theta > 0 : theta < 0;
       this.actuators[side].show(isActive ? value("x") * MM : 0, isActive ? value("f_x") : 0, value);
@@ -71,8 +71,8 @@ export class Scene {
     for (const [name, place] of this.states) {
       const kind = value(`${name}.isReleased`) ? "released" : value(`${name}.isEngaged`) ? "held" : "free";
       if (kind === "released" && !place.classList.contains(kind)) this.onRelease?.();
-      place.className = `state ${kind}`;
-      place.textContent = kind === "free" ? "lifted off" : kind === "held" ? "restrained" : "released";
+      put(place, "class", `state ${kind}`);
+      write(place, kind === "free" ? "lifted off" : kind === "held" ? "restrained" : "released");
     }
   }
 
@@ -81,12 +81,12 @@ export class Scene {
     const isHeld = value("grip") > 0;
     const angle = `${numberText(theta * DEGREES, 4)}°`;
     const torque = isHeld ? `hand ${numberText(value("T_hand"), 3)} N m` : "";
-    this.angle.textContent = angle;
-    this.torque.textContent = torque;
-    this.wanted.setAttribute("transform", `rotate(${(value("theta_ref") * DEGREES).toFixed(4)})`);
-    this.wanted.setAttribute("visibility", isHeld ? "visible" : "hidden");
-    this.handle.setAttribute("aria-valuenow", (theta * DEGREES).toFixed(2));
-    this.handle.setAttribute("aria-valuetext", isHeld ? `${angle}, ${torque}` : angle);
+    write(this.angle, angle);
+    write(this.torque, torque);
+    put(this.wanted, "transform", `rotate(${(value("theta_ref") * DEGREES).toFixed(4)})`);
+    put(this.wanted, "visibility", isHeld ? "visible" : "hidden");
+    put(this.handle, "aria-valuenow", (theta * DEGREES).toFixed(2));
+    put(this.handle, "aria-valuetext", isHeld ? `${angle}, ${torque}` : angle);
   }
 
   // Anew where a length has changed.

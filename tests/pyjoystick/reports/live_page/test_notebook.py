@@ -60,7 +60,9 @@ class Notebook:
         self.wait(lambda: len(widget.results) > 0)
 
     def _saved(self, traits: dict[str, Any]) -> None:
-        self.widget.set_state(traits | {"_table": bytes(traits["_table"])})
+        table = memoryview(bytes(traits.pop("_table")))
+        data = {"method": "update", "state": traits, "buffer_paths": [["_table"]]}
+        self.widget._handle_msg({"content": {"data": data}, "buffers": [table]})  # as a kernel does
 
     @property
     def frame(self) -> FrameLocator:
