@@ -3,15 +3,17 @@
 Where a class is extended, only the outermost modifiers are merged: ``extends B(a(s(k = 9)))`` replaces the
 whole modifier ``s(...)`` that B gives to a, although Modelica merges the two (Modelica 3.6, section 7.2.3).
 Modifiers of redeclared and constraining classes can be lost, too, and so can those with dotted names; see
-also `redeclared_modifiers`.
+also `redeclared_modifiers` and `changed_constants`.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from itertools import chain
 from pathlib import Path
 
+from fmu_build.codegen.changed_constants import changed_constants
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.redeclared_modifiers import changed_modifiers
 from fmu_build.modelica_source.constructs import Construct, ModelText
@@ -48,8 +50,8 @@ def reject_lost_modifiers(model: LoweredModel) -> None:
     for pattern, why in (_REDECLARED_CLASS, _CONSTRAINING_CLASS):
         for construct in text.find([pattern]):
             raise _rejection(model, why, construct)
-    for why, redeclaration in changed_modifiers(text):
-        raise _rejection(model, why, redeclaration)
+    for why, construct in chain(changed_modifiers(text), changed_constants(text)):
+        raise _rejection(model, why, construct)
     for modified in text.find([_COMPONENT, _EXTENSION, _SHORT_CLASS]):
         inside = modified.plain[modified.plain.index("(") + 1 : -1]
         for name in dotted(inside):

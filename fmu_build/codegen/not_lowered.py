@@ -10,7 +10,10 @@ from fmu_build.codegen.compiled import CompiledModel, Span
 from fmu_build.modelica_source.text import blanked
 from fmu_build.support.errors import UnsupportedModelError
 
-_STAGE = re.compile(r"^(?:Target rendering error: |Lower Solve IR for target capability validation: )*")
+_STAGE = re.compile(
+    r"^(?:Target rendering error: |Lower Solve IR for target capability validation: )*"
+    r"(?:.*unsupported checked DAE semantics: |DAE system is not computable: |invalid Solve IR contract: )?"
+)
 _ATTRIBUTES = ("start", "min", "max", "nominal")
 
 Obstacles = Iterator[tuple[str, Span | None]]
@@ -66,6 +69,18 @@ def _recursive_functions(model: CompiledModel, _: re.Match[str]) -> Obstacles:
     yield "functions that call each other in turn are not supported", None
 
 
+def _strings_in_equations(_: CompiledModel, __: re.Match[str]) -> Obstacles:
+    yield "Strings in equations are not supported; they can be parameters and parts of messages", None
+
+
+def _discrete_loops(_: CompiledModel, __: re.Match[str]) -> Obstacles:
+    yield (
+        "discrete variables that depend on each other at the same instant are not supported; "
+        "use pre() of one of them, or solve the equations for them",
+        None,
+    )
+
+
 def _partly_sampled_clauses(model: CompiledModel, _: re.Match[str]) -> Obstacles:
     for chain in model.flat["when_chains"]:
         for branch in chain["else_when"] and (chain["first"], *chain["else_when"]):
@@ -94,7 +109,9 @@ _FINDERS: tuple[tuple[str, Callable[[CompiledModel, re.Match[str]], Obstacles]],
     ("", _strings),
     ("", _external_functions),
     ("depends on a runtime coordinate", _variable_attributes),
-    ("checked recursion limit", _recursive_functions),
+    ("checked recursion limit|recursive functions", _recursive_functions),
+    ("String values", _strings_in_equations),
+    ("coupled discrete Real", _discrete_loops),
     ("clock activation owners", _partly_sampled_clauses),
     ("missing state mapping for event reinitialization", _reinitialized_dependents),
     (r"structurally singular system: (\d+) matched out of (\d+) equations", _dependent_equations),

@@ -98,6 +98,8 @@ class ProgramReader:
                 return ex.select(*(registers[fields[name]] for name in ("cond", "if_true", "if_false")))
         if kind.startswith("Table"):
             raise self._model.unsupported("tables (CombiTable1Ds, CombiTimeTable) are not supported", span)
+        if kind in _REFUSED:
+            raise self._model.unsupported(_REFUSED[kind], span)
         detail = f" {fields['op']}" if "op" in fields else ""
         raise self._model.unsupported(f"operation {kind}{detail} of the Solve IR is not supported", span)
 
@@ -182,6 +184,15 @@ def _transposed(fields: Fields, registers: Registers) -> None:
         registers[fields["dst_start"] + (i * columns + j) * width + k] = registers[source]
 
 
+def _crossed(fields: Fields, registers: Registers) -> None:
+    """Evaluate ``cross(a, b)`` of vectors with three elements."""
+    a, b = ([registers[fields[side] + i] for i in range(3)] for side in ("lhs_start", "rhs_start"))
+    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+        registers[fields["dst_start"] + i] = binary(
+            "Sub", binary("Mul", a[j], b[k]), binary("Mul", a[k], b[j])
+        )
+
+
 def _filled(fields: Fields, registers: Registers) -> None:
     """Evaluate ``fill(value, ...)``."""
     for i in range(fields["count"]):
@@ -226,6 +237,13 @@ _TENSOR_OPERATIONS: dict[str, Callable[[Fields, Registers], None]] = {
     "TensorBinary": _elementwise,
     "MatrixMultiply": _matrix_product,
     "TensorTranspose": _transposed,
+    "TensorCross": _crossed,
     "TensorFill": _filled,
     "TensorConcatenate": _concatenated,
+}
+
+#: Operations that are known and not supported, in Modelica's terms.
+_REFUSED = {
+    "LinearSolveComponent": "equations that determine several derivatives together, such as der(x) + der(y) = 1 "
+    "and der(x) - der(y) = 0, are not supported; write v = der(x) and w = der(y), and use v and w in them",
 }

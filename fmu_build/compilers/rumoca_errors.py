@@ -31,6 +31,7 @@ _UNEXPLAINED = "because resolve/parse failed"
 _AFTER_TYPES = re.compile(r"^(?:flatten|todae) failed: ")
 _NOT_CARRIED = "unevaluable array dimensions"
 _PHASE = re.compile(r"^\w+ failed: \S+ failed in \w+: ")
+_OWNER = re.compile(r"unsupported Flat semantic owner `([^`]*)`: ")
 
 
 @contextmanager
@@ -98,11 +99,12 @@ def _translated(text: str, model: str, file: Path, files: Iterable[Path]) -> Bui
         found = meaning.search(message, source)
         what = meaning.text(message, found)
         return meaning.error(located(what, [construct.place for construct in found], model, file))
-    quoted = _QUOTED.search(message)
+    quoted = _QUOTED.search(_OWNER.sub("", message))
     found = source.find([rf"(?<![\w.]){re.escape(quoted[1])}(?!\w)"]) if quoted is not None else []
     not_carried = "unsupported" in message or _AFTER_TYPES.match(text)
     error = UnsupportedModelError if not_carried else ModelicaError
-    return error(located(message, [construct.place for construct in found], model, file))
+    what = _OWNER.sub(r"rumoca does not support this \1: ", message)
+    return error(located(what, [construct.place for construct in found], model, file))
 
 
 def _syntax_error(file: Path) -> str | None:

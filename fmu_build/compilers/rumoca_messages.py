@@ -173,6 +173,49 @@ MEANINGS = (
         (r"\((?=\s*,)",),
     ),
     Meaning(
+        rf"`when assignment`: `{_NAME}` is not a discrete coordinate",
+        UnsupportedModelError,
+        "a when-clause that sets single elements of the array {name} is not supported; set the whole array, or "
+        "declare an array of a model with the clause",
+        (r"(?<![\w.])NAME\s*\[[^\[\]]*\]\s*=(?!=)",),
+        only_there=True,
+    ),
+    Meaning(
+        r"`history operator certificate`",
+        UnsupportedModelError,
+        "edge(), change() and pre() of what depends on the variable of a for-loop are not supported here; "
+        "declare an array of a model with the when-clause",
+        (r"\b(?:edge|change|pre)\s*\((?=[^()]*\[)",),
+        "edge(...), change(...) or pre(...)",
+    ),
+    Meaning(
+        r"duplicate reinitialization owner",
+        ModelicaError,
+        "two when-clauses reinitialize one variable; the branches of one clause may, with elsewhen",
+        (r"\breinit\s*\(",),
+        "reinit(...)",
+    ),
+    Meaning(
+        rf"`multi-output equation`: `{_NAME}` returns (?P<all>\d+) values but the receiving tuple has (?P<few>\d+)",
+        UnsupportedModelError,
+        "{few} of the {all} results of {name} are taken, which is not supported; assign each to a variable",
+        (r"\(?[\w\s,.\[\]]*\)\s*=\s*(?:\w+\.)*NAME\s*\(",),
+    ),
+    Meaning(
+        r"unsupported runtime operator `(?P<name>\w+)`",
+        UnsupportedModelError,
+        "{name}() is not supported",
+        (r"(?<![\w.])NAME\s*(?=\()",),
+    ),
+    Meaning(
+        r"construction rejected an invalid operation: expected a numeric expression, found Enumeration",
+        UnsupportedModelError,
+        "Integer() of an enumeration that is not a parameter is not supported; compare it, or use it as an index",
+        (r"\bInteger\s*\(",),
+        "Integer(...)",
+        only_there=True,
+    ),
+    Meaning(
         r"construction rejected an invalid operation: expected a numeric expression, found (?P<kind>\w+)",
         UnsupportedModelError,
         "an equation for a value of type {kind} is not supported here; replace an initial equation "
@@ -199,4 +242,4 @@ MEANINGS = (
 def meaning_of(message: str, source: ModelText) -> Meaning | None:
     """Return the explanation of a message about a source, or None if there is none."""
     meanings = (meaning for meaning in MEANINGS if re.search(meaning.message, message))
-    return next((m for m in meanings if not m.only_there or source.find(m.constructs)), None)
+    return next((m for m in meanings if not m.only_there or m.search(message, source)), None)

@@ -36,6 +36,7 @@ class ModelText:
         parts = [part for file, text in self._texts.items() for part in _parts(file, text)]
         reached = _reached(model, parts, around)
         self._classes = {part.name: self._plain_text(part) for part in reached}
+        self._kinds = {part.name: part.kind for part in reached}
         self._plain = {
             file: _only(blanked(text), [span for part in reached if part.file == file for span in part.spans])
             for file, text in self._texts.items()
@@ -61,6 +62,10 @@ class ModelText:
     def of(self, simple_name: str) -> list[str]:
         """Return the texts, without comments and strings, of the classes of that simple name."""
         return [text for name, text in self._classes.items() if name.rpartition(".")[2] == simple_name]
+
+    def kinds_of(self, simple_name: str) -> set[str]:
+        """Return the restrictions of the classes of that simple name, such as "partial package"."""
+        return {kind for name, kind in self._kinds.items() if name.rpartition(".")[2] == simple_name}
 
     def classes(self) -> list[str]:
         """Return the texts of all classes, without comments and strings."""
@@ -91,6 +96,7 @@ class _Part:
     """A class without its inner classes: the spans of its own text in its file, and the words in it."""
 
     name: str
+    kind: str
     file: Path
     spans: tuple[tuple[int, int], ...]
     words: frozenset[str]
@@ -108,7 +114,7 @@ def _parts(file: Path, text: str) -> list[_Part]:
                 cursor = inner.end
         spans.append((cursor, declared.end))
         words = frozenset(word for start, end in spans for word in _WORD.findall(plain[start:end]))
-        parts.append(_Part(declared.name, file, tuple(spans), words))
+        parts.append(_Part(declared.name, declared.kind, file, tuple(spans), words))
     return parts
 
 

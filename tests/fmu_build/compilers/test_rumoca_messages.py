@@ -134,6 +134,84 @@ _CASES = {
         UnsupportedModelError,
         "M.mo:2:12: the recursive function f is not supported",
     ),
+    "elements of an array in a when-clause": Case(
+        "Integer n[2](each start = 0, each fixed = true);",
+        "when time > 0.5 then n[1] = 1; n[2] = 2; end when;",
+        UnsupportedModelError,
+        "M.mo: a when-clause that sets single elements of the array n is not supported; set the whole array, or "
+        "declare an array of a model with the clause (model M; see M.mo:4:24, M.mo:4:34)",
+    ),
+    "edge of an element in a loop": Case(
+        "Boolean b[2]; Integer n[2](each start = 0, each fixed = true);",
+        "for i in 1:2 loop b[i] = sin(i*time) > 0.5; when edge(b[i]) then n[i] = 1; end when; end for;",
+        UnsupportedModelError,
+        "M.mo:4:52: edge(b[i]): edge(), change() and pre() of what depends on the variable of a for-loop",
+    ),
+    "two clauses that reinitialize": Case(
+        _X,
+        "der(x) = 1; when x > 1 then reinit(x, 0); end when; when time > 5 then reinit(x, 2); end when;",
+        ModelicaError,
+        "M.mo: reinit(...): two when-clauses reinitialize one variable; the branches of one clause may, with "
+        "elsewhen (model M; see M.mo:4:31, M.mo:4:74)",
+    ),
+    "last result left out": Case(
+        "function f input Real x; output Real a; output Real b; algorithm a := x; b := 2; end f; "
+        "function g input Real x; output Real a; output Real b; output Real c; "
+        "algorithm (a, b) := f(x); c := 3; end g; Real u, v;",
+        "(u, v) = g(time);",
+        UnsupportedModelError,
+        "M.mo:4:3: 2 of the 3 results of g are taken, which is not supported; assign each to a variable",
+    ),
+    "function of the language without a translation": Case(
+        "Real w[2, 2];",
+        "w = symmetric([1, time; 3, 4]);",
+        UnsupportedModelError,
+        "M.mo:4:7: symmetric() is not supported",
+    ),
+    "number of an enumeration": Case(
+        "type E = enumeration(a, b); E e(start = E.a, fixed = true); Integer n;",
+        "when time > 0.5 then e = E.b; end when; n = Integer(e);",
+        UnsupportedModelError,
+        "M.mo:4:47: Integer(e): Integer() of an enumeration that is not a parameter is not supported",
+    ),
+    "derivatives that equations determine together": Case(
+        _X + "Real y(start = 0, fixed = true);",
+        "der(x) + der(y) = 1; der(x) - der(y) = 2*time;",
+        UnsupportedModelError,
+        "M.mo:4:24: equations that determine several derivatives together",
+    ),
+    "loop of discrete equations": Case(
+        "discrete Real a(start = 1, fixed = true), b(start = 0.5, fixed = true);",
+        "when sample(0, 0.1) then a = pre(a) + b; b = 0.5*pre(b) + 0.25*a; end when;",
+        UnsupportedModelError,
+        "M.mo: discrete variables that depend on each other at the same instant are not supported",
+    ),
+    "two functions that call each other": Case(
+        "function f input Real x; output Real y; algorithm y := if x < 0 then 0 else g(x - 1); end f; "
+        "function g input Real x; output Real y; algorithm y := f(x); end g; Real y;",
+        "y = f(time);",
+        UnsupportedModelError,
+        "M.mo: functions that call each other in turn are not supported",
+    ),
+    "Integer function that calls itself": Case(
+        "function f input Integer n; output Integer r; algorithm r := if n <= 1 then 1 else n*f(n - 1); end f; "
+        "Integer y;",
+        "y = f(5) + integer(time);",
+        UnsupportedModelError,
+        "M.mo:2:12: the recursive function f is not supported",
+    ),
+    "String in an equation": Case(
+        'parameter String s = "a"; Real y;',
+        'y = if s == "a" then time else 2;',
+        UnsupportedModelError,
+        "M.mo: Strings in equations are not supported",
+    ),
+    "power of a matrix": Case(
+        "Real w[2, 2];",
+        "w = [time, 1; 2, 3]^2;",
+        UnsupportedModelError,
+        "M.mo: rumoca cannot lower this model: matrix power",
+    ),
     "derivative of an input through a variable": Case(
         "input Real u; Real w; Real y;",
         "w = 2*u; y = der(w);",

@@ -27,7 +27,7 @@ class Refusal:
 
     @property
     def file(self) -> Path:
-        return REFUSED / f"{self.model}.mo"
+        return REFUSED / f"{self.model.partition('.')[0]}.mo"
 
     @property
     def line(self) -> int | None:
@@ -40,6 +40,10 @@ REFUSALS = (
     Refusal("AtTheEnd", UnsupportedModelError, r"terminal\(\)"),
     Refusal("BooleanIndex", UnsupportedModelError, r"'x'"),
     Refusal("BooleanLoop", ModelicaError, r"`a`"),
+    Refusal(
+        "ChangedConstants.Columns", UnsupportedModelError, r"Water beside a class that extends it with other"
+    ),
+    Refusal("ChangedFunction.Pair", UnsupportedModelError, r"Linear beside a class that extends it with other"),
     Refusal("CartesianPendulum", UnsupportedModelError, r"constraints between its states"),
     Refusal(
         "ConstrainedReinit", UnsupportedModelError, r"reinit\(\) is not supported for a variable that follows"
@@ -86,7 +90,7 @@ REFUSALS = (
 
 @pytest.mark.parametrize("refusal", REFUSALS, ids=lambda refusal: refusal.model)
 def test_refusal(refusal: Refusal, tmp_path: Path) -> None:
-    earlier = tmp_path / f"{refusal.model}.fmu"
+    earlier = tmp_path / f"{refusal.model.rpartition('.')[2]}.fmu"
     earlier.write_bytes(b"from an earlier build")
     with pytest.raises(refusal.error) as caught:
         build_fmu(refusal.model, tmp_path, library=refusal.file)
@@ -118,7 +122,7 @@ def test_what_stands_in_a_file_beside_the_model_does_not_matter(tmp_path: Path) 
 
 
 def test_every_refused_model_is_tried() -> None:
-    assert {path.stem for path in REFUSED.glob("*.mo")} == {refusal.model for refusal in REFUSALS}
+    assert {path.stem for path in REFUSED.glob("*.mo")} == {refusal.file.stem for refusal in REFUSALS}
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,95 @@
+"""Packages that differ by constants or functions from those that they extend: built if the values are right."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from fmu_build import UnsupportedModelError, build_fmu
+from fmu_build.compilers.rumoca import generate_model
+from fmu_build.support.request import BuildRequest
+from pyjoystick import Fmu
+
+PACKAGE = """
+package R
+  partial package Frame
+    constant Real c;
+    constant Real d = 2*c;
+  end Frame;
+  package One
+    extends Frame(c = 1);
+  end One;
+  package Three
+    extends Frame(c = 3);
+  end Three;
+  package Plain
+    constant Real c = 1;
+    constant Real d = 2*c;
+  end Plain;
+  package Five
+    extends Plain(c = 5);
+  end Five;
+  package Seven = Plain(c = 7);
+  package Heir
+    extends Plain;
+    constant Real e = d + 1;
+  end Heir;
+  model Part
+    constant Real c = 1;
+    Real y = c*time;
+  end Part;
+  model Faster
+    extends Part(c = 5);
+  end Faster;
+  model User
+    replaceable package P = Plain;
+    Real y = P.d*time;
+  end User;
+  model M
+    {}
+  end M;
+end R;
+"""
+
+
+def _library(folder: Path, declarations: str) -> Path:
+    file = folder / "R.mo"
+    file.write_text(PACKAGE.replace("{}", declarations), "utf-8")
+    return file
+
+
+@pytest.mark.parametrize(
+    ("declarations", "values"),
+    [
+        ("Real a = One.d*time; Real b = Three.d*time;", {"a": 2.0, "b": 6.0}),
+        ("Real a = Five.d*time; Real b = Seven.d*time;", {"a": 10.0, "b": 14.0}),
+        ("Real a = Heir.e*time; Real b = Plain.c*time;", {"a": 3.0, "b": 1.0}),
+        ("Part p; Faster q; Part r(c = 9);", {"p.y": 1.0, "q.y": 5.0, "r.y": 9.0}),
+    ],
+    ids=["of a partial package", "heirs alone", "without a modifier", "components"],
+)
+def test_each_has_its_own_values(declarations: str, values: dict[str, float], tmp_path: Path) -> None:
+    """By the specification: an heir's modifiers hold for the heir (Modelica 3.6, section 7.2)."""
+    built = build_fmu("R.M", tmp_path, library=_library(tmp_path, declarations))
+    with Fmu(built.path) as fmu:
+        table = fmu.run([0.0, 1.0], outputs=list(values))
+    assert table.iloc[-1][list(values)].to_dict() == values
+
+
+@pytest.mark.parametrize(
+    "declarations",
+    [
+        "Real a = Plain.c*time; Real b = Five.c*time;",
+        "Real a = Plain.c*time; Real b = Seven.c*time;",
+        "package Other = Plain; Real a = Other.c*time; Real b = Five.c*time;",
+        "import R.Plain; Real b = Five.c*time; Real a = Plain.c*time;",
+        "User a; User b(redeclare package P = Five);",
+        "Real a = Part.c*time; Real b = Faster.c*time;",
+    ],
+    ids=["by their names", "a short class", "by another name", "imported", "replaced in one of two", "of models"],
+)
+def test_a_class_beside_an_heir_that_changes_it_is_refused(declarations: str, tmp_path: Path) -> None:
+    """rumoca gives both the values of the heir."""
+    with pytest.raises(UnsupportedModelError, match=r"(Plain|Part) beside a class that extends it with other"):
+        generate_model(BuildRequest("R.M", tmp_path, _library(tmp_path, declarations)))
