@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from graphlib import CycleError, TopologicalSorter
 from typing import Any
 
 from fmu_build.codegen import expression as ex
@@ -94,7 +95,41 @@ def order(model: LoweredModel, rows: dict[int, Expression], plan: dict[str, Any]
                 f"an algebraic block has {len(residuals)} equations for {len(unknowns)} unknowns"
             )
         steps.append(_solve(model, unknowns, residuals))
-    return tuple(steps)
+    return _after_what_they_read(model, steps)
+
+
+def _after_what_they_read(model: LoweredModel, steps: Sequence[Step]) -> tuple[Step, ...]:
+    """Return the steps so that each reads only what is computed before it.
+
+    rumoca's order leaves out arguments that do not move the result of a function. But the C code computes an
+    argument once for all that share it, at its first use: there it must be known.
+    """
+    computing = {unknown: step for step in steps for unknown in step.unknowns}
+    before = {
+        step.unknowns: {
+            computing[leaf.index].unknowns
+            for leaf in ex.leaves(*step.expressions)
+            if leaf.operator == "y" and leaf.index in computing and leaf.index not in step.unknowns
+        }
+        for step in steps
+    }
+    known: set[tuple[int, ...]] = set()
+    for step in steps:
+        if not before[step.unknowns] <= known:
+            break
+        known.add(step.unknowns)
+    else:
+        return tuple(steps)
+    try:
+        ordered = tuple(TopologicalSorter(before).static_order())
+    except CycleError as error:
+        names = model.solve["solve_layout"]["solver_maps"]["names"]
+        which = ", ".join(sorted({names[unknown] for unknowns in error.args[1] for unknown in unknowns}))
+        raise model.unsupported(
+            f"an algebraic loop for {which} that only leads through arguments of functions without an effect "
+            "is not supported"
+        ) from error
+    return tuple(computing[unknowns[0]] for unknowns in ordered)
 
 
 def _solve(model: LoweredModel, unknowns: tuple[int, ...], residuals: tuple[Expression, ...]) -> Step:

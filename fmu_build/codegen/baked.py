@@ -15,7 +15,7 @@ from fmu_build.codegen.trials import Candidate, Trials
 def baked_parameters(trials: Trials) -> frozenset[str]:
     """Return the names of the parameters (arrays as a whole) that cannot be set after compilation."""
     layers = (layer for kind in trials.kinds for layer in _layers(trials, kind))
-    return frozenset(name for layer in layers for name in _search(trials, layer))
+    return trials.untried.union(name for layer in layers for name in _search(trials, layer))
 
 
 def _layers(trials: Trials, group: Sequence[Candidate]) -> Iterator[list[Candidate]]:

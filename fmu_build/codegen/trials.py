@@ -6,6 +6,7 @@ when the model is compiled, and rumoca's output does not say which parameters th
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -79,13 +80,18 @@ class Trials:
     Attributes:
         kinds: every parameter that can be set unless it is baked: the Reals, then the others, with which the
             model may not compile; those of one kind are set together
+        untried: parameters of some elements of an array whose others are computed; no modifier sets these alone
         computed: the parameters that the model computes from others at initialization
         plain: the model as it is; None if it does not compile as a base class
     """
 
     def __init__(self, source: ModelSource, model: LoweredModel, starts: StartValues) -> None:
         self._source = source
-        candidates = list(_candidates(model, starts))
+        groups = _groups(model)
+        self.untried = frozenset(
+            entry["name"] for group in groups.values() if not _is_whole(model, group) for entry in group
+        )
+        candidates = list(_candidates(model, starts, groups))
         self.kinds = tuple([one for one in candidates if one.is_real == kind] for kind in (True, False))
         self.computed = model.computed_parameters
         self._compiled: dict[tuple[Setting, ...], Trial | None] = {}
@@ -124,8 +130,8 @@ class Trials:
         return self.followers(chosen[:middle]) | self.followers(chosen[middle:])
 
 
-def _candidates(model: LoweredModel, starts: StartValues) -> Iterator[Candidate]:
-    compared = thresholds(model.name, {Path(path): content for _, path, content in model.source_files})
+def _groups(model: LoweredModel) -> dict[str, list[Mapping[str, Any]]]:
+    """Return the parameters that can be set, those of the elements of an array together, by their names."""
     finals = model.flat.get("variable_final_flags", {})
     groups: dict[str, list[Mapping[str, Any]]] = {}
     for entry in model.dae["variables"]:
@@ -134,13 +140,37 @@ def _candidates(model: LoweredModel, starts: StartValues) -> Iterator[Candidate]
         is_given = entry["role"] == "parameter" and entry["name"] not in model.computed_parameters
         if is_given and is_open and entry["attributes"]["tunable"]:
             groups.setdefault(_SUBSCRIPTS.sub("", entry["name"]), []).append(entry)
+    return groups
+
+
+def _candidates(
+    model: LoweredModel, starts: StartValues, groups: Mapping[str, Sequence[Mapping[str, Any]]]
+) -> Iterator[Candidate]:
+    compared = thresholds(model.name, {Path(path): content for _, path, content in model.source_files})
     for number, (path, entries) in enumerate(groups.items()):
         probe = (
             partial(probe_values, number=number, compared=compared) if compared is not None else _no_probes
         )
-        candidate = _candidate(model, starts, path, entries, probe)
+        candidate = _candidate(model, starts, path, entries, probe) if _is_whole(model, entries) else None
         if candidate is not None:
             yield candidate
+
+
+def _scalars(model: LoweredModel, entries: Sequence[Mapping[str, Any]]) -> list[str]:
+    bindings = model.solve["layout"]["bindings"]
+    return [scalar for entry in entries for scalar in entry["scalar_names"] if scalar in bindings]
+
+
+def _dimensions(entries: Sequence[Mapping[str, Any]]) -> tuple[int, ...]:
+    """Return the dimensions of an array of which these are all elements."""
+    last = [int(n) for group in _SUBSCRIPTS.findall(entries[-1]["name"]) for n in group[1:-1].split(",")]
+    return (*last, *entries[0]["value_type"]["dimensions"])
+
+
+def _is_whole(model: LoweredModel, entries: Sequence[Mapping[str, Any]]) -> bool:
+    """Return whether no element is missing before the last; without scalars there is nothing to set."""
+    count = len(_scalars(model, entries))
+    return count == 0 or count == math.prod(_dimensions(entries))
 
 
 def _no_probes(_: float) -> list[float]:
@@ -156,14 +186,12 @@ def _candidate(
 ) -> Candidate | None:
     """Return the candidate for a parameter, in all components of an array if they form one."""
     bindings = model.solve["layout"]["bindings"]
-    scalars = [scalar for entry in entries for scalar in entry["scalar_names"] if scalar in bindings]
-    values = [starts.of(("p", bindings[scalar]["P"]["index"])) for scalar in scalars]
+    values = [starts.of(("p", bindings[scalar]["P"]["index"])) for scalar in _scalars(model, entries)]
     texts = [_texts(model, starts, entries[0], value, probe(value)) for value in values]
     if not texts or None in texts:
         return None
     present, other, *probes = zip(*(text for text in texts if text), strict=True)
-    last = [int(n) for group in _SUBSCRIPTS.findall(entries[-1]["name"]) for n in group[1:-1].split(",")]
-    dimensions = (*last, *entries[0]["value_type"]["dimensions"])
+    dimensions = _dimensions(entries)
     kind = _kind(model, starts, entries[0])
     names = tuple(entry["name"] for entry in entries)
     whole = Candidate(

@@ -206,6 +206,12 @@ _CASES = {
         UnsupportedModelError,
         "M.mo: Strings in equations are not supported",
     ),
+    "loop through an argument without an effect": Case(
+        "function f input Real u; input Real v; output Real y; algorithm y := sin(v); end f; Real q, r;",
+        "q = f(r, time); r = q + 1;",
+        UnsupportedModelError,
+        "M.mo: an algebraic loop for q, r that only leads through arguments of functions without an effect",
+    ),
     "power of a matrix": Case(
         "Real w[2, 2];",
         "w = [time, 1; 2, 3]^2;",

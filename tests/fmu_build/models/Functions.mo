@@ -81,6 +81,22 @@ package Functions "User functions"
     der(integral) = dp;
   end Polynomial;
 
+  function second "The first argument has no effect"
+    input Real u;
+    input Real v;
+    output Real y;
+  algorithm
+    y := sin(v);
+  end second;
+
+  model Ignored "An expression of an unknown is an argument without an effect, and part of an equation"
+    Real w(start=1), y, z;
+  equation
+    y = second(3*sin(w), time);
+    z = 3*sin(w) + 1;
+    w^2 = 1 + time;
+  end Ignored;
+
   model Table "Interpolation in a function with a while loop"
     parameter Real x_table[4] = {0, 1, 2, 4};
     parameter Real y_table[4] = {0, 2, 1, 5};

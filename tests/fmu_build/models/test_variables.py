@@ -8,6 +8,8 @@ import numpy as np
 import pytest
 from fmpy import read_model_description, simulate_fmu
 
+from fmu_build import build_fmu
+from pyjoystick import Fmu
 from tests.shared_fmus import SharedFmus
 
 MODELS = Path(__file__).parent
@@ -52,6 +54,19 @@ def test_what_stays_a_parameter(model: str, parameter: str, shared_fmus: SharedF
     variables = {variable.name: variable for variable in read_model_description(path).modelVariables}
     assert variables[parameter].causality == "parameter"
     assert variables[parameter].variability in {"fixed", "tunable"}
+
+
+def test_an_element_that_no_modifier_sets_alone_is_a_constant(tmp_path: Path) -> None:
+    """The first element of k is computed from p: a modifier for the array would replace it, too."""
+    file = tmp_path / "M.mo"
+    part = "model Part parameter Real k = 1; Real y = k*time; end Part;"
+    file.write_text(f"model M {part} parameter Real p = 2; Part parts[2](k = {{3*p, 0.5}}); end M;")
+    with Fmu(build_fmu("M", tmp_path, library=file).path) as fmu:
+        variables = fmu.description.variables
+        table = fmu.run([0.0, 1.0], parameters={"p": 4.0}, outputs=["parts[1].y", "parts[2].y"])
+    assert variables["parts[1].k"].causality == "calculatedParameter"
+    assert variables["parts[2].k"].causality == "local"
+    assert list(table.iloc[-1]) == [12.0, 0.5]
 
 
 def test_integer_and_boolean_inputs(shared_fmus: SharedFmus) -> None:

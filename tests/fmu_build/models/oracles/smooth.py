@@ -200,6 +200,7 @@ CASES = (
     Case("Oscillators.DefaultInput", 2.0, lambda t: {"x": 2 - np.exp(-t), "u": np.full_like(t, 2.0)}),
     Case("Functions.Inlined", 3.0, inlined),
     Case("Functions.Polynomial", 4.0, polynomial),
+    Case("Functions.Ignored", 2.0, lambda t: {"y": np.sin(t), "z": 3 * np.sin(np.sqrt(1 + t)) + 1}),
     Case("Functions.Table", 1.0, function_table, accuracy=1e-12, me_accuracy=1e-12),
     Case("Functions.Newton", 1.0, newton, accuracy=1e-12, me_accuracy=1e-12),
     Case("Functions.Threshold", 1.5, function_threshold, events=at(0.5, 1.0)),
