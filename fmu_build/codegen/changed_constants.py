@@ -1,8 +1,8 @@
 """Constants and functions of a class that rumoca changes because another class extends it with others.
 
-After ``package B extends A(c = 7)``, rumoca takes 7 for ``A.c`` too wherever the model uses both packages, and
-the functions that B redeclares for those of A. Components are not affected, only names like ``A.c``: those of
-the class from which B inherits, not those of its other heirs.
+After ``package B extends A(c = 7)``, rumoca takes 7 for ``A.c`` too wherever the model uses both packages,
+and the functions that B redeclares for those of A. Components are not affected, only names like ``A.c``:
+those of the class from which B inherits, not those of its other heirs.
 """
 
 from __future__ import annotations
@@ -28,8 +28,8 @@ def changed_constants(text: ModelText) -> Iterator[tuple[str, Construct]]:
         base = found["name"]
         if _is_named(text, base):
             yield (
-                f"the model uses {base} beside a class that extends it with other constants or functions, and "
-                f"{base} would get these too; give {base} and the other a common base class, which is partial",
+                f"the model uses {base} beside a class that extends it with other constants or functions, "
+                f"and {base} would get these too; give both a common base class, which is partial",
                 clause,
             )
 

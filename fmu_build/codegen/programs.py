@@ -96,12 +96,7 @@ class ProgramReader:
                 return Expression(fields["op"], (registers[fields["lhs"]], registers[fields["rhs"]]))
             case "Select":
                 return ex.select(*(registers[fields[name]] for name in ("cond", "if_true", "if_false")))
-        if kind.startswith("Table"):
-            raise self._model.unsupported("tables (CombiTable1Ds, CombiTimeTable) are not supported", span)
-        if kind in _REFUSED:
-            raise self._model.unsupported(_REFUSED[kind], span)
-        detail = f" {fields['op']}" if "op" in fields else ""
-        raise self._model.unsupported(f"operation {kind}{detail} of the Solve IR is not supported", span)
+        raise self._model.unsupported(_refusal(kind, fields), span)
 
     def _conditional(
         self, fields: Mapping[str, Any], registers: dict[int, Expression], span: Span | None
@@ -139,6 +134,19 @@ class ProgramReader:
             for _ in range(output["value_type"]["scalar_count"]):
                 registers[fields["dst_start"] + result] = Expression("call", arguments, (name, result))
                 result += 1
+
+
+def _refusal(kind: str, fields: Fields) -> str:
+    """Say in Modelica's terms, where they are known, what an operation stands for."""
+    if kind.startswith("Table"):
+        return "tables (CombiTable1Ds, CombiTimeTable) are not supported"
+    if kind == "LinearSolveComponent":
+        return (
+            "equations that determine several derivatives together, such as der(x) + der(y) = 1 and "
+            "der(x) - der(y) = 0, are not supported; write v = der(x) and w = der(y), and use v and w in them"
+        )
+    detail = f" {fields['op']}" if "op" in fields else ""
+    return f"operation {kind}{detail} of the Solve IR is not supported"
 
 
 # Operations on ranges of registers, expanded element by element.
@@ -240,10 +248,4 @@ _TENSOR_OPERATIONS: dict[str, Callable[[Fields, Registers], None]] = {
     "TensorCross": _crossed,
     "TensorFill": _filled,
     "TensorConcatenate": _concatenated,
-}
-
-#: Operations that are known and not supported, in Modelica's terms.
-_REFUSED = {
-    "LinearSolveComponent": "equations that determine several derivatives together, such as der(x) + der(y) = 1 "
-    "and der(x) - der(y) = 0, are not supported; write v = der(x) and w = der(y), and use v and w in them",
 }

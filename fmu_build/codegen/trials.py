@@ -80,7 +80,8 @@ class Trials:
     Attributes:
         kinds: every parameter that can be set unless it is baked: the Reals, then the others, with which the
             model may not compile; those of one kind are set together
-        untried: parameters of some elements of an array whose others are computed; no modifier sets these alone
+        untried: parameters of some elements of an array whose others are computed: no modifier sets these
+            alone
         computed: the parameters that the model computes from others at initialization
         plain: the model as it is; None if it does not compile as a base class
     """

@@ -175,8 +175,8 @@ MEANINGS = (
     Meaning(
         rf"`when assignment`: `{_NAME}` is not a discrete coordinate",
         UnsupportedModelError,
-        "a when-clause that sets single elements of the array {name} is not supported; set the whole array, or "
-        "declare an array of a model with the clause",
+        "a when-clause that sets single elements of the array {name} is not supported; set the whole array, "
+        "or declare an array of a model with the clause",
         (r"(?<![\w.])NAME\s*\[[^\[\]]*\]\s*=(?!=)",),
         only_there=True,
     ),
@@ -196,7 +196,8 @@ MEANINGS = (
         "reinit(...)",
     ),
     Meaning(
-        rf"`multi-output equation`: `{_NAME}` returns (?P<all>\d+) values but the receiving tuple has (?P<few>\d+)",
+        rf"`multi-output equation`: `{_NAME}` returns (?P<all>\d+) values but the receiving tuple has "
+        r"(?P<few>\d+)",
         UnsupportedModelError,
         "{few} of the {all} results of {name} are taken, which is not supported; assign each to a variable",
         (r"\(?[\w\s,.\[\]]*\)\s*=\s*(?:\w+\.)*NAME\s*\(",),
@@ -210,7 +211,8 @@ MEANINGS = (
     Meaning(
         r"construction rejected an invalid operation: expected a numeric expression, found Enumeration",
         UnsupportedModelError,
-        "Integer() of an enumeration that is not a parameter is not supported; compare it, or use it as an index",
+        "Integer() of an enumeration that is not a parameter is not supported; compare it, or use it as an "
+        "index",
         (r"\bInteger\s*\(",),
         "Integer(...)",
         only_there=True,

@@ -48,6 +48,8 @@ _CACHE_PLACES = {
     "LOCALAPPDATA": "zig",
 }
 _RUNTIME = "runtime.a"
+# As many as the runtimes of two versions for all platforms and both FMI versions need, of up to 1 MB each.
+_MOST_STORED = 64
 # Callers of the module need malloc and free to pass arrays. The deepest call formats a message, in some kB.
 _MODULE_LINKER_FLAGS = ("-Wl,--export=malloc", "-Wl,--export=free", "-Wl,-z,stack-size=65536")
 
@@ -126,11 +128,13 @@ def _runtime_archive(runtime: Mapping[str, bytes], platform: Platform) -> tuple[
 
 
 def _read_stored(file: Path) -> bytes | None:
-    """Return the content that `_store` wrote; None if the file is missing or damaged."""
+    """Return the content that `_store` wrote, and note its use; None if the file is missing or damaged."""
     try:
         stored = file.read_bytes()
     except OSError:
         return None
+    with contextlib.suppress(OSError):
+        os.utime(file)
     digest, content = stored[:32], stored[32:]
     return content if hashlib.sha256(content).digest() == digest else None
 
@@ -138,7 +142,8 @@ def _read_stored(file: Path) -> bytes | None:
 def _store(file: Path, content: bytes) -> None:
     """Write digest and content to a file, atomically with respect to other writers and to being killed.
 
-    Failure to write the cache is ignored.
+    Of the files beside it, those that have not been used for longest are deleted, also what a killed process
+    left. Failure to write the cache is ignored.
     """
     with contextlib.suppress(OSError):
         file.parent.mkdir(parents=True, exist_ok=True)
@@ -148,6 +153,9 @@ def _store(file: Path, content: bytes) -> None:
             new.replace(file)
         finally:
             new.unlink(missing_ok=True)
+        used = sorted(file.parent.iterdir(), key=lambda one: one.stat().st_mtime_ns)
+        for oldest in used[:-_MOST_STORED]:
+            oldest.unlink(missing_ok=True)
 
 
 def _compiled(

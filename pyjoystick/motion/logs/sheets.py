@@ -13,6 +13,7 @@ import pandas as pd
 
 from pyjoystick.motion.logs.grid import Row, text_of
 from pyjoystick.motion.records.errors import RecordError
+from pyjoystick.support import ARCHIVE_ERRORS, archive_problem
 
 _LONGEST: Final = 10_000_000
 
@@ -48,10 +49,9 @@ def _names_in_archive(path: Path) -> list[str]:
     try:
         with zipfile.ZipFile(path) as archive:
             return archive.namelist()
-    except (zipfile.BadZipFile, OSError) as error:
-        raise RecordError(
-            str(path), f"is a damaged archive: {error}", "copy or save the file again"
-        ) from error
+    except ARCHIVE_ERRORS as error:
+        reason = f"is a damaged archive: {archive_problem(error)}"
+        raise RecordError(str(path), reason, "copy or save the file again") from error
 
 
 def _refuse_zip(path: Path) -> str:

@@ -1,4 +1,4 @@
-"""Packages that differ by constants or functions from those that they extend: built if the values are right."""
+"""Packages that differ by constants from those that they extend: built where the values are right."""
 
 from __future__ import annotations
 
@@ -87,9 +87,18 @@ def test_each_has_its_own_values(declarations: str, values: dict[str, float], tm
         "User a; User b(redeclare package P = Five);",
         "Real a = Part.c*time; Real b = Faster.c*time;",
     ],
-    ids=["by their names", "a short class", "by another name", "imported", "replaced in one of two", "of models"],
+    ids=[
+        "by their names",
+        "a short class",
+        "by another name",
+        "imported",
+        "replaced in one of two",
+        "of models",
+    ],
 )
 def test_a_class_beside_an_heir_that_changes_it_is_refused(declarations: str, tmp_path: Path) -> None:
-    """rumoca gives both the values of the heir."""
-    with pytest.raises(UnsupportedModelError, match=r"(Plain|Part) beside a class that extends it with other"):
+    """The compiler gives both the values of the heir."""
+    with pytest.raises(
+        UnsupportedModelError, match=r"(Plain|Part) beside a class that extends it with other"
+    ):
         generate_model(BuildRequest("R.M", tmp_path, _library(tmp_path, declarations)))

@@ -138,8 +138,8 @@ _CASES = {
         "Integer n[2](each start = 0, each fixed = true);",
         "when time > 0.5 then n[1] = 1; n[2] = 2; end when;",
         UnsupportedModelError,
-        "M.mo: a when-clause that sets single elements of the array n is not supported; set the whole array, or "
-        "declare an array of a model with the clause (model M; see M.mo:4:24, M.mo:4:34)",
+        "M.mo: a when-clause that sets single elements of the array n is not supported; set the whole array, "
+        "or declare an array of a model with the clause (model M; see M.mo:4:24, M.mo:4:34)",
     ),
     "edge of an element in a loop": Case(
         "Boolean b[2]; Integer n[2](each start = 0, each fixed = true);",
@@ -194,8 +194,8 @@ _CASES = {
         "M.mo: functions that call each other in turn are not supported",
     ),
     "Integer function that calls itself": Case(
-        "function f input Integer n; output Integer r; algorithm r := if n <= 1 then 1 else n*f(n - 1); end f; "
-        "Integer y;",
+        "function f input Integer n; output Integer r; algorithm r := if n < 2 then 1 else n*f(n - 1); "
+        "end f; Integer y;",
         "y = f(5) + integer(time);",
         UnsupportedModelError,
         "M.mo:2:12: the recursive function f is not supported",

@@ -43,7 +43,9 @@ REFUSALS = (
     Refusal(
         "ChangedConstants.Columns", UnsupportedModelError, r"Water beside a class that extends it with other"
     ),
-    Refusal("ChangedFunction.Pair", UnsupportedModelError, r"Linear beside a class that extends it with other"),
+    Refusal(
+        "ChangedFunction.Pair", UnsupportedModelError, r"Linear beside a class that extends it with other"
+    ),
     Refusal("CartesianPendulum", UnsupportedModelError, r"constraints between its states"),
     Refusal(
         "ConstrainedReinit", UnsupportedModelError, r"reinit\(\) is not supported for a variable that follows"

@@ -86,6 +86,25 @@ def test_another_runtime_or_platform_is_stored_beside_it(stored: Path) -> None:
     assert len(list(stored.iterdir())) == 3
 
 
+def test_of_many_runtimes_those_that_were_used_last_are_kept(
+    stored: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(binaries, "_MOST_STORED", 3)
+    stored.mkdir()
+    for number, name in enumerate(("left.a-123-ab", "unused.a", "other.a")):
+        (stored / name).write_bytes(b"")
+        os.utime(stored / name, (number, number))
+    compile_library(_GOOD, "Model", _LINUX)
+    (archive,) = {*stored.iterdir()} - {stored / "unused.a", stored / "other.a"}
+    os.utime(archive, (0, 0))
+    compile_library(_GOOD, "Model", _LINUX)  # uses it
+    compile_library(_GOOD | {"b.h": _GOOD["b.h"] + b"\n"}, "Model", _LINUX)
+    compile_library(_GOOD, "Model", PLATFORMS["aarch64-linux"])
+    kept = {*stored.iterdir()}
+    assert len(kept) == 3
+    assert archive in kept
+
+
 def test_a_cache_that_cannot_be_written_is_no_failure(stored: Path) -> None:
     stored.write_bytes(b"no folder")
     library, _ = compile_library(_GOOD, "Model", _LINUX)

@@ -10,6 +10,8 @@ from pathlib import Path
 from typing import Final
 
 import numpy as np
+import pandas as pd
+from scipy.io import savemat
 
 from pyjoystick.cli import main
 from pyjoystick.runs import Sweep, operator_and_joystick, read_settings, run_sweep, write_ssp
@@ -103,6 +105,7 @@ def _files(fmus: Path) -> None:
     Path("sweep.toml").write_text(_SWEEP, encoding="utf-8")
     Path("inputs.csv").write_text("time (s),T (N.m)\n0,0\n0.1,0.5\n0.2,0.1\n", encoding="utf-8")
     _plain_markers(Path("plain.csv"))
+    _logs(Path("trial_1.csv"))
     system = operator_and_joystick(joystick={"J": 0.012})
     write_ssp(system, "joystick.ssp")
     sweep = Sweep(read_settings(Path("sweep.toml")))
@@ -127,6 +130,16 @@ def _plain_markers(path: Path) -> None:
         frame, _, *cells = line.split(",")
         lines.append(",".join([f"{int(frame) / 60.0:.6f}", *cells]))
     path.write_text("\n".join([*lines, ""]), encoding="utf-8")
+
+
+def _logs(record: Path) -> None:
+    """A record as the tables of other programs."""
+    table = pd.read_csv(record, comment="#")
+    table.to_csv("log.csv", sep=";", decimal=",", index=False)
+    table.to_excel("log.xlsx", index=False)
+    table.to_excel("log.ods", index=False, engine="odf")
+    table.to_parquet("log.parquet", index=False)
+    savemat("log.mat", {"log": {name.split()[0]: table[name].to_numpy() for name in table}})
 
 
 def _half_done(target: Path, sweep: Sweep) -> None:

@@ -262,5 +262,5 @@ _ZIP: Final[tuple[Damage, ...]] = (*_BINARY, _entry, _entry, *(_archive,) * 6)
 _BY_SUFFIX: Final[dict[str, tuple[Damage, ...]]] = {
     "csv": _TABLE,
     **dict.fromkeys(("toml", "json", "xml", "ssd", "txt"), _TEXT),
-    **dict.fromkeys(("fmu", "ssp", "npz"), _ZIP),
+    **dict.fromkeys(("fmu", "ssp", "npz", "xlsx", "ods"), _ZIP),
 }

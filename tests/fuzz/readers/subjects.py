@@ -84,6 +84,11 @@ def _commands() -> Iterator[tuple[str, str, str]]:
         "sweep sweep.toml -o half.csv --threads 1",
     )
     yield "Joystick.fmu", "", "info Joystick.fmu --all"
+    for form in ("csv", "xlsx", "ods", "mat", "parquet"):
+        units = "--unit time=s --unit theta=rad" if form == "mat" else ""
+        yield f"log.{form}", "", f"import record log.{form} --output out.csv {units}"
+    for file in ("joystick.toml", "fit.toml", "sweep.toml"):
+        yield file, "Joystick.fmu", f"check {file}"
     yield "inputs.csv", "Joystick.fmu", "compare Joystick.fmu Joystick.fmu --inputs inputs.csv --interface cs"
 
 

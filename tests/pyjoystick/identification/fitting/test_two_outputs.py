@@ -71,3 +71,15 @@ def test_the_bootstrap_draws_each_output_in_its_own_unit(joystick: Fmu) -> None:
     ratios = found.bootstrap.errors() / found.standard_errors.errors
     # 60 draws know a standard deviation to 9 %.
     assert np.all((ratios > 0.6) & (ratios < 1.4)), ratios
+
+
+def test_an_output_without_a_derivative_is_fitted_from_known_releases(joystick: Fmu) -> None:
+    """Only a free clock and motions that are driven need the derivative of an output."""
+    time = np.arange(90) / 60.0
+    run = simulate(NOMINAL, time=time, theta_start=-0.3)
+    record = Measurement("moment", time, {"M_s": np.asarray(run.M_s)})
+    settings = FitSettings(
+        fmu="Joystick", free=(Free("damping.C", start=0.03),), fixed={"theta_start": -0.3}, outputs=("M_s",)
+    )
+    found = fit([record], settings, fmu=joystick)
+    assert found.value("damping.C") == pytest.approx(0.045, rel=1e-4)

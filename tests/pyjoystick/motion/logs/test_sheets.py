@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import datetime
+import struct
 import sys
 from pathlib import Path
 from typing import Any
@@ -17,6 +18,16 @@ from tests.pyjoystick.motion.logs.made import ANGLE, COUNT, TIME, TORQUE
 
 DEG = np.radians(1.0)
 GERMAN = pd.DataFrame({"Zeit [s]": TIME, "Winkel [Grad]": ANGLE, "Drehmoment [Nm]": TORQUE})
+#: The end of an archive whose one entry needs a later program.
+LATER = (
+    b"PK\3\4"
+    + bytes(26)
+    + b"PK\1\2"
+    + struct.pack("<HH", 20, 95)
+    + bytes(38)
+    + b"PK\5\6"
+    + struct.pack("<HHHHLLH", 0, 0, 1, 1, 46, 30, 0)
+)
 ENGINES = {"xlsx": "openpyxl", "ods": "odf"}
 
 
@@ -170,6 +181,7 @@ def test_times_in_a_parquet_file(tmp_path: Path) -> None:
         ),
         ("a.xls", b"\xd0\xcf\x11\xe0" + bytes(600), "Excel 97 to 2003; save it as .xlsx"),
         ("a.xlsx", b"PK\3\4" + bytes(600), "is a damaged archive"),
+        ("a.ods", LATER, "is a damaged archive: zip file version 9.5"),
         ("a.mat", b"MATLAB 5.0 MAT-file" + bytes(600), "cannot be read as matlab"),
         ("a.mat", b"\x89HDF\r\n" + bytes(600), "cannot be read as matlab 7.3"),
         ("a.parquet", b"PAR1" + bytes(600), "cannot be read as parquet"),
