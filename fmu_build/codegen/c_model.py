@@ -192,7 +192,7 @@ class _Code:
         def body(expressions: Iterable[Expression]) -> FunctionBody:
             return self._body(expressions, known=computed | self._parts)
 
-        return tangent_functions(tangents, self._names, self._block_names, body)
+        return tangent_functions(tangents, self._names, self._block_names, body, self._body)
 
     def _stores(self, array: str, values: Sequence[Expression], as_truth: bool = False) -> list[str]:
         body = self._body(values)

@@ -14,12 +14,19 @@ Body = Callable[[Iterable[Expression]], FunctionBody]
 
 
 def tangent_functions(
-    tangents: Tangents | None, names: Mapping[Slot, str], block_names: Mapping[NewtonBlock, str], body: Body
+    tangents: Tangents | None,
+    names: Mapping[Slot, str],
+    block_names: Mapping[NewtonBlock, str],
+    body: Body,
+    of_parameters: Body,
 ) -> list[str]:
-    """Return the tangent functions in the order of model.h; they are empty without `tangents`."""
+    """Return the tangent functions in the order of model.h; they are empty without `tangents`.
+
+    The body `of_parameters` reads no variables: the function for computed parameters is not given them.
+    """
     t = tangents or Tangents((), (), (), (), (), cover_initialization=False)
     return [
-        _parameters(t, names, body),
+        _parameters(t, names, of_parameters),
         _steps(t, names, block_names, body),
         _starts(t, names, body),
         _initial_residuals(t, body),

@@ -31,6 +31,15 @@ package Algebraic "Algebraic loops, tearing, and models without states"
     z = 1e15*q;
   end TinyLoop;
 
+  model SharedPart "A variable is part of what a parameter is computed from"
+    parameter Real p = 1.06;
+    parameter Real q = p*sin(p*sin(p));
+    Real u, z;
+  equation
+    u = sin(p);
+    z = q*time + u;
+  end SharedPart;
+
   model Kepler "A nonlinear equation in one unknown at every instant"
     parameter Real eccentricity(min=0, max=0.999) = 0.5;
     Real mean "Mean anomaly";

@@ -11,6 +11,11 @@ from ..case import Array, Case, Values
 from .state_events import at
 
 
+def shared_part(t: Array) -> Values:
+    p = 1.06
+    return {"z": p * np.sin(p * np.sin(p)) * t + np.sin(p)}
+
+
 def linear_loop(t: Array) -> Values:
     """The loop is A z = b + c x, so x' = -(z_b + z_c x) with the first components of A^-1 b and A^-1 c."""
     matrix = np.array([[2.0, 1, -1], [1, -3, 1], [1, 1, 4]])
@@ -111,6 +116,7 @@ CASES = (
         label="soft",
     ),
     Case("Algebraic.LinearLoop", 2.0, linear_loop),
+    Case("Algebraic.SharedPart", 1.0, shared_part),
     Case("Algebraic.NonlinearLoop", 1.0, nonlinear_loop),
     Case("Algebraic.TinyLoop", 2.0, tiny_loop),
     kepler_case(0.5),

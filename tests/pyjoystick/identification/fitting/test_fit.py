@@ -205,6 +205,22 @@ def test_the_report_has_everything(with_bootstrap: Fit) -> None:
     assert f"{with_bootstrap.runs} runs of the FMU in {with_bootstrap.seconds:.2f} s." in text
 
 
+def test_the_report_says_how_far_a_profile_goes(with_bootstrap: Fit) -> None:
+    one = with_bootstrap.profiles[0]
+    column = report(with_bootstrap).split("95 % by profile")[0].splitlines()[-1].count("|")
+    for profile, expected in (
+        (dataclasses.replace(one, interval=(0.04, math.inf)), "0.04 to unbounded"),
+        (dataclasses.replace(one, interval=(-math.inf, 0.05)), "unbounded to 0.05"),
+        (dataclasses.replace(one, converged=False), "not followed"),
+    ):
+        text = report(dataclasses.replace(with_bootstrap, profiles={0: profile}))
+        row, *others = (
+            line for line in text.splitlines() if line.startswith(("| damping.C", "| theta_start"))
+        )
+        assert row.split("|")[column].strip() == expected
+        assert all(line.split("|")[column].strip() == "" for line in others)
+
+
 def test_a_profile_that_was_not_followed_is_no_interval(with_bootstrap: Fit, tmp_path: Path) -> None:
     lost = {
         place: dataclasses.replace(one, converged=False) for place, one in with_bootstrap.profiles.items()
