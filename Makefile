@@ -64,6 +64,10 @@ INSTALL = $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-
 # Without bytecode every process of the tests would compile its modules anew.
 unexport PYTHONDONTWRITEBYTECODE
 
+# Each process of the tests has one core at most. More threads of the linear algebra would wait for it, busily:
+# a singular value decomposition for a fit then takes up to 40 times the processor time.
+test test-quick: export OPENBLAS_NUM_THREADS = 1
+
 .DELETE_ON_ERROR:
 .PHONY: FORCE run env test test-quick fuzz fmu fmu-msl ssp lint lint-js try-rumoca bench figure figures claims docs docs-links wheel lock clean distclean
 
@@ -72,7 +76,7 @@ run: fmu
 
 # Where another compiler is asked for, the tests make the FMUs of FMI 3 themselves.
 test: $(READY) build/fmi2/.built $(if $(filter rumoca,$(COMPILER)),build/fmi3/.built)
-	$(BIN)/python -m pytest --numprocesses $(WORKERS) --dist loadgroup
+	$(BIN)/python -m pytest --numprocesses $(WORKERS) --dist loadgroup --no-loadscope-reorder
 
 test-quick: $(READY)
 	$(BIN)/python -m pytest --quick --numprocesses auto

@@ -6,6 +6,7 @@ import os
 import signal
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import fmpy
 import pytest
@@ -44,8 +45,15 @@ SLOW = (
     *("pyjoystick/support/test_plots.py", "pyjoystick/model/reference/test_integration.py"),
     *("pyjoystick/fmu/test_own_fmi3.py", "pyjoystick/fmu/test_cosimulation.py", "test_signals.py"),
 )
-#: Minutes of work for one process, while others go on with the rest.
-FIRST = ("test_wheel.py", "test_your_joystick.py", "test_site.py", "test_sanitizers.py")
+#: What takes longest, one process each, while others go on with the rest.
+FIRST = (
+    *("test_wheel.py", "test_your_joystick.py", "fmu_build/platforms/test_libraries.py", "docs/test_site.py"),
+    *("fmu_build/models/test_derivatives.py", "pyjoystick/identification/fitting/test_order.py"),
+    *("docs/test_pages.py", "pyjoystick/reports/export/test_fmus.py", "joystick_fmu/test_sensitivities.py"),
+    *("pyjoystick/model/reference/test_accuracy.py", "pyjoystick/identification/fitting/test_recovery.py"),
+    *("modelica/test_models.py", "joystick_fmu/test_flange.py", "fmu_build/runtime/test_sanitizers.py"),
+    *("pyjoystick/reports/html_report/test_report.py", "pyjoystick/identification/fitting/test_selection.py"),
+)
 #: Quick all the same.
 QUICK = ("fmu_build/modelica_source", "fmu_build/runtime/test_layers.py")
 
@@ -64,13 +72,27 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Begin with what takes minutes in one process; with ``--quick``, leave out the slow tests."""
-    items.sort(key=lambda item: item.path.name not in FIRST)  # else in the order of collection
+    """Begin with what takes longest; with ``--quick``, leave out the slow tests."""
+    order = {ROOT / "tests" / file: number for number, file in enumerate(FIRST)}
+    items.sort(key=lambda item: order.get(item.path, len(FIRST)))  # else in the order of collection
     if not config.getoption("--quick"):
         return
     slow = [item for item in items if _is_slow(item)]
     config.hook.pytest_deselected(items=slow)
     items[:] = [item for item in items if item not in set(slow)]
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
+    """With ``--dist loadgroup``, one process has all tests of a file: each would make what they share."""
+    if config.getoption("dist") != "loadgroup":
+        return None
+    from xdist.scheduler import LoadGroupScheduling
+
+    scheduler = LoadGroupScheduling(config, log)
+    group_of = scheduler._split_scope
+    scheduler._split_scope = lambda nodeid: group_of(nodeid).partition("::")[0]
+    return scheduler
 
 
 def _is_slow(item: pytest.Item) -> bool:

@@ -51,7 +51,9 @@ class SharedFmus:
     def unpacked(self, model: str, library: Path) -> Path:
         """The folder of the unpacked FMU of a model, for tests that load and run it.
 
-        Its build therefore leaves that out. The two processes for it take as long as all the rest.
+        Its build therefore leaves that out: the two processes for it take as long as all the rest. It is
+        linked as for Windows and macOS, without link-time optimization, in a fifth of the time. The FMUs of
+        `fmu` have that.
         """
         fmu = self._file(model, library, "unpacked")
         folder = fmu.with_suffix("")
@@ -59,6 +61,7 @@ class SharedFmus:
             if not folder.exists():
                 patch.setattr("fmu_build.packaging.run_default_experiment", lambda *_: "the tests run it")
                 patch.setattr("fmu_build.packaging.check.check_loads", lambda *_: "")
+                patch.setattr("fmu_build.packaging.binaries.OPTIMIZED_WHEN_LINKED", ())
                 build_fmu(model, fmu.parent, library=library)
                 part = fmu.with_suffix(".part")
                 extract(str(fmu), str(part))

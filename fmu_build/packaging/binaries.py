@@ -38,6 +38,9 @@ COMPILER_FLAGS = (
     "-Wextra",
 )
 LINKER_FLAGS = ("-shared", "-fPIC", "-s")
+# Link-time optimization pays: the model's functions are short, and the runtime calls them thousands of times
+# a run. zig supports it for Linux and WebAssembly only.
+OPTIMIZED_WHEN_LINKED = (".so", ".wasm")
 # Search paths for the user's own compilers, which clang would use too.
 _FOREIGN_PATHS = ("CPATH", "C_INCLUDE_PATH", "LIBRARY_PATH", "SDKROOT")
 # Where zig looks for its cache folder, in this order: an environment variable, and a folder below its value.
@@ -204,8 +207,7 @@ def _environment(local: Path) -> dict[str, str]:
 def _archive_arguments(files: list[str], platform: Platform) -> list[str]:
     # zig cc cannot make a static library. These are its settings for COMPILER_FLAGS and LINKER_FLAGS.
     shared = [] if platform == WASM32 else ["-fPIC"]
-    optimized = ["-flto"] if platform.extension in (".so", ".wasm") else []
-    settings = ["-OReleaseFast", "-fstrip", *shared, *optimized]
+    settings = ["-OReleaseFast", "-fstrip", *shared, *_link_time_optimization(platform)]
     # Unrolled loops make a module 3 kB larger and no faster.
     flags = [*COMPILER_FLAGS, *(["-fno-unroll-loops"] if platform == WASM32 else [])]
     made = ["-static", "-lc", "--name", "runtime", f"-femit-bin={_RUNTIME}"]
@@ -215,18 +217,21 @@ def _archive_arguments(files: list[str], platform: Platform) -> list[str]:
 def _library_arguments(files: Mapping[str, bytes], library: str, platform: Platform) -> list[str]:
     whole = ["-Wl,--whole-archive", _RUNTIME, "-Wl,--no-whole-archive"] if _RUNTIME in files else []
     own = {
-        # A missing function is an error now, not when an importer first calls it. Link-time optimization
-        # pays: the model's functions are short, and the runtime calls them thousands of times a run. zig
-        # supports it for Linux and WebAssembly only.
-        ".so": ["-Wl,-z,defs", "-flto"],
+        # A missing function is an error now, not when an importer first calls it.
+        ".so": ["-Wl,-z,defs"],
         ".dll": [],
         # Without an install name, a macOS library would carry the path at which it was linked.
         ".dylib": [f"-Wl,-install_name,@rpath/{library}"],
-        ".wasm": ["-flto", "-fno-unroll-loops", "-Wl,--export-dynamic", *_MODULE_LINKER_FLAGS],
+        ".wasm": ["-fno-unroll-loops", "-Wl,--export-dynamic", *_MODULE_LINKER_FLAGS],
     }[platform.extension]
+    own = [*_link_time_optimization(platform), *own]
     linked = ["-mexec-model=reactor", "-s"] if platform == WASM32 else LINKER_FLAGS
     sources = [*c_files(files), *whole]
     return ["cc", *_target(platform), *COMPILER_FLAGS, *linked, "-o", library, *sources, *own, "-lm"]
+
+
+def _link_time_optimization(platform: Platform) -> list[str]:
+    return ["-flto"] if platform.extension in OPTIMIZED_WHEN_LINKED else []
 
 
 def _target(platform: Platform) -> list[str]:

@@ -20,12 +20,13 @@ def thin_dots(figure: Figure) -> None:
     Args:
         figure: is changed; lines between dots stay whole
     """
+    dotted = [(line, axes) for axes in figure.axes for line in axes.lines if line.get_linestyle() == "None"]
+    if not dotted:
+        return
     # Limits of the axes and their places are those of the whole data.
     figure.draw_without_rendering()
-    for axes in figure.axes:
-        for line in axes.lines:
-            if line.get_linestyle() == "None":
-                _thin(line, axes, figure.dpi / _POINTS_PER_INCH)
+    for line, axes in dotted:
+        _thin(line, axes, figure.dpi / _POINTS_PER_INCH)
 
 
 def _thin(line: Line2D, axes: Axes, dots_per_point: float) -> None:
