@@ -40,6 +40,7 @@ const Model model = {
     .n_variables = sizeof variables / sizeof *variables,
     .variables = variables,
     .initial_event_slot = NO_SLOT,
+    .homotopy_slot = NO_SLOT,
 };
 
 bool model_derivatives(double time, double *y, const double *p, double *der, double *root) {

@@ -39,6 +39,7 @@ const Model model = {
     .n_discrete = 3,
     .discrete = discrete,
     .initial_event_slot = NO_SLOT,
+    .homotopy_slot = NO_SLOT,
 };
 
 bool model_derivatives(double time, double *y, const double *p, double *der, double *root)

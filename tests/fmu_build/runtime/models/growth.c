@@ -41,6 +41,7 @@ const Model model = {
     .actions = actions,
     .actions_follow_states = true,
     .initial_event_slot = NO_SLOT,
+    .homotopy_slot = NO_SLOT,
 };
 
 bool model_derivatives(double time, double *y, const double *p, double *der, double *root)

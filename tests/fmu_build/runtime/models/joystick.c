@@ -59,6 +59,7 @@ const Model model = {
     .n_relations = 9,
     .relations = relations,
     .initial_event_slot = NO_SLOT,
+    .homotopy_slot = NO_SLOT,
 };
 
 static double spring_force(const double *p, int number, double x)

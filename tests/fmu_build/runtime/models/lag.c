@@ -52,6 +52,7 @@ const Model model = {
     .n_discrete = 1,
     .discrete = discrete,
     .initial_event_slot = NO_SLOT,
+    .homotopy_slot = NO_SLOT,
 };
 
 bool model_derivatives(double time, double *y, const double *p, double *der, double *root)

@@ -62,6 +62,7 @@ const Model model = {
     .n_blocks = 2,
     .blocks = blocks,
     .initial_event_slot = NO_SLOT,
+    .homotopy_slot = NO_SLOT,
     .has_tangents = true,
     .has_initial_tangents = true,
 };

@@ -33,6 +33,7 @@ const Model model = {
     .n_clocks = 1,
     .clocks = clocks,
     .initial_event_slot = NO_SLOT,
+    .homotopy_slot = NO_SLOT,
 };
 
 bool model_derivatives(double time, double *y, const double *p, double *der, double *root)

@@ -30,6 +30,7 @@ const Model model = {
     .n_relations = 1,
     .relations = relations,
     .initial_event_slot = NO_SLOT,
+    .homotopy_slot = NO_SLOT,
 };
 
 bool model_derivatives(double time, double *y, const double *p, double *der, double *root)
