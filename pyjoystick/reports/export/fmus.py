@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import tempfile
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from importlib.util import find_spec
@@ -15,7 +14,7 @@ from fmu_build import BuildError, FmiVersion, build_fmu
 from pyjoystick.model import JoystickParameters, LawName, ParameterFile, fmu_values, inverse_torque
 from pyjoystick.reports.export.fit_page import fit_page
 from pyjoystick.reports.export.modelica_class import BASE_NAMES, Direction, check_name, modelica_class
-from pyjoystick.support import PyJoystickError, json_text, write_text
+from pyjoystick.support import PyJoystickError, json_text, temporary_folder, write_text
 
 _TOOLS: Final = ("rumoca", "ziglang")
 _SUFFIXES: Final[dict[Direction, str]] = {"forward": "", "inverse": "Inverse"}
@@ -90,10 +89,10 @@ def export_fmus(
     if not all(find_spec(tool) for tool in _TOOLS):
         raise FmuExportError(name, "no compiler is installed; pip install 'pyjoystick[build]' brings one")
     paths = []
-    with tempfile.TemporaryDirectory(prefix="pyjoystick-") as temporary:
+    with temporary_folder() as temporary:
         for direction in directions:
             own = name + _SUFFIXES[direction]
-            source = Path(temporary) / own / f"{own}.mo"
+            source = temporary / own / f"{own}.mo"
             text = modelica_class(own, values, direction=direction, law=law, title=file.title, more=more)
             write_text(source, text)
             inputs = _default_inputs(file.with_law(law), direction)
