@@ -44,7 +44,7 @@ class Unseen(NamedTuple):
 def unseen(
     problem: Problem, x: FloatArray, jacobian: FloatArray, found: Iterable[Suspect], level: float
 ) -> list[Unseen]:
-    """The suspects that a fit can have, where what the test misses of them is more than the intervals say.
+    """The suspects of one size in all records, where what the test misses is more than the intervals say.
 
     To first order in the size: a column that the variables imitate but for a rest of length r (in standard
     deviations of the noise) is seen at z/r, where z is the normal quantile of the test and its power; the
@@ -65,7 +65,7 @@ def unseen(
     quantile = float(stats.norm.isf(0.5 * level) + stats.norm.ppf(_POWER))
     missed = []
     for suspect in found if shared else ():
-        if not suspect.free:
+        if suspect.own or suspect.alternatives > 1 or suspect.columns[0].shape[1] > 1:
             continue
         counted = np.concatenate([problem.counted(own, k) for k, own in enumerate(suspect.columns)])[:, 0]
         column = np.pad(counted, (0, len(jacobian) - len(counted)))
