@@ -7,6 +7,8 @@ choices are found.
 
 from __future__ import annotations
 
+import itertools
+import math
 from collections.abc import Iterator, Sequence
 
 from fmu_build.codegen.trials import Candidate, Trials
@@ -37,12 +39,13 @@ def _layers(trials: Trials, group: Sequence[Candidate]) -> Iterator[list[Candida
 def followers_of(trials: Trials, group: Sequence[Candidate]) -> set[str]:
     """Return the parameters whose values the compiler has derived from those of others, of the group.
 
-    Of any two there is a bit in which their numbers differ, so that a trial sets the one without the other.
+    Each is set in its own half of the trials, so that of any two some trial sets the one without the other.
     """
+    count = next(n for n in itertools.count() if math.comb(n, n // 2) >= len(group))
+    halves = list(zip(group, itertools.combinations(range(count), count // 2), strict=False))
     moved: set[str] = set()
-    for bit in range((len(group) - 1).bit_length()):
-        for side in (0, 1):
-            moved |= trials.followers([one for number, one in enumerate(group) if number >> bit & 1 == side])
+    for trial in range(count):
+        moved |= trials.followers([one for one, half in halves if trial in half])
     return moved
 
 

@@ -159,7 +159,8 @@ def _loaded_in_part(
     session = rumoca.Session()
     folders = {name: path if path.is_dir() else path.parent for name, path in libraries.roots.items()}
     texts = {file: with_tables_from_files(file, text, folders) for file, text in reached.texts.items()}
-    for file, text in with_own_tables(texts).items():
+    # Each text costs the more the more text there is before it.
+    for file, text in sorted(with_own_tables(texts).items(), key=lambda one: len(one[1])):
         # The session keeps each text, then fails to compile a model that does not exist.
         with suppress(rumoca.CompileError):
             session.loads(with_known_functions(text), model=_NONE, filename=f"{IN_MEMORY}{file}")

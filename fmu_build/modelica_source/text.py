@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 
 STRING = r'"(?:[^"\\]|\\.)*"'
 
@@ -29,6 +30,7 @@ class Declaration:
     in_modifier: bool
 
 
+@lru_cache(maxsize=1024)  # every question about a source begins with it
 def blanked(text: str) -> str:
     """Return the text with comments and strings replaced by spaces; offsets and lines are unchanged."""
     return _SKIPPED.sub(lambda match: match[1] or re.sub(r"[^\n]", " ", match.group()), text)
