@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import signal
 import subprocess
-import sys
 import tempfile
 import zipfile
 from collections.abc import Sequence
@@ -12,6 +11,7 @@ from pathlib import Path
 
 from fmpy.validation import validate_fmu
 
+from fmu_build.packaging.scripts import run_script
 from fmu_build.support.errors import BuildError
 from fmu_build.support.request import FmiType
 
@@ -46,21 +46,11 @@ def check_loads(path: Path, fmi_types: Sequence[FmiType]) -> str:
 
     Raises `BuildError` if that fails.
     """
-    script = Path(__file__).with_name("load_fmu.py")
     with tempfile.TemporaryDirectory(prefix="fmu_build-", ignore_cleanup_errors=True) as folder:
         with zipfile.ZipFile(path) as archive:
             archive.extractall(folder)
-        # -P keeps the script's folder, and so the modules in it, off the search path.
-        command = [sys.executable, "-P", str(script), folder, *fmi_types]
         try:
-            done = subprocess.run(
-                command,
-                capture_output=True,
-                text=True,
-                errors="replace",
-                timeout=_SECONDS_TO_LOAD,
-                check=False,
-            )
+            done = run_script("load_fmu.py", folder, *fmi_types, seconds=_SECONDS_TO_LOAD)
         except subprocess.TimeoutExpired as error:
             raise BuildError(f"the FMU did not load within {_SECONDS_TO_LOAD} s") from error
     output = done.stdout + done.stderr

@@ -5,13 +5,13 @@ from __future__ import annotations
 import json
 import math
 import subprocess
-import sys
 import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from fmu_build.packaging.platforms import Platform
+from fmu_build.packaging.scripts import run_script
 from fmu_build.support.description import DefaultExperiment, ModelDescription, Variable
 from fmu_build.support.request import FmiVersion
 
@@ -110,16 +110,8 @@ def _held_inputs(description: ModelDescription, points: Sequence[float]) -> dict
 def _rows(asked: dict[str, object], file: Path) -> list[list[float]] | str:
     """Return the outputs at each point, or the reason why they are unknown."""
     file.write_text(json.dumps(asked), "utf-8")
-    script = Path(__file__).with_name("run_library.py")
     try:
-        done = subprocess.run(
-            [sys.executable, "-P", str(script), str(file)],
-            capture_output=True,
-            text=True,
-            errors="replace",
-            timeout=_MOST_SECONDS,
-            check=False,
-        )
+        done = run_script("run_library.py", str(file), seconds=_MOST_SECONDS)
     except subprocess.TimeoutExpired:
         return f"it did not end within {_MOST_SECONDS} s"
     if done.returncode != 0:

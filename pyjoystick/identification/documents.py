@@ -89,6 +89,7 @@ class FitDocument:
         known: names of what was fitted with regard to its measurement
         open: what the records cannot determine, a sentence each
         checks: name, passed, message
+        unseen: what the records would hardly show, each with its size and what it moves
         series: measured and fitted, record by record
     """
 
@@ -104,6 +105,7 @@ class FitDocument:
     known: tuple[str, ...]
     open: tuple[str, ...]
     checks: tuple[tuple[str, bool, str], ...]
+    unseen: tuple[str, ...]
     series: tuple[FittedSeries, ...]
 
     @property
@@ -225,6 +227,10 @@ def _fit(content: Mapping[str, Any], source: str) -> FitDocument:
         known=tuple(one["name"] for one in settings["free"] if one["uncertainty"] is not None),
         open=tuple(map(str, content["identifiability"]["open"])),
         checks=tuple((one["name"], bool(one["passed"]), one["message"]) for one in content["checks"]),
+        unseen=tuple(
+            f"{one['suspect']} ({one['size']} moves {one['parameter']} by {100.0 * one['part']:.2g} %)"
+            for one in content["unseen"]
+        ),
         series=() if peaks else tuple(part for one in content["records"] for part in _series(one)),
     )
 

@@ -36,6 +36,7 @@ def as_json(fit: Fit) -> str:
             for one in fit.minima
         ],
         "checks": [{"name": c.name, "passed": c.passed, "message": c.message} for c in fit.checks],
+        "unseen": [one._asdict() for one in fit.unseen],
         "records": [_record(one) for one in fit.records],
         "noise_correlation": fit.correlation,
         "derivatives": dataclasses.asdict(fit.steps),

@@ -10,6 +10,7 @@ import numpy as np
 import pandas as pd
 
 from pyjoystick.identification.fitting.checks.trust import Check
+from pyjoystick.identification.fitting.checks.unseen import Unseen
 from pyjoystick.identification.fitting.problem.least_squares import StepChoice
 from pyjoystick.identification.fitting.problem.settings import FitSettings
 from pyjoystick.identification.fitting.problem.variables import Variable
@@ -151,6 +152,11 @@ class Fit(Drawn):
     def trusted(self) -> bool:
         """Whether every check passed."""
         return all(check.passed for check in self.checks)
+
+    @property
+    def unseen(self) -> tuple[Unseen, ...]:
+        """What may be missing from the model all the same, because the records would hardly show it."""
+        return tuple(one for check in self.checks for one in check.unseen)
 
     def value(self, label: str) -> float:
         """A fitted value by its label, as ``damping.C`` or ``theta_start [run 1]``; KeyError where none."""

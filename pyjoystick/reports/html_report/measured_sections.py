@@ -122,6 +122,8 @@ def unidentified_section(found: Measurements) -> Section:
     undetermined = [one.name for one in found.fit.values if not one.is_determined] if found.fit else []
     if undetermined:
         sentences.append(f"the records do not determine {', '.join(dict.fromkeys(undetermined))}")
+    if found.fit is not None and found.fit.unseen:
+        sentences.append(f"the records would hardly show {', '.join(found.fit.unseen)}")
     unstated = [one.name for one in fmu_values(found.file) if uncertainty_of(found, one) is None]
     if unstated:
         names = ", ".join(unstated)

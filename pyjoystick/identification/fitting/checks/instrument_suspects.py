@@ -39,21 +39,24 @@ def instruments(problem: Problem, x: FloatArray, motions: Sequence[FittedMotion]
     def columns(name: str) -> tuple[FloatArray, ...]:
         return tuple(one[name][:, np.newaxis] for one in slopes)
 
-    yield Suspect("a zero offset", columns(ZERO_OFFSET), lambda s: f"up to {unit(largest(s))}", own=True)
-    yield Suspect(
-        "an error of the angle's scale",
-        columns(ANGLE_SCALE),
-        lambda s: f"{100.0 * s[0]:+.2g} %",
-        free=(Free(ANGLE_SCALE),),
-    )
-    if all(TIME_BASE in one for one in slopes):
+    fitted = {one.name for one in problem.variables.free}
+    if ZERO_OFFSET not in fitted:
+        yield Suspect("a zero offset", columns(ZERO_OFFSET), lambda s: f"up to {unit(largest(s))}", own=True)
+    if ANGLE_SCALE not in fitted:
+        yield Suspect(
+            "an error of the angle's scale",
+            columns(ANGLE_SCALE),
+            lambda s: f"{100.0 * s[0]:+.2g} %",
+            free=(Free(ANGLE_SCALE),),
+        )
+    if TIME_BASE not in fitted and all(TIME_BASE in one for one in slopes):
         yield Suspect(
             "an error of the time base",
             columns(TIME_BASE),
             lambda s: f"{100.0 * s[0]:+.2g} %",
             free=(Free(TIME_BASE),),
         )
-    if motions[0].predictor.inputs and all(DELAY in one for one in slopes):
+    if DELAY not in fitted and motions[0].predictor.inputs and all(DELAY in one for one in slopes):
         yield Suspect("a delay between the channels", columns(DELAY), lambda s: f"{1e3 * s[0]:.3g} ms")
     yield from _filters(motions)
     largest_motion = max(float(np.max(np.abs(one.first()))) for one in motions)

@@ -181,10 +181,8 @@ def check_suspects(
     kinds = f"{judged} kinds of physics and instrument errors"
     text = f"none of {kinds} would explain the residuals better than noise"
     if imitated:
-        text += f"; the fitted parameters would hide {', '.join(imitated)}"
-    if missed:
-        text += f"; up to these sizes the records would hardly show {', '.join(map(str, missed))}"
-    return Check("missing physics", True, text)
+        text += f"; the fitted parameters could make up for {', '.join(imitated)}"
+    return Check("missing physics", True, text, tuple(missed))
 
 
 def check_outliers(

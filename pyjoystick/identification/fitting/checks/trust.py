@@ -10,6 +10,7 @@ from typing import Final
 import numpy as np
 from scipy import stats
 
+from pyjoystick.identification.fitting.checks.unseen import Unseen
 from pyjoystick.identification.fitting.problem.variables import Variable, Variables
 from pyjoystick.identification.fitting.solution.profile import Profile
 from pyjoystick.identification.fitting.solution.search import Minimum
@@ -43,11 +44,13 @@ class Check:
         name: what was checked
         passed: whether it is in order
         message: what was found, and where it failed what to do
+        unseen: what a check that passed may have missed
     """
 
     name: str
     passed: bool
     message: str
+    unseen: tuple[Unseen, ...] = ()
 
 
 def check_convergence(minimum: Minimum) -> Check:

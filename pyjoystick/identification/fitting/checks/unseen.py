@@ -36,10 +36,6 @@ class Unseen(NamedTuple):
     part: float
     errors: float
 
-    def __str__(self) -> str:
-        moved = f"{self.parameter} off by {100.0 * self.part:.2g} %, {self.errors:.2g} standard errors"
-        return f"{self.suspect} ({self.size}: {moved})"
-
 
 def unseen(
     problem: Problem, x: FloatArray, jacobian: FloatArray, found: Iterable[Suspect], level: float

@@ -101,17 +101,23 @@ def test_friction_in_the_model_gives_both_coefficients(fmus_by_name: Path, rubbi
 
 
 def test_a_fit_that_passes_says_what_it_would_not_have_seen(fmus_by_name: Path) -> None:
-    """Friction of the size that it states moves C as it states, to the two digits that the sentence has."""
+    """Friction and inertia of the sizes that it states move C as it states."""
     clean = fit(releases(NOMINAL, 4, noise=NOISE), QUICK)
     assert clean.trusted
-    (check,) = (one for one in clean.checks if one.name == "missing physics")
-    stated = re.search(r"at the pivot \(T_c about (\S+) N m: damping\.C off by (\S+) %", check.message)
-    assert stated
-    size, part = float(stated[1]), 0.01 * float(stated[2])
-    rubbing = fit(releases(NOMINAL.replace({"friction.T_c": size}), 4, noise=NOISE), QUICK)
-    moved = rubbing.value("damping.C") / clean.value("damping.C") - 1.0
-    assert moved == pytest.approx(part, rel=0.1)
-    assert moved > 3.0 * clean.error("damping.C") / clean.value("damping.C")
+    stated = {one.suspect: one for one in clean.unseen}
+    assert "a zero offset" not in " ".join(check.message for check in clean.checks), "it is fitted"
+    friction, inertia = stated["dry friction at the pivot"], stated["another moment of inertia"]
+    sizes = [re.fullmatch(r"\D*([-+.\d]+)\D*", one.size) for one in (friction, inertia)]
+    moment, percent = (float(one[1]) for one in sizes if one)
+    others = ({"friction.T_c": moment}, {"J": NOMINAL.J * (1.0 + 0.01 * percent)})
+    for one, other in zip((friction, inertia), others, strict=True):
+        moved = fit(releases(NOMINAL.replace(other), 4, noise=NOISE), QUICK).value("damping.C")
+        part = abs(moved / clean.value("damping.C") - 1.0)
+        assert one.parameter == "damping.C"
+        assert part == pytest.approx(one.part, rel=0.1)
+        assert part > 3.0 * clean.error("damping.C") / clean.value("damping.C")
+        shown = re.sub(r" +", " ", report(clean))
+        assert f"| {one.suspect} | {one.size} | damping.C | {100.0 * one.part:.2g} % |" in shown
 
 
 def test_colored_noise_is_no_reason_to_fail(fmus_by_name: Path) -> None:

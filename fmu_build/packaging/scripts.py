@@ -1,0 +1,44 @@
+"""Scripts that load the library of an FMU in a process of their own, because a faulty one can kill it."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+# Ends the script as soon as its standard input ends, which the build holds open for as long as it lives.
+_WATCHED = """
+import os, runpy, sys, threading
+
+def watch():
+    os.read(0, 1)
+    os._exit(1)
+
+threading.Thread(target=watch, daemon=True).start()
+del sys.argv[0]
+runpy.run_path(sys.argv[0], run_name="__main__")
+"""
+
+
+def run_script(name: str, *arguments: str, seconds: float) -> subprocess.CompletedProcess[str]:
+    """Run a script of this folder and return what it printed; it ends with this process, however that ends.
+
+    After so many seconds it is killed, and `subprocess.TimeoutExpired` raised.
+    """
+    script = Path(__file__).with_name(name)
+    held, ours = os.pipe()
+    try:
+        return subprocess.run(
+            # -P keeps the working folder, and so the modules in it, off the search path.
+            [sys.executable, "-P", "-c", _WATCHED, str(script), *arguments],
+            stdin=held,
+            capture_output=True,
+            text=True,
+            errors="replace",
+            timeout=seconds,
+            check=False,
+        )
+    finally:
+        os.close(held)
+        os.close(ours)
