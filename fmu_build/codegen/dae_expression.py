@@ -1,4 +1,4 @@
-"""Simple expressions of the DAE stage, which define start values."""
+"""Simple expressions of the DAE stage: those of start values, and comparisons of time."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from fmu_build.codegen.functions.builtins import OPERATORS, UNARY_FUNCTIONS
 from fmu_build.codegen.lowered import LoweredModel
 
 
-def parameter_expression(model: LoweredModel, number: int, element: int = 0) -> Expression | None:
-    """Return an element, by row-major offset, of expression `number` of the DAE in terms of parameters.
+def plain_expression(model: LoweredModel, number: int, element: int = 0) -> Expression | None:
+    """Return an element, by row-major offset, of expression `number` of the DAE, of parameters and time.
 
     None for anything but plain arithmetic, such as a call of a Modelica function.
     """
@@ -21,22 +21,22 @@ def parameter_expression(model: LoweredModel, number: int, element: int = 0) -> 
 
     def value(operand: int) -> Expression | None:
         is_array = bool(model.dae["expressions"][operand]["value_type"]["dimensions"])
-        return parameter_expression(model, operand, element if is_array else 0)
+        return plain_expression(model, operand, element if is_array else 0)
 
     match operation["kind"]:
         case "literal":
             ((_, content),) = operation["value"].items()
             return ex.number(content) if isinstance(content, (bool, int, float)) else None
         case "coordinate":
-            return _parameter(model, operation["coordinate"], element)
+            return _coordinate(model, operation["coordinate"], element)
         case "index" if not entry["value_type"]["dimensions"]:
             place = _place(model, operation)
-            return None if place is None else parameter_expression(model, operation["base"], place)
+            return None if place is None else plain_expression(model, operation["base"], place)
         case "builtin" if operation["builtin"] == "fill":
             return value(operation["arguments"][0])
         case "array" if "elements" in operation:
             part, inside = divmod(element, math.prod(entry["value_type"]["dimensions"][1:]))
-            return parameter_expression(model, operation["elements"][part], inside)
+            return plain_expression(model, operation["elements"][part], inside)
     operator, numbers = _operator(model, operation)
     operands = [found for found in map(value, numbers) if found is not None]
     return _applied(operator, operands) if operator and len(operands) == len(numbers) else None
@@ -77,7 +77,7 @@ def _place(model: LoweredModel, operation: dict[str, Any]) -> int | None:
     place = 0
     dimensions = model.dae["expressions"][operation["base"]]["value_type"]["dimensions"]
     for size, subscript in zip(dimensions, operation["subscripts"], strict=True):
-        index = parameter_expression(model, subscript["expression"]) if subscript["kind"] == "index" else None
+        index = plain_expression(model, subscript["expression"]) if subscript["kind"] == "index" else None
         if index is None or not index.is_number:
             return None
         place = place * size + round(index.value) - 1
@@ -89,9 +89,14 @@ def _is_matrix_product(model: LoweredModel, operation: dict[str, Any]) -> bool:
     return operation["operator"] in ("multiply", "power") and all(side["dimensions"] for side in sides)
 
 
-def _parameter(model: LoweredModel, coordinate: dict[str, Any], element: int) -> Expression | None:
+def _coordinate(model: LoweredModel, coordinate: dict[str, Any], element: int) -> Expression | None:
+    if coordinate["kind"] == "time":
+        return ex.TIME
     if coordinate["kind"] not in ("parameter", "constant"):
         return None
     variable = next(v for v in model.dae["variables"] if v["id"] == coordinate["id"])
-    binding = model.solve["layout"]["bindings"].get(variable["scalar_names"][element], {})
-    return ex.p(binding["P"]["index"]) if "P" in binding else None
+    place = model.solve["layout"]["bindings"].get(variable["scalar_names"][element], {})
+    if "P" in place:
+        return ex.p(place["P"]["index"])
+    binding = variable["attributes"]["binding"]  # of a constant, which is a number in the Solve IR
+    return None if binding is None or place else plain_expression(model, binding, element)

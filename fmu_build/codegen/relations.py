@@ -17,6 +17,7 @@ from fmu_build.codegen import expression as ex
 from fmu_build.codegen.differentiate import NotDifferentiableError, partial
 from fmu_build.codegen.expression import TIME, ZERO, Expression, binary, negate
 from fmu_build.codegen.lowered import LoweredModel
+from fmu_build.codegen.no_event import literal_comparisons
 from fmu_build.codegen.programs import ProgramReader
 
 
@@ -43,6 +44,8 @@ class Relations:
     """The time of each time event, in terms of p."""
     floors: dict[Expression, int] = field(default_factory=dict)
     """Calls of floor(), ceil() and trunc() with a continuous argument, and the slot of their value."""
+    literal: frozenset[Expression] = frozenset()
+    """Comparisons of time that take no event."""
 
     @property
     def indicators(self) -> dict[tuple[Expression, bool], int]:
@@ -97,7 +100,7 @@ class Relations:
         for relation in (*self.crossings, *self.of_time):
             if relation.root == root and relation.holds_at_zero == holds_at_zero:
                 return _memory(relation.memory, negated)
-        when = _event_time(root)
+        when = None if node in self.literal else _event_time(root)
         if when is not None:
             if when not in self.event_times:
                 self.event_times.append(when)
@@ -166,7 +169,7 @@ def read_relations(
     """Return the relations with a memory from rumoca, and the zero crossings that it monitors without one."""
     events = model.solve["events"]
     rows = reader.read_rows(events["root_conditions"])
-    relations = Relations(n_p)
+    relations = Relations(n_p, literal=literal_comparisons(model))
     unwatched: set[tuple[Expression, bool]] = set()
     for number, target in enumerate(events["root_relation_memory_targets"]):
         if _is_step_crossing(rows[number]):

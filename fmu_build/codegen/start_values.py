@@ -6,7 +6,7 @@ from collections.abc import Container
 from functools import cached_property
 from typing import Any
 
-from fmu_build.codegen.dae_expression import parameter_expression
+from fmu_build.codegen.dae_expression import plain_expression
 from fmu_build.codegen.expression import Expression, Slot
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.support.description import EnumerationType
@@ -113,7 +113,7 @@ def starts_from_parameters(
             acts = is_state or slot in sought or variable["role"].startswith("discrete")
             if slot in without or not acts:
                 continue
-            value = parameter_expression(model, start, element if is_array else 0)
+            value = plain_expression(model, start, element if is_array else 0)
             if value is None:
                 raise model.unsupported(
                     f"the start value of {variable['name']} is not plain arithmetic",

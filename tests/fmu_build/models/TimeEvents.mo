@@ -108,4 +108,15 @@ package TimeEvents "Events at times that are known beforehand"
     y = if time < since + 0.4*period then 1 else 0;
     der(v) = y;
   end PulseTrain;
+
+  model Sinc "noEvent() keeps it from zero divided by zero: no event, and true at that very instant"
+    parameter Real t_begin(unit="s") = 0.1;
+    Real x;
+    Real y;
+    Real z(start=0, fixed=true, unit="s");
+  equation
+    x = 10*(time - t_begin);
+    y = if time < t_begin then 0 else if noEvent(time - t_begin < 1e-15) then 1 else sin(x)/x;
+    der(z) = y;
+  end Sinc;
 end TimeEvents;

@@ -7,6 +7,7 @@ from functools import partial
 from typing import Any
 
 import numpy as np
+from scipy.special import sici
 
 from ..case import Array, Case, Values
 from .state_events import at, count, latest
@@ -102,6 +103,15 @@ def pulse_case(period: float, origin: float, label: str) -> Case:
     )
 
 
+def sinc_case(begin: float, label: str) -> Case:
+    def expected(t: Array) -> Values:
+        x = 10 * (t - begin)
+        return {"y": np.where(t < begin, 0.0, np.sinc(x / np.pi)), "z": sici(np.maximum(x, 0.0))[0] / 10}
+
+    events = at(begin) if begin > 0 else at()
+    return Case("TimeEvents.Sinc", 2.0, expected, events=events, parameters={"t_begin": begin}, label=label)
+
+
 CASES = (
     steps_case(0.5, 0.25, "default"),
     steps_case(0.65, 0.4, "other times"),
@@ -113,4 +123,7 @@ CASES = (
     Case("TimeEvents.Level", 1.0, level, events=at(0.5)),
     pulse_case(0.3, -1.0, "default"),
     pulse_case(0.37, -20.05, "begun long ago"),
+    sinc_case(0.0, "from the start"),
+    sinc_case(0.1, "default"),
+    sinc_case(0.37, "later"),
 )

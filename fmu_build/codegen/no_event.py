@@ -1,0 +1,52 @@
+"""Comparisons of time within noEvent(), which take no event.
+
+rumoca gives comparisons of time and parameters no zero crossing: those outside of noEvent() are time events,
+those inside are evaluated as they stand. Its Solve IR does not tell them apart, but the DAE before it does.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from fmu_build.codegen.dae_expression import plain_expression
+from fmu_build.codegen.expression import Expression
+from fmu_build.codegen.functions.calls import operands
+from fmu_build.codegen.lowered import LoweredModel
+
+_ORDER = frozenset({"less", "less_equal", "greater", "greater_equal"})
+
+
+def literal_comparisons(model: LoweredModel) -> frozenset[Expression]:
+    """Return the comparisons of time and parameters that stand within noEvent() and nowhere else."""
+    operations = [entry["operation"] for entry in model.dae["expressions"]]
+    guarded = [one for operation in operations if _is_no_event(operation) for one in operands(operation)]
+    if not guarded:
+        return frozenset()
+    used = {one for operation in operations for one in operands(operation)}
+    roots = (number for number in range(len(operations)) if number not in used)
+    watched = _comparisons(model, _reached(operations, roots, into_no_event=False))
+    return _comparisons(model, _reached(operations, guarded, into_no_event=True)) - watched
+
+
+def _is_no_event(operation: dict[str, Any]) -> bool:
+    return operation.get("builtin") == "no_event"
+
+
+def _reached(operations: list[dict[str, Any]], roots: Iterable[int], *, into_no_event: bool) -> set[int]:
+    """Return the numbers of the expressions and of all parts of them."""
+    reached: set[int] = set()
+    pending = list(roots)
+    while pending:
+        number = pending.pop()
+        if number in reached or (_is_no_event(operations[number]) and not into_no_event):
+            continue
+        reached.add(number)
+        pending.extend(operands(operations[number]))
+    return reached
+
+
+def _comparisons(model: LoweredModel, numbers: Iterable[int]) -> frozenset[Expression]:
+    entries = model.dae["expressions"]
+    found = (plain_expression(model, n) for n in numbers if entries[n]["operation"].get("operator") in _ORDER)
+    return frozenset(one for one in found if one is not None)
