@@ -23,18 +23,31 @@ _INTERPOLATION = (
 """`Modelica.Math.Vectors.interpolate` without its while loops, which search in both directions from iLast. A
 vector that does not increase gives a division by zero, so not a number, in place of a failed assertion."""
 
+_SEARCH = re.compile(
+    r"(?P<head>\bfor\s+\w+\s+in)\s+1\s*:(?P<last>[^;:]*?)(?P<loop>\bloop\s+if\b"
+    r"(?P<condition>[^;]*)\bthen\s+(?P<result>\w+)\s*:=(?P<value>[^;]*);)(?P<space>\s*)return\s*;"
+    r"(?P<end>\s*end\s+if\s*;\s*end\s+for\s*;\s*(?:annotation|end)\b)"
+)
+
 
 def with_known_functions(text: str) -> str:
     """Return a text in which these functions are written in another way, on the same lines.
 
-    A function declared as ``external "builtin" y = sin(u)`` calls the built-in one in an algorithm.
+    A function declared as ``external "builtin" y = sin(u)`` calls the built-in one in an algorithm. A loop
+    that returns at the first element that fulfills a condition becomes one that begins at the last.
     """
-    return _INTERPOLATE.sub(_interpolation, _EXTERNAL.sub(_built_in, text))
+    return _SEARCH.sub(_backwards, _INTERPOLATE.sub(_interpolation, _EXTERNAL.sub(_built_in, text)))
 
 
 def _built_in(found: re.Match[str]) -> str:
     separator = "" if found["others"] is None else ", "
     return f"algorithm {found['result']} := {found['call']};{found['annotation']}Inline = true{separator}"
+
+
+def _backwards(found: re.Match[str]) -> str:
+    if re.search(rf"\b{found['result']}\b", found["condition"] + found["value"]):
+        return found[0]  # what it finds depends on what it found before
+    return f"{found['head']} {found['last'].strip()}:-1:1 {found['loop']}{found['space']}{found['end']}"
 
 
 def _interpolation(found: re.Match[str]) -> str:

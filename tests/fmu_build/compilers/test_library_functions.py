@@ -55,10 +55,24 @@ _LIBRARY = """package Functions
     end if;
     annotation (smoothOrder = 1);
   end interpolate;
+  function firstTrueIndex
+    input Boolean b[:];
+    output Integer index;
+  algorithm
+     index :=0;
+     for i in 1:size(b,1) loop
+        if b[i] then
+           index :=i;
+           return;
+        end if;
+     end for;
+      annotation ();
+  end firstTrueIndex;
 end Functions;
 """
 _USER = """model User
   Real one, two, three, table, single, x(start = 0, fixed = true);
+  Real first;
 equation
   der(x) = 1;
   one = Functions.sin(x);
@@ -66,6 +80,7 @@ equation
   three = Functions.tanh(x);
   table = Functions.interpolate({0.5, 1, 1.5, 2.5}, {1, 2, 0, 4}, x, 1);
   single = Functions.interpolate({3}, {7}, x);
+  first = Functions.firstTrueIndex({x > 2.05, x > 1.55 and x < 2.25, x > 0.75});
   annotation (uses(Functions(version = "1")));
 end User;
 """
@@ -78,12 +93,13 @@ def test_known_functions_in_co_simulation(tmp_path: Path) -> None:
     (folder / "package.mo").write_text(_LIBRARY)
     (tmp_path / "User.mo").write_text(_USER)
     built = build_fmu("User", tmp_path / "out", library=[tmp_path / "User.mo", folder])
-    names = ["one", "two", "three", "table", "single"]
+    names = ["one", "two", "three", "table", "single", "first"]
     with Fmu(built.path) as fmu:
         result = fmu.run(np.linspace(0, 3, 31), outputs=names)
     x = result.index.to_numpy()
     table = np.interp(x, [-1, 0.5, 1, 1.5, 2.5, 4.5], [-2, 1, 2, 0, 4, 12])
-    expected = [np.sin(x), np.arctan2(x - 0.77, 0.5 - x), np.tanh(x), table, np.full_like(x, 7)]
+    first = np.select([x > 2.05, (x > 1.55) & (x < 2.25), x > 0.75], [1, 2, 3], 0)
+    expected = [np.sin(x), np.arctan2(x - 0.77, 0.5 - x), np.tanh(x), table, np.full_like(x, 7), first]
     for name, values in zip(names, expected, strict=True):
         np.testing.assert_allclose(result[name], values, atol=1e-12, err_msg=name)
 
@@ -100,6 +116,8 @@ def test_lines_stay_in_place() -> None:
     [
         'external "C" y = sin(u); annotation (Library = "mine");',
         'external "builtin" y = bessel(u); annotation ();',
+        "for i in 1:n loop if x[i] > best then best := x[i]; return; end if; end for; end f;",
+        "for i in 1:n loop if x[i] > 0 then k := i; return; end if; end for; k := n; end f;",
         "function interpolate input Real u; output Real y; algorithm y := u; annotation (); end interpolate;",
     ],
 )
