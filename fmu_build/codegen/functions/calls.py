@@ -34,11 +34,14 @@ class CallSites:
         found = self._found.get(site["owner"])
         if found is not None:
             return found
-        fitting: set[int] = {
-            call["function"] for call in self._all_calls() if self._fits(call["function"], site)
-        }
-        if len(fitting) == 1:
-            return fitting.pop()
+        called: set[int] = {call["function"] for call in self._all_calls()}
+        # What no equation calls, rumoca calls where it differentiates: the function that an annotation names.
+        for those in (called, self._functions.keys() - called):
+            fitting = {number for number in those if self._fits(number, site)}
+            if len(fitting) == 1:
+                return fitting.pop()
+            if fitting:
+                break
         names = sorted({self._functions[number]["name"] for number in fitting})
         what = f"one of {', '.join(names)}" if names else "none of the model's functions"
         raise self._model.unsupported(f"a function call that cannot be identified: it fits {what}", span)

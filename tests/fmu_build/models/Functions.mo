@@ -129,4 +129,30 @@ package Functions "User functions"
     w = rotate(x, 0.5);
     der(x) = {-x[2], x[1]};
   end Rotation;
+
+  function given "A signal and its derivative: the one where it is called, the other where that is differentiated"
+    input Real u[2];
+    input Real at;
+    output Real y;
+  algorithm
+    y := u[1];
+    annotation (derivative(noDerivative=u)=given_rate);
+  end given;
+
+  function given_rate
+    input Real u[2];
+    input Real at;
+    input Real der_at;
+    output Real der_y;
+  algorithm
+    der_y := u[2];
+  end given_rate;
+
+  model Given "The annotation says what the derivative is, here by intention not that of the value"
+    Real y;
+    Real z;
+  equation
+    y = given({sin(time), exp(-time)}, time);
+    z = der(y);
+  end Given;
 end Functions;

@@ -201,6 +201,7 @@ CASES = (
     Case("Functions.Inlined", 3.0, inlined),
     Case("Functions.Polynomial", 4.0, polynomial),
     Case("Functions.Ignored", 2.0, lambda t: {"y": np.sin(t), "z": 3 * np.sin(np.sqrt(1 + t)) + 1}),
+    Case("Functions.Given", 2.0, lambda t: {"y": np.sin(t), "z": np.exp(-t)}),
     Case("Functions.Table", 1.0, function_table, accuracy=1e-12, me_accuracy=1e-12),
     Case("Functions.Newton", 1.0, newton, accuracy=1e-12, me_accuracy=1e-12),
     Case("Functions.Threshold", 1.5, function_threshold, events=at(0.5, 1.0)),
