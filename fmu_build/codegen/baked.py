@@ -37,16 +37,18 @@ def _layers(trials: Trials, group: Sequence[Candidate]) -> Iterator[list[Candida
 
 
 def followers_of(trials: Trials, group: Sequence[Candidate]) -> set[str]:
-    """Return the parameters whose values the compiler has derived from those of others, of the group.
+    """Return the parameters whose values the compiler has derived from those of others, of the group."""
+    return {name for chosen in halves(group) for name in trials.followers(chosen)}
 
-    Each is set in its own half of the trials, so that of any two some trial sets the one without the other.
+
+def halves(group: Sequence[Candidate]) -> list[list[Candidate]]:
+    """Return what to set in each of a few trials, so that of any two one is set without the other in some.
+
+    Each is set in its own half of the trials, rounded up.
     """
-    count = next(n for n in itertools.count() if math.comb(n, n // 2) >= len(group))
-    halves = list(zip(group, itertools.combinations(range(count), count // 2), strict=False))
-    moved: set[str] = set()
-    for trial in range(count):
-        moved |= trials.followers([one for one, half in halves if trial in half])
-    return moved
+    count = next(n for n in itertools.count(min(len(group), 1)) if math.comb(n, n // 2) >= len(group))
+    own = list(zip(group, itertools.combinations(range(count), (count + 1) // 2), strict=False))
+    return [[one for one, half in own if trial in half] for trial in range(count)]
 
 
 def _search(trials: Trials, group: Sequence[Candidate]) -> Iterator[str]:

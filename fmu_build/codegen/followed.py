@@ -13,7 +13,7 @@ from typing import Any
 
 import rumoca
 
-from fmu_build.codegen.baked import followers_of
+from fmu_build.codegen.baked import followers_of, halves
 from fmu_build.codegen.lowered import LoweredModel, lower
 from fmu_build.codegen.source import ModelSource
 from fmu_build.codegen.trials import Candidate, Trials
@@ -25,8 +25,7 @@ def with_followed_parameters(
 ) -> tuple[ModelSource, LoweredModel] | None:
     """Return the model in which others follow the parameters at run time; None if it is that already."""
     followers = {name for kind in trials.kinds for name in followers_of(trials, kind)}
-    first = ([one for one in kind if not followers.intersection(one.names)] for kind in trials.kinds)
-    leaders = (one for kind in first for one in _leaders(trials, kind))
+    leaders = (one for kind in trials.kinds for one in _leaders(trials, kind, followers))
     kept = [one.present for one in leaders if len(one.names) == 1 and _is_open(trials, one)]
     if not kept:
         return None
@@ -37,16 +36,23 @@ def with_followed_parameters(
         return None  # they remain constants
 
 
-def _leaders(trials: Trials, group: Sequence[Candidate]) -> Iterator[Candidate]:
-    """Yield the candidates that others follow."""
-    if not trials.followers(group):
-        return
-    if len(group) == 1:
-        yield group[0]
-        return
-    middle = len(group) // 2
-    yield from _leaders(trials, group[:middle])
-    yield from _leaders(trials, group[middle:])
+def _leaders(trials: Trials, group: Sequence[Candidate], followers: set[str]) -> Iterator[Candidate]:
+    """Yield the candidates that others follow and that follow none.
+
+    What follows a candidate has moved in every trial that set the candidate, unless it was set there itself.
+    """
+    tried = [(chosen, trials.followers(chosen) | _names(chosen)) for chosen in halves(group)]
+    for one in group:
+        moved = [names for chosen, names in tried if one in chosen]
+        others = followers.difference(one.names)
+        if len(others) < len(followers) or not others.intersection(*moved):
+            continue
+        if trials.followers([one]):
+            yield one
+
+
+def _names(chosen: Sequence[Candidate]) -> set[str]:
+    return {name for one in chosen for name in one.names}
 
 
 def _is_open(trials: Trials, one: Candidate) -> bool:
