@@ -28,8 +28,8 @@ import numpy as np
 from benchmarks.errors import BenchmarkError
 from pyjoystick.fmu import Fmu, find_fmu
 from pyjoystick.identification import CONSTANT_DAMPING, POWER_LAW_DAMPING, FitSettings, Measurement
-from pyjoystick.identification.fitting.fit import make_problem
-from pyjoystick.identification.fitting.problem.least_squares import choose_steps
+from pyjoystick.identification.fitting.problem.difference_steps import choose_steps
+from pyjoystick.identification.fitting.problem.setup import make_problem
 from pyjoystick.identification.fitting.solution.search import multi_start
 from pyjoystick.laboratory import synthetic_record
 from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW
@@ -101,15 +101,16 @@ def _ours(settings: FitSettings, records: list[Measurement]) -> dict[str, Any]:
 def _our_fit(settings: FitSettings, records: list[Measurement], fmu: Fmu) -> dict[str, Any]:
     begun = time.perf_counter()
     problem = make_problem(records, settings, fmu)
-    problem.steps = choose_steps(problem, problem.variables.start, central=False).steps
-    best = multi_start(problem, problem.variables.start, settings.search)[0]
+    start = problem.variables.start
+    steps = choose_steps(problem.model, start, central=False).steps
+    best = multi_start(dataclasses.replace(problem, steps=steps), start, settings.search)[0]
     seconds = time.perf_counter() - begun
     loss = sum(
         float(np.sum((predicted - data) ** 2))
         for predicted, data in zip(problem.predictions(best.x), problem.data, strict=True)
     )
     x = {label: float(value) for label, value in zip(problem.variables.labels, best.x, strict=True)}
-    return {"x": x, "loss": loss, "seconds": seconds, "runs": problem.runs}
+    return {"x": x, "loss": loss, "seconds": seconds, "runs": problem.model.runs}
 
 
 def _theirs(settings: FitSettings, records: list[Measurement], options: argparse.Namespace) -> dict[str, Any]:

@@ -64,6 +64,7 @@ from .fitting.problem.joystick_settings import (
     driven as driven,
     with_friction as with_friction,
 )
+from .fitting.problem.known_values import with_known as with_known, with_values as with_values
 from .fitting.problem.measurement import (
     Measurement as Measurement,
     Release as Release,
@@ -76,8 +77,6 @@ from .fitting.problem.settings import (
     Noise as Noise,
     Search as Search,
     Uncertainty as Uncertainty,
-    with_known as with_known,
-    with_values as with_values,
 )
 from .fitting.result import Fit as Fit
 from .fitting.selection import (

@@ -19,13 +19,8 @@ from pyjoystick.fmu import Fmu
 from pyjoystick.identification.bench import UNCERTAIN, Bench
 from pyjoystick.identification.fitting.fit import fit, fitted_values
 from pyjoystick.identification.fitting.problem.joystick_settings import RELEASE
-from pyjoystick.identification.fitting.problem.settings import (
-    FitSettings,
-    Free,
-    Noise,
-    Uncertainty,
-    with_values,
-)
+from pyjoystick.identification.fitting.problem.known_values import with_values
+from pyjoystick.identification.fitting.problem.settings import FitSettings, Free, Noise, Uncertainty
 from pyjoystick.identification.fitting.result import Fit
 from pyjoystick.laboratory import REST_TIME, LoadCurveFit, mean_period
 from pyjoystick.model import ActuatorAssembly, JoystickParameters, Side, simulate

@@ -12,10 +12,11 @@ import numpy as np
 import pandas as pd
 
 from pyjoystick.fmu import Fmu, Value
-from pyjoystick.identification.fitting.fit import make_problem
-from pyjoystick.identification.fitting.problem.least_squares import choose_steps
+from pyjoystick.identification.fitting.problem.difference_steps import choose_steps
+from pyjoystick.identification.fitting.problem.known_values import with_values
 from pyjoystick.identification.fitting.problem.measurement import Measurement
-from pyjoystick.identification.fitting.problem.settings import FitSettings, Noise, with_values
+from pyjoystick.identification.fitting.problem.settings import FitSettings, Noise
+from pyjoystick.identification.fitting.problem.setup import make_problem
 from pyjoystick.support import FloatArray, ParameterError, angle, increasing_times, positive
 
 #: A record begins so long before the release (s) unless it is said otherwise.
@@ -154,7 +155,7 @@ class PlannedFit:
             ]
         )
         x = np.clip(x, variables.lower, variables.upper)
-        problem.steps = choose_steps(problem, x).steps
+        problem = dataclasses.replace(problem, steps=choose_steps(problem.model, x).steps)
         jacobian = problem.jacobian(x)
         shared = np.array([one.record is None for one in variables.free])
         own, rest = jacobian[:, ~shared], jacobian[:, shared]

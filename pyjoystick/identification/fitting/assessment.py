@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -19,8 +20,8 @@ from pyjoystick.identification.fitting.problem.least_squares import Problem
 from pyjoystick.identification.fitting.problem.noise_color import Memory
 from pyjoystick.identification.fitting.problem.noise_model import relative_sizes
 from pyjoystick.identification.fitting.problem.peak_prediction import missing_peaks
-from pyjoystick.identification.fitting.problem.prediction import TrajectoryPredictor
 from pyjoystick.identification.fitting.problem.settings import FitSettings
+from pyjoystick.identification.fitting.problem.trajectory_prediction import TrajectoryPredictor
 from pyjoystick.identification.fitting.problem.variables import Variables
 from pyjoystick.identification.fitting.result import Criteria, Derived, RecordFit, criteria
 from pyjoystick.identification.fitting.solution.search import Minimum
@@ -32,7 +33,7 @@ def record_fits(problem: Problem, x: FloatArray) -> tuple[RecordFit, ...]:
     """Each record beside the prediction at x."""
     found = []
     for number, (predictor, predicted, weights) in enumerate(
-        zip(problem.predictors, problem.predictions(x), problem.weights, strict=True)
+        zip(problem.predictors, problem.predictions(x), problem.noise.weights, strict=True)
     ):
         sizes = relative_sizes(predictor)
         sigma = {
@@ -98,7 +99,7 @@ def all_checks(
     if settings.noise.sigma:
         found.append(trust.check_chi_squared(best.cost, errors.degrees_of_freedom))
     else:
-        counted = [one * share for one, share in zip(residuals, problem.shares, strict=True)]
+        counted = [one * share for one, share in zip(residuals, problem.noise.shares, strict=True)]
         found.append(trust.check_size(counted, [one.data for one in records]))
     offsets = [
         (one, value, error)
@@ -167,14 +168,12 @@ def _causes(
 
 def _whiteness(problem: Problem, x: FloatArray, view: ResidualView, *, explained: bool) -> trust.Check:
     """Whether the residuals are white; what something explains is not put down to colored noise."""
-    if not explained or problem.correlation == 0.0:
-        return residual_checks.check_whiteness(residual_checks.whiteness(view.series()), problem.correlation)
-    memories = problem.memories
-    problem.memories = [Memory(np.zeros_like(one.previous)) for one in memories]
-    try:
-        found = residual_checks.whiteness(ResidualView(problem, x).series())
-    finally:
-        problem.memories = memories
+    if not explained or problem.noise.correlation == 0.0:
+        return residual_checks.check_whiteness(
+            residual_checks.whiteness(view.series()), problem.noise.correlation
+        )
+    white = replace(problem, noise=problem.noise.colored(problem.predictors, 0.0))
+    found = residual_checks.whiteness(ResidualView(white, x).series())
     return residual_checks.check_whiteness(found, 0.0)
 
 

@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import nullcontext
 from dataclasses import replace
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
 
@@ -18,19 +18,15 @@ from pyjoystick.identification.fitting.assessment import (
     derived_parameters,
     record_fits,
 )
-from pyjoystick.identification.fitting.checks.noise_shape import first_shape, shaped
+from pyjoystick.identification.fitting.checks.noise_shape import has_settled, with_noise_of
 from pyjoystick.identification.fitting.checks.rivals import Make
 from pyjoystick.identification.fitting.checks.trust import Check, check_profiles
 from pyjoystick.identification.fitting.order import as_given, ordered_records, ordered_settings
-from pyjoystick.identification.fitting.problem.fmu_runs import FmuSettings
-from pyjoystick.identification.fitting.problem.instrument import CLOCK, INSTRUMENT
-from pyjoystick.identification.fitting.problem.least_squares import Problem, StepChoice, choose_steps
+from pyjoystick.identification.fitting.problem.difference_steps import StepChoice, choose_steps
+from pyjoystick.identification.fitting.problem.least_squares import Problem
 from pyjoystick.identification.fitting.problem.measurement import Measurement, measurements
-from pyjoystick.identification.fitting.problem.noise_model import first_weights
-from pyjoystick.identification.fitting.problem.peak_prediction import PeakPredictor
-from pyjoystick.identification.fitting.problem.prediction import Predictor, TrajectoryPredictor
 from pyjoystick.identification.fitting.problem.settings import FitSettings
-from pyjoystick.identification.fitting.problem.variables import Variables
+from pyjoystick.identification.fitting.problem.setup import make_problem
 from pyjoystick.identification.fitting.result import Fit
 from pyjoystick.identification.fitting.solution.bootstrap import Bootstrap, bootstrap
 from pyjoystick.identification.fitting.solution.profile import Profile, profile
@@ -51,46 +47,7 @@ from pyjoystick.identification.fitting.solution.uncertainty import (
     standard_errors,
 )
 from pyjoystick.motion import Record
-from pyjoystick.support import FloatArray, ParameterError, UnknownVariableError, notebook_progress, type_text
-
-
-def make_problem(records: Iterable[Record | Measurement], settings: FitSettings, fmu: Fmu) -> Problem:
-    """The least-squares problem that `fit` solves; raises as it does."""
-    measured = measurements(records)
-    if not measured:
-        raise FitError("records", "there is none")
-    if settings.noise.per_record and len(measured) < 2:
-        raise ParameterError("noise.per_record", True, "left out for a single record")
-    variables = Variables(settings, fmu.description, measured)
-    constants = {name: value for name, value in settings.fixed.items() if name not in INSTRUMENT}
-    shared = FmuSettings(fmu, variables.varied, constants, settings.tolerance)
-    free_clock = any(one.name in CLOCK for one in settings.free)
-    predictors = [_predictor(shared, settings, record, free_clock) for record in measured]
-    problem = Problem(variables, predictors, first_weights(predictors, settings.noise), settings.tolerance)
-    problem.predictions(variables.start)
-    return problem
-
-
-def _predictor(
-    shared: FmuSettings, settings: FitSettings, record: Measurement, free_clock: bool
-) -> Predictor:
-    known = shared.fmu.description.variables
-    is_needed = free_clock or settings.comparison == "peaks"
-    # Driven, a motion before its origin came along as it goes on, where its slope is known.
-    is_useful = bool(settings.inputs) and all(
-        settings.derivatives.get(one) in known for one in settings.outputs
-    )
-    needed = settings.outputs if is_needed or is_useful else ()
-    derivatives = {}
-    for name in needed:
-        if settings.derivatives.get(name) not in known:
-            raise UnknownVariableError(settings.derivatives.get(name, f"derivative of {name}"), known)
-        derivatives[name] = settings.derivatives[name]
-    if settings.comparison == "peaks":
-        name = settings.outputs[0]
-        return PeakPredictor(shared, record, name, derivatives[name], settings.peaks)
-    return TrajectoryPredictor(shared, record, settings.outputs, derivatives, settings.inputs)
-
+from pyjoystick.support import FloatArray, ParameterError, notebook_progress, type_text
 
 #: Called with the stage, what is done of it and of how much.
 OnProgress = Callable[[str, int, int], None]
@@ -135,20 +92,16 @@ def fit(
     ordered, measured = ordered_settings(settings), ordered_records(given)
     progress = notebook_progress("fit") if on_progress is None else nullcontext(on_progress)
     with nullcontext(fmu) if fmu is not None else Fmu(settings.fmu) as opened, progress as tell:
-        problem = make_problem(measured, ordered, opened)
-        solution = _at_solution(problem, measured, ordered, opened)
-        minima, steps, settled = _search(problem, solution, ordered, tell)
+        found = _searched(measured, ordered, opened, tell)
 
         def make(other: FitSettings, fmu: Fmu | None, *, mirrored: bool = False) -> Problem:
             shown = [one.mirrored() for one in measured] if mirrored else measured
             return make_problem(shown, other, fmu or opened)
 
-        found = _judged(solution, ordered, minima, steps, make, tell)
-        if not settled:
-            found = replace(found, checks=(*found.checks, _UNSETTLED))
-    found = as_given(found, settings, [one.name for one in given])
-    runs = found.runs + (problem.runs if problem is not solution else 0)
-    return replace(found, runs=runs, seconds=time.perf_counter() - begun)
+        judged = _judged(found, ordered, make, tell)
+        runs = judged.runs + found.runs_before
+    judged = as_given(judged, settings, [one.name for one in given])
+    return replace(judged, runs=runs, seconds=time.perf_counter() - begun)
 
 
 def fitted_values(
@@ -160,11 +113,52 @@ def fitted_values(
         as `fit`
     """
     ordered, measured = ordered_settings(settings), ordered_records(measurements(records))
-    problem = make_problem(measured, ordered, fmu)
-    solution = _at_solution(problem, measured, ordered, fmu)
-    minima, *_ = _search(problem, solution, ordered, lambda stage, done, total: None)
-    found = zip(solution.variables.free, minima[0].x, strict=True)
-    return {one.name: float(value) for one, value in found if one.record is None}
+    found = _searched(measured, ordered, fmu, lambda stage, done, total: None)
+    values = zip(found.problem.variables.free, found.minima[0].x, strict=True)
+    return {one.name: float(value) for one, value in values if one.record is None}
+
+
+class _Found(NamedTuple):
+    """What a search has found.
+
+    Attributes:
+        problem: at the tolerance of the solution, with the noise found there and the steps measured there
+        minima: best first
+        steps: of the differences at the best one
+        settled: whether minimum and noise agree
+        runs_before: FMU runs before there was a solution, on a model of larger tolerance
+    """
+
+    problem: Problem
+    minima: tuple[Minimum, ...]
+    steps: StepChoice
+    settled: bool
+    runs_before: int
+
+
+def _searched(measured: Sequence[Measurement], settings: FitSettings, fmu: Fmu, tell: OnProgress) -> _Found:
+    """Search at the tolerance of the settings, then refine the best minimum at that of the solution.
+
+    The noise is estimated from what the minimum leaves over, and the minimum refined with that noise, in
+    turn until they agree.
+    """
+    first = make_problem(measured, settings, fmu)
+    solution = _at_solution(first, measured, settings, fmu)
+    best, *others = _coarse_minima(first, settings, tell)
+    steps = choose_steps(solution.model, best.x)
+    problem = replace(solution, steps=steps.steps)
+    best = _refined(problem, best, settings)
+    settled = False
+    for _ in range(_MOST_ROUNDS):
+        before, problem = problem, with_noise_of(problem, best.x, settings, steps.least(settings.tolerance))
+        settled = has_settled(before, problem, settings)
+        if settled:
+            break
+        best = _refined(problem, best, settings)
+    best, *others = (_recosted(problem, one) for one in (best, *others))
+    others.sort(key=lambda one: one.cost)
+    runs_before = first.model.runs if solution is not first else 0
+    return _Found(problem, (best, *others), steps, settled, runs_before)
 
 
 def _at_solution(
@@ -179,71 +173,41 @@ def _at_solution(
         return problem
 
 
-def _search(
-    problem: Problem, solution: Problem, settings: FitSettings, tell: OnProgress
-) -> tuple[list[Minimum], StepChoice, bool]:
-    """The minima, the best one refined on `solution`, whose weights become those of the noise found there.
-
-    Last, whether minimum and noise agree.
-    """
-    problem.steps = choose_steps(problem, problem.variables.start, central=False).steps
-    starts = settings.search.starts
-    tell("searching", 0, starts)
-    minima = multi_start(
-        problem,
-        problem.variables.start,
-        settings.search,
-        lambda done, total: tell("searching", done, total),
-    )
+def _coarse_minima(problem: Problem, settings: FitSettings, tell: OnProgress) -> list[Minimum]:
+    """The minima from all starts and from the scan, best first."""
+    start = problem.variables.start
+    problem = replace(problem, steps=choose_steps(problem.model, start, central=False).steps)
+    tell("searching", 0, settings.search.starts)
+    minima = multi_start(problem, start, settings.search, lambda done, total: tell("searching", done, total))
     for one in scan(problem, minima[0], settings.scanned, settings.search.evaluations):
         merge(minima, one, problem)
-    best, *others = sorted(minima, key=lambda one: one.cost)
-    steps = choose_steps(solution, best.x)
-    solution.steps = steps.steps
-    best = _refined(solution, best, settings)
-    shape = first_shape(solution, settings)
-    settled = False
-    for _ in range(_MOST_ROUNDS):
-        before, shape = shape, shaped(solution, best.x, settings, steps.least(settings.tolerance))
-        settled = shape.settled(before)
-        if settled:
-            break
-        best = _refined(solution, best, settings)
-    best, *others = (_recosted(solution, one) for one in (best, *others))
-    others.sort(key=lambda one: one.cost)
-    return [best, *others], steps, settled
+    return sorted(minima, key=lambda one: one.cost)
 
 
-def _recosted(solution: Problem, minimum: Minimum) -> Minimum:
+def _recosted(problem: Problem, minimum: Minimum) -> Minimum:
     """The minimum with its sum of squares under the noise that was found."""
-    return replace(minimum, cost=float(np.sum(solution.residuals(minimum.x) ** 2)))
+    return replace(minimum, cost=float(np.sum(problem.residuals(minimum.x) ** 2)))
 
 
-def _refined(solution: Problem, minimum: Minimum, settings: FitSettings) -> Minimum:
+def _refined(problem: Problem, minimum: Minimum, settings: FitSettings) -> Minimum:
     """The minimum with the derivatives of the solution."""
     evaluations = settings.search.evaluations
-    is_exact = all(solution.exact)
+    is_exact = all(problem.model.exact)
     tolerance = EXACT if is_exact else REFINED
-    found = search(solution, minimum.x, evaluations=evaluations, tolerance=tolerance, central=True)
+    found = search(problem, minimum.x, evaluations=evaluations, tolerance=tolerance, central=True)
     if is_exact:
-        found = stationary_point(solution, found)
+        found = stationary_point(problem, found)
     return replace(found, evaluations=minimum.evaluations + found.evaluations, found=minimum.found)
 
 
-def _judged(
-    problem: Problem,
-    settings: FitSettings,
-    minima: Sequence[Minimum],
-    steps: StepChoice,
-    make: Make,
-    tell: OnProgress,
-) -> Fit:
+def _judged(found: _Found, settings: FitSettings, make: Make, tell: OnProgress) -> Fit:
     """The result of a search: uncertainties, checks, profiles, bootstrap."""
-    variables, best = problem.variables, minima[0]
+    problem, steps, best = found.problem, found.steps, found.minima[0]
+    variables = problem.variables
     labels = variables.labels
     scales = np.array([one.scale for one in variables.free])
     blocks = [np.where(steps.errors < SCATTER, block, 0.0) for block in problem.jacobians(best.x)]
-    counted = (problem.counted(block, k) for k, block in enumerate(blocks))
+    counted = (problem.noise.counted(block, k) for k, block in enumerate(blocks))
     jacobian = np.concatenate((*counted, problem.prior))
     known = identifiability(jacobian, best.x, scales, labels, steps.errors)
     sigma_known = bool(settings.noise.sigma)
@@ -267,6 +231,8 @@ def _judged(
         profiles, drawn, interrupted = _optional(problem, settings, best, errors, tell)
     if profiles:
         checks.append(check_profiles(labels, profiles))
+    if not found.settled:
+        checks.append(_UNSETTLED)
     return Fit(
         settings=settings,
         variables=variables.free,
@@ -275,14 +241,14 @@ def _judged(
         standard_errors=errors,
         intervals=errors.intervals(best.x),
         derived=derived,
-        minima=tuple(minima),
+        minima=found.minima,
         identifiability=known,
-        criteria=criteria_of(settings, records, known.rank, best.cost, problem.memories),
+        criteria=criteria_of(settings, records, known.rank, best.cost, problem.noise.memories),
         records=records,
         checks=tuple(checks),
         steps=steps,
-        correlation=problem.correlation,
-        runs=problem.runs,
+        correlation=problem.noise.correlation,
+        runs=problem.model.runs,
         seconds=0.0,
         profiles=profiles,
         bootstrap=drawn,

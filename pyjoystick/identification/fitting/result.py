@@ -11,7 +11,7 @@ import pandas as pd
 
 from pyjoystick.identification.fitting.checks.trust import Check
 from pyjoystick.identification.fitting.checks.unseen import Unseen
-from pyjoystick.identification.fitting.problem.least_squares import StepChoice
+from pyjoystick.identification.fitting.problem.difference_steps import StepChoice
 from pyjoystick.identification.fitting.problem.settings import FitSettings
 from pyjoystick.identification.fitting.problem.variables import Variable
 from pyjoystick.identification.fitting.solution.bootstrap import Bootstrap

@@ -10,14 +10,8 @@ from typing import Any, NamedTuple
 
 from pyjoystick.fmu import MODELS, FmuDescription, Value, Variable, find_fmu
 from pyjoystick.identification.fitting.problem.instrument import INSTRUMENT, RELEASE_TIME, ZERO_OFFSET
-from pyjoystick.identification.fitting.problem.settings import (
-    FitSettings,
-    Free,
-    Noise,
-    Search,
-    Uncertainty,
-    with_values,
-)
+from pyjoystick.identification.fitting.problem.known_values import with_values
+from pyjoystick.identification.fitting.problem.settings import FitSettings, Free, Noise, Search, Uncertainty
 from pyjoystick.runs import difference_of, fmu_of, joystick_values, number_of, value_of
 from pyjoystick.support import ParameterError, SettingsError, Table, UnknownVariableError, read_toml
 

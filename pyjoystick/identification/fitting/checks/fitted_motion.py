@@ -7,7 +7,7 @@ from typing import Final
 import numpy as np
 
 from pyjoystick.identification.fitting.problem.instrument import Instrument
-from pyjoystick.identification.fitting.problem.prediction import TrajectoryPredictor
+from pyjoystick.identification.fitting.problem.trajectory_prediction import TrajectoryPredictor
 from pyjoystick.support import FloatArray
 
 #: Size of a moment that is tried (N m): small, so that the motion changes in proportion. 1e-3 is too much.
@@ -40,9 +40,9 @@ class FittedMotion:
             (np.zeros(len(self.late) - len(own), dtype=np.intp), 1 + np.searchsorted(self._late, own))
         )
         self.time = np.concatenate(([0.0], self._late))
-        wanted = [name for name in ("theta", "omega", "M_s", "f_x") if name in predictor.known]
+        wanted = [name for name in ("theta", "omega", "M_s", "f_x") if name in predictor.motion.known]
         self._names = tuple(dict.fromkeys((*predictor.outputs, *wanted)))
-        self._values = predictor.variables(row, instrument, self._late, self._names)
+        self._values = predictor.motion.variables(row, instrument, self._late, self._names)
 
     def has(self, *names: str) -> bool:
         """Whether the FMU has these variables."""
@@ -82,5 +82,7 @@ class FittedMotion:
     ) -> FloatArray:
         """By how much the record shows another motion where something is changed, shape (n,)."""
         outputs = self.predictor.outputs
-        found = self.predictor.variables(self.row, self.instrument, self._late, outputs, added, moved)
+        found = self.predictor.motion.variables(
+            self.row, self.instrument, self._late, outputs, added=added, moved=moved
+        )
         return self.shown(found - self._values[:, : len(outputs)])

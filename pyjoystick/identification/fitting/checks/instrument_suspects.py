@@ -33,7 +33,7 @@ _PLAYS: Final = (0.003, 0.01, 0.03)
 
 def instruments(problem: Problem, x: FloatArray, motions: Sequence[FittedMotion]) -> Iterator[Suspect]:
     """What the record shows otherwise than it is."""
-    slopes = problem.instrument_slopes(x)
+    slopes = problem.model.instrument_slopes(x)
     unit = Unit(problem.predictors[0].labels[0])
 
     def columns(name: str) -> tuple[FloatArray, ...]:

@@ -1,16 +1,15 @@
-"""The noise as the residuals show it: its level, its outliers and its color, and the weights that follow."""
+"""The noise as the residuals show it: its outliers, its color and its level."""
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from dataclasses import replace
 
 import numpy as np
 
 from pyjoystick.identification.fitting.checks.residual_checks import CHANCE, whiteness
 from pyjoystick.identification.fitting.checks.residual_view import ResidualView
 from pyjoystick.identification.fitting.problem.least_squares import Problem
-from pyjoystick.identification.fitting.problem.noise_color import Memory
-from pyjoystick.identification.fitting.problem.noise_model import estimated_sigmas, weights_of
+from pyjoystick.identification.fitting.problem.noise_model import NoiseModel, relative_sizes, weights_of
 from pyjoystick.identification.fitting.problem.settings import FitSettings
 from pyjoystick.support import FloatArray
 
@@ -21,62 +20,96 @@ _SHAPE_CHANGE = 1e-3
 _COLORED = 2.0 * CHANCE
 
 
-class NoiseShape(NamedTuple):
-    """What is assumed of the noise.
-
-    Attributes:
-        levels: standard deviations, shape (levels,); empty where they are given
-        shares: how much each residual counts, shape (all samples,)
-        correlation: from sample to sample
-    """
-
-    levels: FloatArray
-    shares: FloatArray
-    correlation: float
-
-    def settled(self, before: NoiseShape) -> bool:
-        """Whether the minimum stays where it is with this shape."""
-        # One level for all is a common factor.
-        ratios = self.levels / before.levels
-        return (
-            bool(np.allclose(ratios, ratios[:1], rtol=_LEVEL_CHANGE, atol=0.0))
-            and float(np.max(np.abs(self.shares - before.shares))) < _SHAPE_CHANGE
-            and abs(self.correlation - before.correlation) < _SHAPE_CHANGE
-        )
-
-
-def first_shape(problem: Problem, settings: FitSettings) -> NoiseShape:
-    """What is assumed before there is a fit: white noise of one level relative to the data."""
-    return NoiseShape(_levels(problem, settings), np.concatenate(problem.shares), 0.0)
-
-
-def shaped(problem: Problem, x: FloatArray, settings: FitSettings, least: float) -> NoiseShape:
-    """Give a problem the weights, shares and memories of the noise that the residuals at x show.
+def with_noise_of(problem: Problem, x: FloatArray, settings: FitSettings, least: float) -> Problem:
+    """The problem with the noise that the residuals at x show.
 
     Args:
-        problem: the problem
+        problem: with the noise that was assumed so far
         x: the minimum
         settings: what of the noise is known, and what may be assumed
         least: residuals no larger than this (in the unit of the data) are no noise
     """
     noise, peaks = settings.noise, settings.comparison == "peaks"
-    moved = 0.0
     if not peaks and _largest(problem, x) > least:
+        before = problem.noise
         if noise.robust:
-            outliers = ResidualView(problem, x).outliers()
-            if outliers.few and (outliers.any or not _all_in_full(problem)):
-                before, problem.shares = problem.shares, outliers.shares()
-                moved = max(float(np.max(np.abs(a - b))) for a, b in zip(before, problem.shares, strict=True))
+            problem = _without_outliers(problem, x)
         # The color of residuals that outliers still pull at is not that of the noise.
-        if noise.colored and moved < _SHAPE_CHANGE:
-            view = ResidualView(problem, x)
-            if problem.correlation != 0.0 or whiteness(view.series()).chance < _COLORED:
-                problem.correlation = view.correlation()
-                problem.memories = [Memory.of(one.labels, problem.correlation) for one in problem.predictors]
+        if noise.colored and _change_of_shares(before, problem.noise) < _SHAPE_CHANGE:
+            problem = _colored(problem, x)
     if not noise.sigma:
         sigmas = estimated_sigmas(problem, x, per_record=noise.per_record, combined=peaks)
-        problem.weights = weights_of(problem, sigmas)
-    return NoiseShape(_levels(problem, settings), np.concatenate(problem.shares), problem.correlation)
+        problem = problem.with_weights(weights_of(problem.predictors, sigmas))
+    return problem
+
+
+def has_settled(before: Problem, after: Problem, settings: FitSettings) -> bool:
+    """Whether the minimum stays where it is with the noise of `after`."""
+    # One level for all is a common factor.
+    ratios = _levels(after, settings) / _levels(before, settings)
+    return (
+        bool(np.allclose(ratios, ratios[:1], rtol=_LEVEL_CHANGE, atol=0.0))
+        and _change_of_shares(before.noise, after.noise) < _SHAPE_CHANGE
+        and abs(after.noise.correlation - before.noise.correlation) < _SHAPE_CHANGE
+    )
+
+
+def estimated_sigmas(
+    problem: Problem, x: FloatArray, *, per_record: bool, combined: bool
+) -> list[dict[str, float]]:
+    """Standard deviations by record and series, from the residuals at x.
+
+    The variables that were fitted are taken off the number of samples, in proportion to those of each group.
+
+    Args:
+        problem: the problem
+        x: the minimum
+        per_record: estimate for each record separately
+        combined: one for all series, as for the relative errors of peaks
+    """
+    sums: dict[tuple[int, str], list[float]] = {}
+    for k, predicted in enumerate(problem.predictions(x)):
+        predictor, shares = problem.predictors[k], problem.noise.shares[k]
+        scaled = problem.noise.memories[k].innovations(
+            shares * (predicted - predictor.data) / relative_sizes(predictor)
+        )
+        labels = np.array(predictor.labels)
+        for label in dict.fromkeys(predictor.labels):
+            group = sums.setdefault((k if per_record else -1, "" if combined else label), [0.0, 0.0])
+            group[0] += float(np.sum(scaled[labels == label] ** 2))
+            group[1] += float(np.sum(shares[labels == label] ** 2))
+    samples = sum(group[1] for group in sums.values())
+    # What is known beforehand is no freedom that the samples give.
+    freedom = max(samples - (len(x) - len(problem.prior)), 1.0) / samples
+    sigma = {key: float(np.sqrt(total / (count * freedom))) for key, (total, count) in sums.items()}
+    return [
+        {
+            label: max(sigma[(k if per_record else -1, "" if combined else label)], np.finfo(float).tiny)
+            for label in dict.fromkeys(predictor.labels)
+        }
+        for k, predictor in enumerate(problem.predictors)
+    ]
+
+
+def _without_outliers(problem: Problem, x: FloatArray) -> Problem:
+    """The problem in which outliers count less, if there are few, and others again in full."""
+    outliers = ResidualView(problem, x).outliers()
+    in_full = all(bool(np.all(one == 1.0)) for one in problem.noise.shares)
+    if not outliers.few or (in_full and not outliers.any):
+        return problem
+    return replace(problem, noise=replace(problem.noise, shares=tuple(outliers.shares())))
+
+
+def _colored(problem: Problem, x: FloatArray) -> Problem:
+    """The problem with the correlation of its residuals, if white noise would hardly look like them."""
+    view = ResidualView(problem, x)
+    if problem.noise.correlation == 0.0 and whiteness(view.series()).chance >= _COLORED:
+        return problem
+    return replace(problem, noise=problem.noise.colored(problem.predictors, view.correlation()))
+
+
+def _change_of_shares(before: NoiseModel, after: NoiseModel) -> float:
+    return max(float(np.max(np.abs(a - b))) for a, b in zip(before.shares, after.shares, strict=True))
 
 
 def _levels(problem: Problem, settings: FitSettings) -> FloatArray:
@@ -84,7 +117,7 @@ def _levels(problem: Problem, settings: FitSettings) -> FloatArray:
     if settings.noise.sigma:
         return np.ones(1)
     found = []
-    for predictor, weights in zip(problem.predictors, problem.weights, strict=True):
+    for predictor, weights in zip(problem.predictors, problem.noise.weights, strict=True):
         labels = np.array(predictor.labels)
         found += [1.0 / float(weights[labels == label][0]) for label in dict.fromkeys(predictor.labels)]
     return np.array(found)
@@ -95,7 +128,3 @@ def _largest(problem: Problem, x: FloatArray) -> float:
         float(np.max(np.abs(data - predicted)))
         for data, predicted in zip(problem.data, problem.predictions(x), strict=True)
     )
-
-
-def _all_in_full(problem: Problem) -> bool:
-    return all(bool(np.all(one == 1.0)) for one in problem.shares)

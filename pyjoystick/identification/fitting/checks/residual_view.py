@@ -30,15 +30,15 @@ class ResidualView:
         self._predicted = problem.predictions(x)
         self._left = [data - one for data, one in zip(problem.data, self._predicted, strict=True)]
         self._slopes = problem.jacobians(x)
-        self.innovations = [problem.counted(one, k) for k, one in enumerate(self._left)]
+        self.innovations = [problem.noise.counted(one, k) for k, one in enumerate(self._left)]
         known = problem.prior
         self.residuals = np.concatenate([*self.innovations, known @ (problem.measured - x)])
-        counted = (problem.counted(one, k) for k, one in enumerate(self._slopes))
+        counted = (problem.noise.counted(one, k) for k, one in enumerate(self._slopes))
         self.jacobian = np.concatenate([*counted, known])
 
     def outliers(self) -> Outliers:
         """Samples that are no part of the noise, whatever they count."""
-        weights = self._problem.weights
+        weights = self._problem.noise.weights
         return find_outliers([one * weight for one, weight in zip(self._left, weights, strict=True)])
 
     def series(self) -> list[Series]:
@@ -68,10 +68,7 @@ class ResidualView:
         """The correlation of the noise from sample to sample; with repeats, of what differs between them."""
         problem, repeats = self._problem, self.repeats
         scaled = [
-            [
-                one * (problem.weights[k] * problem.shares[k]).reshape(-1, *(1,) * (one.ndim - 1))
-                for k, one in enumerate(parts)
-            ]
+            [problem.noise.scaled(one, k) for k, one in enumerate(parts)]
             for parts in (self._left, self._slopes)
         ]
         if repeats.any:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import dataclasses
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import ExitStack
+from dataclasses import replace
 from typing import Final, Protocol
 
 import numpy as np
@@ -14,10 +14,11 @@ from pyjoystick.fmu import Fmu, FmuNotFoundError, find_fmu
 from pyjoystick.identification.errors import FitError
 from pyjoystick.identification.fitting.checks.score_test import Finding
 from pyjoystick.identification.fitting.checks.suspect import Suspect
+from pyjoystick.identification.fitting.problem.difference_steps import choose_steps
 from pyjoystick.identification.fitting.problem.instrument import ZERO_OFFSET
-from pyjoystick.identification.fitting.problem.least_squares import Problem, choose_steps
-from pyjoystick.identification.fitting.problem.prediction import TrajectoryPredictor
+from pyjoystick.identification.fitting.problem.least_squares import Problem
 from pyjoystick.identification.fitting.problem.settings import FitSettings, Free
+from pyjoystick.identification.fitting.problem.trajectory_prediction import TrajectoryPredictor
 from pyjoystick.identification.fitting.solution.search import staged_search
 from pyjoystick.runs import FMU_WITH_FRICTION
 from pyjoystick.support import FloatArray, ParameterError
@@ -91,14 +92,14 @@ def _refitted(
     with_friction: Fmu | None,
     make: Make,
 ) -> Finding:
-    """The finding as a fit has it; as the score test had it where that fit cannot be made or is no better."""
+    """The finding as a fit has it, or as it was where that fit cannot be made or explains no more."""
     needs_friction = any(
         one.name.startswith(_FRICTION) and not _has(problem, one.name) for one in suspect.free
     )
     if not suspect.free or (needs_friction and with_friction is None):
         return finding
     try:
-        wider = dataclasses.replace(
+        wider = replace(
             settings,
             free=(*settings.free, *suspect.free),
             fixed={name: value for name, value in settings.fixed.items() if name not in _names(suspect)},
@@ -106,19 +107,20 @@ def _refitted(
         rival = make(wider, with_friction if needs_friction else None)
     except (FitError, ParameterError):
         return finding
-    rival.weights, rival.shares, rival.memories = problem.weights, problem.shares, problem.memories
     start = np.concatenate((x, rival.variables.start[len(x) :]))
     best, part = _better(rival, start, problem, settings, x)
     sizes = best[len(x) :]
     if part <= finding.explained:
         return finding
     evidence = problem.size * -math.log1p(-part) - len(sizes) * math.log(problem.size)
-    return dataclasses.replace(finding, size=suspect.says(sizes), explained=part, evidence=evidence)
+    return replace(finding, size=suspect.says(sizes), explained=part, evidence=evidence)
 
 
 def _has(problem: Problem, name: str) -> bool:
     """The fit's own FMU has the parameter."""
-    return any(isinstance(one, TrajectoryPredictor) and name in one.known for one in problem.predictors)
+    return any(
+        isinstance(one, TrajectoryPredictor) and name in one.motion.known for one in problem.predictors
+    )
 
 
 def _mirrored(problem: Problem, settings: FitSettings, x: FloatArray, make: Make) -> Finding | None:
@@ -132,7 +134,6 @@ def _mirrored(problem: Problem, settings: FitSettings, x: FloatArray, make: Make
         rival = make(_turned(settings), None, mirrored=True)
     except (FitError, ParameterError):
         return None
-    rival.weights, rival.shares, rival.memories = problem.weights, problem.shares, problem.memories
     start = [-v if one.name in _TURNED else v for one, v in zip(rival.variables.free, x, strict=True)]
     part = _better(rival, np.array(start), problem, settings, x)[1]
     evidence = problem.size * -math.log1p(-part)
@@ -142,21 +143,22 @@ def _mirrored(problem: Problem, settings: FitSettings, x: FloatArray, make: Make
 def _turned(settings: FitSettings) -> FitSettings:
     """The settings with starts, bounds and fixed values for the angle counted the other way round."""
     fixed = {name: -float(value) if name in _TURNED else value for name, value in settings.fixed.items()}
-    return dataclasses.replace(settings, free=tuple(map(_turned_variable, settings.free)), fixed=fixed)
+    return replace(settings, free=tuple(map(_turned_variable, settings.free)), fixed=fixed)
 
 
 def _turned_variable(one: Free) -> Free:
     if one.name not in _TURNED:
         return one
     start, minimum, maximum = (None if v is None else -v for v in (one.start, one.maximum, one.minimum))
-    return dataclasses.replace(one, start=start, minimum=minimum, maximum=maximum)
+    return replace(one, start=start, minimum=minimum, maximum=maximum)
 
 
 def _better(
     rival: Problem, start: FloatArray, problem: Problem, settings: FitSettings, x: FloatArray
 ) -> tuple[FloatArray, float]:
     """Where a rival's search ends, and the part of the sum of squares of the fit that it takes away."""
-    rival.steps = choose_steps(rival, start, central=False).steps
+    steps = choose_steps(rival.model, start, central=False).steps
+    rival = replace(rival, noise=problem.noise, steps=steps)
     best = staged_search(rival, start, evaluations=_EVALUATIONS, stages=settings.search.stages)
     return best.x, 1.0 - best.cost / float(np.sum(problem.residuals(x) ** 2))
 

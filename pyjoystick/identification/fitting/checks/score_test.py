@@ -78,7 +78,7 @@ def _tested(
     problem: Problem, suspect: Suspect, left: FloatArray, basis: FloatArray, total: float, freedom: int
 ) -> Finding | None:
     """What a suspect explains, nothing where its size makes no sense; None where the variables imitate it."""
-    counted = [problem.counted(own, k) for k, own in enumerate(suspect.columns)]
+    counted = [problem.noise.counted(own, k) for k, own in enumerate(suspect.columns)]
     columns = _side_by_side(counted) if suspect.own else np.concatenate(counted)
     # What is known beforehand does not hang on what the model lacks.
     columns = np.pad(columns, ((0, len(left) - len(columns)), (0, 0)))

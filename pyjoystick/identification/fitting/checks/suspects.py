@@ -20,7 +20,7 @@ from pyjoystick.identification.fitting.checks.instrument_suspects import instrum
 from pyjoystick.identification.fitting.checks.suspect import LEVELS, Suspect, beyond, each, largest, limits
 from pyjoystick.identification.fitting.problem.joystick_settings import PIVOT_FRICTION, PLUNGER_FRICTION
 from pyjoystick.identification.fitting.problem.least_squares import Problem
-from pyjoystick.identification.fitting.problem.prediction import TrajectoryPredictor
+from pyjoystick.identification.fitting.problem.trajectory_prediction import TrajectoryPredictor
 from pyjoystick.support import FloatArray
 
 #: Parameters are moved by this part, velocities by this (rad/s).
@@ -39,7 +39,7 @@ def suspects(problem: Problem, x: FloatArray) -> Iterator[Suspect]:
         FittedMotion(one, variables.row(x, k), variables.instrument(x, k)) for k, one in enumerate(predictors)
     ]
     yield from instruments(problem, x, motions)
-    known = predictors[0].known
+    known = predictors[0].motion.known
     if "T" in known and known["T"].causality == "input" and motions[0].has("theta", "omega"):
         yield from _friction(motions)
         yield from _damping(motions)
@@ -111,7 +111,9 @@ def _torque(motions: Sequence[FittedMotion]) -> Iterator[Suspect]:
     """Errors of the torque that was measured."""
     yield Suspect(
         "an error of the torque's scale",
-        each(motions, lambda one: one.with_moment(one.predictor.input_at("T", one.instrument, one.time))),
+        each(
+            motions, lambda one: one.with_moment(one.predictor.motion.input_at("T", one.instrument, one.time))
+        ),
         lambda s: f"{100.0 * s[0]:+.2g} %",
     )
     yield Suspect(
@@ -127,14 +129,14 @@ def _parameters(problem: Problem, motions: Sequence[FittedMotion]) -> Iterator[S
     predictor = motions[0].predictor
 
     def free(name: str) -> bool:
-        known = predictor.known.get(name)
+        known = predictor.motion.known.get(name)
         is_number = known is not None and known.type in REALS and known.settable_at_start
         return is_number and name not in problem.variables.varied
 
     def columns(names: Sequence[str]) -> tuple[FloatArray, ...]:
         return tuple(
             np.column_stack(
-                [one.with_parameter(name, _PART * (predictor.value(name) or 1.0)) for name in names]
+                [one.with_parameter(name, _PART * (predictor.motion.value(name) or 1.0)) for name in names]
             )
             for one in motions
         )
@@ -147,7 +149,7 @@ def _parameters(problem: Problem, motions: Sequence[FittedMotion]) -> Iterator[S
             own=True,
         )
     if free("J"):
-        inertia = predictor.value("J")
+        inertia = predictor.motion.value("J")
         yield Suspect(
             "another moment of inertia",
             columns(["J"]),

@@ -63,7 +63,9 @@ def unseen(
     for suspect in found if shared else ():
         if suspect.own or suspect.alternatives > 1 or suspect.columns[0].shape[1] > 1:
             continue
-        counted = np.concatenate([problem.counted(own, k) for k, own in enumerate(suspect.columns)])[:, 0]
+        counted = np.concatenate([problem.noise.counted(own, k) for k, own in enumerate(suspect.columns)])[
+            :, 0
+        ]
         column = np.pad(counted, (0, len(jacobian) - len(counted)))
         rest = float(np.linalg.norm(column - basis @ (basis.T @ column)))
         if rest <= DISTINCT * float(np.linalg.norm(column)):

@@ -1,19 +1,60 @@
-"""Weights from the noise: given, or estimated from what the fit leaves over."""
+"""What is assumed of the noise: its level, how much each sample counts, and its memory."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from pyjoystick.identification.fitting.problem.least_squares import Problem
+from pyjoystick.identification.fitting.problem.noise_color import Memory
 from pyjoystick.identification.fitting.problem.peak_prediction import PeakPredictor
-from pyjoystick.identification.fitting.problem.prediction import Predictor
+from pyjoystick.identification.fitting.problem.predictor import Predictor
 from pyjoystick.identification.fitting.problem.settings import Noise
 from pyjoystick.support import FloatArray
 
 #: Relative to the largest value, what the noise is taken to be before there is an estimate.
 _FIRST_GUESS = 1e-2
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class NoiseModel:
+    """How residuals count in the sum of squares.
+
+    Attributes:
+        weights: by record, shape (n,) each; the reciprocal of the noise's standard deviation where known
+        shares: how much each residual counts, by record: 1, and less for outliers
+        memories: of the noise, by record
+        correlation: from sample to sample, that of the memories
+    """
+
+    weights: tuple[FloatArray, ...]
+    shares: tuple[FloatArray, ...]
+    memories: tuple[Memory, ...]
+    correlation: float = 0.0
+
+    @classmethod
+    def white(cls, weights: Sequence[FloatArray]) -> NoiseModel:
+        """White noise without outliers."""
+        return cls(
+            tuple(weights),
+            tuple(np.ones(len(one)) for one in weights),
+            tuple(Memory(np.zeros(len(one))) for one in weights),
+        )
+
+    def colored(self, predictors: Sequence[Predictor], correlation: float) -> NoiseModel:
+        """The same with this correlation within each series; 0 makes it white."""
+        memories = tuple(Memory.of(one.labels, correlation) for one in predictors)
+        return replace(self, memories=memories, correlation=correlation)
+
+    def scaled(self, values: FloatArray, record: int) -> FloatArray:
+        """Values of one record in the unit of the data, shape (n, ...), weighted by weights and shares."""
+        weights = self.weights[record] * self.shares[record]
+        return values * weights.reshape(-1, *(1,) * (values.ndim - 1))
+
+    def counted(self, values: FloatArray, record: int) -> FloatArray:
+        """The same as they count in the sum of squares: what is new in each of them."""
+        return self.memories[record].innovations(self.scaled(values, record))
 
 
 def relative_sizes(predictor: Predictor) -> FloatArray:
@@ -23,8 +64,8 @@ def relative_sizes(predictor: Predictor) -> FloatArray:
     return np.ones(len(predictor.data))
 
 
-def first_weights(predictors: Sequence[Predictor], noise: Noise) -> list[FloatArray]:
-    """Weights before the first search: exact where the noise is given."""
+def first_noise(predictors: Sequence[Predictor], noise: Noise) -> NoiseModel:
+    """White noise before the first search: with exact weights where its standard deviation is given."""
     found = []
     for predictor in predictors:
         labels = np.array(predictor.labels)
@@ -35,53 +76,22 @@ def first_weights(predictors: Sequence[Predictor], noise: Noise) -> list[FloatAr
             largest = max(_largest(other, label) for other in predictors)
             sigma[labels == label] = noise.sigma.get(label, _FIRST_GUESS * largest)
         found.append(1.0 / (sigma * relative_sizes(predictor)))
-    return found
+    return NoiseModel.white(found)
 
 
-def estimated_sigmas(
-    problem: Problem, x: FloatArray, *, per_record: bool, combined: bool
-) -> list[dict[str, float]]:
-    """Standard deviations by record and series, from the residuals at x.
-
-    The variables that were fitted are taken off the number of samples, in proportion to those of each group.
+def weights_of(
+    predictors: Sequence[Predictor], sigmas: Sequence[Mapping[str, float]]
+) -> tuple[FloatArray, ...]:
+    """The weights that make residuals count in standard deviations.
 
     Args:
-        problem: the problem
-        x: the minimum
-        per_record: estimate for each record separately
-        combined: one for all series, as for the relative errors of peaks
+        predictors: one for each record
+        sigmas: standard deviations by series, for each record
     """
-    sums: dict[tuple[int, str], list[float]] = {}
-    for k, predicted in enumerate(problem.predictions(x)):
-        predictor = problem.predictors[k]
-        shares = problem.shares[k]
-        scaled = problem.memories[k].innovations(
-            shares * (predicted - predictor.data) / relative_sizes(predictor)
-        )
-        labels = np.array(predictor.labels)
-        for label in dict.fromkeys(predictor.labels):
-            group = sums.setdefault((k if per_record else -1, "" if combined else label), [0.0, 0.0])
-            group[0] += float(np.sum(scaled[labels == label] ** 2))
-            group[1] += float(np.sum(shares[labels == label] ** 2))
-    samples = sum(group[1] for group in sums.values())
-    # What is known beforehand is no freedom that the samples give.
-    freedom = max(samples - (len(x) - len(problem.prior)), 1.0) / samples
-    sigma = {key: float(np.sqrt(total / (count * freedom))) for key, (total, count) in sums.items()}
-    return [
-        {
-            label: max(sigma[(k if per_record else -1, "" if combined else label)], np.finfo(float).tiny)
-            for label in dict.fromkeys(predictor.labels)
-        }
-        for k, predictor in enumerate(problem.predictors)
-    ]
-
-
-def weights_of(problem: Problem, sigmas: Sequence[dict[str, float]]) -> list[FloatArray]:
-    """The weights that make residuals count in standard deviations."""
-    return [
+    return tuple(
         1.0 / (np.array([sigma[label] for label in predictor.labels]) * relative_sizes(predictor))
-        for predictor, sigma in zip(problem.predictors, sigmas, strict=True)
-    ]
+        for predictor, sigma in zip(predictors, sigmas, strict=True)
+    )
 
 
 def _largest(predictor: Predictor, label: str) -> float:

@@ -17,7 +17,7 @@ from pyjoystick.identification.fitting.problem.instrument import (
     Instrument,
 )
 from pyjoystick.identification.fitting.problem.measurement import Measurement
-from pyjoystick.identification.fitting.problem.prediction import Prediction
+from pyjoystick.identification.fitting.problem.predictor import Prediction
 from pyjoystick.motion import Record, measured_peaks
 from pyjoystick.support import FloatArray
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -67,45 +67,42 @@ def bootstrap(
     what is assumed of the noise. In either way, what was measured beforehand is drawn anew too.
     """
     random = np.random.default_rng(seed)
-    weights, data, measured = problem.weights, problem.data, problem.measured
     errors = np.array([one.uncertainty or 0.0 for one in problem.variables.free])
     predicted = problem.predictions(x)
-    fits, failed = [], 0
+    records = len(problem.data)
     owners = [one.record for one in problem.variables.free]
-    try:
-        for number in range(count):
-            problem.measured = x + errors * random.standard_normal(len(x))
-            # The release of a record that was not drawn has nothing to go by.
-            idle: list[int] = []
-            if resampling == "records":
-                counts = np.bincount(random.integers(len(data), size=len(data)), minlength=len(data))
-                problem.count_records(counts.tolist(), weights)
-                idle = [j for j, owner in enumerate(owners) if owner is not None and not counts[owner]]
-            else:
-                problem.data = [
-                    _drawn_anew(random, problem, k, *one)
-                    for k, one in enumerate(zip(data, predicted, strict=True))
-                ]
-            minimum = search(problem, x, evaluations=_EVALUATIONS, held={j: float(x[j]) for j in idle})
-            if minimum.converged:
-                minimum.x[idle] = np.nan
-                fits.append(minimum.x)
-            else:
-                failed += 1
-            if on_fit is not None:
-                on_fit(number + 1, count)
-    finally:
-        problem.weights, problem.data, problem.measured = weights, data, measured
+    fits, failed = [], 0
+    for number in range(count):
+        drawn = replace(problem, measured=x + errors * random.standard_normal(len(x)))
+        # The release of a record that was not drawn has nothing to go by.
+        idle: list[int] = []
+        if resampling == "records":
+            counts = np.bincount(random.integers(records, size=records), minlength=records)
+            weights = zip(counts.tolist(), problem.noise.weights, strict=True)
+            drawn = drawn.with_weights(tuple(np.sqrt(count) * weight for count, weight in weights))
+            idle = [j for j, owner in enumerate(owners) if owner is not None and not counts[owner]]
+        else:
+            drawn = replace(
+                drawn, data=tuple(_drawn_anew(random, problem, k, one) for k, one in enumerate(predicted))
+            )
+        minimum = search(drawn, x, evaluations=_EVALUATIONS, held={j: float(x[j]) for j in idle})
+        if minimum.converged:
+            minimum.x[idle] = np.nan
+            fits.append(minimum.x)
+        else:
+            failed += 1
+        if on_fit is not None:
+            on_fit(number + 1, count)
     return Bootstrap(resampling, np.array(fits).reshape(len(fits), len(x)), failed)
 
 
 def _drawn_anew(
-    random: np.random.Generator, problem: Problem, record: int, data: FloatArray, predicted: FloatArray
+    random: np.random.Generator, problem: Problem, record: int, predicted: FloatArray
 ) -> FloatArray:
     """Data of a record with other noise, drawn from what is new in each residual; outliers are not drawn."""
-    memory, weights = problem.memories[record], problem.weights[record]
-    innovations = memory.innovations((data - predicted) * weights)
-    full = problem.shares[record] == 1.0
+    memory, weights = problem.noise.memories[record], problem.noise.weights[record]
+    innovations = memory.innovations((problem.data[record] - predicted) * weights)
+    full = problem.noise.shares[record] == 1.0
     labels = np.array(problem.predictors[record].labels)
     drawn = np.empty_like(innovations)
     for label in dict.fromkeys(problem.predictors[record].labels):

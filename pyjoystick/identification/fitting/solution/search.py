@@ -70,7 +70,7 @@ def search(
         evaluations: most evaluations of the residuals
         held: variables that keep a value, by place
         tolerance: relative change of the sum of squares at which the search ends
-        central: whether derivatives are central differences; see `Problem.jacobian`
+        central: whether derivatives are central differences; see `ForwardModel.jacobian`
     """
     held = dict(held or {})
     places = [j for j in range(len(x)) if j not in held]
@@ -96,7 +96,6 @@ def search(
     def jacobian(own: FloatArray) -> FloatArray:
         return problem.jacobian(point(own), central=central)[:, places]
 
-    before = problem.evaluations
     lower, upper = problem.variables.lower[places], problem.variables.upper[places]
     result = least_squares(
         residuals,
@@ -110,7 +109,7 @@ def search(
         max_nfev=evaluations,
     )
     message = str(result.message).rstrip(".")
-    return Minimum(best.x, best.cost, bool(result.success), message, problem.evaluations - before)
+    return Minimum(best.x, best.cost, bool(result.success), message, result.nfev)
 
 
 def staged_search(problem: Problem, x: FloatArray, *, evaluations: int, stages: Sequence[float]) -> Minimum:
@@ -125,16 +124,14 @@ def staged_search(problem: Problem, x: FloatArray, *, evaluations: int, stages: 
         evaluations: most evaluations on the whole records; a fifth of them on a part
         stages: parts of the duration after the release, increasing, below 1
     """
-    weights = problem.weights
-    try:
-        for stage in stages:
-            problem.weights = [
-                weight * _begins(predictor.times, problem.variables.instrument(x, k).origin, stage)
-                for k, (weight, predictor) in enumerate(zip(weights, problem.predictors, strict=True))
-            ]
-            x = search(problem, x, evaluations=max(evaluations // 5, 2)).x
-    finally:
-        problem.weights = weights
+    for stage in stages:
+        weights = tuple(
+            weight * _begins(predictor.times, problem.variables.instrument(x, k).origin, stage)
+            for k, (weight, predictor) in enumerate(
+                zip(problem.noise.weights, problem.predictors, strict=True)
+            )
+        )
+        x = search(problem.with_weights(weights), x, evaluations=max(evaluations // 5, 2)).x
     return search(problem, x, evaluations=evaluations)
 
 

@@ -9,9 +9,11 @@ import numpy as np
 
 from pyjoystick.fmu import find_fmu, read_description
 from pyjoystick.identification import FitSettings, Free, Measurement
+from pyjoystick.identification.fitting.problem.forward_model import ForwardModel
 from pyjoystick.identification.fitting.problem.instrument import Instrument
 from pyjoystick.identification.fitting.problem.least_squares import Problem
-from pyjoystick.identification.fitting.problem.prediction import Prediction
+from pyjoystick.identification.fitting.problem.noise_model import NoiseModel
+from pyjoystick.identification.fitting.problem.predictor import Prediction
 from pyjoystick.identification.fitting.problem.variables import Variables
 from pyjoystick.laboratory import synthetic_record
 from pyjoystick.model import JoystickParameters
@@ -80,4 +82,5 @@ def linear_problem(
     variables = Variables(
         settings, read_description(find_fmu("Joystick")), [one.record for one in predictors]
     )
-    return Problem(variables, predictors, [np.full(len(one), 1.0 / sigma) for one in data])
+    noise = NoiseModel.white([np.full(len(one), 1.0 / sigma) for one in data])
+    return Problem.of(ForwardModel(variables, predictors), noise)

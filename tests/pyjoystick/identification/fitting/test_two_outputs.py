@@ -11,7 +11,7 @@ import pytest
 
 from pyjoystick.fmu import Fmu
 from pyjoystick.identification import RELEASE, FitSettings, Free, Measurement, Noise, Uncertainty, fit
-from pyjoystick.identification.fitting.fit import make_problem
+from pyjoystick.identification.fitting.problem.setup import make_problem
 from pyjoystick.model import NOMINAL, simulate
 
 SIGMA = {"theta": np.radians(0.1), "omega": 0.05}

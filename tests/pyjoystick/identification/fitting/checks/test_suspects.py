@@ -16,8 +16,8 @@ from pyjoystick.identification import CONSTANT_DAMPING
 from pyjoystick.identification.fitting.checks.residual_view import ResidualView
 from pyjoystick.identification.fitting.checks.score_test import Finding, score_test, significant
 from pyjoystick.identification.fitting.checks.suspects import suspects
-from pyjoystick.identification.fitting.fit import make_problem
-from pyjoystick.identification.fitting.problem.least_squares import choose_steps
+from pyjoystick.identification.fitting.problem.difference_steps import choose_steps
+from pyjoystick.identification.fitting.problem.setup import make_problem
 from pyjoystick.identification.fitting.solution.search import search
 from pyjoystick.model import NOMINAL, JoystickParameters, PowerLawDamping, simulate
 from pyjoystick.motion import Record
@@ -63,8 +63,8 @@ def _findings(records: list[Record]) -> list[Finding]:
         x = np.array(
             [true.get(one.name, lambda k: RELEASE)(one.record or 0) for one in problem.variables.free]
         )
-        problem.weights = [np.full(len(one.time), 1.0 / NOISE) for one in records]
-        problem.steps = choose_steps(problem, x).steps
+        problem = problem.with_weights(tuple(np.full(len(one.time), 1.0 / NOISE) for one in records))
+        problem = dataclasses.replace(problem, steps=choose_steps(problem.model, x).steps)
         best = search(problem, x, evaluations=30, central=True).x
         view = ResidualView(problem, best)
         return score_test(problem, view.residuals, view.jacobian, suspects(problem, best))

@@ -19,9 +19,11 @@ from pyjoystick.identification import (
     driven,
     with_values,
 )
-from pyjoystick.identification.fitting.fit import make_problem
-from pyjoystick.identification.fitting.problem.least_squares import Problem, choose_steps
+from pyjoystick.identification.fitting.problem.difference_steps import choose_steps
+from pyjoystick.identification.fitting.problem.least_squares import Problem
+from pyjoystick.identification.fitting.problem.setup import make_problem
 from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW, JoystickParameters
+from pyjoystick.support import FloatArray
 from tests.joystick_fmu.variational import Joystick
 from tests.pyjoystick.identification.fitting.made import releases
 
@@ -38,6 +40,10 @@ def _problem(fmu: Fmu, settings: FitSettings, joystick: JoystickParameters) -> P
     return make_problem(measured, dataclasses.replace(settings, tolerance=1e-10), fmu)
 
 
+def _with_measured_steps(problem: Problem, x: FloatArray) -> Problem:
+    return dataclasses.replace(problem, steps=choose_steps(problem.model, x).steps)
+
+
 @pytest.mark.parametrize(
     ("settings", "joystick"), [(SCALED, NOMINAL), (POWER_LAW, NOMINAL_POWER_LAW)], ids=["constant", "eq11"]
 )
@@ -47,7 +53,7 @@ def test_those_of_releases(settings: FitSettings, joystick: JoystickParameters, 
         problem = _problem(fmu, settings, joystick)
         x = problem.variables.start
         jacobians = problem.jacobians(x)
-    assert all(problem.exact)
+    assert all(problem.model.exact)
     parameters = problem.variables.varied
     for k, jacobian in enumerate(jacobians):
         start = float(x[problem.variables.place("theta_start", k)])
@@ -64,7 +70,9 @@ def test_those_of_releases(settings: FitSettings, joystick: JoystickParameters, 
             np.testing.assert_allclose(column, expected, atol=1e-6 * np.max(np.abs(expected)), err_msg=name)
 
 
-def test_those_of_a_driven_motion_are_its_differences(fmus_by_name: Path) -> None:
+def test_those_of_a_driven_motion_are_its_differences(
+    fmus_by_name: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """With a delay, the motion of the first samples is before the origin of the record."""
     time = np.arange(400) / 400.0
     torque = 2.0 * np.sin(2.0 * np.pi * 2.0 * time + 0.3)
@@ -76,35 +84,34 @@ def test_those_of_a_driven_motion_are_its_differences(fmus_by_name: Path) -> Non
         delay = next(j for j, one in enumerate(problem.variables.free) if one.name == "delay")
         x[delay] = 0.004
         exact = problem.jacobian(x)
-        assert all(problem.exact)
-        problem.exact = [one.of_instrument for one in problem.variables.free]
-        problem.steps = choose_steps(problem, x).steps
-        differences = problem.jacobian(x)
+        assert all(problem.model.exact)
+        monkeypatch.setattr(Fmu, "sensitive", None)
+        differences = _with_measured_steps(make_problem([record], settings, fmu), x).jacobian(x)
     assert np.count_nonzero(time <= 0.004) == 2
     for j, one in enumerate(problem.variables.free):
         size = np.max(np.abs(differences[:, j]))
         np.testing.assert_allclose(exact[:, j], differences[:, j], atol=1e-6 * size, err_msg=one.label)
 
 
-def test_others_are_differences(fmus_by_name: Path) -> None:
+def test_others_are_differences(fmus_by_name: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Of what no sensitivity is built for, and of what ties use."""
     free = (Free("damping.C", start=0.05), Free("J", start=0.0114), Free("m", start=0.9), *RELEASE)
     settings = FitSettings(fmu="Joystick", free=free, ties={"h": "0.08 + 0.1 * J"})
     with Fmu("Joystick") as fmu:
         problem = make_problem(releases(NOMINAL), settings, fmu)
-        exact = {one.name: yes for one, yes in zip(problem.variables.free, problem.exact, strict=True)}
+        exact = {one.name: yes for one, yes in zip(problem.variables.free, problem.model.exact, strict=True)}
         assert [name for name, yes in exact.items() if not yes] == ["J", "m"]
         x = problem.variables.start
-        chosen = choose_steps(problem, x)
+        chosen = choose_steps(problem.model, x)
         assert np.count_nonzero(chosen.errors) == 2
         jacobian = problem.jacobian(x)
-        problem.exact = [one.of_instrument for one in problem.variables.free]
-        problem.steps = choose_steps(problem, x).steps
-        np.testing.assert_allclose(jacobian, problem.jacobian(x), atol=1e-4 * np.max(np.abs(jacobian)))
+        monkeypatch.setattr(Fmu, "sensitive", None)
+        differences = _with_measured_steps(make_problem(releases(NOMINAL), settings, fmu), x).jacobian(x)
+    np.testing.assert_allclose(jacobian, differences, atol=1e-4 * np.max(np.abs(jacobian)))
 
 
 def test_without_the_fmu_there_are_none(fmus_by_name: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(Fmu, "sensitive", None)
     with Fmu("Joystick") as fmu:
         problem = make_problem(releases(NOMINAL), CONSTANT_DAMPING, fmu)
-    assert problem.exact == [one.of_instrument for one in problem.variables.free]
+    assert problem.model.exact == tuple(one.of_instrument for one in problem.variables.free)

@@ -20,8 +20,8 @@ from pyjoystick.identification import (
     fit,
     read_fit_settings,
 )
-from pyjoystick.identification.fitting.fit import make_problem
 from pyjoystick.identification.fitting.problem.instrument import INSTRUMENT
+from pyjoystick.identification.fitting.problem.setup import make_problem
 from pyjoystick.model import NOMINAL, contact_moment, gravity_moment, simulate
 from pyjoystick.support import ParameterError
 from tests.pyjoystick.identification.fitting.made import releases

@@ -18,8 +18,9 @@ from pyjoystick.identification import (
     Measurement,
     Noise,
 )
-from pyjoystick.identification.fitting.fit import make_problem
-from pyjoystick.identification.fitting.problem.least_squares import Problem, choose_steps
+from pyjoystick.identification.fitting.problem.difference_steps import choose_steps
+from pyjoystick.identification.fitting.problem.least_squares import Problem
+from pyjoystick.identification.fitting.problem.setup import make_problem
 from pyjoystick.model import NOMINAL
 from pyjoystick.support import ParameterError, UnknownParameterError, UnknownVariableError
 from tests.pyjoystick.identification.fitting.made import releases
@@ -34,7 +35,7 @@ def test_derivatives_are_those_of_the_residuals(fmus_by_name: Path) -> None:
     with Fmu("Joystick") as fmu:
         problem = _problem(fmu, dataclasses.replace(CONSTANT_DAMPING, tolerance=1e-11))
         x = problem.variables.start
-        problem.steps = choose_steps(problem, x).steps
+        problem = dataclasses.replace(problem, steps=choose_steps(problem.model, x).steps)
         jacobian = problem.jacobian(x)
         for j, one in enumerate(problem.variables.free):
             step = 1e-4 * one.scale * np.eye(len(x))[j]
@@ -60,7 +61,7 @@ def test_steps_are_measured(fmus_by_name: Path, monkeypatch: pytest.MonkeyPatch)
     monkeypatch.setattr(Fmu, "sensitive", None)
     with Fmu("Joystick") as fmu:
         problem = _problem(fmu, CONSTANT_DAMPING, 1)
-        chosen = choose_steps(problem, problem.variables.start)
+        chosen = choose_steps(problem.model, problem.variables.start)
     assert np.all(chosen.errors < 1e-6)
     assert 0.0 < chosen.noise < 1e-9
 
@@ -72,7 +73,7 @@ def test_derivatives_at_a_bound_are_one_sided(fmus_by_name: Path) -> None:
     with Fmu("Joystick") as fmu:
         bounded = _problem(fmu, settings)
         free = _problem(fmu, CONSTANT_DAMPING)
-        bounded.steps[:] = 1e-5
+        bounded = dataclasses.replace(bounded, steps=np.full(len(bounded.steps), 1e-5))
         x = bounded.variables.start
         one, other = bounded.jacobian(x), free.jacobian(x)
     # Its error is of the first order in the step.

@@ -11,9 +11,9 @@ import pytest
 
 from pyjoystick.fmu import Fmu
 from pyjoystick.identification import CONSTANT_DAMPING, Fit, FitSettings, Free, Noise, Uncertainty, fit
-from pyjoystick.identification.fitting.fit import make_problem
-from pyjoystick.identification.fitting.problem.least_squares import choose_steps
+from pyjoystick.identification.fitting.problem.difference_steps import choose_steps
 from pyjoystick.identification.fitting.problem.noise_model import weights_of
+from pyjoystick.identification.fitting.problem.setup import make_problem
 from pyjoystick.model import NOMINAL
 from pyjoystick.motion import Record
 from tests.pyjoystick.identification.fitting.made import releases
@@ -30,8 +30,8 @@ def _descent(found: Fit, records: list[Record], settings: FitSettings) -> tuple[
     """The sum of squares with the weights at the end of a fit, and by how much a linear step lowers it."""
     with Fmu(settings.fmu) as fmu:
         problem = make_problem(records, settings, fmu)
-        problem.weights = weights_of(problem, [one.sigma for one in found.records])
-        problem.steps = choose_steps(problem, found.x).steps
+        problem = problem.with_weights(weights_of(problem.predictors, [one.sigma for one in found.records]))
+        problem = dataclasses.replace(problem, steps=choose_steps(problem.model, found.x).steps)
         residuals, jacobian = problem.residuals(found.x), problem.jacobian(found.x)
     step = np.linalg.lstsq(jacobian, -residuals, rcond=None)[0]
     cost = float(residuals @ residuals)

@@ -10,8 +10,8 @@ import pytest
 
 from pyjoystick.fmu import Fmu
 from pyjoystick.identification import CONSTANT_DAMPING, FitError, Measurement
-from pyjoystick.identification.fitting.fit import make_problem
 from pyjoystick.identification.fitting.problem.peak_prediction import PeakPredictor, missing_peaks
+from pyjoystick.identification.fitting.problem.setup import make_problem
 from pyjoystick.model import NOMINAL
 from tests.pyjoystick.identification.fitting.made import releases
 

@@ -11,7 +11,7 @@ import pytest
 
 from pyjoystick.fmu import Fmu, find_fmu
 from pyjoystick.identification import CONSTANT_DAMPING, Search, Uncertainty, fit, with_friction
-from pyjoystick.identification.fitting.fit import make_problem
+from pyjoystick.identification.fitting.problem.setup import make_problem
 from pyjoystick.identification.fitting.solution.scan import scan
 from pyjoystick.identification.fitting.solution.search import multi_start, search
 from pyjoystick.laboratory import synthetic_record
@@ -66,9 +66,9 @@ def test_motions_that_go_on_cost_one_prediction(fmus_by_name: Path) -> None:
     with Fmu(find_fmu(SETTINGS.fmu)) as fmu:
         problem = make_problem(records, SETTINGS, fmu)
         (best,) = multi_start(problem, problem.variables.start, SETTINGS.search)
-        before = problem.runs
+        before = problem.model.runs
         assert scan(problem, best, SETTINGS.scanned, 100) == []
-        assert problem.runs - before == len(records)
+        assert problem.model.runs - before == len(records)
 
 
 def test_only_shared_parameters_are_scanned() -> None:

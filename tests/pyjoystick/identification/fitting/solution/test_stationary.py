@@ -7,9 +7,10 @@ import pytest
 from scipy.optimize import root
 
 from pyjoystick.identification import Free
+from pyjoystick.identification.fitting.problem.forward_model import ForwardModel
 from pyjoystick.identification.fitting.problem.instrument import Instrument
 from pyjoystick.identification.fitting.problem.least_squares import Problem
-from pyjoystick.identification.fitting.problem.prediction import Prediction
+from pyjoystick.identification.fitting.problem.predictor import Prediction
 from pyjoystick.identification.fitting.solution.search import Minimum
 from pyjoystick.identification.fitting.solution.stationary import stationary_point
 from pyjoystick.support import FloatArray
@@ -43,7 +44,8 @@ def _problem(least: float = -1.4) -> Problem:
         for name, low in zip(NAMES, (-1.4, least), strict=True)
     ]
     linear = linear_problem([np.zeros((4, 2))], [DATA], free)
-    return Problem(linear.variables, [CurvedPredictor("run 0", np.zeros((4, 2)), DATA)], linear.weights)
+    curved = CurvedPredictor("run 0", np.zeros((4, 2)), DATA)
+    return Problem.of(ForwardModel(linear.variables, [curved]), linear.noise)
 
 
 def _gradient(x: FloatArray) -> FloatArray:

@@ -1,0 +1,64 @@
+"""Settings of a fit with values that are known from elsewhere."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping
+
+from pyjoystick.fmu import Value
+from pyjoystick.identification.fitting.problem.settings import FitSettings, Free
+
+
+def with_values(
+    settings: FitSettings, values: Mapping[str, Value], *, replace_starts: bool = False
+) -> FitSettings:
+    """The settings with values for all that they leave to the FMU.
+
+    Args:
+        settings: what they fix or tie themselves stays
+        values: parameters by name, in the units of the FMU: fixed where they are not fitted, and the start of
+            the search where they are
+        replace_starts: whether they go before starts that the settings give
+
+    Raises:
+        ParameterError: a start is outside the bounds of the fit
+    """
+    fitted = {one.name for one in settings.free}
+    free = tuple(
+        dataclasses.replace(one, start=float(values[one.name]))
+        if one.name in values and (replace_starts or one.start is None)
+        else one
+        for one in settings.free
+    )
+    fixed = {
+        name: value for name, value in values.items() if name not in fitted and name not in settings.ties
+    }
+    return dataclasses.replace(settings, free=free, fixed=fixed | dict(settings.fixed))
+
+
+def with_known(
+    settings: FitSettings, values: Mapping[str, float], uncertainties: Mapping[str, float]
+) -> FitSettings:
+    """The settings with parameters that are fitted although they were measured: each counts as a measurement.
+
+    Args:
+        settings: what they fix or do not mention becomes free
+        values: of the parameters, in the units of the FMU
+        uncertainties: their standard uncertainties, by the same names
+
+    Raises:
+        ParameterError: an uncertainty is not above 0, or the parameter is tied or fitted for each record
+    """
+    given = {one.name: one for one in settings.free}
+    known = {
+        name: dataclasses.replace(given.get(name, Free(name)), start=value, uncertainty=uncertainties[name])
+        for name, value in values.items()
+    }
+    return dataclasses.replace(
+        settings,
+        free=(
+            *(known.get(one.name, one) for one in settings.free),
+            *(one for name, one in known.items() if name not in given),
+        ),
+        fixed={name: value for name, value in settings.fixed.items() if name not in known},
+    )

@@ -1,0 +1,86 @@
+"""Tied parameters: computed from the free ones by expressions in their names."""
+
+from __future__ import annotations
+
+import ast
+import io
+import math
+import re
+from collections.abc import Iterable, Mapping, Sequence
+
+import asteval
+import numpy as np
+
+from pyjoystick.fmu import FmuDescription
+from pyjoystick.support import ParameterError, UnknownParameterError
+
+_NAME = re.compile(r"[A-Za-z_][\w.\[\]]*")
+
+
+def names_in(expressions: Iterable[str]) -> set[str]:
+    """Everything in the expressions that may be a name."""
+    return {name for expression in expressions for name in _NAME.findall(expression)}
+
+
+class Ties:
+    """Values of tied parameters from those of the free ones, by expressions.
+
+    Names in expressions are identifiers; those of the FMU, with dots, are translated.
+    """
+
+    def __init__(self, names: Sequence[str], ties: Mapping[str, str], description: FmuDescription) -> None:
+        """Check the expressions.
+
+        Args:
+            names: the free parameters, in the order in which `values` takes them
+            ties: expressions by the parameter that they give; each may use those before it
+            description: the FMU
+
+        Raises:
+            UnknownParameterError: the FMU has no such parameter, or an expression uses one that is not free
+            ParameterError: an expression cannot be understood
+        """
+        self._own = [_identifier(name) for name in names]
+        self._expressions: dict[str, tuple[str, ast.expr]] = {}
+        if not ties:
+            return
+        self._interpreter = asteval.Interpreter(err_writer=io.StringIO())
+        self._interpreter.symtable.update(dict.fromkeys(self._own, 1.0))
+        known = {name: _identifier(name) for name in (*names, *ties)}
+        for name, expression in ties.items():
+            if name not in description.variables:
+                raise UnknownParameterError(name, description.settable_names())
+            for word in sorted(names_in([expression])):
+                if "." in word and word not in known:
+                    raise UnknownParameterError(word, known)
+            translated = _NAME.sub(lambda match: known.get(match[0], match[0]), expression)
+            try:
+                self._expressions[_identifier(name)] = translated, ast.parse(translated, mode="eval").body
+                self._evaluate(_identifier(name))
+            except (NameError, SyntaxError, TypeError, ValueError):
+                allowed = f"an expression in {', '.join(names)}"
+                raise ParameterError(f"ties.{name}", expression, allowed) from None
+
+    def values(self, own: Sequence[float]) -> list[float]:
+        """The tied values for the values of the free parameters; NaN where an expression has none."""
+        if not self._expressions:
+            return []
+        self._interpreter.symtable.update(zip(self._own, map(float, own), strict=True))
+        return [self._evaluate(name) for name in self._expressions]
+
+    def _evaluate(self, name: str) -> float:
+        """A tied value, for those after it too; NaN where there is none, as for 1/0: the run then fails."""
+        text, parsed = self._expressions[name]
+        # The interpreter collects what it has seen, and does nothing after an error.
+        self._interpreter.code_text, self._interpreter.error = [], []
+        try:
+            with np.errstate(all="ignore"):
+                value = float(self._interpreter.run(parsed, expr=text))
+        except ArithmeticError:
+            value = math.nan
+        self._interpreter.symtable[name] = value
+        return value
+
+
+def _identifier(name: str) -> str:
+    return "p_" + re.sub(r"\W", "__", name)
