@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Final, Literal
+from typing import Annotated, Final, Literal
 
 import typer
 from rich.markup import escape
@@ -17,9 +17,6 @@ from pyjoystick.cli.console import messages, output, write
 from pyjoystick.cli.fmus import found_or_built, law_of, opened
 from pyjoystick.cli.plausibility import require_plausible
 from pyjoystick.support import check_outputs, write_text
-
-if TYPE_CHECKING:
-    pass
 
 EXAMPLES: Final = """
 Examples:

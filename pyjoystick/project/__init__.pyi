@@ -1,4 +1,5 @@
 from .creating import EXAMPLE as EXAMPLE, new_project as new_project
+from .editor_schemas.files import schemas as schemas, write_schemas as write_schemas
 from .errors import (
     ProjectBusyError as ProjectBusyError,
     ProjectExistsError as ProjectExistsError,
@@ -8,7 +9,6 @@ from .laboratory import FILE as FILE, Laboratory as Laboratory
 from .laboratory_file import TABLES as TABLES, read_laboratory as read_laboratory
 from .planning import plan_project as plan_project
 from .running import run_project as run_project
-from .schemas import schemas as schemas, write_schemas as write_schemas
 from .states import (
     OnChange as OnChange,
     PlannedStep as PlannedStep,

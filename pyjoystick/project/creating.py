@@ -7,9 +7,9 @@ from pathlib import Path
 from typing import Final
 
 from pyjoystick import laboratory
+from pyjoystick.project.editor_schemas.files import write_schemas
 from pyjoystick.project.errors import ProjectExistsError
 from pyjoystick.project.laboratory import FILE
-from pyjoystick.project.schemas import write_schemas
 from pyjoystick.support import OutputFileError, check_outputs, write_text
 
 _README: Final = "README.md"

@@ -5,9 +5,20 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from os import PathLike
-from typing import Any, Final
+from typing import Final
 
 from pyjoystick import laboratory, model, motion, reports
+from pyjoystick.project.entries import (
+    angle_of,
+    choice_of,
+    file_of,
+    files_of,
+    interval_of,
+    quantity_of,
+    relative_of,
+    side_of,
+    texts_of,
+)
 from pyjoystick.project.laboratory import (
     AccelerometerSource,
     CurveSource,
@@ -18,7 +29,7 @@ from pyjoystick.project.laboratory import (
     SwingSource,
     TableSource,
 )
-from pyjoystick.support import ParameterError, Table, finite, not_negative, positive, read_toml
+from pyjoystick.support import Table, finite, not_negative, positive, read_toml
 
 #: Kinds of the quantities that a project may state by itself.
 KINDS: Final = {
@@ -44,7 +55,9 @@ TABLES: Final = (
     "fmus",
 )
 _INSIST: Final = "implausible = true above the tables accepts it"
-_AXES: Final = ("x", "-x", "y", "-y", "z", "-z")
+_LAWS: Final = ("constant", "power-law")
+#: Directions in which an axis of the laboratory may point.
+AXES: Final = ("x", "-x", "y", "-y", "z", "-z")
 _RELEASE: Final = math.radians(-20.0)
 
 
@@ -70,20 +83,20 @@ def read_laboratory(path: str | PathLike[str] | Table) -> Laboratory:
         base_file=base_file,
         asks=not root.flag("implausible"),
         given=_given(root),
-        parts=_file(root.table("parts")) if "parts" in root else "",
+        parts=file_of(root.table("parts")) if "parts" in root else "",
         swing=_swing(root.table("swing")) if "swing" in root else None,
         curves={side: _curve(curves.table(side)) for side in model.SIDES if side in curves},
         markers=tuple(_markers(one, chain) for one in _each(root, "markers")),
         tables=tuple(_record(one) for one in _each(root, "record")),
         accelerometers=tuple(_accelerometer(one, chain) for one in _each(root, "accelerometer")),
         fit=FitChoice(
-            law="power-law" if _choice(fit, "law", ("constant", "power-law")) == "power-law" else "constant",
+            law="power-law" if choice_of(fit, "law", _LAWS) == "power-law" else "constant",
             file=fit.text("settings", ""),
             even_if_doubtful=fit.flag("even_if_doubtful"),
         ),
-        scale=_relative(fit, "u_scale"),
-        time_base=_default(_relative(fit, "u_time_base"), 0.0),
-        release_angle=_default(_angle(results, "release_angle"), _RELEASE),
+        scale=relative_of(fit, "u_scale"),
+        time_base=_default(relative_of(fit, "u_time_base"), 0.0),
+        release_angle=_default(angle_of(results, "release_angle"), _RELEASE),
         fmus=_fmus(root.table("fmus")),
     )
     _require_one_source(root, laboratory)
@@ -118,8 +131,8 @@ def _given(root: Table) -> laboratory.MeasuredValues:
     for name, keys in model.PLAIN_TABLES.items():
         table = root.table(name)
         for key in keys:
-            value = _quantity(table, key, KINDS[key])
-            error = _quantity(table, f"u_{key}", KINDS[key])
+            value = quantity_of(table, key, KINDS[key])
+            error = quantity_of(table, f"u_{key}", KINDS[key])
             if error is not None:
                 with table.at(f"u_{key}"):
                     uncertainties[laboratory.PLACES[key]] = not_negative(f"u_{key}", error)
@@ -141,12 +154,12 @@ def _given(root: Table) -> laboratory.MeasuredValues:
 
 def _curve(table: Table) -> CurveSource:
     return CurveSource(
-        file=_file(table),
-        columns=_texts(table.table("columns")),
-        units=_texts(table.table("units")),
+        file=file_of(table),
+        columns=texts_of(table.table("columns")),
+        units=texts_of(table.table("units")),
         layout=_layout(table),
-        travel_noise=_quantity(table, "travel_noise", "length"),
-        force_noise=_quantity(table, "force_noise", "force"),
+        travel_noise=quantity_of(table, "travel_noise", "length"),
+        force_noise=quantity_of(table, "force_noise", "force"),
         friction=table.flag("friction"),
     )
 
@@ -155,9 +168,9 @@ def _swing(table: Table) -> SwingSource:
     if ("file" in table) == ("times" in table):
         raise table.error("", "needs file, a recorded swing, or times, readings of a stopwatch; one of them")
     if "file" in table:
-        return SwingSource(file=_file(table))
-    error = _default(_angle(table, "amplitude_uncertainty"), math.radians(1.0))
-    first, last = _angle(table, "amplitude"), _angle(table, "end_amplitude")
+        return SwingSource(file=file_of(table))
+    error = _default(angle_of(table, "amplitude_uncertainty"), math.radians(1.0))
+    first, last = angle_of(table, "amplitude"), angle_of(table, "end_amplitude")
     if first is None:
         raise table.error("amplitude", "is missing: the period depends on it")
     with table.at("times"):
@@ -167,7 +180,7 @@ def _swing(table: Table) -> SwingSource:
         swings=table.integer("swings", 1, 1),
         amplitude=laboratory.Measured(first, error),
         end_amplitude=None if last is None else laboratory.Measured(last, error),
-        reaction_time=_quantity(table, "reaction_time", "time"),
+        reaction_time=quantity_of(table, "reaction_time", "time"),
     )
 
 
@@ -175,26 +188,26 @@ def _markers(table: Table, chain: laboratory.Chain) -> MarkerSource:
     base = table.words("base")
     if len(base) != 2:
         raise table.error("base", "must be two names")
-    radius, error = _quantity(table, "radius", "length"), _quantity(table, "u_radius", "length")
+    radius, error = quantity_of(table, "radius", "length"), quantity_of(table, "u_radius", "length")
     if error is not None and radius is None:
         raise table.error("u_radius", "needs radius beside it")
     with table.at():
         setup = laboratory.MarkerSetup(
             top=table.text("top"),
             base=(base[0], base[1]),
-            forward=_choice(table, "forward", _AXES) or "x",
-            up=_choice(table, "up", _AXES),
+            forward=choice_of(table, "forward", AXES) or "x",
+            up=choice_of(table, "up", AXES),
             middle=table.flag("middle"),
             radius=None if radius is None else positive("radius", radius, "m"),
             moving_base=table.flag("moving_base"),
-            rest=_interval(table, "rest"),
-            rests=_side(table, "rests"),
-            released=_side(table, "released"),
+            rest=interval_of(table, "rest"),
+            rests=side_of(table, "rests"),
+            released=side_of(table, "released"),
             unit=table.optional("unit") and table.text("unit"),
             chain=chain,
         )
         error = not_negative("u_radius", _default(error, 0.0), "m")
-    return MarkerSource(files=_files(table), setup=setup, radius_uncertainty=error)
+    return MarkerSource(files=files_of(table), setup=setup, radius_uncertainty=error)
 
 
 def _layout(table: Table) -> motion.Layout:
@@ -211,25 +224,25 @@ def _record(table: Table) -> TableSource:
     zeros = {key: finite(f"zeros.{key}", value) for key, value in table.table("zeros").items()}
     scales: dict[str, motion.Scale] = {}
     inner = table.table("scales")
-    for name, text in _texts(inner).items():
+    for name, text in texts_of(inner).items():
         with inner.at(name):
             scales[name] = motion.scale_of(name, text, zeros.pop(name, 0.0))
     for name in zeros:
         raise table.error("zeros", f"has {name}, of which there is no scale")
     return TableSource(
-        files=_files(table),
-        columns=_texts(table.table("columns")),
-        units=_texts(table.table("units")),
+        files=files_of(table),
+        columns=texts_of(table.table("columns")),
+        units=texts_of(table.table("units")),
         layout=_layout(table),
         scales=scales,
-        rate=_quantity(table, "samples_per_second"),
-        start=_quantity(table, "from", "time"),
-        end=_quantity(table, "to", "time"),
+        rate=quantity_of(table, "samples_per_second"),
+        start=quantity_of(table, "from", "time"),
+        end=quantity_of(table, "to", "time"),
     )
 
 
 def _accelerometer(table: Table, chain: laboratory.Chain) -> AccelerometerSource:
-    distance = _quantity(table, "distance", "length")
+    distance = quantity_of(table, "distance", "length")
     if distance is None:
         raise table.error("distance", "is missing")
     with table.at():
@@ -237,15 +250,15 @@ def _accelerometer(table: Table, chain: laboratory.Chain) -> AccelerometerSource
             distance=positive("distance", distance, "m"),
             column=table.text("column", "acceleration"),
             unit=table.optional("unit") and table.text("unit"),
-            rate=_quantity(table, "samples_per_second"),
-            sensitivity=_quantity(table, "sensitivity"),
-            full_scale=_quantity(table, "full_scale"),
-            delay=_default(_quantity(table, "delay", "time"), 0.0),
+            rate=quantity_of(table, "samples_per_second"),
+            sensitivity=quantity_of(table, "sensitivity"),
+            full_scale=quantity_of(table, "full_scale"),
+            delay=_default(quantity_of(table, "delay", "time"), 0.0),
             backward=table.flag("backward"),
-            rest=_interval(table, "rest"),
+            rest=interval_of(table, "rest"),
             chain=chain,
         )
-    return AccelerometerSource(file=_file(table), record=table.text("record"), setup=setup)
+    return AccelerometerSource(file=file_of(table), record=table.text("record"), setup=setup)
 
 
 def _chain(table: Table) -> laboratory.Chain:
@@ -262,15 +275,6 @@ def _chain(table: Table) -> laboratory.Chain:
             acceleration_points=table.integer("acceleration_points", 3, usual.acceleration_points),
             longest_gap=table.number("longest_gap", usual.longest_gap),
         )
-
-
-def _relative(table: Table, key: str) -> float | None:
-    """A relative standard uncertainty."""
-    value = _quantity(table, key)
-    if value is None:
-        return None
-    with table.at(key):
-        return not_negative(key, value)
 
 
 def _fmus(table: Table) -> FmuChoice:
@@ -291,71 +295,6 @@ def _fmus(table: Table) -> FmuChoice:
         json=table.flag("json"),
         ssp=table.flag("ssp"),
     )
-
-
-def _file(table: Table) -> str:
-    name = table.text("file")
-    if not name:
-        raise table.error("file", "must name a file")
-    return name
-
-
-def _files(table: Table) -> tuple[str, ...]:
-    """One name or pattern, or a list of them."""
-    given = table.value("files")
-    names = (given,) if isinstance(given, str) else tuple(table.words("files"))
-    if not all(names):
-        raise table.error("files", "must name files")
-    return names
-
-
-def _texts(table: Table) -> dict[str, str]:
-    return {name: table.text(name) for name, _ in table.items()}
-
-
-def _choice(table: Table, key: str, allowed: tuple[str, ...]) -> str | None:
-    return table.choice(key, allowed) if key in table else None
-
-
-def _side(table: Table, key: str) -> model.Side | None:
-    word = _choice(table, key, model.SIDES)
-    return next((side for side in model.SIDES if side == word), None)
-
-
-def _interval(table: Table, key: str) -> tuple[float, float] | None:
-    if key not in table:
-        return None
-    entries = table.entries(key)
-    with table.at(key):
-        ends = tuple(finite(key, one, "s") for one in entries)
-    if len(ends) != 2 or ends[0] >= ends[1]:
-        raise table.error(key, "must be two instants (s), the first before the second")
-    return ends[0], ends[1]
-
-
-def _angle(table: Table, key: str) -> float | None:
-    value = _quantity(table, key, "angle")
-    if value is not None and abs(value) >= math.pi / 2.0:
-        hint = f'did you mean "{value:g} deg"?' if abs(value) < 90.0 else ""
-        raise table.error(key, "must lie between -90 and 90 degrees; a bare number is in rad", hint)
-    return value
-
-
-def _quantity(table: Table, key: str, kind: str = "") -> float | None:
-    """A number in the SI unit, or text with a unit of the kind; None where the key is absent."""
-    if key not in table:
-        return None
-    given: Any = table.value(key)
-    units = motion.UNITS.get(kind, {})
-    si = next(iter(units), "")
-    with table.at(key):
-        if isinstance(given, str) and units:
-            try:
-                return motion.amount(given, units)
-            except (KeyError, ValueError):
-                allowed = f"a number ({si}), or text with a unit: {', '.join(units)}"
-                raise ParameterError(key, given, allowed) from None
-        return finite(key, given, si)
 
 
 def _default(value: float | None, default: float) -> float:
