@@ -20,26 +20,12 @@ static const DiscreteTarget discrete[] = {{DISCRETE_CONDITION, STORE_PARAMETER, 
 static const char *const root_texts[] = {"h"};
 
 const Model model = {
-    .name = "Test.Ball",
-    .token = MODEL_TOKEN,
-    .n_states = 2,
-    .n_y = N_Y,
-    .n_p = N_P,
-    .y_start = y_start,
-    .p_start = p_start,
-    .state_nominal = state_nominal,
-    .n_variables = sizeof variables / sizeof *variables,
-    .variables = variables,
-    .n_roots = 1,
-    .root_texts = root_texts,
-    .n_relations = 1,
-    .relations = relations,
+    TABLES("Test.Ball"),
+    ROOTS_AND_RELATIONS,
     .n_pre = 1,
     .pre = pre,
     .n_discrete = 3,
     .discrete = discrete,
-    .initial_event_slot = NO_SLOT,
-    .homotopy_slot = NO_SLOT,
 };
 
 bool model_derivatives(double time, double *y, const double *p, double *der, double *root)
@@ -47,12 +33,6 @@ bool model_derivatives(double time, double *y, const double *p, double *der, dou
     der[H] = y[V];
     der[V] = -p[G];
     return root == NULL || model_roots(time, y, p, root);
-}
-
-bool model_algebraics(double time, double *y, const double *p)
-{
-    (void)time, (void)y, (void)p;
-    return true;
 }
 
 bool model_roots(double time, double *y, const double *p, double *root)
@@ -71,6 +51,7 @@ void model_discrete(double time, const double *y, const double *p, double *value
     value[2] = hit ? p[PRE_BOUNCES] + 1.0 : p[PRE_BOUNCES];
 }
 
+NO_ALGEBRAICS
 NO_TIME_RELATIONS
 NO_DEPENDENT_PARAMETERS
 NO_INITIAL_EQUATIONS

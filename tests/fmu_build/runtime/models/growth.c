@@ -23,37 +23,17 @@ static const ActionKind actions[] = {ACTION_TERMINATE, ACTION_WARNING, ACTION_ER
 static const char *const root_texts[] = {"end - x", "warning - x"};
 
 const Model model = {
-    .name = "Test.Growth",
-    .token = MODEL_TOKEN,
-    .n_states = 1,
-    .n_y = N_Y,
-    .n_p = N_P,
-    .y_start = y_start,
-    .p_start = p_start,
-    .state_nominal = state_nominal,
-    .n_variables = sizeof variables / sizeof *variables,
-    .variables = variables,
-    .n_roots = 2,
-    .root_texts = root_texts,
-    .n_relations = 2,
-    .relations = relations,
+    TABLES("Test.Growth"),
+    ROOTS_AND_RELATIONS,
     .n_actions = 3,
     .actions = actions,
     .actions_follow_states = true,
-    .initial_event_slot = NO_SLOT,
-    .homotopy_slot = NO_SLOT,
 };
 
 bool model_derivatives(double time, double *y, const double *p, double *der, double *root)
 {
     der[X] = p[RATE] * pow(y[X], p[POWER]);
     return root == NULL || model_roots(time, y, p, root);
-}
-
-bool model_algebraics(double time, double *y, const double *p)
-{
-    (void)time, (void)y, (void)p;
-    return true;
 }
 
 bool model_roots(double time, double *y, const double *p, double *root)
@@ -87,6 +67,7 @@ void model_action_message(size_t action, double time, const double *y, const dou
     snprintf(text, size, "%s: %g", what[action], y[X]);
 }
 
+NO_ALGEBRAICS
 NO_TIME_RELATIONS
 NO_DEPENDENT_PARAMETERS
 NO_INITIAL_EQUATIONS

@@ -44,22 +44,8 @@ static const char *const root_texts[] = {"-theta",  "x - x_0", "x - x_1", "x - x
                                          "x - x_4", "x - x_5", "x - x_6", "x - x_7"};
 
 const Model model = {
-    .name = "Test.Joystick",
-    .token = MODEL_TOKEN,
-    .n_states = 2,
-    .n_y = N_Y,
-    .n_p = N_P,
-    .y_start = y_start,
-    .p_start = p_start,
-    .state_nominal = state_nominal,
-    .n_variables = sizeof variables / sizeof *variables,
-    .variables = variables,
-    .n_roots = 9,
-    .root_texts = root_texts,
-    .n_relations = 9,
-    .relations = relations,
-    .initial_event_slot = NO_SLOT,
-    .homotopy_slot = NO_SLOT,
+    TABLES("Test.Joystick"),
+    ROOTS_AND_RELATIONS,
 };
 
 static double spring_force(const double *p, int number, double x)

@@ -35,24 +35,10 @@ static const DiscreteTarget discrete[] = {{DISCRETE_ASSIGN, STORE_PARAMETER, LAS
 static const char *const root_texts[] = {"1.5 - u"};
 
 const Model model = {
-    .name = "Test.Lag",
-    .token = MODEL_TOKEN,
-    .n_states = 1,
-    .n_y = N_Y,
-    .n_p = N_P,
-    .y_start = y_start,
-    .p_start = p_start,
-    .state_nominal = state_nominal,
-    .n_variables = sizeof variables / sizeof *variables,
-    .variables = variables,
-    .n_roots = 1,
-    .root_texts = root_texts,
-    .n_relations = 1,
-    .relations = relations,
+    TABLES("Test.Lag"),
+    ROOTS_AND_RELATIONS,
     .n_discrete = 1,
     .discrete = discrete,
-    .initial_event_slot = NO_SLOT,
-    .homotopy_slot = NO_SLOT,
 };
 
 bool model_derivatives(double time, double *y, const double *p, double *der, double *root)

@@ -49,20 +49,9 @@ static const Block square_root = {1, root_unknowns, false, root_residual, root_j
 static const Block *const blocks[] = {&cubic, &square_root};
 
 const Model model = {
-    .name = "Test.Loop",
-    .token = MODEL_TOKEN,
-    .n_states = 1,
-    .n_y = N_Y,
-    .n_p = N_P,
-    .y_start = y_start,
-    .p_start = p_start,
-    .state_nominal = state_nominal,
-    .n_variables = sizeof variables / sizeof *variables,
-    .variables = variables,
+    TABLES("Test.Loop"),
     .n_blocks = 2,
     .blocks = blocks,
-    .initial_event_slot = NO_SLOT,
-    .homotopy_slot = NO_SLOT,
     .has_tangents = true,
     .has_initial_tangents = true,
 };

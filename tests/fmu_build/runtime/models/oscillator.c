@@ -12,20 +12,7 @@ static const double y_start[N_Y] = {[X] = 1.0}, p_start[N_P] = {[K] = 1.0}, stat
 static const Variable variables[] = {STATE("x", X, 1.0), STATE("v", V, 0.0), OUTPUT("E", E),
                                      PARAMETER("k", K, 1.0, 0.0, 1e6)};
 
-const Model model = {
-    .name = "Test.Oscillator",
-    .token = MODEL_TOKEN,
-    .n_states = 2,
-    .n_y = N_Y,
-    .n_p = N_P,
-    .y_start = y_start,
-    .p_start = p_start,
-    .state_nominal = state_nominal,
-    .n_variables = sizeof variables / sizeof *variables,
-    .variables = variables,
-    .initial_event_slot = NO_SLOT,
-    .homotopy_slot = NO_SLOT,
-};
+const Model model = {TABLES("Test.Oscillator")};
 
 bool model_derivatives(double time, double *y, const double *p, double *der, double *root)
 {

@@ -1,5 +1,5 @@
 /* parts.h - what the hand-written models have in common: variables in short, and definitions for the parts that a
- * model does not have. */
+ * model does not have. A model defines state_nominal, variables, y_start and p_start, root_texts and relations. */
 #define ANY -INFINITY, INFINITY
 #define TIME                                                                                                          \
     {"time", TYPE_REAL, STORE_TIME, 0, CAUSALITY_INDEPENDENT, VARIABILITY_CONTINUOUS, INITIAL_NONE, 0.0, ANY}
@@ -18,6 +18,21 @@
 #define DISCRETE(name, i)                                                                                             \
     {name, TYPE_REAL, STORE_PARAMETER, i, CAUSALITY_OUTPUT, VARIABILITY_DISCRETE, INITIAL_CALCULATED, 0.0, ANY}
 
+/* The tables that every model has; its others follow as designated initializers. */
+#define LENGTH(ARRAY) (sizeof(ARRAY) / sizeof *(ARRAY))
+#define TABLES(NAME) \
+    .name = NAME, .token = MODEL_TOKEN, .n_states = LENGTH(state_nominal), .n_y = N_Y, .n_p = N_P, .y_start = y_start, \
+    .p_start = p_start, .state_nominal = state_nominal, .n_variables = LENGTH(variables), .variables = variables, \
+    .initial_event_slot = NO_SLOT, .homotopy_slot = NO_SLOT
+#define ROOTS_AND_RELATIONS \
+    .n_roots = LENGTH(root_texts), .root_texts = root_texts, .n_relations = LENGTH(relations), .relations = relations
+
+#define NO_ALGEBRAICS \
+    bool model_algebraics(double time, double *y, const double *p) \
+    { \
+        (void)time, (void)y, (void)p; \
+        return true; \
+    }
 #define NO_TIME_RELATIONS                                                                                             \
     void model_time_relations(double time, const double *p, double *root)                                             \
     {                                                                                                                 \

@@ -16,36 +16,19 @@ static const DiscreteTarget discrete[] = {{DISCRETE_ASSIGN, STORE_PARAMETER, HEL
                                           {DISCRETE_ASSIGN, STORE_PARAMETER, TICKS}};
 
 const Model model = {
-    .name = "Test.Sampler",
-    .token = MODEL_TOKEN,
-    .n_states = 1,
-    .n_y = N_Y,
-    .n_p = N_P,
-    .y_start = y_start,
-    .p_start = p_start,
-    .state_nominal = state_nominal,
-    .n_variables = sizeof variables / sizeof *variables,
-    .variables = variables,
+    TABLES("Test.Sampler"),
     .n_pre = 2,
     .pre = pre,
     .n_discrete = 2,
     .discrete = discrete,
     .n_clocks = 1,
     .clocks = clocks,
-    .initial_event_slot = NO_SLOT,
-    .homotopy_slot = NO_SLOT,
 };
 
 bool model_derivatives(double time, double *y, const double *p, double *der, double *root)
 {
     der[X] = 1.0;
     return root == NULL || model_roots(time, y, p, root);
-}
-
-bool model_algebraics(double time, double *y, const double *p)
-{
-    (void)time, (void)y, (void)p;
-    return true;
 }
 
 void model_discrete(double time, const double *y, const double *p, double *value)
@@ -55,6 +38,7 @@ void model_discrete(double time, const double *y, const double *p, double *value
     value[1] = p[TICK] != 0.0 ? p[PRE_TICKS] + 1.0 : p[PRE_TICKS];
 }
 
+NO_ALGEBRAICS
 NO_ROOTS
 NO_TIME_RELATIONS
 NO_DEPENDENT_PARAMETERS

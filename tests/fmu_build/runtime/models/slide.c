@@ -15,34 +15,14 @@ static const Relation relations[] = {{0, POSITIVE, false}};
 static const char *const root_texts[] = {"-x"};
 
 const Model model = {
-    .name = "Test.Slide",
-    .token = MODEL_TOKEN,
-    .n_states = 1,
-    .n_y = N_Y,
-    .n_p = N_P,
-    .y_start = y_start,
-    .p_start = p_start,
-    .state_nominal = state_nominal,
-    .n_variables = 1,
-    .variables = variables,
-    .n_roots = 1,
-    .root_texts = root_texts,
-    .n_relations = 1,
-    .relations = relations,
-    .initial_event_slot = NO_SLOT,
-    .homotopy_slot = NO_SLOT,
+    TABLES("Test.Slide"),
+    ROOTS_AND_RELATIONS,
 };
 
 bool model_derivatives(double time, double *y, const double *p, double *der, double *root)
 {
     der[X] = p[POSITIVE] != 0.0 ? -1.0 : 1.0;
     return root == NULL || model_roots(time, y, p, root);
-}
-
-bool model_algebraics(double time, double *y, const double *p)
-{
-    (void)time, (void)y, (void)p;
-    return true;
 }
 
 bool model_roots(double time, double *y, const double *p, double *root)
@@ -52,6 +32,7 @@ bool model_roots(double time, double *y, const double *p, double *root)
     return true;
 }
 
+NO_ALGEBRAICS
 NO_TIME_RELATIONS
 NO_DEPENDENT_PARAMETERS
 NO_INITIAL_EQUATIONS

@@ -19,22 +19,8 @@ static const Relation relations[] = {{0, INSIDE, false}, {1, PAST, false}, {2, N
 static const char *const root_texts[] = {"sinh(distance)^2 - sinh(width/2)^2", "-distance", "distance"};
 
 const Model model = {
-    .name = "Test.Windows",
-    .token = MODEL_TOKEN,
-    .n_states = 3,
-    .n_y = N_Y,
-    .n_p = N_P,
-    .y_start = y_start,
-    .p_start = p_start,
-    .state_nominal = state_nominal,
-    .n_variables = sizeof variables / sizeof *variables,
-    .variables = variables,
-    .n_roots = 3,
-    .root_texts = root_texts,
-    .n_relations = 3,
-    .relations = relations,
-    .initial_event_slot = NO_SLOT,
-    .homotopy_slot = NO_SLOT,
+    TABLES("Test.Windows"),
+    ROOTS_AND_RELATIONS,
 };
 
 bool model_derivatives(double time, double *y, const double *p, double *der, double *root)
@@ -43,12 +29,6 @@ bool model_derivatives(double time, double *y, const double *p, double *der, dou
     der[AREA] = p[INSIDE] != 0.0 ? 1.0 / p[WIDTH] : 0.0;
     der[AFTER] = p[PAST] != 0.0 && p[NOT_PAST] == 0.0 ? 1.0 : 0.0;
     return root == NULL || model_roots(time, y, p, root);
-}
-
-bool model_algebraics(double time, double *y, const double *p)
-{
-    (void)time, (void)y, (void)p;
-    return true;
 }
 
 bool model_roots(double time, double *y, const double *p, double *root)
@@ -61,6 +41,7 @@ bool model_roots(double time, double *y, const double *p, double *root)
     return true;
 }
 
+NO_ALGEBRAICS
 NO_TIME_RELATIONS
 NO_DEPENDENT_PARAMETERS
 NO_INITIAL_EQUATIONS
