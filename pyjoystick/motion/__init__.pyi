@@ -1,3 +1,10 @@
+from .columns import (
+    TIME as TIME,
+    Column as Column,
+    Heading as Heading,
+    Match as Match,
+    TableHead as TableHead,
+)
 from .comparison import Difference as Difference, compare as compare, within_limits as within_limits
 from .extrema import (
     EXTREMA_FUNCTIONS as EXTREMA_FUNCTIONS,
@@ -7,13 +14,8 @@ from .extrema import (
 )
 from .labelled import to_xarray as to_xarray
 from .logs.layout import Layout as Layout, Scale as Scale
-from .logs.reading import (
-    Log as Log,
-    LogTable as LogTable,
-    read_log as read_log,
-    read_log_table as read_log_table,
-    record_of as record_of,
-)
+from .logs.log_table import LogTable as LogTable, read_log_table as read_log_table
+from .logs.reading import Log as Log, read_log as read_log, record_of as record_of
 from .logs.scales import scale_of as scale_of
 from .peaks import find_peaks as find_peaks, periods as periods
 from .record_peaks import MeasuredPeaks as MeasuredPeaks, measured_peaks as measured_peaks
@@ -46,12 +48,7 @@ from .report import Case as Case, free_oscillation_report as free_oscillation_re
 from .table_files import (
     DELIMITERS as DELIMITERS,
     LARGEST as LARGEST,
-    TIME as TIME,
-    Column as Column,
-    Heading as Heading,
-    Match as Match,
     TableFile as TableFile,
-    TableHead as TableHead,
     no_number as no_number,
     open_text as open_text,
     read_table_file as read_table_file,

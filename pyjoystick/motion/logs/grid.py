@@ -12,9 +12,10 @@ from typing import Final
 
 import numpy as np
 
+from pyjoystick.motion.columns import Heading, TableHead
 from pyjoystick.motion.logs.headings import is_unit, understood
 from pyjoystick.motion.records.errors import RecordError
-from pyjoystick.motion.table_files import EMPTY, Heading, TableFile, TableHead
+from pyjoystick.motion.table_files import EMPTY, TableFile
 
 #: A line number and its cells.
 Row = tuple[int, list[str]]

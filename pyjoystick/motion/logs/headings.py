@@ -7,7 +7,7 @@ import unicodedata
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Final
 
-from pyjoystick.motion.table_files import Column, Heading
+from pyjoystick.motion.columns import Column, Heading
 from pyjoystick.motion.units import UNITS, plain_unit
 
 #: Spellings by kind of quantity and unit besides those of `UNITS`; those in lower case hold for

@@ -11,12 +11,12 @@ from typing import Final
 
 import numpy as np
 
-from pyjoystick.motion.logs.reading import read_log_table
+from pyjoystick.motion.columns import TIME, Column
+from pyjoystick.motion.logs.log_table import read_log_table
 from pyjoystick.motion.records.errors import RecordError
 from pyjoystick.motion.records.free_oscillation import Side, check_free_oscillation
 from pyjoystick.motion.records.record import MISSING_ADVICE, Record
 from pyjoystick.motion.records.swings import THRESHOLD, Swing, find_swings
-from pyjoystick.motion.table_files import TIME, Column
 from pyjoystick.motion.units import UNITS
 from pyjoystick.support import FloatArray
 
