@@ -4,7 +4,6 @@ from .measured import (
     MeasuredMotion as MeasuredMotion,
     read_motion as read_motion,
     seen_by_cameras as seen_by_cameras,
-    through_chain as through_chain,
 )
 from .measures import (
     PARTS as PARTS,
@@ -66,7 +65,6 @@ from .response.tables import (
 )
 from .samples import Samples as Samples, smooth_spans as smooth_spans
 from .torque import (
-    FRICTION_TORQUES as FRICTION_TORQUES,
     TORQUES as TORQUES,
     columns_of as columns_of,
     inverse_fmu as inverse_fmu,

@@ -28,7 +28,6 @@ from .documents import (
     FitDocument as FitDocument,
     FittedSeries as FittedSeries,
     FittedValue as FittedValue,
-    fit_document as fit_document,
     read_budget as read_budget,
     read_fit as read_fit,
 )
@@ -102,11 +101,8 @@ from .peak_method.bias import (
     bias_table as bias_table,
     constant_bias as constant_bias,
     line_bias as line_bias,
-    preload_factors as preload_factors,
 )
 from .peak_method.estimate import (
-    CONSTANTS as CONSTANTS,
-    LINES as LINES,
     ConstantEstimate as ConstantEstimate,
     DampingEstimate as DampingEstimate,
     VelocityClock as VelocityClock,

@@ -13,8 +13,6 @@ from typing import Any, Generic, NamedTuple, TypeVar
 import numpy as np
 from scipy.stats import t as student
 
-from pyjoystick.identification.fitting.json_report import as_json
-from pyjoystick.identification.fitting.result import Fit
 from pyjoystick.identification.laboratory_errors import Contribution
 from pyjoystick.laboratory import Measured
 from pyjoystick.support import FloatArray, InputFileError, versions
@@ -151,11 +149,6 @@ def read_fit(path: str | PathLike[str]) -> FitDocument:
     """
     again = "pyjoystick fit ... --output FOLDER"
     return _read(Path(path), _Kind("fit.json of pyjoystick fit", again, _fit))
-
-
-def fit_document(found: Fit) -> FitDocument:
-    """The same of a fit that was made here."""
-    return _fit(json.loads(as_json(found)), "this fit")
 
 
 def read_budget(path: str | PathLike[str]) -> BudgetDocument:

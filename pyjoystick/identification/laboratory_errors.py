@@ -28,6 +28,7 @@ from pyjoystick.motion import Record
 from pyjoystick.runs import fmu_of_joystick
 from pyjoystick.support import ParameterError, TextTable, json_text
 
+_OF_NOISE: Final = "fit, noise of the records"
 #: What `refit` finds.
 FITTED: Final = ("J", "damping.C")
 _TIME: Final = np.arange(901) / 600.0
@@ -112,9 +113,7 @@ def settings_of_refit(joystick: JoystickParameters, noise: Noise = _PLAIN) -> Fi
     return with_values(settings, joystick.to_names())
 
 
-def noise_contribution(
-    stage: str, joystick: JoystickParameters, found: Fit, *, release_angle: float
-) -> Contribution:
+def noise_contribution(joystick: JoystickParameters, found: Fit, *, release_angle: float) -> Contribution:
     """What the standard errors of a fit make of a run, and those of J and C, whose correlation counts.
 
     Raises:
@@ -127,7 +126,7 @@ def noise_contribution(
         for size, axis in zip(sizes, axes.T, strict=True)
     ]
     errors = [found.error(name) / found.value(name) for name in FITTED]
-    run = run_contribution(stage, joystick, moved, release_angle=release_angle)
+    run = run_contribution(_OF_NOISE, joystick, moved, release_angle=release_angle)
     return dataclasses.replace(run, J=errors[0], C=errors[1])
 
 
@@ -162,7 +161,7 @@ def fit_contributions(
         # J is fitted, so that what was measured of it before counts for runs only.
         refits = [] if name.startswith("J ") else [refit(records, one) for one in joysticks]
         contributions.append(_with_fitted(run, plain, refits) if refits else run)
-    noise = noise_contribution("fit, noise of the records", joystick, found, release_angle=release_angle)
+    noise = noise_contribution(joystick, found, release_angle=release_angle)
     return found, [*contributions, noise]
 
 

@@ -41,7 +41,6 @@ from .measurement_errors import (
 )
 from .measurement_plots import plot_chain_effect as plot_chain_effect, plot_instruments as plot_instruments
 from .measurements.accelerometer import (
-    LARGEST_LAG as LARGEST_LAG,
     angular_acceleration as angular_acceleration,
     read_accelerometer as read_accelerometer,
 )
@@ -60,15 +59,10 @@ from .measurements.low_pass import LowPass as LowPass
 from .measurements.marker_files import read_markers as read_markers
 from .measurements.markers import Markers as Markers
 from .measurements.results import (
-    acceleration_report as acceleration_report,
-    chain_report as chain_report,
     log_report as log_report,
-    markers_report as markers_report,
     plot_log as plot_log,
-    write_acceleration as write_acceleration,
     write_log as write_log,
     write_motion as write_motion,
-    write_record as write_record,
 )
 from .measurements.setups import AccelerometerSetup as AccelerometerSetup, MarkerSetup as MarkerSetup
 from .measurements.trial import Trial as Trial, read_trial as read_trial

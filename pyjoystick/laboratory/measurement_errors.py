@@ -25,6 +25,8 @@ from pyjoystick.support import FloatArray, TextTable, angle, positive
 
 #: Held, moving and then at rest (s).
 _HELD, _END = 0.25, 3.0
+#: Length of the record in which the peaks of the velocity are judged (s).
+_RECORDED = 1.75
 
 
 @dataclass(frozen=True, slots=True)
@@ -198,8 +200,6 @@ def chain_effect(
     *,
     release_angle: float,
     camera_rate: float = 60.0,
-    duration: float = 1.75,
-    release_time: float = 0.25,
 ) -> ChainEffect:
     """Simulate a release by the reference, sample it as a camera does, and compare the chain's result.
 
@@ -208,23 +208,21 @@ def chain_effect(
         chain: the chain
         release_angle: angle of hold and release (rad)
         camera_rate: frames a second (Hz)
-        duration: length of the record (s)
-        release_time: how long the joystick is held first (s)
 
     Raises:
         ParameterError, SimulationError: as `simulate` does
         SeriesError: the record is too short for the chain
     """
-    frames = np.arange(math.floor(duration * camera_rate) + 1) / camera_rate
-    even = np.arange(math.floor(duration * chain.rate) + 1) / chain.rate
-    instants = np.unique(np.concatenate(([release_time], frames, even)))
-    moving = instants >= release_time
+    frames = np.arange(math.floor(_RECORDED * camera_rate) + 1) / camera_rate
+    even = np.arange(math.floor(_RECORDED * chain.rate) + 1) / chain.rate
+    instants = np.unique(np.concatenate(([_HELD], frames, even)))
+    moving = instants >= _HELD
     run = simulate(parameters, time=instants[moving], theta_start=release_angle)
     theta, omega = np.full(len(instants), release_angle), np.zeros(len(instants))
     theta[moving], omega[moving] = run.theta, run.omega
     motion = chain.run(frames, theta[np.searchsorted(instants, frames)])
     true = np.searchsorted(instants, even)[: len(motion.time)]
-    after = motion.time >= release_time
+    after = motion.time >= _HELD
     peaks = _peaks(run.omega)
     middles = (run.time[peaks][1:] + run.time[peaks][:-1]) / 2.0
     end = run.time[peaks[-1]] + (run.time[peaks[-1]] - middles[-1])

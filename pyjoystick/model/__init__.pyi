@@ -79,11 +79,7 @@ from .reference.moments import (
     swing_frequency as swing_frequency,
     table_force as table_force,
 )
-from .reference.rk4 import (
-    PAPER_REFINEMENT as PAPER_REFINEMENT,
-    PAPER_STEP as PAPER_STEP,
-    simulate_rk4 as simulate_rk4,
-)
+from .reference.rk4 import PAPER_STEP as PAPER_STEP, simulate_rk4 as simulate_rk4
 from .reference.simulation import DEFAULT_TOLERANCE as DEFAULT_TOLERANCE, simulate as simulate
 from .reference.trajectory import Trajectory as Trajectory
 from .undamped_period.closed_form import (

@@ -18,7 +18,6 @@ from .errors import (
 )
 from .experiments import (
     free_oscillation as free_oscillation,
-    has_friction as has_friction,
     joystick_of_fmu as joystick_of_fmu,
     reference_free_oscillation as reference_free_oscillation,
     time_grid as time_grid,

@@ -12,7 +12,6 @@ from pyjoystick.support import FloatArray
 
 # Places in `Program.functions`; setters and getters follow.
 RESET, SETUP, ENTER, EXIT, STEP, TERMINATE, DERIVATIVES = range(7)
-FIXED_FUNCTIONS: Final = 7
 
 # What the functions return, and what the kernel adds.
 OK, WARNING, DISCARD, ERROR, FATAL, PENDING = range(6)

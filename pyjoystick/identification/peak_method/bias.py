@@ -11,7 +11,6 @@ is linear (s = 2). The mean of the two is C whatever s is.
 from __future__ import annotations
 
 import dataclasses
-import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Final
@@ -160,15 +159,3 @@ def bias_table(
             exponents = {"n_pos": law.n_pos, "n_neg": law.n_neg, "m": law.m}
             rows.append({"C": value, "release_angle": angle} | parts | exponents)
     return pd.DataFrame(rows)
-
-
-def preload_factors(exponent: float) -> tuple[float, float]:
-    """What eq. (10) returns from displacement and from velocity peaks, as parts of C, for weak damping.
-
-    Args:
-        exponent: s of the potential |theta|^s, above 0: 1 where the preload alone holds the joystick, 2 for
-            linear springs
-    """
-    if not (math.isfinite(exponent) and exponent > 0.0):
-        raise DampingEstimateError(f"exponent = {exponent}: must be above 0")
-    return 4.0 / (exponent + 2.0), 2.0 * exponent / (exponent + 2.0)

@@ -37,17 +37,15 @@ class Section5:
 def section_5(
     motion: ForwardAndReturn | Samples = MOTION,
     *,
-    constant: JoystickParameters = NOMINAL,
     power_law: JoystickParameters = NOMINAL_POWER_LAW,
 ) -> Section5:
     """The numbers of a motion, by plain Python.
 
     Args:
         motion: in closed form or sampled
-        constant: the joystick with constant damping
-        power_law: the same with eq. (11)
+        power_law: the joystick with eq. (11), beside the paper's with constant damping
     """
-    found = measures_of(motion, constant, power_law)
+    found = measures_of(motion, NOMINAL, power_law)
     first, second = found["constant"], found["power-law"]
     return Section5(
         inertia_to_stiffness=first.peak_ratio("inertia", "stiffness"),

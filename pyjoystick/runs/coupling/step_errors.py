@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 import pandas as pd
@@ -22,21 +22,17 @@ def coupling_errors(
     variable: str,
     *,
     monolithic: Fmu,
-    name: str | None = None,
     steps: Sequence[float] = (2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4),
     schemes: Iterable[str] = tuple(SCHEMES),
-    on_run: Callable[[str, float], None] | None = None,
 ) -> pd.DataFrame:
     """The largest coupling error of a variable at the communication points.
 
     Args:
         system: as FMUs
         variable: what is compared, ``component.variable``
-        monolithic: the FMU of the same system as one model
-        name: of the variable in it; the same by default
+        monolithic: the FMU of the same system as one model, in which the variable has the same name
         steps: communication steps (s)
         schemes: names in `SCHEMES`
-        on_run: called with scheme and step before each run
 
     Returns:
         a row for each scheme and step with ``scheme``, ``step`` (s), ``error`` (unit of the variable) and
@@ -48,11 +44,9 @@ def coupling_errors(
     rows = []
     for scheme in schemes:
         for step in steps:
-            if on_run is not None:
-                on_run(scheme, step)
             run = run_coupled(system, step=step, scheme=scheme, outputs=[variable], tolerance=_TOLERANCE)
-            exact = monolithic.run(np.asarray(run.index), outputs=[name or variable], tolerance=_TOLERANCE)
-            error = float(np.abs(run[variable] - exact[name or variable]).max())
+            exact = monolithic.run(np.asarray(run.index), outputs=[variable], tolerance=_TOLERANCE)
+            error = float(np.abs(run[variable] - exact[variable]).max())
             rows.append((scheme, step, error, run.attrs["steps"]))
     return pd.DataFrame(rows, columns=["scheme", "step", "error", "fmu_steps"])
 

@@ -12,7 +12,6 @@ from pyjoystick.identification import (
     constant_bias,
     estimate_damping,
     line_bias,
-    preload_factors,
 )
 from pyjoystick.model import NOMINAL, ActuatorAssembly, JoystickParameters, RestrainedSpring
 from pyjoystick.motion import ReleasePeaks
@@ -38,18 +37,11 @@ def _joystick(spring: RestrainedSpring, damping: float) -> JoystickParameters:
     ids=["preload alone", "linear"],
 )
 def test_the_factors_of_the_virial_theorem(spring: RestrainedSpring, exponent: float) -> None:
-    """Light damping and small angles, where the derivation holds; geometry and damping cost the rest."""
+    """Of a potential |theta|^s, for light damping and small angles; geometry and damping cost the rest."""
     joystick = _joystick(spring, 0.01)
     found = estimate_damping([reference_release(joystick, -0.1)], joystick.J).constants
-    displacement, velocity = preload_factors(exponent)
-    assert found["displacement"].value / 0.01 == pytest.approx(displacement, rel=0.02)
-    assert found["velocity"].value / 0.01 == pytest.approx(velocity, rel=0.02)
-    assert displacement + velocity == pytest.approx(2.0)
-
-
-def test_the_potential_has_an_exponent_above_zero() -> None:
-    with pytest.raises(DampingEstimateError, match="above 0"):
-        preload_factors(0.0)
+    assert found["displacement"].value / 0.01 == pytest.approx(4.0 / (exponent + 2.0), rel=0.02)
+    assert found["velocity"].value / 0.01 == pytest.approx(2.0 * exponent / (exponent + 2.0), rel=0.02)
 
 
 def test_the_paper_joystick_is_off_by_a_quarter_either_way() -> None:
