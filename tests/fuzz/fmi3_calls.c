@@ -29,10 +29,15 @@ static fmi3Status step(Fuzz *f, double size)
     return status;
 }
 
-static double short_step(Fuzz *f)
-{
-    return 1e-3 * (1 + below(&f->bytes, 100));
-}
+typedef fmi3FMUState State;
+#define OK fmi3OK
+#define GET_STATE fmi3GetFMUState
+#define SET_STATE fmi3SetFMUState
+#define FREE_STATE fmi3FreeFMUState
+#define SERIALIZED_SIZE fmi3SerializedFMUStateSize
+#define SERIALIZE fmi3SerializeFMUState
+#define DESERIALIZE fmi3DeserializeFMUState
+#include "states.h"
 
 static void call_back(void)
 {
@@ -144,73 +149,6 @@ static void events(Fuzz *f, unsigned kind)
     case 10: fmi3EnterStepMode(f->instance); break;
     case 11: fmi3EvaluateDiscreteStates(f->instance); break;
     default: fmi3EnterConfigurationMode(f->instance); break;
-    }
-}
-
-/* The bytes of a state in memory of their own, so that AddressSanitizer sees each step over their end. */
-static uint8_t *serialized(Fuzz *f, fmi3FMUState state, size_t *size)
-{
-    if (fmi3SerializedFMUStateSize(f->instance, state, size) != fmi3OK)
-        return NULL;
-    uint8_t *bytes = malloc(*size);
-    if (bytes != NULL && fmi3SerializeFMUState(f->instance, state, bytes, *size) != fmi3OK) {
-        free(bytes);
-        bytes = NULL;
-    }
-    return bytes;
-}
-
-static void exchange_bytes(Fuzz *f, unsigned from, unsigned to)
-{
-    size_t size;
-    uint8_t *bytes = serialized(f, f->states[from], &size);
-    if (bytes == NULL)
-        return;
-    damage(&f->bytes, bytes, size);
-    fmi3FMUState read = NULL;
-    const size_t given = take(&f->bytes) == 255 ? size - 1 : size;
-    if (fmi3DeserializeFMUState(f->instance, bytes, given, &read) == fmi3OK) {
-        uint8_t *again = serialized(f, read, &size);
-        demand(again == NULL || memcmp(bytes, again, size) == 0, "a state that was read is written the same");
-        free(again);
-        fmi3FreeFMUState(f->instance, &f->states[to]);
-        f->states[to] = read;
-    }
-    free(bytes);
-}
-
-static void repeat_step(Fuzz *f)
-{
-    fmi3FMUState before = NULL, first = NULL, second = NULL;
-    const double time = f->time, size = short_step(f);
-    size_t n;
-    const int back = f->calls_back;
-    f->calls_back = 0;
-    if (fmi3GetFMUState(f->instance, &before) == fmi3OK && step(f, size) == fmi3OK &&
-        fmi3GetFMUState(f->instance, &first) == fmi3OK) {
-        f->time = time;
-        demand(fmi3SetFMUState(f->instance, before) == fmi3OK, "a state of this instance can be restored");
-        if (step(f, size) == fmi3OK && fmi3GetFMUState(f->instance, &second) == fmi3OK) {
-            uint8_t *a = serialized(f, first, &n), *b = serialized(f, second, &n);
-            demand(a == NULL || b == NULL || memcmp(a, b, n) == 0, "a restored state repeats the step");
-            free(a), free(b);
-        }
-    }
-    f->calls_back = back;
-    fmi3FreeFMUState(f->instance, &before);
-    fmi3FreeFMUState(f->instance, &first);
-    fmi3FreeFMUState(f->instance, &second);
-}
-
-static void state(Fuzz *f, unsigned kind)
-{
-    const unsigned i = below(&f->bytes, MAX_STATES), j = below(&f->bytes, MAX_STATES);
-    switch (kind) {
-    case 0: fmi3GetFMUState(f->instance, &f->states[i]); break;
-    case 1: fmi3SetFMUState(f->instance, f->states[i]); break;
-    case 2: fmi3FreeFMUState(f->instance, &f->states[i]); break;
-    case 3: repeat_step(f); break;
-    default: exchange_bytes(f, i, j); break;
     }
 }
 

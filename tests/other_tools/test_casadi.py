@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 import zipfile
 from pathlib import Path
+from typing import cast
 
 import numpy as np
 import pytest
@@ -36,15 +37,19 @@ print(json.dumps(motion.full().tolist()))
 """
 
 
-@pytest.mark.parametrize(
-    ("name", "parameters"), [("Joystick", NOMINAL), ("JoystickPowerLaw", NOMINAL_POWER_LAW)]
+@pytest.fixture(
+    params=[("Joystick", NOMINAL), ("JoystickPowerLaw", NOMINAL_POWER_LAW)], ids=lambda one: one[0]
 )
-def test_motion_within_a_branch(
-    name: str, parameters: JoystickParameters, joystick_fmus: Path, tmp_path: Path
-) -> None:
+def parameters(request: pytest.FixtureRequest, joystick_fmus: Path, tmp_path: Path) -> JoystickParameters:
+    """Those of a joystick whose FMU is unpacked in the test's folder."""
     require("casadi")
+    name, found = request.param
     with zipfile.ZipFile(joystick_fmus / f"{name}.fmu") as archive:
         archive.extractall(tmp_path)
+    return cast("JoystickParameters", found)
+
+
+def test_motion_within_a_branch(parameters: JoystickParameters, tmp_path: Path) -> None:
     theta, omega = run(PROGRAM, folder=str(tmp_path), release=RELEASE, step=STEP, count=COUNT)
     expected = simulate(parameters, time=STEP * np.arange(COUNT + 1), theta_start=RELEASE)
     assert not expected.events
@@ -64,16 +69,8 @@ print(json.dumps([by_x.full().tolist(), by_u.full().tolist()]))
 """
 
 
-@pytest.mark.parametrize(
-    ("name", "parameters"), [("Joystick", NOMINAL), ("JoystickPowerLaw", NOMINAL_POWER_LAW)]
-)
-def test_jacobian_is_that_of_the_fmu(
-    name: str, parameters: JoystickParameters, joystick_fmus: Path, tmp_path: Path
-) -> None:
+def test_jacobian_is_that_of_the_fmu(parameters: JoystickParameters, tmp_path: Path) -> None:
     """From directional derivatives: differences of the states' rates would be off by about 1e-8."""
-    require("casadi")
-    with zipfile.ZipFile(joystick_fmus / f"{name}.fmu") as archive:
-        archive.extractall(tmp_path)
     by_x, by_u = run(JACOBIAN, folder=str(tmp_path), release=RELEASE, omega=-0.7, torque=0.2)
     expected = jacobian(parameters.to_names(), RELEASE, -0.7, 0.2)
     assert by_x[0] == [0.0, 1.0]

@@ -8,7 +8,7 @@ import pytest
 import rumoca
 
 from fmu_build.codegen import ModelSource, generate
-from fmu_build.codegen.equations import read_equations
+from fmu_build.codegen.equation_reader import read_equations
 from fmu_build.codegen.functions import FunctionLibrary
 from fmu_build.codegen.lowered import lower
 from fmu_build.support.errors import UnsupportedModelError

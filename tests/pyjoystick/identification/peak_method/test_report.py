@@ -4,6 +4,7 @@ import dataclasses
 import math
 
 import pandas as pd
+import pytest
 
 from pyjoystick.identification import Bias, damping_report, estimate_damping, releases_report
 from pyjoystick.identification.peak_method.report import bias_report, peak_error_report
@@ -28,20 +29,30 @@ def test_an_estimate_stands_beside_its_bias() -> None:
     assert "3 points" in damping_report(dataclasses.replace(estimate, left_out=3), constants, lines)
 
 
-def test_releases_with_their_errors() -> None:
+@pytest.mark.parametrize(
+    ("angle", "time_error", "angle_error", "shown"),
+    [
+        (-20.0, 0.0008, 0.02, ["trial", "0.2500 +- 0.0008", "-20.00 +- 0.02", "0.100", "12 and 12"]),
+        (-14.0, 0.00003, 0.0042, ["trial", "0.25000 +- 0.00003", "-14.000 +- 0.004", "0.100", "12 and 12"]),
+    ],
+    ids=["usual", "no error is printed as zero"],
+)
+def test_releases_with_their_errors(
+    angle: float, time_error: float, angle_error: float, shown: list[str]
+) -> None:
     plain = linear_release(J, 0.045, 30.0)
     measured = MeasuredPeaks(
         name="trial",
         release_time=0.25,
-        release_angle=math.radians(-20.0),
+        release_angle=math.radians(angle),
         displacement=plain.displacement,
         velocity=plain.velocity,
-        release_time_error=0.0008,
-        release_angle_error=math.radians(0.02),
+        release_time_error=time_error,
+        release_angle_error=math.radians(angle_error),
         noise=math.radians(0.1),
     )
     cells = [cell.strip() for cell in releases_report([measured]).splitlines()[2].split("|")[1:-1]]
-    assert cells == ["trial", "0.2500 +- 0.0008", "-20.00 +- 0.02", "0.100", "12 and 12"]
+    assert cells == shown
 
 
 def test_the_table_of_the_bias() -> None:
@@ -58,19 +69,3 @@ def test_errors_at_some_values_and_the_minima() -> None:
     assert [cell.strip() for cell in lines[2].split("|")[1:-1]] == ["C = 0.03", *["9.0"] * 4]
     least = ["1.0 at 0.045", "2.0 at 0.045", "3.0 at 0.045", "4.0 at 0.045"]
     assert [cell.strip() for cell in lines[3].split("|")[1:-1]] == ["C, smallest", *least]
-
-
-def test_no_standard_error_is_printed_as_zero() -> None:
-    plain = linear_release(J, 0.045, 30.0)
-    measured = MeasuredPeaks(
-        name="trial",
-        release_time=0.25,
-        release_angle=math.radians(-14.0),
-        displacement=plain.displacement,
-        velocity=plain.velocity,
-        release_time_error=0.00003,
-        release_angle_error=math.radians(0.0042),
-        noise=math.radians(0.05),
-    )
-    cells = [cell.strip() for cell in releases_report([measured]).splitlines()[2].split("|")[1:-1]]
-    assert cells[1:3] == ["0.25000 +- 0.00003", "-14.000 +- 0.004"]

@@ -138,6 +138,33 @@ def test_what_may_be_left_out(file: Path) -> None:
         ),
         ("alpha = 0.9", "alpha = 1.9", "[damping.power-law] alpha = 1.9: must be between 0 and 1"),
         ("[forward] ", "[forwards] ", "forward: is missing"),
+        (
+            "[gravity]\n",
+            "[friction]\nT_c = -0.1\n[gravity]\n",
+            "[friction] T_c = -0.1: must be a finite number, 0 N.m",
+        ),
+        ("[gravity]\n", "[friction]\nT_c = 7.2\n[gravity]\n", "did you mean 7.2 N.mm = 0.0072 N.m?"),
+        (
+            "[gravity]\n",
+            "[friction]\nT_k = 0.1\n[gravity]\n",
+            "[friction] T_k: is not a known key (did you mean T_s?)",
+        ),
+        (
+            "[gravity]\n",
+            "[friction]\nT_c = 0.1\nT_s = 0.2\n[gravity]\n",
+            "[friction] omega_s = 0.0: must be above 0 rad/s, because T_s is above T_c",
+        ),
+        ("[gravity]\n", "[stops]\ntheta_stop = 20.0\n[gravity]\n", "did you mean 20 deg = 0.349066 rad?"),
+        (
+            "[gravity]\n",
+            "[stops]\nK = -1.0\n[gravity]\n",
+            "[stops] K = -1.0: must be a finite number above 0 N.m/rad",
+        ),
+        (
+            "[gravity]\n",
+            "[stops]\nangle = 0.3\n[gravity]\n",
+            "[stops] angle: is not a known key (known are theta_stop,",
+        ),
         ("[body]", "[body", "is not TOML"),
     ],
 )

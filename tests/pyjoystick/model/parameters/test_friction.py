@@ -19,7 +19,7 @@ from pyjoystick.model import (
     updated_text,
     write_parameters,
 )
-from pyjoystick.support import ParameterError, SettingsError
+from pyjoystick.support import ParameterError
 
 WITH = NOMINAL.replace({"friction.T_c": 0.0072, "friction.F_c": 0.3})
 
@@ -68,23 +68,6 @@ def test_a_file_keeps_it(tmp_path: Path) -> None:
 def test_a_file_without_friction_stays_as_it_is() -> None:
     assert updated_text(PAPER, NOMINAL) == PAPER.path.read_text(encoding="utf-8")
     assert "friction" not in updated_text(PAPER, NOMINAL_POWER_LAW)
-
-
-@pytest.mark.parametrize(
-    ("text", "message"),
-    [
-        ("T_c = -0.1", "T_c"),
-        ("T_c = 7.2", "did you mean 7.2 N.mm"),
-        ("T_k = 0.1", "not a known key"),
-        ("T_c = 0.1\nT_s = 0.2", "omega_s"),
-    ],
-)
-def test_mistakes_in_a_file_are_named(text: str, message: str, tmp_path: Path) -> None:
-    path = tmp_path / "joystick.toml"
-    path.write_text(f"{PAPER.path.read_text(encoding='utf-8')}\n[friction]\n{text}\n", encoding="utf-8")
-    with pytest.raises(SettingsError, match=message) as caught:
-        read_parameter_file(path)
-    assert caught.value.table == "friction"
 
 
 def test_what_no_joystick_has() -> None:

@@ -23,7 +23,7 @@ from pyjoystick.model import (
     values_for,
     write_parameters,
 )
-from pyjoystick.support import ParameterError, SettingsError
+from pyjoystick.support import ParameterError
 
 STOP = math.radians(20.0)
 WITH = NOMINAL.replace({"stops.theta_stop": STOP, "stops.K": 800.0})
@@ -63,18 +63,6 @@ def test_a_file_keeps_them(tmp_path: Path) -> None:
     write_parameters(path, NOMINAL)
     assert read_parameter_file(path).joystick == NOMINAL
     assert "stops" not in updated_text(PAPER, NOMINAL_POWER_LAW)
-
-
-@pytest.mark.parametrize(
-    ("text", "message"),
-    [("theta_stop = 20.0", "did you mean 20 deg"), ("K = -1.0", "K"), ("angle = 0.3", "not a known key")],
-)
-def test_mistakes_in_a_file_are_named(text: str, message: str, tmp_path: Path) -> None:
-    path = tmp_path / "joystick.toml"
-    path.write_text(f"{PAPER.path.read_text(encoding='utf-8')}\n[stops]\n{text}\n", encoding="utf-8")
-    with pytest.raises(SettingsError, match=message) as caught:
-        read_parameter_file(path)
-    assert caught.value.table == "stops"
 
 
 def test_motions_beyond_a_stop_have_no_inverse_torque() -> None:
