@@ -10,7 +10,8 @@ from fmu_build.codegen.baked import baked_parameters
 from fmu_build.codegen.c_model import write_model
 from fmu_build.codegen.compact import compact
 from fmu_build.codegen.coordinates import with_named_states
-from fmu_build.codegen.equations import Equations, n_named_slots, read_equations
+from fmu_build.codegen.equation_reader import n_named_slots, read_equations
+from fmu_build.codegen.equations import Equations
 from fmu_build.codegen.followed import with_followed_parameters
 from fmu_build.codegen.functions import FunctionLibrary
 from fmu_build.codegen.lowered import LoweredModel, lower

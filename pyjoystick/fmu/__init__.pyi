@@ -5,8 +5,8 @@ from .description import (
     FmuDescription as FmuDescription,
     Interface as Interface,
     Variable as Variable,
-    read_description as read_description,
 )
+from .description_file import read_description as read_description
 from .errors import (
     FmuCrashError as FmuCrashError,
     FmuEndedError as FmuEndedError,

@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING, Any, Self, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pyjoystick.fmu.description import FmuDescription, read_description
+from pyjoystick.fmu.description import FmuDescription
+from pyjoystick.fmu.description_file import read_description
 from pyjoystick.fmu.errors import FmuEndedError, UnsupportedFmuError
 from pyjoystick.fmu.files import find_fmu
 from pyjoystick.fmu.inputs import Inputs

@@ -1,29 +1,20 @@
-"""The description of an FMU, from its modelDescription.xml."""
+"""The description of an FMU: what its modelDescription.xml says."""
 
 from __future__ import annotations
 
 import copyreg
-import re
-import zipfile
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Final, Literal
-from xml.parsers import expat
 
 import numpy as np
-from fmpy import read_model_description
 
-from pyjoystick.fmu.errors import FmuFileError, UnsupportedFmuError
-from pyjoystick.fmu.limits import MOST_VARIABLES, require_at_most, require_modest
 from pyjoystick.motion import DisplayUnit, Quantity
-from pyjoystick.support import ARCHIVE_ERRORS, PyJoystickError, archive_problem
 
 #: What a minimum means that is no larger; Modelica.Constants.small is 1e-60.
 _SMALL: Final = 1e-50
-#: Value references are unsigned numbers of 32 bits in both versions of FMI.
-_LARGEST_REFERENCE: Final = 0xFFFF_FFFF
 
 Interface = Literal["CoSimulation", "ModelExchange"]
 
@@ -183,168 +174,3 @@ class FmuDescription:
     def settable_names(self) -> tuple[str, ...]:
         """Names that a run takes as parameters or start values."""
         return tuple(name for name, variable in self.variables.items() if variable.settable_at_start)
-
-
-def read_description(path: Path) -> FmuDescription:
-    """Read the description without loading the FMU's binary; FMI 2.0 and 3.0 are supported.
-
-    Raises:
-        FmuFileError: the file is not a ZIP archive, its modelDescription.xml is missing or unreadable, or it
-            is larger than `limits` allows
-        UnsupportedFmuError: the FMU is of another FMI version
-    """
-    try:
-        with zipfile.ZipFile(path) as archive:
-            files = archive.namelist()
-            require_modest(path, archive)
-    except PyJoystickError:
-        raise
-    except ARCHIVE_ERRORS as error:
-        raise FmuFileError(path, f"not an FMU: {archive_problem(error)}") from error
-    if "modelDescription.xml" not in files:
-        raise FmuFileError(path, "not an FMU: there is no modelDescription.xml in it")
-    try:
-        declared = _co_simulation(path)
-        return _description(path, files, read_model_description(str(path), validate=False), declared)
-    except FmuFileError:
-        raise
-    except Exception as error:  # FMPy raises whatever its parser stumbles over
-        reason = f"its modelDescription.xml cannot be read: {type(error).__name__}: {error}"
-        raise FmuFileError(path, reason) from error
-
-
-def _co_simulation(path: Path) -> Mapping[str, str]:
-    """The attributes of the element CoSimulation, empty where there is none.
-
-    FMPy reads the description as a whole, for minutes where it is huge. So this looks at it first, and raises
-    FmuFileError unless FMPy can read it: a known version of FMI, and not too many variables.
-    """
-    is_known, variables, found = False, 0, {}
-
-    def start(name: str, attributes: dict[str, str]) -> None:
-        nonlocal is_known, variables, found
-        if not is_known:
-            _require_known_version(path, name, attributes)
-            is_known = True
-        if name == "CoSimulation":
-            found = attributes
-        if "valueReference" in attributes and "name" in attributes:
-            variables += 1
-            require_at_most(path, "declares {} variables or more", variables, MOST_VARIABLES)
-
-    parser = expat.ParserCreate()
-    parser.StartElementHandler = start
-    with zipfile.ZipFile(path) as archive, archive.open("modelDescription.xml") as file:
-        parser.ParseFile(file)
-    return found
-
-
-def _require_known_version(path: Path, root: str, attributes: Mapping[str, str]) -> None:
-    version = attributes.get("fmiVersion")
-    if version is None:
-        raise FmuFileError(path, f"its modelDescription.xml names no FMI version in its element {root}")
-    if not re.fullmatch(r"2\.0|3\..*", version):
-        raise UnsupportedFmuError(path, f"is an FMU of FMI {version}; FMI 2.0 and 3.0 are supported")
-
-
-def _description(path: Path, files: list[str], model: Any, declared: Mapping[str, str]) -> FmuDescription:
-    for variable in model.modelVariables:
-        if not 0 <= variable.valueReference <= _LARGEST_REFERENCE:
-            allowed = f"must be a whole number from 0 to {_LARGEST_REFERENCE}"
-            given = f"valueReference = {variable.valueReference}"
-            raise FmuFileError(path, f"variable {variable.name!r}: {given}: {allowed}")
-    interfaces = {
-        name: str(interface.modelIdentifier)
-        for name, interface in (("CoSimulation", model.coSimulation), ("ModelExchange", model.modelExchange))
-        if interface is not None
-    }
-    units = {unit.name: unit for unit in model.unitDefinitions or ()}
-    experiment = model.defaultExperiment
-    is_fmi3 = not model.fmiVersion.startswith("2.")
-    return FmuDescription(
-        path=path,
-        model_name=model.modelName or "",
-        description=model.description or "",
-        fmi_version=model.fmiVersion,
-        guid=model.guid or "",
-        generation_tool=model.generationTool or "",
-        generation_date=model.generationDateAndTime or "",
-        interfaces=MappingProxyType(interfaces),
-        binaries=tuple(
-            file.removeprefix("binaries/")
-            for file in files
-            if file.startswith("binaries/") and not file.endswith("/")
-        ),
-        has_sources=any(file.startswith("sources/") and file.endswith(".c") for file in files),
-        variables=MappingProxyType({v.name: _variable(v, units, is_fmi3) for v in model.modelVariables}),
-        experiment=DefaultExperiment(
-            *(
-                _number(getattr(experiment, field, None))
-                for field in ("startTime", "stopTime", "tolerance", "stepSize")
-            )
-        ),
-        interpolates_inputs=bool(getattr(model.coSimulation, "canInterpolateInputs", False)),
-        variable_steps=bool(getattr(model.coSimulation, "canHandleVariableCommunicationStepSize", False)),
-        # FMPy has the name of FMI 2 for both versions.
-        saves_states=bool(getattr(model.coSimulation, "canGetAndSetFMUstate", False)),
-        one_instance=bool(getattr(model.coSimulation, "canBeInstantiatedOnlyOncePerProcess", False)),
-        asks_for_inputs=bool(getattr(model.coSimulation, "providesIntermediateUpdate", False)),
-        # FMPy has the names of FMI 2 alone.
-        directional_derivatives=_provides(declared, "providesDirectionalDerivative"),
-        adjoint_derivatives=_provides(declared, "providesAdjointDerivative"),
-        log_categories=tuple(category.name for category in model.logCategories or ()),
-    )
-
-
-def _provides(declared: Mapping[str, str], capability: str) -> bool:
-    """Whether Co-Simulation declares a capability; its name ends in s in FMI 3."""
-    return any(declared.get(name) in ("true", "1") for name in (capability, f"{capability}s"))
-
-
-def _variable(variable: Any, units: Mapping[str, Any], is_fmi3: bool) -> Variable:
-    """Attributes that a variable leaves out are those of its declared type."""
-
-    def attribute(name: str) -> Any:
-        own = getattr(variable, name)
-        return getattr(variable.declaredType, name, None) if own is None else own
-
-    unit = attribute("unit") or ""
-    return Variable(
-        name=variable.name,
-        type=variable.type,
-        causality=variable.causality or "local",
-        variability=variable.variability or "continuous",
-        initial=variable.initial or "",
-        value_reference=variable.valueReference,
-        description=variable.description or "",
-        unit=unit,
-        display_unit=_display_unit(units.get(unit), attribute("displayUnit")),
-        start=variable.start,
-        minimum=_bound(attribute("min")),
-        maximum=_bound(attribute("max")),
-        is_array=bool(variable.dimensions),
-        nominal=abs(_number(attribute("nominal")) or 1.0),
-        shape=tuple(variable.shape or ()),
-        is_fmi3=is_fmi3,
-    )
-
-
-def _display_unit(unit: Any, name: str | None) -> DisplayUnit | None:
-    for candidate in unit.displayUnits if unit is not None else ():
-        if candidate.name == name:
-            return DisplayUnit(str(name), float(candidate.factor), float(candidate.offset))
-    return None
-
-
-def _bound(text: object) -> float | None:
-    """As `_number`, a whole number beyond the digits of a float exactly."""
-    number = _number(text)
-    return int(str(text)) if number is not None and abs(number) >= 2.0**53 and _is_whole(text) else number
-
-
-def _is_whole(text: object) -> bool:
-    return re.fullmatch(r"\s*[-+]?\d+\s*", str(text)) is not None
-
-
-def _number(text: object) -> float | None:
-    return None if text is None else float(str(text))

@@ -12,7 +12,8 @@ import numpy as np
 from fmpy.simulation import Input
 from numpy.typing import ArrayLike, NDArray
 
-from pyjoystick.fmu.description import FmuDescription, Variable, read_description
+from pyjoystick.fmu.description import FmuDescription, Variable
+from pyjoystick.fmu.description_file import read_description
 from pyjoystick.fmu.errors import THE_END, FmuEndedError, FmuRunError
 from pyjoystick.fmu.files import find_fmu
 from pyjoystick.fmu.inputs import Inputs, InputTable, checked_inputs

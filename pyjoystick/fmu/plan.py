@@ -24,14 +24,8 @@ from pyjoystick.fmu.sandbox.runner import SandboxRunner
 from pyjoystick.fmu.stepping.engine import Loop, loop
 from pyjoystick.fmu.stepping.program import FATAL, OK, WARNING
 from pyjoystick.fmu.stepping.reducing import Operation
-from pyjoystick.fmu.values import (
-    Value,
-    Varied,
-    checked_outputs,
-    checked_parameters,
-    checked_varied,
-    default_outputs,
-)
+from pyjoystick.fmu.values import Value, checked_outputs, checked_parameters, checked_varied, default_outputs
+from pyjoystick.fmu.varied import Varied
 from pyjoystick.support import FloatArray, ParameterError, increasing_times, notebook_progress, positive
 
 if TYPE_CHECKING:

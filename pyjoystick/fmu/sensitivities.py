@@ -6,7 +6,8 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Final
 
-from pyjoystick.fmu.description import FmuDescription, Variable, read_description
+from pyjoystick.fmu.description import FmuDescription, Variable
+from pyjoystick.fmu.description_file import read_description
 from pyjoystick.fmu.errors import UnsupportedFmuError
 from pyjoystick.support import UnknownParameterError, UnknownVariableError
 

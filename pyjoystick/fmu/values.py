@@ -1,23 +1,21 @@
-"""Checks of what a run is given: parameters, names of variables, and what varies from run to run."""
+"""Checks of what a run is given: parameters and names of variables."""
 
 from __future__ import annotations
 
 import math
 import sys
-from collections.abc import Iterable, Mapping, Sequence
-from contextlib import suppress
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from numbers import Integral, Real
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
 from pyjoystick.fmu.description import FmuDescription, Variable
 from pyjoystick.support import ParameterError, UnknownParameterError, UnknownVariableError, type_text
 
 if TYPE_CHECKING:
-    import pandas as pd
+    pass
 
 #: What a variable of an FMU may be set to.
 Value = float | bool | str
@@ -32,7 +30,7 @@ INTEGERS: Final = (
 )
 _NOT_RUN: Final = ("Binary", "Clock")
 #: Up to here a float has every whole number.
-_EXACT: Final = 2**53
+EXACT: Final = 2**53
 
 
 def checked_parameters(description: FmuDescription, parameters: Mapping[str, Value]) -> dict[str, Value]:
@@ -113,8 +111,8 @@ def checked_value(variable: Variable, value: object) -> Value:
 
 def whole_number_for(variable: Variable, value: float) -> int:
     """A signal as the whole number that it stands for; raises ParameterError unless that is certain."""
-    stored = np.iinfo(_stored(variable))
-    is_exact = isinstance(value, Integral | np.bool_) or (abs(value) <= _EXACT and value == math.floor(value))
+    stored = np.iinfo(stored_type(variable))
+    is_exact = isinstance(value, Integral | np.bool_) or (abs(value) <= EXACT and value == math.floor(value))
     if not is_exact or not stored.min <= value <= stored.max:
         hint = f"its type is {variable.type}; a float is exact up to 2^53"
         raise ParameterError(variable.name, value, allowed_values(variable), hint)
@@ -128,7 +126,7 @@ def limits(variable: Variable) -> tuple[float, float]:
     low: float = -sys.float_info.max
     high: float = sys.float_info.max
     if variable.type in INTEGERS:
-        stored = np.iinfo(_stored(variable))
+        stored = np.iinfo(stored_type(variable))
         low, high = int(stored.min), int(stored.max)
     elif variable.type == "Float32":
         low, high = float(np.finfo(np.float32).min), float(np.finfo(np.float32).max)
@@ -138,7 +136,7 @@ def limits(variable: Variable) -> tuple[float, float]:
     )
 
 
-def _stored(variable: Variable) -> str:
+def stored_type(variable: Variable) -> str:
     """Name of the type in which NumPy has the variable's whole numbers."""
     if variable.type in ("Integer", "Enumeration"):
         return "int64" if variable.is_fmi3 else "int32"
@@ -217,101 +215,3 @@ def _parts(description: FmuDescription, name: str, *, texts: bool) -> dict[str, 
         hint = "Fmu.run records text; plans, sweeps and Model Exchange do not"
         raise ParameterError("outputs", name, "a number or Boolean variable", hint)
     return parts
-
-
-class Varied:
-    """The variables that each run gives, with what they may be.
-
-    Attributes:
-        variables: in the order of a row
-        names: of the variables
-    """
-
-    def __init__(self, variables: Sequence[Variable]) -> None:
-        self.variables = tuple(variables)
-        self.names = tuple(variable.name for variable in variables)
-        # Where a float does not have every value, Python's own numbers do.
-        is_wide = any(one.type in INTEGERS and _stored(one) in ("int64", "uint64") for one in variables)
-        self._type: Any = object if is_wide else np.float64
-        ranges = np.array([limits(variable) for variable in variables], dtype=self._type).reshape(-1, 2)
-        self._low, self._high = ranges.T
-        self._whole = np.array([one.type in (*INTEGERS, "Boolean") for one in variables], dtype=np.bool_)
-
-    def row(self, values: ArrayLike) -> NDArray[Any]:
-        """The values of one run, shape (1, variables); raises ParameterError as `table`."""
-        row = self._numbers(values)
-        if row.shape != self._low.shape:
-            wanted = f"of shape {self._low.shape}, for {', '.join(self.names) or 'no varied parameters'}"
-            raise ParameterError("values", f"an array of shape {row.shape}", wanted)
-        row = row.reshape(1, -1)
-        sound = self._sound(row)
-        if not sound.all():
-            self._refuse(row, sound, "")
-        return row
-
-    def table(self, table: pd.DataFrame | ArrayLike) -> tuple[pd.DataFrame, NDArray[Any]]:
-        """The values of many runs, with names and as numbers, shape (runs, variables).
-
-        The numbers are floats, or Python's where a variable is a whole number of 64 bits.
-
-        Raises:
-            ParameterError: the table has other columns, or a value is NaN, out of range, no whole number or
-                no 0 or 1 where it must be, or a float that may stand for several whole numbers; the field is
-                then ``name[row]``
-        """
-        named = self._named(table)
-        numbers = self._numbers(named)
-        sound = self._sound(numbers)
-        if not sound.all():
-            self._refuse(numbers, sound, f"[{named.index[np.nonzero(~sound)[0][0]]}]")
-        return named, numbers
-
-    def _named(self, table: pd.DataFrame | ArrayLike) -> pd.DataFrame:
-        import pandas as pd  # for tables alone, see `motion.make_table`
-
-        if not isinstance(table, pd.DataFrame):
-            numbers = self._numbers(table)
-            if numbers.ndim != 2 or numbers.shape[1] != len(self.names):
-                wanted = f"of shape (runs, {len(self.names)}), for {', '.join(self.names)}"
-                raise ParameterError("table", f"an array of shape {numbers.shape}", wanted)
-            return pd.DataFrame(numbers, columns=list(self.names)).infer_objects()
-        if sorted(map(str, table.columns)) != sorted(self.names):
-            has = ", ".join(map(str, table.columns)) or "none"
-            raise ParameterError("table", f"the columns {has}", f"the varied: {', '.join(self.names)}")
-        return table[list(self.names)]
-
-    def _sound(self, numbers: NDArray[Any]) -> NDArray[np.bool_]:
-        with np.errstate(invalid="ignore"):
-            sound: NDArray[np.bool_] = (numbers >= self._low) & (numbers <= self._high)
-        if self._whole.any():
-            sound &= ~self._whole | (numbers == np.floor(numbers, where=sound, out=numbers.copy()))
-        if self._type is object:
-            sound &= ~self._whole | ~_is_rounded(numbers)
-        return sound
-
-    def _refuse(self, numbers: NDArray[Any], sound: NDArray[np.bool_], place: str) -> None:
-        row, column = (int(places[0]) for places in np.nonzero(~sound))
-        variable, number = self.variables[column], numbers[row, column]
-        allowed = "0 or 1" if variable.type == "Boolean" else allowed_values(variable)
-        is_inside = variable.type in INTEGERS and self._low[column] <= number <= self._high[column]
-        hint = "a float is exact up to 2^53; give an integer" if is_inside and number % 1 == 0 else ""
-        raise ParameterError(f"{variable.name}{place}", number, allowed, hint)
-
-    def _numbers(self, values: Any) -> NDArray[Any]:
-        numbers: NDArray[Any] | None = None
-        with suppress(TypeError, ValueError):
-            given = values.to_numpy(self._type) if hasattr(values, "to_numpy") else values
-            numbers = np.ascontiguousarray(given, dtype=self._type)
-        if numbers is None or (self._type is object and not all(map(_is_real, numbers.flat))):
-            raise ParameterError("values", type_text(values), "made of numbers in rows")
-        return numbers
-
-
-def _is_real(value: object) -> bool:
-    return isinstance(value, Real | np.bool_)
-
-
-def _is_rounded(numbers: NDArray[Any]) -> NDArray[np.bool_]:
-    """True for floats so large that not every whole number is one."""
-    rounded = [not isinstance(one, Integral | np.bool_) and not abs(one) <= _EXACT for one in numbers.flat]
-    return np.array(rounded, dtype=np.bool_).reshape(numbers.shape)

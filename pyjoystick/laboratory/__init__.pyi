@@ -45,11 +45,11 @@ from .measurements.accelerometer import (
     read_accelerometer as read_accelerometer,
 )
 from .measurements.angle import (
-    REST_TIME as REST_TIME,
     AngleMeasurement as AngleMeasurement,
     measure_angle as measure_angle,
     rest_angle as rest_angle,
 )
+from .measurements.angle_notes import REST_TIME as REST_TIME
 from .measurements.chain import Chain as Chain, Motion as Motion, derivative as derivative
 from .measurements.comparison import (
     AccelerometerComparison as AccelerometerComparison,

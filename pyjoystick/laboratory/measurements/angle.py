@@ -10,7 +10,6 @@ below the pivot and L the distance to the top.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final, Literal
@@ -18,6 +17,15 @@ from typing import Final, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from pyjoystick.laboratory.measurements.angle_notes import (
+    REST_TIME,
+    arc_notes,
+    base_notes,
+    mean_position,
+    plane_notes,
+    radius_notes,
+    rest_notes,
+)
 from pyjoystick.laboratory.measurements.marker_path import Circle, MotionPlane, fit_circle, motion_plane
 from pyjoystick.laboratory.measurements.markers import Markers, unseen
 from pyjoystick.model import JoystickParameters, Side, angle_of_travel
@@ -33,16 +41,6 @@ AXES: Final = {
     for name in "xyz"
     for sign in ("", "-")
 }
-#: The rest position is the mean of this long at the end of a record (s).
-REST_TIME: Final = 0.25
-#: What is noted: motion in the rest position (rad), the share out of the plane, the base's motion and the
-#: standard error of the radius, both in parts of the radius.
-_RESTLESS: Final = math.radians(0.5)
-_OUT_OF_PLANE: Final = 0.05
-_BASE_MOVES: Final = 0.005
-_RADIUS_UNCERTAIN: Final = 0.01
-#: So many standard errors between the arc's radius and the measured one are noted.
-_RADII_DIFFER: Final = 3.0
 #: Above this relative standard error of the radius the pivot is refused.
 _RADIUS_UNKNOWN: Final = 0.05
 _FEWEST: Final = 10
@@ -142,7 +140,7 @@ def measure_angle(
     if base_motion == "moving":
         seen &= ~unseen(span)
     else:
-        middle, span = (np.broadcast_to(_mean(value), middle.shape) for value in (middle, span))
+        middle, span = (np.broadcast_to(mean_position(value), middle.shape) for value in (middle, span))
     if np.count_nonzero(seen) < _FEWEST:
         reason = f"are in sight together in {np.count_nonzero(seen)} frames, at least {_FEWEST} are needed"
         column = ", ".join([top, *base])
@@ -161,10 +159,10 @@ def measure_angle(
     theta[seen] = angle("rest_angle", rest_angle) + _angle(flat - pivot, rest_radius)
     notes = [
         *markers.notes,
-        *_rest_notes(np.degrees(theta[seen][still])),
-        *_plane_notes(plane),
-        *(_base_notes(markers.time, (first + second) / 2.0, arc.radius) if base_motion == "still" else ()),
-        *(_arc_notes(arc) if radius is None else _radius_notes(arc, radius)),
+        *rest_notes(np.degrees(theta[seen][still])),
+        *plane_notes(plane),
+        *(base_notes(markers.time, (first + second) / 2.0, arc.radius) if base_motion == "still" else ()),
+        *(arc_notes(arc) if radius is None else radius_notes(arc, radius)),
     ]
     return AngleMeasurement(
         source=markers.source,
@@ -222,12 +220,6 @@ def _two(markers: Markers, base: Sequence[str]) -> tuple[FloatArray, FloatArray]
     return first, second
 
 
-def _mean(values: FloatArray) -> FloatArray:
-    """The mean position over the frames in which it is known."""
-    known = ~unseen(values)
-    return np.asarray(values[known].mean(axis=0)) if known.any() else np.full(3, np.nan)
-
-
 def _rest(markers: Markers, seen: NDArray[np.bool_], rest: tuple[float, float] | None) -> NDArray[np.bool_]:
     """The frames at rest."""
     last = markers.time[seen][-1]
@@ -264,43 +256,3 @@ def _signed(vectors: FloatArray, start: FloatArray) -> FloatArray:
 def _angle(radii: FloatArray, rest: FloatArray) -> FloatArray:
     """Angles from the rest position, positive along the first axis, to whichever side the pivot lies."""
     return _signed(radii, rest) * (-1.0 if rest[1] > 0.0 else 1.0)
-
-
-def _rest_notes(theta: FloatArray) -> list[str]:
-    moved = float(np.ptp(theta))
-    if moved > math.degrees(_RESTLESS):
-        return [f"the angle moves by {moved:.2f} degrees in the rest position: zero is its mean there"]
-    return []
-
-
-def _plane_notes(plane: MotionPlane) -> list[str]:
-    if plane.out_of_plane > _OUT_OF_PLANE:
-        share = 100.0 * plane.out_of_plane
-        return [f"the motion is not planar: the top leaves the plane by {share:.1f} % of its excursion"]
-    return []
-
-
-def _base_notes(time: FloatArray, middle: FloatArray, radius: float) -> list[str]:
-    """A note where the base moves: by the means of stretches, which the markers' noise hardly reaches."""
-    stretches = np.floor((time - time[0]) / REST_TIME)
-    means = [_mean(middle[stretches == k]) for k in np.unique(stretches)]
-    moved = float(np.max(np.nanmax(means, axis=0) - np.nanmin(means, axis=0)))
-    if moved > _BASE_MOVES * radius:
-        return [f"the base moves by {1e3 * moved:.1f} mm: is it a moving base?"]
-    return []
-
-
-def _arc_notes(arc: Circle) -> list[str]:
-    if arc.radius_error > _RADIUS_UNCERTAIN * arc.radius:
-        share = 100.0 * arc.radius_error / arc.radius
-        return [f"the arc's radius has a standard error of {share:.1f} %, and so does the scale of the angle"]
-    return []
-
-
-def _radius_notes(arc: Circle, radius: float) -> list[str]:
-    if abs(arc.radius - radius) > _RADII_DIFFER * arc.radius_error:
-        return [
-            f"the arc's radius is {1e3 * arc.radius:.1f} +- {1e3 * arc.radius_error:.1f} mm, "
-            f"{1e3 * radius:.1f} mm were given: is it measured from the pivot to the middle of the marker?"
-        ]
-    return []

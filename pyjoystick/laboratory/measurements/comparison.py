@@ -12,7 +12,7 @@ from pyjoystick.laboratory.measurements.accelerometer import (
     angular_acceleration,
     read_accelerometer,
 )
-from pyjoystick.laboratory.measurements.angle import REST_TIME
+from pyjoystick.laboratory.measurements.angle_notes import REST_TIME
 from pyjoystick.laboratory.measurements.results import acceleration_report, write_acceleration
 from pyjoystick.laboratory.measurements.setups import AccelerometerSetup
 from pyjoystick.motion import Record
