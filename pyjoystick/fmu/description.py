@@ -56,7 +56,7 @@ class Variable:
 
     @property
     def settable_at_start(self) -> bool:
-        """A parameter, or a variable whose start value may be chosen (inputs have their own way in)."""
+        """A parameter, or a variable whose start value may be chosen (inputs are set as inputs)."""
         if (
             self.causality in ("input", "independent", "structuralParameter")
             or self.variability == "constant"

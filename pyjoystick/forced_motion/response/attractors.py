@@ -106,7 +106,7 @@ def basins(
         omega: speeds of release (rad/s), shape (m,)
         settling: periods before a motion is judged
         iterations: periods over which the exponent is averaged at least
-        on_progress: is told what is being done
+        on_progress: called with a description of the present stage
 
     Raises:
         ParameterError: no angle or speed, or a number is not allowed

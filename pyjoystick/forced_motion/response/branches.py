@@ -69,7 +69,7 @@ class Response:
             limits: lowest and highest value of the free parameter
             most_periods: follow period doublings up to motions of so many periods
             steps: lengths of steps along the branches
-            on_progress: is told what is being done
+            on_progress: called with a description of the present stage
 
         Raises:
             ParameterError: the limits do not rise, or are not allowed

@@ -1,4 +1,4 @@
-"""Suspects tried in earnest: the fit repeated with the number that the model may lack among the free ones."""
+"""Suspects as free parameters: the fit repeated with the number that the model may lack."""
 
 from __future__ import annotations
 
@@ -51,8 +51,7 @@ def tried(
 ) -> list[Finding]:
     """The findings, most likely first, with those that can be fitted as fits have them.
 
-    What a score test says of a large effect is the beginning of the truth: the sizes are too small, and the
-    order may be wrong.
+    A score test is linear: for a large effect it gives too small a size, and perhaps the wrong order.
 
     Args:
         findings: of the score test, all of them significant

@@ -1,7 +1,7 @@
 """Other minima along a valley: friction that is a little stronger stops a motion one swing earlier.
 
 Where a joystick comes to rest within a record, the swing after which it sticks depends on the friction, and
-the sum of squares has a minimum for each number of swings. Friction and damping take each other's place
+the sum of squares has a minimum for each number of swings. Friction and damping compensate for each other
 there: the minima lie along a valley, a few percent of the friction apart.
 """
 
@@ -34,7 +34,7 @@ _LEAST: Final = 0.1
 
 
 def scan(problem: Problem, best: Minimum, names: Sequence[str], evaluations: int) -> list[Minimum]:
-    """The minima along the valley in which some parameters, multiplied by one factor, give way to the others.
+    """The minima along the valley in which other parameters compensate for a common factor on some.
 
     Nothing is run where no motion comes to rest within its record.
 

@@ -1,7 +1,8 @@
-"""The minimum to the last digits: where the gradient of the sum of squares vanishes.
+"""The minimum to rounding errors: the point where the gradient of the sum of squares vanishes.
 
-A search ends where the sum of squares falls no more. Rounding errors hide its last falls, and along a flat
-and curved valley they leave a variable open by a thousandth of its standard error. The gradient tells more.
+A search ends where the sum of squares no longer falls. Near the minimum rounding errors exceed its changes,
+and in a flat, curved valley they leave a variable uncertain by a thousandth of its standard error. The
+gradient is more sensitive.
 """
 
 from __future__ import annotations
