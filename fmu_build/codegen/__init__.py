@@ -33,7 +33,7 @@ __all__ = ["ModelSource", "generate"]
 
 
 def generate(source: ModelSource, sensitivity: SensitivityRequest | None = None) -> GeneratedModel:
-    """Return the C source and the description of a compiled model, with sensitivities if they are asked for.
+    """Return the C source and the description of a compiled model, with sensitivities if they are requested.
 
     Raises `UnsupportedModelError` with the name and line of an unsupported construct.
     """

@@ -137,7 +137,7 @@ class ProgramReader:
 
 
 def _refusal(kind: str, fields: Fields) -> str:
-    """Say in Modelica's terms, where they are known, what an operation stands for."""
+    """Describe an operation in Modelica's terms, where these are known."""
     if kind.startswith("Table"):
         return "tables (CombiTable1Ds, CombiTimeTable) are not supported"
     if kind == "LinearSolveComponent":

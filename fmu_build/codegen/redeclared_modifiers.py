@@ -1,4 +1,4 @@
-"""Modifiers of replaceable declarations that rumoca passes on to redeclarations otherwise than Modelica.
+"""Modifiers of replaceable declarations that rumoca passes on to redeclarations differently from Modelica.
 
 A redeclaration keeps the modifiers of the declaration that it replaces, unless that names a constraining
 class (Modelica 3.6, section 7.3.2). rumoca keeps those of a component that a modifier redeclares, in either

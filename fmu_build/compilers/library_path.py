@@ -92,7 +92,7 @@ def _versions(libraries: Sequence[Path]) -> dict[str, str]:
 
 
 def _libraries_in(folder: Path, versions: Mapping[str, str]) -> Iterator[tuple[str, Path]]:
-    """Yield the libraries in a folder by name: the version asked for, then without one, then the newest."""
+    """Yield the libraries in a folder by name: the requested version, else one without, else the newest."""
     found: list[tuple[str, tuple[bool, bool, list[int]], Path]] = []
     for path in sorted(folder.iterdir()) if folder.is_dir() else ():
         if (path / "package.mo").is_file() or (path.suffix == ".mo" and path.name != "package.mo"):

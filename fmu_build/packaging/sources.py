@@ -74,7 +74,7 @@ def content_guid(model_description: bytes, sources: Mapping[str, bytes], flags: 
 
 
 def token_header(guid: str) -> bytes:
-    """Return token.h, which tells the C code the GUID that importers must present."""
+    """Return token.h, which defines the GUID that importers must present."""
     return f'/* token.h - made from the content of this FMU. */\n#define MODEL_TOKEN "{guid}"\n'.encode()
 
 

@@ -82,7 +82,7 @@ class Variable:
 
     @property
     def must_be_positive(self) -> bool:
-        """The minimum stands for "above zero", for which Modelica and FMI have no other way of writing."""
+        """Whether the minimum means "above zero", which Modelica and FMI cannot express otherwise."""
         return self.minimum is not None and 0.0 < self.minimum <= _SMALL
 
     @property

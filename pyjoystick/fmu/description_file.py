@@ -53,8 +53,8 @@ def read_description(path: Path) -> FmuDescription:
 def _co_simulation(path: Path) -> Mapping[str, str]:
     """The attributes of the element CoSimulation, empty where there is none.
 
-    FMPy reads the description as a whole, for minutes where it is huge. So this looks at it first, and raises
-    FmuFileError unless FMPy can read it: a known version of FMI, and not too many variables.
+    FMPy reads the whole description, which takes minutes if it is huge. This function therefore checks it
+    first, and raises FmuFileError for an unknown version of FMI or too many variables.
     """
     is_known, variables, found = False, 0, {}
 

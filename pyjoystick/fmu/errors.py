@@ -14,7 +14,7 @@ class FmuNotFoundError(PyJoystickError):
     """There is no such FMU.
 
     Attributes:
-        fmu: name or path that was asked for
+        fmu: requested name or path
         advice: how to get it
     """
 
@@ -56,7 +56,7 @@ THE_END: Final = "the FMU ended the simulation"
 
 @dataclass(eq=False)
 class FmuEndedError(FmuRunError):
-    """The FMU ended the simulation by itself, before the end that was asked for.
+    """The FMU ended the simulation by itself, before the requested end.
 
     Attributes:
         time: when it did so (s)

@@ -143,7 +143,7 @@ def _jacobian(
 ) -> FloatArray:
     """The derivatives of the unknowns by the knowns, shape (unknowns, knowns).
 
-    What is both, such as an output that is a state, is not asked for: its derivatives are 1 and 0 by
+    A variable that is both, such as an output that is a state, is left out: its derivatives are 1 and 0 by
     definition, and many FMUs answer 0 alone.
     """
     places = [_place(one) for one in unknowns]

@@ -173,7 +173,7 @@ def apply_inputs_with_time(fmi: Any, model_description: Any, signals: NDArray[An
     """Have the inputs follow the time wherever it is set.
 
     FMPy's loop sets the time in the right-hand side that CVode integrates, but the inputs only once a step,
-    so that they would be constant in between whatever the tolerance.
+    so that they would be constant in between at any tolerance.
 
     Args:
         fmi: FMPy's object of the instance

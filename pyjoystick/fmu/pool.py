@@ -116,7 +116,7 @@ class Pool(ABC, Generic[T]):
 
     @abstractmethod
     def _free(self, one: T) -> None:
-        """Give up one that is not used again."""
+        """Discard one that cannot be used again."""
 
     @abstractmethod
     def _put_away(self) -> None:

@@ -80,7 +80,7 @@ def read_motion(
 
 
 def through_chain(record: Record, chain: Chain) -> Samples:
-    """The motion that the signal chain makes of a measured angle.
+    """The motion that the signal chain computes from a measured angle.
 
     Raises:
         RecordError: a gap of the record is longer than the chain bridges
@@ -117,10 +117,10 @@ def seen_by_cameras(
     camera_rate: float = 60.0,
     noise: float = 3e-4,
 ) -> Samples:
-    """A synthetic measurement: markers of the motion, their angle, and what the signal chain makes of it.
+    """A synthetic measurement: markers of the motion, their angle, and the result of the signal chain.
 
-    Zero is the mean angle of the rest after the motion. What a short arc to one side does not tell well
-    enough, the plane of motion and the radius, is taken as known.
+    Zero is the mean angle of the rest after the motion. The plane of motion and the radius, which a
+    short arc to one side does not determine well, are taken as known.
 
     Args:
         motion: the motion, with a rest of a few frames at least

@@ -101,7 +101,7 @@ def trapezoid(flat: float) -> Profile:
 
 
 def profile(shape: Shape, *, flat: float) -> Profile:
-    """The profile of a name; `flat` counts for the trapezoid alone."""
+    """The profile of a name; only the trapezoid uses `flat`."""
     made: Mapping[Shape, Callable[[], Profile]] = {
         "minimum-jerk": minimum_jerk,
         "raised-cosine": raised_cosine,

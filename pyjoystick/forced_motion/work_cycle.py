@@ -68,7 +68,7 @@ class MoveDistribution:
             raise ParameterError("backward", self.backward, "from 0 to 1")
 
     def draw(self, count: int, *, seed: int = 0) -> list[ForwardAndReturn]:
-        """So many moves; the same seed gives the same moves."""
+        """That number of moves; the same seed gives the same moves."""
         random = np.random.default_rng(seed)
         angles = random.uniform(self.smallest, self.largest, count)
         times = self.stroke * np.sqrt(angles / self.largest) * random.lognormal(0.0, self.spread, (2, count))
@@ -101,7 +101,7 @@ class Demand:
     pivot_to_handle: float
 
     def torque(self, percentage: float) -> float:
-        """Magnitude of the torque (N m) that is not exceeded for so many percent of the time."""
+        """Magnitude of the torque (N m) that is not exceeded for this percentage of the time."""
         return float(np.interp(percentage, PERCENTAGES, self.levels))
 
     def force(self, percentage: float) -> float:

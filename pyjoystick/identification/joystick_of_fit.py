@@ -53,7 +53,7 @@ class FittedJoystick:
 
 
 def require_joystick_in(settings: FitSettings) -> None:
-    """Find out before a fit whether a joystick can come of it.
+    """Check before a fit that its result can be a joystick.
 
     Raises:
         FitError: nothing of the joystick is fitted for all records together, or something for each alone

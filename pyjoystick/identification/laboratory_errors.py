@@ -114,7 +114,7 @@ def settings_of_refit(joystick: JoystickParameters, noise: Noise = _PLAIN) -> Fi
 
 
 def noise_contribution(joystick: JoystickParameters, found: Fit, *, release_angle: float) -> Contribution:
-    """What the standard errors of a fit make of a run, and those of J and C, whose correlation counts.
+    """The effect of a fit's standard errors on a run, with the correlation of J and C, and those errors.
 
     Raises:
         ParameterError, SimulationError: as `simulate` does

@@ -1,4 +1,4 @@
-"""What the way from markers to angle, velocity and acceleration makes of a motion that is known.
+"""Errors of angle, velocity and acceleration from markers, for a known motion.
 
 A release is simulated by the reference. `error_budget` sends it through the stages one by one and through all
 of them. `chain_effect` shows what the chain alone does: the velocity of a joystick has a kink wherever it

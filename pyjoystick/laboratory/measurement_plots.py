@@ -22,7 +22,7 @@ _MEASURED: Final = {"color": MEASURED, "linestyle": LONG_DASHES, "linewidth": 1.
 
 
 def plot_chain_effect(parameters: JoystickParameters, effect: ChainEffect, *, title: str = "") -> Figure:
-    """Velocity and energy of a simulated motion and of what the chain makes of it (Fig. 12).
+    """Velocity and energy of a simulated motion, and as the signal chain measures it (Fig. 12).
 
     Args:
         parameters: the joystick of the simulation

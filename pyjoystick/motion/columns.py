@@ -1,4 +1,4 @@
-"""The columns that a reader wants, and where they are among the headings of a table."""
+"""Columns that a reader needs, matched with the headings of a table."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class Heading:
 
 @dataclass(frozen=True, slots=True)
 class Column:
-    """A column that a reader wants.
+    """A column that a reader needs.
 
     Attributes:
         name: of the quantity, and its heading where no other is given; upper and lower case are the same

@@ -1,7 +1,7 @@
 """Tables in files: headings with units, numbers, and the line that each row stands on.
 
-Whoever reads a kind of file lists the columns that it wants (`Column`: name, units, whether it is required)
-and gets arrays in SI units; every mistake in the file is a `RecordError` with file, column and row. Of a file
+A reader lists the columns that it needs (`Column`: name, units, whether it is required) and gets arrays in SI
+units; every mistake in the file is a `RecordError` with file, column and row. Of a file
 that is too long to be read whole, `read_table_head` reads the headings alone.
 """
 

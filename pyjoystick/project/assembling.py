@@ -31,7 +31,7 @@ class Assembly:
 
     Attributes:
         steps: in an order in which they can be done
-        missing: what cannot be done for want of files
+        missing: what cannot be done because files are missing
         notes: what follows from that, a sentence each
     """
 
@@ -217,7 +217,7 @@ class _Assembler:
                 self.missing.append(Missing(name, f"the record {source.record} is not there", named=True))
 
     def _evaluation(self, records: tuple[str, ...], sides: tuple[model.Side, ...]) -> None:
-        """Peaks, fit, budget, and the joystick that comes of them."""
+        """Peaks, fit, budget, and the resulting joystick."""
         lab, standard = self.lab, not self.lab.fit.file
         with_fit = bool(records)
         with_budget = with_fit and standard and lab.fit.law == "constant"

@@ -1,4 +1,4 @@
-"""How far a run is: what doit tells of its tasks, remembered at once and told on."""
+"""Progress of a run: doit's reports on its tasks, saved at once and passed on."""
 
 from __future__ import annotations
 

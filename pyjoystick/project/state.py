@@ -42,7 +42,7 @@ def digest(path: Path) -> str:
 
 
 class Contents(FileChangedChecker):  # type: ignore[misc]  # doit is not annotated
-    """Files by their content, whatever their times say; names are relative to the project.
+    """Files by their content, not by their times; names are relative to the project.
 
     What counts is the content when a step began: one that changes under it is done again the next time.
     """
@@ -64,7 +64,7 @@ class Contents(FileChangedChecker):  # type: ignore[misc]  # doit is not annotat
         self._taken = {name: digest(self._root / name) for name in names}
 
     def check_modified(self, file_path: str, file_stat: object, state: str) -> bool:
-        """Whether a file is another than it was."""
+        """Whether a file has changed."""
         return state != digest(standing(self._root, file_path))
 
     def get_state(self, dep: str, current_state: str | None) -> str:

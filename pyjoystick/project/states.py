@@ -55,8 +55,8 @@ class PlannedStep:
 
     Attributes:
         name: of the step
-        plan: ``do``; ``perhaps``, if what it reads comes out otherwise; ``nothing``; ``missing`` for want of
-            files, which may be those of a step before
+        plan: ``do``; ``perhaps``, if its inputs change; ``nothing``; ``missing`` if it lacks files, which may
+            be those of an earlier step
         why: the reasons
     """
 

@@ -26,7 +26,7 @@ DEFAULT_OUTPUT_INTERVAL: Final = 1e-3
 
 
 def type_text(value: object) -> str:
-    """What stands for a value of a wrong type in a message."""
+    """The text for a value of a wrong type in a message."""
     return f"an object of type {type(value).__name__}"
 
 

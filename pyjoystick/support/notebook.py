@@ -101,7 +101,7 @@ def _shell() -> Any:
 
 @contextmanager
 def notebook_progress(what: str) -> Iterator[Tell]:
-    """A function to tell how far work is: in a notebook a bar, which goes with the work; elsewhere nothing.
+    """A function that shows progress: in a notebook a bar, removed at the end; elsewhere nothing.
 
     Args:
         what: the work, a word or two

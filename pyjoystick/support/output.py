@@ -60,7 +60,7 @@ def remove_unfinished(folder: Path) -> None:
 
 
 def check_outputs(*paths: Path | None) -> None:
-    """Check before a run that its results can be written; None stands for a result not requested.
+    """Check before a run that its results can be written; None for a result that was not requested.
 
     Nothing is created. Problems that arise later, such as a full disk, are reported by `replacing`.
 

@@ -1,7 +1,7 @@
 """Settings from TOML files: every mistake is reported with its file, table and key.
 
 A reader asks a `Table` for keys and tables, and checks values inside `Table.at`. In the end it calls `finish`
-on the file, which refuses whatever was not asked for.
+on the file, which refuses all that was not read.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ _ABSENT: Final = object()
 
 
 class Table:
-    """A table of the file. Keys that have been asked for are known, and `finish` refuses all others.
+    """A table of the file. Keys that have been read are known, and `finish` refuses all others.
 
     Attributes:
         path: the file
@@ -162,7 +162,7 @@ class Table:
         return iter(self.content.items())
 
     def finish(self) -> None:
-        """Refuse keys that nothing has asked for, here and in every table that was."""
+        """Refuse keys that nobody has read, here and in every table that was read."""
         for key in self.content:
             if key not in self._known:
                 near = difflib.get_close_matches(key, self._known, n=1)

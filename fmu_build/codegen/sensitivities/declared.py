@@ -14,7 +14,7 @@ from fmu_build.codegen.sensitivities.shift import shifted
 
 @dataclass(frozen=True, slots=True)
 class Declaration:
-    """A sensitivity that the FMU shows: of a state, or of a variable that was asked for."""
+    """A sensitivity that the FMU shows: of a state, or of a requested variable."""
 
     name: str
     slot: Slot

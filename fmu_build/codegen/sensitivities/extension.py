@@ -35,7 +35,7 @@ from fmu_build.support.errors import UnsupportedModelError
 
 @dataclass(frozen=True)
 class Extended:
-    """A model with its sensitivities: `outputs` were asked for, `states` are those of states."""
+    """A model with its sensitivities: `outputs` were requested, `states` are those of states."""
 
     model: LoweredModel
     equations: Equations
@@ -43,7 +43,7 @@ class Extended:
     states: frozenset[str]
 
     def marked(self, stored: Sequence[StoredVariable]) -> tuple[StoredVariable, ...]:
-        """Return the variables with the sensitivities that were asked for as outputs.
+        """Return the variables, with the requested sensitivities as outputs.
 
         Events set the sensitivities of all states.
         """
@@ -179,7 +179,7 @@ class _Extension:
         return direction
 
     def _outputs(self, directions: Sequence[Direction]) -> Iterator[tuple[Declaration, Assignment]]:
-        """Yield each sensitivity that is asked for, unless it is a state, with its equation."""
+        """Yield each requested sensitivity, unless it is a state, with its equation."""
         bindings = self.model.solve["layout"]["bindings"]
         for variable in self.wanted.variables:
             ((store, place),) = bindings[variable.variable.name].items()

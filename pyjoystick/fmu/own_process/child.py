@@ -46,7 +46,7 @@ def main(place_file: str) -> None:
 
 
 def _read(requests: BinaryIO, waiting: SimpleQueue[tuple[str, tuple[object, ...]]]) -> None:
-    """Pass requests on; where the parent is gone, the process goes too, whatever the FMU is doing."""
+    """Pass requests on; end the process, even during a call of the FMU, once the parent has ended."""
     try:
         while True:
             waiting.put(pickle.load(requests))

@@ -39,7 +39,7 @@ class ProcessEndedError(PyJoystickError):
     """The process crashed or has been ended; the message says why.
 
     Attributes:
-        run: which of the runs that were asked for was under way
+        run: which of the requested runs was in progress
         point: the communication point that it had reached, negative where none
         is_late: it was the time limit
     """
@@ -135,7 +135,7 @@ class OwnProcess:
                 self._process.stdin.close()
 
     def _kill(self) -> None:
-        """End it, and whatever the FMU has started."""
+        """End it, with all processes that the FMU has started."""
         with suppress(ProcessLookupError, PermissionError):
             if hasattr(os, "killpg"):
                 os.killpg(self._process.pid, signal.SIGKILL)

@@ -107,7 +107,7 @@ class Machine:
         raise reason
 
     def _interrupt(self, future: Future[T]) -> None:
-        """End the work and give up the machine."""
+        """End the work and discard the machine."""
         self.close()
         while not future.done():
             self._engine.increment_epoch()  # again, as the store may have been made after the last time

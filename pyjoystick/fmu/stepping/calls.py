@@ -71,7 +71,7 @@ def do_step3(
     early: int,
     reached: int,
 ) -> int:
-    """fmi3DoStep; the last four are addresses of what it tells."""
+    """fmi3DoStep; the last four are addresses of its results."""
     return _at(function, "wddiwwww")(instance, time, length, no_going_back, event, terminate, early, reached)
 
 

@@ -110,7 +110,7 @@ def _is_bad(status: int) -> bool:
 
 
 def start(program: Program, workspace: Workspace, is_new: bool, parameters: int) -> int:
-    """From whatever state the instance is in to the first communication point."""
+    """Bring the instance from any state to the first communication point."""
     instance, place, functions = workspace.instance, workspace.place, program.functions
     place[POINT] = place[SAMPLES] = 0
     if not is_new:

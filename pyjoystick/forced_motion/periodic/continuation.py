@@ -56,7 +56,7 @@ class Branch:
         solutions: in the order in which they were found
         special: special points, in the same order
         end: why it ends where it does
-        reason: of an end for want of convergence; otherwise empty
+        reason: why the iteration did not converge at the end; otherwise empty
     """
 
     solutions: tuple[PeriodicSolution, ...]
@@ -73,7 +73,7 @@ class Steps:
         first: the first step
         least: where a step has to be shorter, the branch ends
         most: the longest
-        points: the branch ends after so many
+        points: largest number of points of a branch
     """
 
     first: float = 0.02

@@ -67,7 +67,7 @@ class Response:
         Args:
             shaken: the joystick, seen once a period
             limits: lowest and highest value of the free parameter
-            most_periods: follow period doublings up to motions of so many periods
+            most_periods: longest period, in periods of the torque, up to which period doublings are followed
             steps: lengths of steps along the branches
             on_progress: called with a description of the present stage
 

@@ -75,7 +75,7 @@ def best_design(
     """The best `count` experiments, each as often as it pays: Fedorov's exchange, from each of them on.
 
     Args:
-        informations: what each experiment tells, see `informations`
+        informations: of each experiment, see `PlannedFit.information`
         count: number of records
         determine: the parameter whose standard error is to be smallest; where None, the volume of the
             ellipsoid of all of them (D-optimal)

@@ -1,4 +1,4 @@
-"""Experiments that could be made, and what each of them would tell about the parameters of a fit."""
+"""Experiments that could be made, and the information that each would give on the parameters of a fit."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ class Experiment:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Information:
-    """What one record of an experiment tells about the parameters that all records share.
+    """The Fisher information of one record of an experiment on the parameters that all records share.
 
     Attributes:
         experiment: which one
@@ -132,10 +132,10 @@ class PlannedFit:
         self.fmu = fmu
 
     def information(self, experiment: Experiment) -> Information:
-        """What one record of an experiment would tell, from the derivatives of the FMU's outputs.
+        """The information of one record of an experiment, from the derivatives of the FMU's outputs.
 
         J has the derivatives of all samples, in standard deviations of the noise, with respect to the shared
-        parameters; what the record's own unknowns could explain of it is taken off. The information is J^T J.
+        parameters; the record's own unknowns are projected out. The information is J^T J.
 
         Raises:
             FitError, FmuRunError: a run fails

@@ -38,7 +38,7 @@ class Trial:
 
     @property
     def bounds(self) -> tuple[float, float]:
-        """Where the prediction is right, 95 % of the ratios of so many sets lie within these."""
+        """If the prediction is right, 95 % of the ratios lie within these limits, for this number of sets."""
         low, high = (float(stats.chi2.ppf(tail, self.sets)) / self.sets for tail in (0.025, 0.975))
         return math.sqrt(low), math.sqrt(high)
 

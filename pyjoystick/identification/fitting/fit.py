@@ -271,7 +271,7 @@ def _errors_of(block: FloatArray, covariance: FloatArray) -> FloatArray | None:
 def _optional(
     problem: Problem, settings: FitSettings, best: Minimum, errors: StandardErrors, tell: OnProgress
 ) -> tuple[dict[int, Profile], Bootstrap | None, bool]:
-    """Profiles and bootstrap, as far as they came before Ctrl-C."""
+    """Profiles and bootstrap; after Ctrl-C those that were finished."""
     profiles: dict[int, Profile] = {}
     drawn: Bootstrap | None = None
     wanted = settings.uncertainty

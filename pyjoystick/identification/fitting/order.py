@@ -1,4 +1,4 @@
-"""The order in which records and parameters are worked on: that of their content, whatever the one given.
+"""Records and parameters sorted by content, so that the given order has no effect.
 
 Sums round differently in another order, and a search along a flat valley amplifies that.
 """

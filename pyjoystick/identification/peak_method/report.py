@@ -111,7 +111,7 @@ def damping_csv(estimate: DampingEstimate) -> str:
 
 
 def bias_report(table: pd.DataFrame) -> str:
-    """The table of `bias_table`: what the method makes of a known constant C."""
+    """The table of `bias_table`: the method's result for a known constant C."""
     exponents = ["n_pos", "n_neg", "m"]
     columns = ["C", "release_angle", *CONSTANTS, *exponents]
     rows = []

@@ -1,4 +1,4 @@
-"""Marker trajectories from C3D, the CSV export of Vicon Nexus, or plain CSV, told apart by their contents.
+"""Marker trajectories from C3D, the CSV export of Vicon Nexus, or plain CSV, recognized by their contents.
 
 Plain CSV has one frame a row: ``time (s),TOP x (mm),TOP y (mm),TOP z (mm),...``
 """

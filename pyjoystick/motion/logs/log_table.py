@@ -1,4 +1,4 @@
-"""A laboratory's table, whatever the form of its file, and the columns that are wanted of it."""
+"""A laboratory's table in any file format, and where the columns that a reader needs are in it."""
 
 from __future__ import annotations
 

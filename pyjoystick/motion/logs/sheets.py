@@ -1,4 +1,4 @@
-"""Tables of other forms as rows of cells: XLSX, ODS, MATLAB and Parquet, told apart by their contents."""
+"""Tables of other forms as rows of cells: XLSX, ODS, MATLAB and Parquet, recognized by their contents."""
 
 from __future__ import annotations
 

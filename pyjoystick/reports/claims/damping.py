@@ -86,7 +86,7 @@ def _fits_of_peaks(joystick: JoystickParameters) -> tuple[float, float]:
 
 @claim("3.3, Fig. 9, eq. (11)", "the slopes of the lines are those of a viscous damping that varies")
 def friction_in_the_exponents(bench: Workbench) -> Finding:
-    """What eqs. (9), (10) make of a joystick with a constant C and dry friction at the pivot."""
+    """The result of eqs. (9), (10) for a joystick with a constant C and dry friction at the pivot."""
     joystick = NOMINAL.replace({"damping.C": _WITH_DRY, "friction.T_c": _DRY})
     run = reference_free_oscillation(RELEASE, parameters=joystick, output_interval=0.25e-3)
     found = estimate_damping([peaks_of_run(run, name="dry friction")], joystick.J)

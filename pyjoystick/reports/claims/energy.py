@@ -1,4 +1,4 @@
-"""Sections 2 and 4: the energy, and what the measuring chain makes of a motion."""
+"""Sections 2 and 4: the energy, and the effect of the measuring chain on a motion."""
 
 from __future__ import annotations
 

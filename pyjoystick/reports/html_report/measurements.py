@@ -146,7 +146,7 @@ def found_contradictions(found: Measurements) -> list[Contradiction]:
 
 
 def _measured(found: Measurements) -> Iterator[tuple[str, tuple[Measured, str]]]:
-    """Parameters as measured before the fit, by FMU name, and by what; a swing tells J better than parts."""
+    """Parameters as measured before the fit, by FMU name, with their sources; the last J counts."""
     if found.parts is not None:
         for name in ("m", "h", "J"):
             one = getattr(found.parts, name)

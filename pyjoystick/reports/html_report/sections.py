@@ -184,7 +184,7 @@ def energy_section(study: Study) -> Section:
 
 
 def damping_section(study: Study) -> Section:
-    """The damping coefficient over time, and the constants that stand for it."""
+    """The damping coefficient over time, and equivalent constants."""
     run = study.trajectory
     if not isinstance(study.joystick.damping, PowerLawDamping):
         words = (

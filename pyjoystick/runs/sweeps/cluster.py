@@ -132,7 +132,7 @@ class _Work:
             yield part
 
     def cancel(self) -> None:
-        """Give up what is under way."""
+        """Cancel the work in progress."""
         if self._futures and self._client.status == "running":
             self._client.cancel(list(self._futures))
         self._futures.clear()
@@ -207,7 +207,7 @@ def _shipped(client: Client, sweep: Sweep, content: bytes) -> Iterator[str]:
 
 
 def _despite_lost_workers(speak: Callable[[], object]) -> None:
-    """Speak to all workers, again where one is lost before it has answered."""
+    """Call all workers; repeat the call if one is lost before it answers."""
     for _ in range(_ATTEMPTS - 1):
         with suppress(CommClosedError):
             speak()

@@ -1,4 +1,4 @@
-"""A sweep: settings, the runs that follow from them, and what tells it from every other sweep."""
+"""A sweep: settings, the runs that follow from them, and a fingerprint."""
 
 from __future__ import annotations
 

@@ -44,7 +44,7 @@ class ForwardModel:
         return sum(predictor.runs for predictor in self.predictors)
 
     def at(self, x: FloatArray, record: int) -> Prediction:
-        """The prediction of one record at x, kept: a Jacobian is asked for where the residuals were."""
+        """The prediction of one record at x; the last one is kept, for the Jacobian at the same point."""
         last, prediction = self._last[record]
         if last is None or not np.array_equal(last, x):
             prediction = self._predict([x], record)

@@ -219,7 +219,7 @@ class FitSettings:
 
     @property
     def scanned(self) -> tuple[str, ...]:
-        """The parameters of `Search.scan`, or what stands for them."""
+        """The parameters of `Search.scan`, by default the fitted dry friction."""
         if self.search.scan is not None:
             return self.search.scan
         return tuple(one.name for one in self.free if one.name in _SLIDING and not one.per_record)

@@ -165,7 +165,7 @@ class TrajectoryPredictor:
     def curve(self, row: FloatArray, instrument: Instrument) -> pd.DataFrame:
         """What is shown for one row of parameters at every millisecond of the record, NaN where samples lack.
 
-        Of long records so many instants are left out that 20 000 remain.
+        At most 20 000 instants, evenly spaced, for long records.
         """
         start, end = self.record.time[0], self.record.time[-1]
         time = np.linspace(

@@ -64,7 +64,7 @@ class Variable:
 
     @property
     def of_instrument(self) -> bool:
-        """Whether it says how a record shows the motion, and nothing of the FMU."""
+        """Whether it describes the instrument of a record and not the FMU."""
         return self.name in INSTRUMENT
 
 

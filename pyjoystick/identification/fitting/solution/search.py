@@ -39,7 +39,7 @@ class Minimum:
     Attributes:
         x: the variables, shape (variables,)
         cost: sum of the squared weighted residuals
-        converged: the search ended by its own criteria and not for want of evaluations
+        converged: the search met its criteria; False if it ran out of evaluations
         message: how it ended
         evaluations: evaluations of the residuals
         found: how many searches ended here

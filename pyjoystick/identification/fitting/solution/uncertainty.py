@@ -1,4 +1,4 @@
-"""What the Jacobian at the minimum tells: which variables the data determine, and how well."""
+"""Which variables the data determine, and how well, from the Jacobian at the minimum."""
 
 from __future__ import annotations
 
