@@ -8,7 +8,7 @@ from typing import Annotated, Final
 import typer
 
 from pyjoystick import fmu, identification, laboratory, model, motion
-from pyjoystick.cli import options
+from pyjoystick.cli import options, parsing
 from pyjoystick.cli.console import messages, output, print_error, print_note, write
 from pyjoystick.cli.fit import DOUBTFUL, failed_checks
 from pyjoystick.cli.fmus import found_or_built
@@ -67,10 +67,10 @@ def run(
     with each quantity shifted by its standard uncertainty; those of a load-deflection curve are correlated.
     """
     check_outputs(parameters, csv, json)
-    angle = options.parse_angle(release_angle)
+    angle = parsing.parse_angle(release_angle)
     before = model.read_parameter_file(parameters)
-    errors = options.parse_assignments(uncertainties, "--uncertainty")
-    bench = _bench(before, options.parse_curves(curves), errors)
+    errors = parsing.parse_assignments(uncertainties, "--uncertainty")
+    bench = _bench(before, parsing.parse_curves(curves), errors)
     releases = motion.read_repeats(records, counted=False)
     with (
         fmu.Fmu(found_or_built(bench.fmu)) as opened,

@@ -11,7 +11,7 @@ import typer
 from rich.markup import escape
 
 from pyjoystick import fmu, model, runs, support
-from pyjoystick.cli import options
+from pyjoystick.cli import joystick_choice, options, parsing
 from pyjoystick.cli.comparison_tables import print_comparison, print_differences, solver_text
 from pyjoystick.cli.console import messages, output, write
 from pyjoystick.cli.fmus import found_or_built, law_of, opened
@@ -187,11 +187,11 @@ def run(
     """
     names = _names(fmus or [], fmu_file)
     request = _Request(
-        angles=None if release_angle is None else [options.parse_angle(text) for text in release_angle],
+        angles=None if release_angle is None else [parsing.parse_angle(text) for text in release_angle],
         duration=duration,
         output_interval=output_interval,
         interface=None if interface is None else _INTERFACES[interface],
-        limits=options.parse_assignments(limit, "--limit"),
+        limits=parsing.parse_assignments(limit, "--limit"),
         tolerances=runs.Tolerances(tolerance, cvode_tolerance),
         json=json,
         every_run=everything,
@@ -204,17 +204,17 @@ def run(
             "--variable": variable,
             "--inputs": inputs,
         }
-        options.refuse_given("is for two FMUs", for_two)
+        parsing.refuse_given("is for two FMUs", for_two)
         name = names[0] if names else None
         with opened(damping, name, assignments, parameters) as (one, joystick):
             kept = _with_reference(one.description, joystick, request)
     else:
-        options.refuse_given("given FMUs have their own damping laws", {"--damping": damping})
+        parsing.refuse_given("given FMUs have their own damping laws", {"--damping": damping})
         between = _BetweenFmus(
             parameters=parameters,
-            settings=options.parse_assignments(assignments, "--set"),
+            settings=parsing.parse_assignments(assignments, "--set"),
             relative_limit=relative_limit,
-            cs_limits=options.parse_assignments(cs_limit, "--cs-limit"),
+            cs_limits=parsing.parse_assignments(cs_limit, "--cs-limit"),
             variables=variable,
             inputs=inputs,
         )
@@ -228,7 +228,7 @@ def _with_reference(
 ) -> bool:
     """Compare an FMU with the reference and print the result; False if a limit is exceeded."""
     interface = request.interface or "CoSimulation"
-    angles = request.angles or [options.parse_angle(options.DEFAULT_RELEASE_ANGLE)]
+    angles = request.angles or [parsing.parse_angle(options.DEFAULT_RELEASE_ANGLE)]
     duration = support.DEFAULT_DURATION if request.duration is None else request.duration
     step = support.DEFAULT_OUTPUT_INTERVAL if request.output_interval is None else request.output_interval
     with messages().status("") as status:
@@ -290,7 +290,7 @@ def _joystick(between: _BetweenFmus, description: fmu.FmuDescription) -> Mapping
     """The values of the parameter file, with the damping law of the FMU."""
     if between.parameters is None:
         return {}
-    joystick = options.parameter_file(between.parameters).with_law(law_of(description))
+    joystick = joystick_choice.parameter_file(between.parameters).with_law(law_of(description))
     return model.values_for(joystick, description.variables)
 
 

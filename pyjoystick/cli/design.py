@@ -13,7 +13,7 @@ import typer
 from rich.progress import Progress
 
 from pyjoystick import fmu, identification, model, runs, support
-from pyjoystick.cli import options
+from pyjoystick.cli import joystick_choice, options, parsing
 from pyjoystick.cli.console import messages, output, print_note, write
 from pyjoystick.cli.fit import settings_of
 from pyjoystick.cli.fmus import found_or_built
@@ -93,10 +93,10 @@ def run(
     the parameter file count as knowledge of the parameters that are fitted.
     """
     check_outputs(json, plot)
-    file = options.parameter_file(parameters)
-    joystick = options.joystick_of(damping, options.parse_assignments(assignments, "--set"), file)
+    file = joystick_choice.parameter_file(parameters)
+    joystick = joystick_choice.joystick_of(damping, parsing.parse_assignments(assignments, "--set"), file)
     settings = _settings(settings_file, joystick, free or (), driven=bool(torques))
-    sigma = {"theta": options.parse_angle(noise, "--noise")} | dict(settings.noise.sigma)
+    sigma = {"theta": parsing.parse_angle(noise, "--noise")} | dict(settings.noise.sigma)
     with fmu.Fmu(found_or_built(settings.fmu)) as opened:
         experiments = _experiments(angles, torques, rate, duration, settings, opened.description)
         planned = identification.PlannedFit(settings, joystick.to_names(), sigma, opened)
@@ -150,10 +150,10 @@ def _experiments(
     """The releases to choose from, or the torques, which act from rest in the middle."""
     support.positive("--rate", rate, "Hz"), support.positive("--duration", duration, "s")
     if not torques:
-        given = [options.parse_angle(text, "--angle") for text in angles or ()]
+        given = [parsing.parse_angle(text, "--angle") for text in angles or ()]
         given = given or [math.radians(sign * angle) for angle in _ANGLES for sign in (-1.0, 1.0)]
         return [identification.Experiment.release(one, rate=rate, duration=duration) for one in given]
-    options.refuse_given("is for releases: leave --torque out", {"--angle": angles})
+    parsing.refuse_given("is for releases: leave --torque out", {"--angle": angles})
     found = []
     for path in torques:
         table = fmu.read_inputs(path, description)

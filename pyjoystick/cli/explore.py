@@ -8,7 +8,7 @@ from typing import Annotated, Final
 import typer
 
 from pyjoystick import motion
-from pyjoystick.cli import options
+from pyjoystick.cli import joystick_choice, options, parsing
 from pyjoystick.cli.live_page import write_live_page
 from pyjoystick.support import check_outputs
 
@@ -37,9 +37,9 @@ def run(
 
     The page is one HTML file that needs no network. Its values can be saved as a parameter file.
     """
-    start = options.parse_angle(release_angle)
+    start = parsing.parse_angle(release_angle)
     check_outputs(target)
-    file = options.parameter_file(parameters_file)
-    joystick = options.joystick_of(damping, options.parse_assignments(assignments, "--set"), file)
+    file = joystick_choice.parameter_file(parameters_file)
+    joystick = joystick_choice.joystick_of(damping, parsing.parse_assignments(assignments, "--set"), file)
     measured = [motion.read_record(path) for path in records or ()]
     write_live_page(target, file, joystick, start, records=measured, title=title)

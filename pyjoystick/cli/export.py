@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 from pyjoystick import model, reports
-from pyjoystick.cli import options
+from pyjoystick.cli import joystick_choice, options
 from pyjoystick.cli.console import messages, print_note, write
 from pyjoystick.support import write_text
 
@@ -83,7 +83,7 @@ def run(
         raise typer.BadParameter("needs the FMU, which --no-fmu leaves out", param_hint="--ssp")
     if not (fmus or modelica or json):
         raise typer.BadParameter("leaves nothing to write; add --modelica or --json", param_hint="--no-fmu")
-    file = options.parameter_file(parameters)
+    file = joystick_choice.parameter_file(parameters)
     own = reports.check_name(name or reports.default_name(file))
     law = damping or file.law
     values = model.fmu_values(file, law)

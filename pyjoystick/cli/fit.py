@@ -12,7 +12,7 @@ import typer
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
 from pyjoystick import fmu, identification, model, motion, runs
-from pyjoystick.cli import options
+from pyjoystick.cli import joystick_choice, options, parsing
 from pyjoystick.cli.console import messages, output, print_error, print_note, print_notes
 from pyjoystick.cli.fmus import found_or_built, law_of
 from pyjoystick.cli.parameter_updates import file_to_update, write_update
@@ -109,9 +109,9 @@ def run(
     """
     _check_choice(settings_file, damping, is_driven=is_driven, friction=friction)
     _check_file(parameters, known, update=update, even_if_doubtful=even_if_doubtful)
-    headings = options.parse_headings(columns, units)
+    headings = parsing.parse_headings(columns, units)
     check_outputs(parameters if update else None, None if folder is None else folder / "fit.md")
-    given = file_to_update(parameters) if update else options.parameter_file(parameters)
+    given = file_to_update(parameters) if update else joystick_choice.parameter_file(parameters)
     settings = settings_of(settings_file, damping or given.law, is_driven=is_driven, friction=friction)
     if settings_file is None:
         settings = replace(settings, fmu=runs.fmu_with_parts(settings.fmu, given.joystick))
@@ -186,7 +186,7 @@ def _check_file(
 ) -> None:
     """What is read from the file of --parameters or saved there needs one."""
     if parameters is None:
-        options.refuse_given("needs --parameters", {"--update": update or None, "--known": known})
+        parsing.refuse_given("needs --parameters", {"--update": update or None, "--known": known})
     if even_if_doubtful and not update:
         raise typer.BadParameter("is for --update", param_hint="--even-if-doubtful")
 
@@ -206,7 +206,7 @@ def settings_of(
 def _refuse_for_tables(settings: identification.FitSettings, given: Mapping[str, object]) -> None:
     """Records that are no releases have the names of the FMU for headings, and no side."""
     names = ", ".join(("time", *settings.outputs, *settings.inputs))
-    options.refuse_given(f"is for releases; these records are tables of {names}", given)
+    parsing.refuse_given(f"is for releases; these records are tables of {names}", given)
 
 
 def _records(

@@ -12,7 +12,8 @@ import typer
 
 from pyjoystick import fmu, model, runs
 from pyjoystick.cli.console import messages, print_note
-from pyjoystick.cli.options import joystick_of, parameter_file, parse_assignments
+from pyjoystick.cli.joystick_choice import joystick_of, parameter_file
+from pyjoystick.cli.parsing import parse_assignments
 from pyjoystick.support import PyJoystickError
 
 _TOOLS: Final = ("fmu_build", "rumoca", "ziglang")

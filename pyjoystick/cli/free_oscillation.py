@@ -10,7 +10,7 @@ import typer
 from rich.table import Table
 
 from pyjoystick import forced_motion, model, motion, runs, support
-from pyjoystick.cli import options
+from pyjoystick.cli import options, parsing
 from pyjoystick.cli.console import messages, note_stops, output, write
 from pyjoystick.cli.fmus import opened
 
@@ -49,7 +49,7 @@ def run(
     ] = False,
 ) -> None:
     """Release the joystick from rest, let it oscillate, and print the peaks of its motion."""
-    start = options.parse_angle(release_angle)
+    start = parsing.parse_angle(release_angle)
     support.check_outputs(csv, plot)
     with (
         opened(damping, fmu, assignments, parameters_file) as (joystick, parameters),

@@ -8,7 +8,7 @@ from typing import Annotated, Final
 import typer
 
 from pyjoystick import laboratory, model, support
-from pyjoystick.cli import options, table_options
+from pyjoystick.cli import options, parsing, table_options
 from pyjoystick.cli.console import output, print_note, print_notes, write
 from pyjoystick.cli.parameter_updates import file_to_update, write_measured
 from pyjoystick.cli.plausibility import require_plausible
@@ -80,7 +80,7 @@ def run(
     layout = table_options.layout(delimiter, decimal, encoding, sheet)
     check_outputs(parameters, plot)
     before = file_to_update(parameters)
-    curve = laboratory.read_load_curve(file, **options.parse_headings(columns, units), layout=layout)
+    curve = laboratory.read_load_curve(file, **parsing.parse_headings(columns, units), layout=layout)
     fit = laboratory.fit_load_curve(curve, segments, travel_noise=travel_noise, force_noise=force_noise)
     print_notes(file, fit.notes)
     output().print(laboratory.load_curve_report(fit), markup=False)

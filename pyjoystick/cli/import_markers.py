@@ -8,7 +8,7 @@ from typing import Annotated, Final
 import typer
 
 from pyjoystick import laboratory, model
-from pyjoystick.cli import options
+from pyjoystick.cli import joystick_choice, options
 from pyjoystick.cli.console import output, print_note, print_notes
 from pyjoystick.cli.plausibility import require_length
 from pyjoystick.support import check_outputs
@@ -120,7 +120,7 @@ def run(
         unit=unit,
         chain=chain,
     )
-    joystick = None if rests is None else options.parameter_file(parameters).joystick
+    joystick = None if rests is None else joystick_choice.parameter_file(parameters).joystick
     trial = laboratory.read_trial(file, setup, name=record_file.stem, joystick=joystick)
     print_notes(file, trial.record.notes)
     trial.write(record_file, motion_file)

@@ -10,7 +10,7 @@ from typing import Annotated, Final
 import typer
 
 from pyjoystick import laboratory, motion, support
-from pyjoystick.cli import options, table_options
+from pyjoystick.cli import options, parsing, table_options
 from pyjoystick.cli.console import output, print_notes, write
 from pyjoystick.support import ParameterError
 
@@ -87,7 +87,7 @@ def run(
     support.check_outputs(record_file, preview)
     log = motion.read_log(
         file,
-        **options.parse_headings(columns, units),
+        **parsing.parse_headings(columns, units),
         layout=layout,
         scales=_scales(scales, zeros),
         rate=samples_per_second,
@@ -106,8 +106,8 @@ def _scales(texts: Sequence[str] | None, zeros: Sequence[str] | None) -> dict[st
     Raises:
         BadParameter: a text is no calibration, or a zero has no scale
     """
-    at_zero, found = options.parse_assignments(zeros, "--zero"), {}
-    for name, text in options.parse_names(texts, "--scale").items():
+    at_zero, found = parsing.parse_assignments(zeros, "--zero"), {}
+    for name, text in parsing.parse_names(texts, "--scale").items():
         try:
             found[name] = motion.scale_of(name, text, at_zero.pop(name, 0.0))
         except ParameterError as error:

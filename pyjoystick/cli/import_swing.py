@@ -10,8 +10,9 @@ import typer
 
 from pyjoystick import laboratory, model, motion
 from pyjoystick.cli.console import output, print_note
-from pyjoystick.cli.options import ParametersToUpdate, Set, parse_angle, parse_assignments, uncertainty
+from pyjoystick.cli.options import ParametersToUpdate, Set, uncertainty
 from pyjoystick.cli.parameter_updates import file_to_update, write_measured
+from pyjoystick.cli.parsing import parse_angle, parse_assignments
 from pyjoystick.cli.plausibility import require_plausible, require_uncertainties
 from pyjoystick.support import ParameterError, check_outputs
 

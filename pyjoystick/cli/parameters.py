@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from pyjoystick import model
-from pyjoystick.cli import options
+from pyjoystick.cli import joystick_choice, options, parsing
 from pyjoystick.cli.console import output, write
 from pyjoystick.support import OutputFileError, write_text
 
@@ -40,16 +40,16 @@ def run(
     ] = False,
 ) -> None:
     """Check a parameter file, change values in it if requested, and print it or write it to another file."""
-    file = options.parameter_file(parameters)
+    file = joystick_choice.parameter_file(parameters)
     if fmu_names:
         reason = "--fmu-names prints what is in the parameter file"
-        options.refuse_given(reason, {"--set": assignments, "--output": target})
+        parsing.refuse_given(reason, {"--set": assignments, "--output": target})
         output().print(model.fmu_value_table(model.fmu_values(file, damping)).markdown(), markup=False)
         return
-    changes = options.parse_assignments(assignments, "--set")
+    changes = parsing.parse_assignments(assignments, "--set")
     # A changed joystick is no longer the one that the title names.
     title = target.stem if target is not None and changes else None
-    text = model.updated_text(file, options.joystick_of(damping, changes, file), title=title)
+    text = model.updated_text(file, joystick_choice.joystick_of(damping, changes, file), title=title)
     if target is None:
         output().print(text, end="", markup=False, soft_wrap=True)
         return

@@ -8,7 +8,7 @@ from typing import Annotated, Final
 import numpy as np
 
 from pyjoystick import identification, model, motion, runs, support
-from pyjoystick.cli import options
+from pyjoystick.cli import joystick_choice, options, parsing
 from pyjoystick.cli.console import messages, output, print_notes, write
 from pyjoystick.cli.fmus import found_or_built
 
@@ -34,9 +34,9 @@ def run(
 ) -> None:
     """Estimate the damping from the peaks of free oscillations (eqs. 9 and 10), and its bias."""
     support.check_outputs(csv, json, plot)
-    changes = options.parse_assignments(assignments, "--set")
-    joystick = options.joystick_of(None, changes, options.parameter_file(parameters))
-    headings = options.parse_headings(columns, units)
+    changes = parsing.parse_assignments(assignments, "--set")
+    joystick = joystick_choice.joystick_of(None, changes, joystick_choice.parameter_file(parameters))
+    headings = parsing.parse_headings(columns, units)
     read = motion.read_repeats(
         records, columns=headings["columns"], units=headings["units"], released=released
     )

@@ -10,7 +10,7 @@ from urllib.parse import quote
 import typer
 
 from pyjoystick import model, reports
-from pyjoystick.cli import options
+from pyjoystick.cli import joystick_choice, options, parsing
 from pyjoystick.cli.console import messages, write
 from pyjoystick.cli.fmus import found_or_built, opened
 from pyjoystick.cli.live_page import write_live_page
@@ -62,9 +62,9 @@ def run(
 
     The report on the paper's joystick also compares the statements of the paper with the results.
     """
-    start = options.parse_angle(release_angle)
+    start = parsing.parse_angle(release_angle)
     check_outputs(target, live)
-    file = options.parameter_file(parameters_file)
+    file = joystick_choice.parameter_file(parameters_file)
     measurements = _measurements(file, parameters_file, fit, curves, swing, parts, budget)
     found_or_built("Joystick")  # for the table of the paper's statements
     with (
@@ -106,8 +106,8 @@ def _measurements(
     """The measurements that the parameter file came from."""
     if parameters_file is None:
         given = {"--fit": fit, "--curve": curves, "--swing": swing, "--parts": parts, "--budget": budget}
-        options.refuse_given("needs --parameters, the file that was measured", given)
+        parsing.refuse_given("needs --parameters, the file that was measured", given)
         return None
     return reports.read_measurements(
-        file, fit=fit, curves=options.parse_curves(curves), swing=swing, parts=parts, budget=budget
+        file, fit=fit, curves=parsing.parse_curves(curves), swing=swing, parts=parts, budget=budget
     )

@@ -9,7 +9,7 @@ import numpy as np
 import typer
 
 from pyjoystick import forced_motion, support
-from pyjoystick.cli import options
+from pyjoystick.cli import options, parsing
 from pyjoystick.cli.console import messages, note_stops, output, print_note, print_notes, write
 from pyjoystick.cli.fmus import opened
 from pyjoystick.support import check_outputs, write_text
@@ -70,7 +70,7 @@ def run(
     """
     check_outputs(csv, json, plot)
     if vary is None:
-        options.refuse_given("needs --vary", {"--csv": csv, "--periods": None if periods == 1 else periods})
+        parsing.refuse_given("needs --vary", {"--csv": csv, "--periods": None if periods == 1 else periods})
     shaking = forced_motion.Shaking(torque, frequency)
     response = None
     with (

@@ -9,7 +9,7 @@ from typing import Annotated, Any, Final
 import typer
 
 from pyjoystick import forced_motion, laboratory, model, motion, support
-from pyjoystick.cli import options, torque_results
+from pyjoystick.cli import joystick_choice, options, parsing, torque_results
 from pyjoystick.cli.console import messages, note_stops, output, print_note, write
 from pyjoystick.cli.plausibility import require_length
 from pyjoystick.support import ParameterError, check_outputs, write_text
@@ -120,17 +120,17 @@ def run(
     require_length("--pivot-to-handle", arm)
     check_outputs(csv, json, plot)
     given = dict(zip(_OPTIONS, (angle, stroke_time, return_time, dwell, shape, flat), strict=True))
-    file = options.parameter_file(parameters)
-    changes = options.parse_assignments(assignments, "--set")
+    file = joystick_choice.parameter_file(parameters)
+    changes = parsing.parse_assignments(assignments, "--set")
     joysticks = torque_results.joysticks_of(file, damping, changes)
     if record is None:
-        options.refuse_given("is for a measured motion", {"--column": columns, "--unit": units})
+        parsing.refuse_given("is for a measured motion", {"--column": columns, "--unit": units})
         chosen = torque_results.in_closed_form(_motion(given), output_interval)
     else:
         reason = "is for a motion in closed form, and MOTION.csv is a measured one"
-        options.refuse_given(reason, {option: given[name] for name, option in _OPTIONS.items()})
+        parsing.refuse_given(reason, {option: given[name] for name, option in _OPTIONS.items()})
         chain = laboratory.Chain(rate=rate, low_pass=laboratory.LowPass(cutoff=cutoff))
-        chosen = torque_results.from_file(record, chain, **options.parse_headings(columns, units))
+        chosen = torque_results.from_file(record, chain, **parsing.parse_headings(columns, units))
     for note in chosen.notes:
         print_note(note)
     with messages().status("computing"):
@@ -152,7 +152,7 @@ def _motion(given: Mapping[str, Any]) -> forced_motion.ForwardAndReturn:
     if given["flat"] is not None and given["shape"] != "trapezoid":
         raise typer.BadParameter("is for --shape trapezoid", param_hint="--flat")
     values = {**_DEFAULTS} | {name: value for name, value in given.items() if value is not None}
-    angle = options.parse_angle(values.pop("amplitude"), "--angle")
+    angle = parsing.parse_angle(values.pop("amplitude"), "--angle")
     try:
         return forced_motion.ForwardAndReturn(amplitude=angle, **values)
     except ParameterError as error:

@@ -12,7 +12,7 @@ import numpy as np
 
 from pyjoystick import forced_motion, laboratory, model, support
 from pyjoystick.cli.fmus import found_or_built
-from pyjoystick.cli.options import joystick_of
+from pyjoystick.cli.joystick_choice import joystick_of
 
 if TYPE_CHECKING:
     import pandas as pd

@@ -9,7 +9,7 @@ import numpy as np
 import typer
 
 from pyjoystick import fmu, forced_motion, model, runs, support
-from pyjoystick.cli import options
+from pyjoystick.cli import joystick_choice, options, parsing
 from pyjoystick.cli.console import output, print_note, write
 from pyjoystick.cli.fmus import found_or_built
 from pyjoystick.support import check_outputs, write_text
@@ -66,12 +66,12 @@ def run(
     the angle in degrees per m/s2 of the base, and the acceleration of the handle's top over that of the base.
     """
     check_outputs(csv, plot)
-    held = options.parse_angle(angle, "--angle")
+    held = parsing.parse_angle(angle, "--angle")
     low, high = limits
     if not 0.0 < low < high:
         raise typer.BadParameter("two frequencies above 0, the lower one first", param_hint="--range")
-    file = options.parameter_file(parameters)
-    joystick = options.joystick_of(damping, options.parse_assignments(assignments, "--set"), file)
+    file = joystick_choice.parameter_file(parameters)
+    joystick = joystick_choice.joystick_of(damping, parsing.parse_assignments(assignments, "--set"), file)
     top = file.pivot_to_top or model.PIVOT_TO_TOP
     given = {"stiffness": stiffness, "damping": hand_damping, "mass": mass, "distance": top}
     hand = forced_motion.Hand(**{name: value for name, value in given.items() if value is not None})

@@ -94,7 +94,7 @@ def test_every_command_has_one_line_in_its_list() -> None:
         "numpy",
         "typer",
         "pyjoystick.cli",
-        "pyjoystick.model.parameters.file",
+        "pyjoystick.cli.fmus",
         "pyjoystick.fmu.description",
         "fmpy",
     ],

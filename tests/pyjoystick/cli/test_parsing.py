@@ -7,7 +7,8 @@ import math
 import pytest
 from typer import BadParameter
 
-from pyjoystick.cli.options import joystick_of, parse_angle, parse_assignments
+from pyjoystick.cli.joystick_choice import joystick_of
+from pyjoystick.cli.parsing import parse_angle, parse_assignments
 from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW
 from pyjoystick.support import ParameterError, UnknownParameterError
 

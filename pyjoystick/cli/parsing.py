@@ -1,0 +1,126 @@
+"""Values of options: angles, assignments and names."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
+from pathlib import Path
+from typing import Final
+
+import typer
+
+from pyjoystick import model, motion
+from pyjoystick.cli.plausibility import note_small_angle
+from pyjoystick.support import ParameterError
+
+_ANGLE: Final = re.compile(r"(?P<number>[-+0-9.eE]+)\s*(?P<unit>\D*)")
+
+
+def parse_angle(text: str, option: str = "--release-angle") -> float:
+    """An angle in rad from text such as ``-20``, ``-20deg`` or ``-0.35rad``; a bare number is in degrees.
+
+    Raises:
+        BadParameter: the text is not an angle, or 90 degrees or more
+    """
+    match = _ANGLE.fullmatch(text.strip())
+    try:
+        number = float(match["number"]) if match else math.nan
+    except ValueError:
+        number = math.nan
+    unit = motion.plain_unit(match["unit"]) if match else ""
+    if unit not in ("", *motion.UNITS["angle"]) or not math.isfinite(number):
+        raise typer.BadParameter(f"{text!r} is not an angle; write -20deg or -0.35rad", param_hint=option)
+    if not unit:
+        note_small_angle(option, text.strip(), number)
+    angle = math.radians(number) if unit in ("", "deg") else number * motion.UNITS["angle"][unit]
+    if abs(angle) >= math.pi / 2.0:
+        hint = f"; did you mean {number:g}deg?" if unit == "rad" and abs(number) < 90.0 else ""
+        raise typer.BadParameter(f"{text!r} must lie between -90deg and 90deg{hint}", param_hint=option)
+    return angle
+
+
+def parse_assignments(texts: Sequence[str] | None, option: str) -> dict[str, float]:
+    """Numbers in SI units by name, from texts such as ``damping.C=0.05`` or ``a=24.1mm``; each name once.
+
+    Raises:
+        BadParameter: a text does not have that form, or a name is given twice
+        ParameterError: a unit is not one of the parameter's
+    """
+    values: dict[str, float] = {}
+    for text in texts or []:
+        name, sign, value = (part.strip() for part in text.partition("="))
+        number = math.nan
+        try:
+            number = _with_unit(name, value)
+            if math.isfinite(number) and abs(number) >= 2.0**53 and value.lstrip("+-").isdecimal():
+                number = int(value)  # beyond 2^53 the float may be another
+        except ParameterError:
+            raise
+        except ValueError:
+            sign = ""
+        if not name or not sign:
+            raise typer.BadParameter(
+                f"{text!r} must be NAME=NUMBER, such as damping.C=0.05", param_hint=option
+            )
+        if name in values:
+            raise typer.BadParameter(f"{name} is given twice", param_hint=option)
+        values[name] = number
+    return values
+
+
+def _with_unit(name: str, text: str) -> float:
+    """A number, with or without a unit of the parameter; raises ValueError where there is no number."""
+    with suppress(ValueError):
+        return float(text)
+    units = model.units_of(name)
+    try:
+        return motion.amount(text, units or {})
+    except KeyError:
+        named = ", ".join(filter(None, units or ()))
+        allowed = f"a number, or one with a unit: {named}" if named else "a number without a unit"
+        raise ParameterError(name, text, allowed) from None
+
+
+def parse_names(texts: Sequence[str] | None, option: str) -> dict[str, str]:
+    """Texts by name from texts such as ``theta=Angle``.
+
+    Raises:
+        BadParameter: a text does not have that form
+    """
+    found = {}
+    for text in texts or []:
+        name, sign, value = (part.strip() for part in text.partition("="))
+        if not (name and sign and value):
+            raise typer.BadParameter(f"{text!r} must be NAME=TEXT", param_hint=option)
+        found[name] = value
+    return found
+
+
+def parse_headings(columns: Sequence[str] | None, units: Sequence[str] | None) -> dict[str, dict[str, str]]:
+    """The keyword arguments ``columns`` and ``units`` of a reader from --column and --unit."""
+    return {"columns": parse_names(columns, "--column"), "units": parse_names(units, "--unit")}
+
+
+def parse_curves(texts: Sequence[str] | None) -> dict[model.Side, Path]:
+    """The files of --curve by side; raises BadParameter as `parse_names`, or for another side."""
+    found: dict[model.Side, Path] = {}
+    for name, file in parse_names(texts, "--curve").items():
+        side = next((one for one in model.SIDES if one == name), None)
+        if side is None:
+            raise typer.BadParameter(f"{name!r} must be forward or backward", param_hint="--curve")
+        found[side] = Path(file)
+    return found
+
+
+def refuse_given(reason: str, values: Mapping[str, object]) -> None:
+    """Raise BadParameter for the first option that was given.
+
+    Args:
+        reason: why it is not allowed
+        values: by option; None for an option that was not given
+    """
+    for option, value in values.items():
+        if value is not None:
+            raise typer.BadParameter(reason, param_hint=option)
