@@ -42,7 +42,8 @@ class FittedMotion:
         self.time = np.concatenate(([0.0], self._late))
         wanted = [name for name in ("theta", "omega", "M_s", "f_x") if name in predictor.motion.known]
         self._names = tuple(dict.fromkeys((*predictor.outputs, *wanted)))
-        self._values = predictor.motion.variables(row, instrument, self._late, self._names)
+        plan = predictor.motion.plan(instrument, self._late, self._names)
+        self._values = predictor.motion.variables(row, self._names, plan)
 
     def has(self, *names: str) -> bool:
         """Whether the FMU has these variables."""
@@ -82,7 +83,7 @@ class FittedMotion:
     ) -> FloatArray:
         """By how much the record shows another motion where something is changed, shape (n,)."""
         outputs = self.predictor.outputs
-        found = self.predictor.motion.variables(
-            self.row, self.instrument, self._late, outputs, added=added, moved=moved
-        )
+        motion = self.predictor.motion
+        plan = motion.plan(self.instrument, self._late, outputs, added=added, moved=moved)
+        found = motion.variables(self.row, outputs, plan)
         return self.shown(found - self._values[:, : len(outputs)])

@@ -52,29 +52,19 @@ class RecordRuns:
     def variables(
         self,
         row: FloatArray,
-        instrument: Instrument,
-        late: FloatArray,
         names: Sequence[str],
-        *,
-        added: tuple[str, FloatArray] | None = None,
-        moved: tuple[str, float] | None = None,
-        settings: FmuSettings | None = None,
+        plan: Plan,
     ) -> FloatArray:
-        """Variables of the FMU at the release and at instants after it.
+        """Variables of the FMU at the release and at instants after it, from one run.
 
         Args:
             row: parameters, shape (varied,)
-            instrument: of the record
-            late: instants after `Instrument.origin` on the clock of the record (s), shape (n,), increasing
-            names: of the variables
-            added: an input and what is added to it at the release and at those instants, shape (n + 1,)
-            moved: a parameter that is not varied and what is added to it
-            settings: where not those of the fit
+            names: of the variables, perhaps one more than once
+            plan: made by `plan` for these variables and n instants
 
         Returns:
             shape (n + 1, names); NaN where the run fails
         """
-        plan = self.plan(instrument, late, names, added=added, moved=moved, settings=settings)
         found = self.run(plan, row[np.newaxis]).numbers[0]
         return np.asarray(found[:, [plan.outputs.index(one) for one in names]])
 
@@ -93,7 +83,16 @@ class RecordRuns:
         moved: tuple[str, float] | None = None,
         settings: FmuSettings | None = None,
     ) -> Plan:
-        """A plan of the runs that `variables` makes, for many rows of parameters."""
+        """A plan of runs that record variables at the release and at instants after it.
+
+        Args:
+            instrument: of the record
+            late: instants after `Instrument.origin` on the clock of the record (s), shape (n,), increasing
+            names: of the variables
+            added: an input and what is added to it at the release and at those instants, shape (n + 1,)
+            moved: a parameter that is not varied and what is added to it
+            settings: where not those of the fit
+        """
         rate = 1.0 + instrument.time_base
         instants = np.concatenate(([0.0], rate * late))
         inputs = self._inputs

@@ -131,7 +131,8 @@ class TrajectoryPredictor:
         late = self.record.time - instrument.origin
         moving = late > 0.0
         names = self._sensitivities(self.differentiable)
-        numbers = self.motion.variables(row, instrument, late[moving], names, settings=settings)
+        plan = self.motion.plan(instrument, late[moving], names, settings=settings)
+        numbers = self.motion.variables(row, names, plan)
         if not np.all(np.isfinite(numbers)):
             return {}
         columns = dict(zip(names, numbers[_places(moving)].T, strict=True))
@@ -176,7 +177,8 @@ class TrajectoryPredictor:
         if moving.size:
             late, n = time - instrument.origin, len(self.outputs)
             names = (*self.outputs, *self._slopes)
-            found = self.motion.variables(row, instrument, moving - instrument.origin, names)
+            plan = self.motion.plan(instrument, moving - instrument.origin, names)
+            found = self.motion.variables(row, names, plan)
             found = found[np.where(late > 0.0, np.searchsorted(moving, time) + 1, 0)]
             numbers = found[:, :n]
             if self._is_driven:
