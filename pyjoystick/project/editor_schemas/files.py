@@ -12,8 +12,12 @@ from pathlib import Path
 
 from pyjoystick.project.editor_schemas.blocks import Schema
 from pyjoystick.project.editor_schemas.laboratory import laboratory_schema
-from pyjoystick.project.editor_schemas.parameters import parameter_schema
-from pyjoystick.project.editor_schemas.settings import explore_schema, fit_schema, sweep_schema
+from pyjoystick.project.editor_schemas.settings import (
+    explore_schema,
+    fit_schema,
+    parameter_schema,
+    sweep_schema,
+)
 from pyjoystick.support import write_text
 
 
