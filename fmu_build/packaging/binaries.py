@@ -1,7 +1,8 @@
 """Compile the shared libraries of an FMU with zig, the C compiler of the package ziglang.
 
 The runtime is the same for every model. It is compiled once for each platform, to a static library in zig's
-cache folder; a build then compiles the model alone and links both.
+cache folder; a build then compiles the model alone and links both. The WebAssembly module of an FMU that has
+none is kept there as a whole.
 """
 
 from __future__ import annotations
@@ -51,7 +52,8 @@ _CACHE_PLACES = {
     "LOCALAPPDATA": "zig",
 }
 _RUNTIME = "runtime.a"
-# As many as the runtimes of two versions for all platforms and both FMI versions need, of up to 1 MB each.
+# The runtimes of two versions for all platforms and both FMI versions, of up to 1 MB each, and some modules
+# of a tenth of that.
 _MOST_STORED = 64
 # Callers of the module need malloc and free to pass arrays. The deepest call formats a message, in some kB.
 _MODULE_LINKER_FLAGS = ("-Wl,--export=malloc", "-Wl,--export=free", "-Wl,-z,stack-size=65536")
@@ -64,21 +66,24 @@ def toolchain_version() -> str:
     return f"ziglang {metadata.version('ziglang')}"
 
 
-def compile_library(sources: Mapping[str, bytes], identifier: str, platform: Platform) -> tuple[bytes, str]:
+def compile_library(
+    sources: Mapping[str, bytes], identifier: str, platform: Platform, *, keep: bool = False
+) -> tuple[bytes, str]:
     """Return the library for one platform, and the compiler's commands and output.
 
-    All files except model.c and token.h count as the runtime. Raises `ToolchainError` with the compiler's
-    output if it fails.
+    All files except model.c and token.h count as the runtime, which is kept in the cache; with `keep` the
+    library is, too. Raises `ToolchainError` with the compiler's output if it fails.
     """
     toolchain_version()
     runtime = {name: content for name, content in sources.items() if name not in (MODEL_FILE, TOKEN_FILE)}
     log, files = "", dict(sources)
     if c_files(runtime):
-        archive, log = _runtime_archive(runtime, platform)
+        archive, log = _made_once(runtime, _archive_arguments(c_files(runtime), platform), _RUNTIME, platform)
         files = {name: content for name, content in sources.items() if name not in c_files(runtime)}
         files[_RUNTIME] = archive
     library = identifier + platform.extension
-    content, printed = _compiled(files, _library_arguments(files, library, platform), library, platform)
+    make = _made_once if keep else _compiled
+    content, printed = make(files, _library_arguments(files, library, platform), library, platform)
     return content, log + printed
 
 
@@ -93,7 +98,7 @@ def cache_folder() -> Path | None:
 
 
 def runtime_folder() -> Path | None:
-    """Return the folder that caches compiled runtimes; None if there is no writable cache."""
+    """Return the folder that caches compiled runtimes and modules; None if there is no writable cache."""
     folder = cache_folder()
     return None if folder is None else folder / "fmu_build"
 
@@ -116,18 +121,19 @@ def binary_entries(
     }
 
 
-def _runtime_archive(runtime: Mapping[str, bytes], platform: Platform) -> tuple[bytes, str]:
-    """Return the runtime as a static library, from the cache if possible, and what the compiler printed."""
-    arguments = _archive_arguments(c_files(runtime), platform)
-    digest = hashlib.sha256(repr([toolchain_version(), arguments, sorted(runtime.items())]).encode())
+def _made_once(
+    files: Mapping[str, bytes], arguments: list[str], result: str, platform: Platform
+) -> tuple[bytes, str]:
+    """Return what `_compiled` does; if it was made of the same before, from the cache and without output."""
+    digest = hashlib.sha256(repr([toolchain_version(), arguments, sorted(files.items())]).encode())
     folder = runtime_folder()
-    stored = None if folder is None else folder / f"{digest.hexdigest()}.a"
-    if stored is not None and (archive := _read_stored(stored)) is not None:
-        return archive, ""
-    archive, log = _compiled(runtime, arguments, _RUNTIME, platform)
+    stored = None if folder is None else folder / f"{digest.hexdigest()}{Path(result).suffix}"
+    if stored is not None and (content := _read_stored(stored)) is not None:
+        return content, ""
+    content, log = _compiled(files, arguments, result, platform)
     if stored is not None:
-        _store(stored, archive)
-    return archive, log
+        _store(stored, content)
+    return content, log
 
 
 def _read_stored(file: Path) -> bytes | None:

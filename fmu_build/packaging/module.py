@@ -32,19 +32,20 @@ def module_name(identifier: str) -> str:
     return f"{_FOLDER}/{identifier}{WASM32.extension}"
 
 
-def compile_module(sources: Mapping[str, bytes], identifier: str) -> tuple[bytes, str]:
+def compile_module(sources: Mapping[str, bytes], identifier: str, *, keep: bool = False) -> tuple[bytes, str]:
     """Return the module made from the sources/ of an FMU of FMI 2, and the compiler's commands and output.
 
     It exports the functions of FMI 2.0, those of runtime/wasm/explore.h, malloc, free and its memory, and
-    imports nothing. Raises `ToolchainError` as `compile_library`.
+    imports nothing. `keep` and errors are those of `compile_library`.
     """
-    return compile_library({**sources, **module_face()}, identifier, WASM32)
+    return compile_library({**sources, **module_face()}, identifier, WASM32, keep=keep)
 
 
 def wasm_module(fmu: str | PathLike[str]) -> bytes:
     """Return the WebAssembly module of an FMU: the one in it, else one compiled from its sources/.
 
-    C that is compiled can take in files of this machine: compile only FMUs that you trust.
+    C that is compiled can take in files of this machine: compile only FMUs that you trust. The module is kept
+    in the cache of compiled runtimes, for the next page of the same FMU.
 
     Raises:
         BuildError: the file is no FMU, has neither a module nor sources of this project for FMI 2, or cannot
@@ -66,7 +67,7 @@ def wasm_module(fmu: str | PathLike[str]) -> bytes:
             files = {plain: archive.read(name) for name, plain in sources.items() if _SOURCE.fullmatch(plain)}
     except (OSError, KeyError, zipfile.BadZipFile) as error:
         raise BuildError(f"cannot read the FMU {path}: {error}") from error
-    return compile_module(files, identifier)[0]
+    return compile_module(files, identifier, keep=True)[0]
 
 
 def _identifier(description: bytes, path: Path) -> str:

@@ -86,6 +86,22 @@ def test_another_runtime_or_platform_is_stored_beside_it(stored: Path) -> None:
     assert len(list(stored.iterdir())) == 3
 
 
+def test_what_is_kept_is_made_once_of_the_same(stored: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    library, log = compile_library(_GOOD, "Model", _LINUX, keep=True)
+    assert "$ -m ziglang cc" in log
+    assert compile_library(_GOOD, "Model", _LINUX, keep=True) == (library, "")
+    assert "$ -m ziglang cc" in compile_library(_GOOD, "Model", _LINUX)[1]  # this one is not to be kept
+    for sources, identifier in (
+        (_GOOD | {"model.c": _GOOD["model.c"] + b"\n"}, "Model"),
+        (_GOOD | {"token.h": b""}, "Model"),
+        (_GOOD | {"b.c": _GOOD["b.c"] + b"\n"}, "Model"),
+        (_GOOD, "Other"),
+    ):
+        assert "$ -m ziglang cc" in compile_library(sources, identifier, _LINUX, keep=True)[1]
+    monkeypatch.setattr(binaries, "COMPILER_FLAGS", (*binaries.COMPILER_FLAGS, "-DMORE"))
+    assert "$ -m ziglang cc" in compile_library(_GOOD, "Model", _LINUX, keep=True)[1]
+
+
 def test_of_many_runtimes_those_that_were_used_last_are_kept(
     stored: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

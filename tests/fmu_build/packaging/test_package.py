@@ -17,7 +17,7 @@ from fmpy.validation import validate_fmu
 from fmu_manipulation_toolbox.checker import OperationGenericCheck, OperationSemanticCheck
 from fmu_manipulation_toolbox.operations import FMU
 
-from fmu_build.packaging import package_fmu, wasm_module
+from fmu_build.packaging import binaries, package_fmu, wasm_module
 from fmu_build.packaging.binaries import compile_library
 from fmu_build.packaging.platforms import PLATFORMS
 from fmu_build.support.description import GeneratedModel
@@ -155,6 +155,15 @@ def test_a_webassembly_module_lies_beside_the_library(
         assert set(archive.namelist()) - set(plain.namelist()) == {module}
         assert archive.read(module) == wasm_module(made) == wasm_module(fmu)
         assert {n for n in plain.namelist() if plain.read(n) != archive.read(n)} == {licenses}
+
+
+def test_a_module_is_compiled_once_for_all_pages(
+    fmu: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(binaries, "runtime_folder", lambda: tmp_path / "stored")
+    module = wasm_module(fmu)
+    monkeypatch.setattr(binaries, "_compiled", lambda *_: pytest.fail("compiled again"))
+    assert wasm_module(fmu) == module
 
 
 @pytest.mark.parametrize("identifier", ["../out", "/tmp/out", "a b", "-o"])
