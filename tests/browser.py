@@ -14,13 +14,23 @@ from typing import Any
 
 import pandas as pd
 import pytest
-from playwright.sync_api import Browser, ConsoleMessage, Locator, Page, Request, sync_playwright
+from playwright.sync_api import (
+    Browser,
+    ConsoleMessage,
+    Error,
+    Locator,
+    Page,
+    Request,
+    expect,
+    sync_playwright,
+)
 
 from fmu_build.packaging import wasm_module
 from fmu_build.packaging.module import module_name
 
 #: Set by .ci/run: where Chromium is missing, the tests fail instead of being skipped.
 REQUIRED = "PYJOYSTICK_REQUIRE_BROWSER"
+_LEFT = "about:blank"
 _ARGUMENTS = (
     "--no-sandbox",
     "--disable-gpu",
@@ -47,6 +57,18 @@ def opened() -> Iterator[Browser]:
         browser.close()
 
 
+def tab(browser: Browser) -> Page:
+    """A tab that was left, or a new one: its process takes longer to start than a page to load."""
+    tabs = [page for context in browser.contexts for page in context.pages]
+    return next((page for page in tabs if page.url == _LEFT), None) or browser.new_page()
+
+
+def leave(page: Page) -> None:
+    """Leave a tab for another page; the pointer must not rest on what is there next."""
+    page.goto(_LEFT)
+    page.mouse.move(0, 0)
+
+
 def with_module(fmu: Path, folder: Path) -> Path:
     """A copy of an FMU in another folder that carries the module that would be compiled for each page."""
     copy = folder / fmu.name
@@ -62,6 +84,7 @@ class LivePage:
 
     page: Page
     file: Path
+    has_own_context: bool
     messages: list[str] = field(default_factory=list)
     requests: list[str] = field(default_factory=list)
 
@@ -70,11 +93,12 @@ class LivePage:
         cls, browser: Browser, file: Path, fragment: str = "", *, width: int = 1280, **context: Any
     ) -> LivePage:
         """The page of a file, after its first run; with more options of a browser's context."""
-        page = browser.new_page(viewport={"width": width, "height": 900}, **context)
+        page = browser.new_page(**context) if context else tab(browser)
+        page.set_viewport_size({"width": width, "height": 900})
         page.set_default_timeout(10_000)
-        live = cls(page, file)
+        live = cls(page, file, has_own_context=bool(context))
         page.on("console", live._said)
-        page.on("pageerror", lambda error: live.messages.append(str(error)))
+        page.on("pageerror", live._failed)
         page.on("request", live._asked)
         page.goto(file.as_uri() + fragment)
         page.wait_for_selector("body[data-runs]")
@@ -82,6 +106,9 @@ class LivePage:
 
     def _said(self, message: ConsoleMessage) -> None:
         self.messages.append(message.text)
+
+    def _failed(self, error: Error) -> None:
+        self.messages.append(str(error))
 
     def _asked(self, request: Request) -> None:
         self.requests.append(request.url)
@@ -137,8 +164,8 @@ class LivePage:
         return [plot.get_attribute("aria-label") or "" for plot in plots]
 
     def address(self) -> str:
-        """What the address says of the state, after it had time to."""
-        self.page.wait_for_timeout(300)
+        """What the address says of the state, once it has been written."""
+        expect(self.page.locator("body")).not_to_have_attribute("data-address", "due")
         return self.page.url.partition("#")[2]
 
     def alert(self) -> str:
@@ -146,8 +173,13 @@ class LivePage:
         return self.page.locator("#alert").inner_text()
 
     def close(self) -> None:
-        """Close the page; nothing must have been said or asked for beside the file and its worker."""
-        self.page.close()
+        """Leave the page; nothing must have been said or asked for beside the file and its worker."""
+        page = self.page
+        page.close() if self.has_own_context else leave(page)
+        page.remove_listener("console", self._said)
+        page.remove_listener("pageerror", self._failed)
+        page.remove_listener("request", self._asked)
         assert self.messages == []
-        others = [url for url in self.requests if not url.startswith(("blob:", self.file.as_uri()))]
+        known = ("blob:", self.file.as_uri(), _LEFT)
+        others = [url for url in self.requests if not url.startswith(known)]
         assert others == []

@@ -111,6 +111,7 @@ export class State {
   writeSoon() {
     clearTimeout(this.timer);
     this.timer = setTimeout(() => this.write(), 200); // browsers refuse to be written to at every move
+    document.body.dataset.address = "due";
   }
 
   watch(watcher) {
@@ -144,6 +145,7 @@ export class State {
     this.written = text ? `#${text}` : "";
     history.replaceState(null, "", text ? `#${text}` : location.pathname + location.search);
     this.written = location.hash;
+    document.body.dataset.address = "written";
   }
 
   // What does not fit the model is left out: a link may come from another version.

@@ -11,6 +11,7 @@ import pytest
 from playwright.sync_api import Browser
 
 import fmu_build.explore
+from tests.browser import leave, tab
 
 pytestmark = pytest.mark.xdist_group("browser")
 
@@ -29,9 +30,9 @@ Points = np.ndarray
 def _traced(browser: Browser, points: Points) -> list[Points]:
     """The parts of the curve of points [n][2]; NaN comes as None."""
     given = [[None if math.isnan(x) else float(x) for x in point] for point in points]
-    page = browser.new_page()
+    page = tab(browser)
     found = page.evaluate(_TRACE, [_SCRIPT.read_text("utf-8"), given])
-    page.close()
+    leave(page)
     return [np.array(part) for part in found]
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import math
 import sys
 from collections.abc import Callable, Iterator
@@ -10,7 +11,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from playwright.sync_api import Browser, FrameLocator, Page
+from playwright.sync_api import Browser, FrameLocator, Page, expect
 
 import pyjoystick
 from pyjoystick.fmu import Fmu
@@ -34,7 +35,8 @@ _MODEL = """async ([script, state]) => {
     on: (event, listener) => listeners.set(event, listener),
     off: event => listeners.delete(event),
     save_changes() {
-      const plain = value => value instanceof DataView ? [...new Uint8Array(value.buffer)] : value;
+      const text = bytes => btoa(bytes.reduce((before, byte) => before + String.fromCharCode(byte), ""));
+      const plain = value => value instanceof DataView ? text(new Uint8Array(value.buffer)) : value;
       saved(Object.fromEntries([...unsaved].map(([name, value]) => [name, plain(value)])));
       unsaved.clear();
     },
@@ -60,7 +62,7 @@ class Notebook:
         self.wait(lambda: len(widget.results) > 0)
 
     def _saved(self, traits: dict[str, Any]) -> None:
-        table = memoryview(bytes(traits.pop("_table")))
+        table = memoryview(base64.b64decode(traits.pop("_table")))
         data = {"method": "update", "state": traits, "buffer_paths": [["_table"]]}
         self.widget._handle_msg({"content": {"data": data}, "buffers": [table]})  # as a kernel does
 
@@ -175,8 +177,11 @@ def test_nothing_is_told_after_the_cell_is_cleared(show: Show) -> None:
     notebook = show(pyjoystick.explore())
     notebook.page.evaluate("end()")
     before = notebook.widget.values
+    body = notebook.frame.locator("body")
+    runs = str(body.get_attribute("data-runs"))
     notebook.frame.locator('.control[data-name="damping.C"] input.number').fill("0.08")
-    notebook.page.wait_for_timeout(500)
+    expect(body).not_to_have_attribute("data-runs", runs)
+    notebook.page.wait_for_timeout(300)  # the page would tell it after 200 ms
     assert notebook.widget.values == before
 
 
