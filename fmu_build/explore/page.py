@@ -149,9 +149,13 @@ def _first(model: PageModel) -> list[str]:
 
 
 def _plots(model: PageModel) -> list[PlotChoice]:
-    """A plot for each unit of the outputs (the states, without outputs), and the first phase plane."""
+    """A plot for each unit of what is shown, and the first phase plane.
+
+    Outputs are shown; without any the states, and without these the inner variables.
+    """
     states = [one for one in model.variables if one.derivative is not None]
-    shown = [one for one in model.variables if one.causality == "output"] or states
+    outputs, inner = ([o for o in model.variables if o.causality == kind] for kind in ("output", "local"))
+    shown = outputs or states or inner
     units: dict[str, list[str]] = {}
     for one in shown:
         units.setdefault(one.unit or one.kind, []).append(one.name)

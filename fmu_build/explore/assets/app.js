@@ -1,6 +1,6 @@
 // The page: state -> request -> worker -> run -> plots, table, files. What another package adds takes part by
-// the functions of its `addition`: names(), mount(app), curves(panel, theme), plots(), shown(run, row, state, theme,
-// isWhole) for each picture, and rested() where nothing has changed for a while, all optional.
+// the functions of its `addition`: names(), mount(app), curves(panel, theme), plots(), shown(run, row, theme, isWhole)
+// for each picture, and rested() where nothing has changed for a while, all optional.
 
 import { Controls } from "./controls.js";
 import { make, save, write } from "./elements.js";
@@ -136,7 +136,7 @@ class App {
     const time =
       request && result.rows > 0 ? ` at ${numberText(request.start + (result.rows - 1) * request.step)} s` : "";
     this.alert(isWhole ? "" : `The run stopped${time} (${result.status}). ${message}`);
-    if (isWhole) write(this.footer, `${result.rows} rows in ${result.milliseconds.toFixed(1)} ms`);
+    if (result.rows > 0) write(this.footer, `${result.rows} rows in ${result.milliseconds.toFixed(1)} ms`);
     document.body.dataset.runs = Number(document.body.dataset.runs ?? 0) + 1;
   }
 
@@ -172,7 +172,7 @@ class App {
   drawNow(isWhole) {
     const row = this.run.rowAt(this.playback.time);
     this.plots.draw(this.run, this.kept, row, isWhole);
-    this.addition.shown?.(this.run, row, this.state, this.plots.theme, isWhole);
+    this.addition.shown?.(this.run, row, this.plots.theme, isWhole);
     this.plots.tell(this.run, row);
   }
 

@@ -2,12 +2,12 @@
 
 const SUPERSCRIPTS = { "-": "⁻", 0: "⁰", 1: "¹", 2: "²", 3: "³", 4: "⁴", 5: "⁵", 6: "⁶", 7: "⁷", 8: "⁸", 9: "⁹" };
 
-// "N.m.s/rad" -> "N m s/rad", "kg.m2" -> "kg m²", "deg" -> "°".
+// "N.m.s/rad" -> "N m s/rad", "kg.m2" -> "kg m²", "deg" -> "°", "degC" -> "°C".
 export function unitText(unit = "") {
   if (unit === "1") return "";
   return unit
     .replace(/([A-Za-z])(-?\d+)/g, (_, letter, power) => letter + [...power].map((c) => SUPERSCRIPTS[c]).join(""))
-    .replace(/\bdeg\b/g, "°")
+    .replace(/\bdeg(?=[CF]?\b)/g, "°")
     .replaceAll(".", " ");
 }
 

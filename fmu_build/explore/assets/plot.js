@@ -129,10 +129,10 @@ function extent(columns) {
   return low <= high ? [low, high] : [0, 1];
 }
 
-// Noise of rounding must not fill a plot: what hardly differs is shown as a straight line.
+// Noise must not fill a plot: what differs by no more than the solver's errors is shown as a straight line.
 function padded([low, high]) {
   const size = Math.max(Math.abs(low), Math.abs(high));
-  if (high - low > 1e-9 * size) return [low, high];
+  if (high - low > 1e-6 * size) return [low, high];
   return size === 0 ? [-1, 1] : [low - 0.5 * size, high + 0.5 * size];
 }
 
@@ -151,8 +151,10 @@ function tickTexts(values) {
   const step = Math.abs(values[1] - values[0]);
   const largest = Math.max(...values.map(Math.abs));
   const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
-  const isPlain = largest < 1e6 && digits <= 4;
-  const texts = values.map((value) => (isPlain ? value.toFixed(digits) : Number(value.toPrecision(4)).toExponential()));
+  const telling = Math.max(4, Math.ceil(Math.log10(largest / step)) + 1); // digits that tell neighbors apart
+  const isPlain = largest < 1e6 && (digits <= 4 || telling > digits);
+  const power = (value) => Number(value.toPrecision(telling)).toExponential();
+  const texts = values.map((value) => (isPlain ? value.toFixed(digits) : power(value)));
   return texts.map((text) =>
     text
       .replace(/^-0(\.0*)?$/, "0")

@@ -12,6 +12,10 @@ export class Plots {
     this.choose(app.state.plots);
     this.readTheme();
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.readTheme());
+    matchMedia("print").addEventListener("change", () => {
+      this.readTheme();
+      app.settle(); // at once: paper does not wait for the next picture
+    });
   }
 
   get names() {

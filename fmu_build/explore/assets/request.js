@@ -21,8 +21,14 @@ export function runRequest(state, names) {
     request[TYPES[one.kind]].references.push(one.reference);
     request[TYPES[one.kind]].values.push(value);
   }
+  request.starts = starts;
   request.inputs = sampled([...tables.values()], start, step, rows);
   return request;
+}
+
+// A parameter with which a run was asked for; the page may show another since, and the model refuse that one.
+export function parameterOf({ starts }, name) {
+  return starts.get(name) ?? byName.get(name)?.start;
 }
 
 // Start values that the page has set itself: the model has others.

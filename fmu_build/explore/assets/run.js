@@ -23,6 +23,7 @@ export class Run {
     this.times = timesOf(request, this.rows);
     this.isWhole = Boolean(request) && this.rows === request.rows;
     this.milliseconds = result.milliseconds;
+    this.starts = request?.starts ?? new Map();
     this.cache = new Map();
   }
 

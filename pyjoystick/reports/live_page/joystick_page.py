@@ -17,7 +17,8 @@ if TYPE_CHECKING:
     from fmu_build.explore import Settings
 
 _ASSETS: Final = Path(__file__).with_name("assets")
-_MOST_SAMPLES: Final = 2000
+#: Of a record. A page with one of them, of 20 bytes a sample, stays below 250 kB.
+_MOST_SAMPLES: Final = 1000
 #: A number that no file has.
 _MARK: Final = -12345.5
 #: Drawn where the parameter file does not say how long the handle is: in proportion to the paper's joystick.

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import expect
+from playwright.sync_api import Browser, expect
 from typer.testing import CliRunner
 
 from fmu_build import BuildError
@@ -19,6 +19,14 @@ from tests.fmu_build.explore.conftest import Pages
 pytestmark = pytest.mark.xdist_group("browser")
 
 Live = Callable[..., LivePage]
+#: Whether a canvas has a point of a color.
+_HAS = """(canvas, color) => {
+  const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d");
+  copy.drawImage(canvas, 0, 0);
+  const { data } = copy.getImageData(0, 0, canvas.width, canvas.height);
+  for (let i = 0; i < data.length; i += 4) if (color.every((part, j) => data[i + j] === part)) return true;
+  return false;
+}"""
 
 
 def test_one_small_file_that_allows_nothing_but_itself(pages: Pages) -> None:
@@ -147,7 +155,9 @@ def test_a_run_that_breaks_off_shows_its_rows_and_the_message(live: Live) -> Non
     with page.rerun():
         page.type("F", "1e5")
     assert "x[1] left the room" in page.alert()
-    assert 1 < len(page.csv()) < 401
+    rows = len(page.csv())
+    assert 1 < rows < 401
+    expect(page.page.locator("#status")).to_contain_text(f"{rows} rows in")
 
 
 @pytest.mark.parametrize("text", ["", "abc", "1e999", "1,2,3"])
@@ -255,6 +265,33 @@ def test_a_phone_shows_plots_and_controls_side_by_side_of_nothing(live: Live) ->
     assert page.page.locator("body").bounding_box()["width"] <= 390  # type: ignore[index]
     page.control("J").get_by_role("slider").scroll_into_view_if_needed()
     assert page.page.locator("figure").first.is_visible()
+
+
+def test_paper_shows_all_plots_in_dark_ink(pages: Pages, browser: Browser) -> None:
+    live = LivePage.of(browser, pages.file("Models.Ball"), color_scheme="dark")
+    live.settle()
+    page, curve = live.page, live.page.locator("canvas").first
+    assert not curve.evaluate(_HAS, [0x00, 0x72, 0xB2])
+    page.emulate_media(media="print")
+    page.set_viewport_size({"width": 700, "height": 1000})  # of A4
+    for figure in page.locator("figure").all():
+        box = figure.bounding_box()
+        assert box is not None
+        assert box["x"] >= 0
+        assert box["x"] + box["width"] <= 700
+    assert curve.evaluate(_HAS, [0x00, 0x72, 0xB2])
+    expect(page.get_by_role("button", name="CSV")).to_be_hidden()
+    live.close()
+
+
+def test_without_scripts_the_page_says_what_it_is(pages: Pages, browser: Browser) -> None:
+    context = browser.new_context(java_script_enabled=False)
+    page = context.new_page()
+    page.goto(pages.file("Models.Ball").as_uri())
+    expect(page.get_by_role("heading", name="Ball")).to_be_visible()
+    expect(page.locator("noscript p")).to_contain_text("needs JavaScript")
+    expect(page.locator("#controls")).to_be_hidden()
+    context.close()
 
 
 def test_the_command_writes_a_page_of_an_fmu(pages: Pages, tmp_path: Path) -> None:

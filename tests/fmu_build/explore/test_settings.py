@@ -9,7 +9,8 @@ import pytest
 
 from fmu_build import BuildError
 from fmu_build.explore import Settings, explore_page, read_settings
-from fmu_build.explore.model import run_length
+from fmu_build.explore.model import PageModel, PageVariable, run_length
+from fmu_build.explore.page import _plots
 from fmu_build.explore.ranges import Range
 from fmu_build.explore.settings import PlotChoice, Preset
 from tests.fmu_build.explore.conftest import Pages
@@ -107,3 +108,20 @@ def test_a_run_has_no_more_rows_than_a_page_can_show() -> None:
 def test_names_that_the_model_does_not_have(pages: Pages, settings: Settings, message: str) -> None:
     with pytest.raises(BuildError, match=message):
         explore_page(pages.fmu("Models.Ball"), settings)
+
+
+def test_plots_that_the_settings_leave_open() -> None:
+    """Outputs by their units; else states; else inner variables; and the plane of the first state."""
+    gain = PageVariable("k", 1, "r", "parameter", settable=True, start=1.0)
+    inner = [PageVariable("y", 2, "r", "local", unit="m"), PageVariable("z", 3, "r", "local", unit="N")]
+    state = PageVariable("x", 4, "r", "local", unit="m", derivative="der(x)")
+    outputs = [PageVariable("f", 5, "r", "output", unit="N"), PageVariable("g", 6, "r", "output", unit="N")]
+
+    def plots(*variables: PageVariable) -> list[tuple[str | None, tuple[str, ...]]]:
+        model = PageModel("M", "", 0.0, 1.0, 0.01, 0.0, (gain, *variables), {})
+        return [(plot.x, plot.y) for plot in _plots(model)]
+
+    assert plots() == []
+    assert plots(*inner) == [(None, ("y",)), (None, ("z",))]
+    assert plots(*inner, state) == [(None, ("x",)), ("x", ("der(x)",))]
+    assert plots(*inner, state, *outputs) == [(None, ("f", "g")), ("x", ("der(x)",))]

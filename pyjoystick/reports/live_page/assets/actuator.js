@@ -2,6 +2,7 @@
 // down. Clearances and displacements are to scale, too small to see though some of them are.
 
 import { makeSvg, put } from "./elements.js";
+import { parameterOf } from "./request.js";
 
 export const SIDES = ["backward", "forward"];
 export const SPRINGS = SIDES.flatMap((side) => ["return", "balance"].map((kind) => `${side}.${kind}Spring`));
@@ -12,7 +13,7 @@ const LENGTH = 21; // of a spring at rest
 const FORCE = 0.09; // length of the arrow for one newton
 
 export class Actuator {
-  constructor(side, a, b, unit, state) {
+  constructor(side, a, b, unit, run) {
     this.x = side === "forward" ? a : -a;
     this.b = b;
     this.unit = unit;
@@ -20,7 +21,7 @@ export class Actuator {
     this.springs = ["return", "balance"].map((kind, i) => {
       const name = `${side}.${kind}Spring`;
       const x = this.x + (i ? 1 : -1) * Math.sign(this.x) * -5 * unit;
-      const top = rest + FINGER * unit + state.value(`${name}.x_0`) * MM;
+      const top = rest + FINGER * unit + parameterOf(run, `${name}.x_0`) * MM;
       return new Spring(name, x, top, unit);
     });
     this.plunger = makeSvg("g", {}, makeSvg("path", { class: "part", d: this.outline(rest) }));

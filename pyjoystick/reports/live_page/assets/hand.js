@@ -16,6 +16,7 @@ const KEYS = {
 const LET_GO = ["Escape", "Enter", " "];
 
 export class Hand {
+  // `stop` and `angle` give those of the moment.
   constructor(drawing, { stop, onGrab, onLetGo, angle }) {
     Object.assign(this, { drawing, stop, onGrab, onLetGo, angle });
     this.drop();
@@ -56,7 +57,7 @@ export class Hand {
       return;
     }
     if (!this.isHolding) this.grab(KEY_SPEED);
-    const end = Math.sign(degrees) * this.stop;
+    const end = Math.sign(degrees) * this.stop();
     this.aim(Number.isFinite(degrees) ? this.target + degrees * DEGREE : end);
   }
 
@@ -67,7 +68,7 @@ export class Hand {
   }
 
   aim(angle) {
-    const most = FARTHEST * this.stop;
+    const most = FARTHEST * this.stop();
     this.target = Math.min(most, Math.max(-most, angle));
   }
 

@@ -13,7 +13,7 @@ import { changedToml, springFault } from "./toml.js";
 const TICK = 12; // milliseconds, of a phone that shakes where a spring is released
 
 const scene = new Scene(page.addition);
-const periods = new PeriodPlot(page.addition.stop);
+const periods = new PeriodPlot();
 const records = new Records(page.addition.records);
 
 start({
@@ -33,16 +33,16 @@ start({
   curves: (panel, theme) => records.curves(panel, theme),
   plots: () => [...records.plots, periods.plot],
   rested: () => periods.rested(),
-  shown(run, row, state, theme, isWhole) {
+  shown(run, row, theme, isWhole) {
     periods.show(run, theme, isWhole);
     records.show(run, theme, isWhole);
-    scene.show(run, row, state);
+    scene.show(run, row);
   },
 });
 
 function giveHandle(app) {
   const hand = new Hand(scene.whole, {
-    stop: page.addition.stop,
+    stop: () => scene.stop,
     angle: () => scene.theta,
     onGrab() {
       if (!app.simulation) return; // still loading

@@ -8,6 +8,7 @@ import { byName, workerSource } from "./page-data.js";
 import { runRequest } from "./request.js";
 import { columnOf, timesOf } from "./run.js";
 import { Simulation } from "./simulation.js";
+import { stopOf } from "./stop.js";
 
 const DEGREES = 180 / Math.PI;
 const RELEASES = 20;
@@ -18,9 +19,7 @@ const TIMES = timesOf({ start: 0, step: STEP }, ROWS);
 const FREE = { omega_start: 0, T: 0, grip: 0, a_base: 0 };
 
 export class PeriodPlot {
-  constructor(stop) {
-    const ratio = (stop / SMALLEST) ** (1 / (RELEASES - 1));
-    this.releases = Array.from({ length: RELEASES }, (_, i) => SMALLEST * ratio ** i);
+  constructor() {
     const entries = { 0: "period over amplitude", 1: "of the motion shown" };
     this.plot = new ExtraPlot("periods", "periods", entries, () => this.app.draw());
     this.plot.element.hidden = false;
@@ -50,6 +49,7 @@ export class PeriodPlot {
     if (values === this.values) return;
     this.values = values;
     this.asked = asked;
+    this.releases = anglesUpTo(stopOf(asked));
     this.found = [];
     this.simulation ??= new Simulation(app.simulation.module, workerSource(), (...result) => this.received(...result));
     this.release(0);
@@ -85,7 +85,7 @@ export class PeriodPlot {
       { ...curve(this.kept ?? []), color, alpha: 0.75, dash: [5, 4], width: 1.25 },
       { ...curve(this.points), color },
       { ...curve(shown), color: theme.colors[1], dots: 5 },
-      { x: [0], y: [0], color, dots: 0 }, // both axes begin at zero
+      { x: [0, 1], y: [0, 1], color: "transparent" }, // both axes begin at zero, also without a period
     ];
     const rows = [
       ...this.points.map(({ amplitude, period }) => ["released", amplitude, period]),
@@ -94,6 +94,12 @@ export class PeriodPlot {
     const table = { heads: ["motion", "amplitude (rad)", "period (s)"], rows };
     this.plot.draw({ curves, xLabel: "amplitude (°), period in ms" }, theme, table, words(this.points));
   }
+}
+
+// Equal ratios between them.
+function anglesUpTo(stop) {
+  const ratio = (stop / SMALLEST) ** (1 / (RELEASES - 1));
+  return Array.from({ length: RELEASES }, (_, i) => SMALLEST * ratio ** i);
 }
 
 // The last value of a variable that a request gives counts.

@@ -8,6 +8,7 @@ export class Recording {
     this.table = new Float64Array(2 * rows * names.length);
     this.first = 0; // row of the table where the recording begins
     this.rows = 0;
+    this.starts = new Map();
     this.dropped = 0;
   }
 
@@ -29,9 +30,9 @@ export class Recording {
   }
 
   get run() {
-    const { names, step, rows, first } = this;
+    const { names, step, rows, first, starts } = this;
     const width = names.length;
-    const request = { names, step, rows, start: this.start + this.dropped * step };
+    const request = { names, step, rows, starts, start: this.start + this.dropped * step };
     return new Run(request, { rows, table: this.table.subarray(first * width, (first + rows) * width) });
   }
 }

@@ -71,7 +71,8 @@ export class Records {
     const { experiment } = this.app.state;
     const length = time[time.length - 1];
     const step = Math.max(experiment.step, length / MOST_ROWS);
-    this.app.state.setExperiment({ stop: experiment.start + length, step }, "record");
+    const steps = Math.ceil(length / step - 1e-6); // to the last sample
+    this.app.state.setExperiment({ stop: experiment.start + steps * step, step }, "record");
     this.app.state.set("theta_start", start, "record");
   }
 

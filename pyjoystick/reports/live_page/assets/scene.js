@@ -4,6 +4,8 @@
 import { Actuator, SIDES, SPRINGS } from "./actuator.js";
 import { make, makeSvg, put, write } from "./elements.js";
 import { numberText } from "./format.js";
+import { parameterOf } from "./request.js";
+import { stopOf } from "./stop.js";
 
 const MM = 1000;
 const DEGREES = 180 / Math.PI;
@@ -13,7 +15,10 @@ export class Scene {
   constructor({ top, stop }) {
     this.top = top * MM;
     this.stop = stop;
-    this.whole = makeSvg("svg", { class: "whole", role: "group", "aria-label": "The joystick to scale" });
+    this.released = stop; // by the presets, whatever the model's stops
+    // Without tabindex it could be reached by Tab, because it listens to its handle losing the focus.
+    const whole = { class: "whole", role: "group", "aria-label": "The joystick to scale", tabindex: -1 };
+    this.whole = makeSvg("svg", whole);
     this.detail = makeSvg("svg", {
       class: "detail",
       role: "img",
@@ -50,13 +55,12 @@ export class Scene {
     ];
   }
 
-  show(run, row, state) {
+  show(run, row) {
     if (run.rows === 0 || !run.has("x")) return;
     const value = (name) => run.value(name, row);
-    const sizes = JSON.stringify(
-      ["a", "b", "h", ...SPRINGS.map((name) => `${name}.x_0`)].map((name) => state.value(name)),
-    );
-    if (sizes !== this.sizes) this.build(state);
+    const lengths = ["a", "b", "h", ...SPRINGS.map((name) => `${name}.x_0`)].map((name) => parameterOf(run, name));
+    const sizes = JSON.stringify([stopOf(run), ...lengths]);
+    if (sizes !== this.sizes) this.build(run);
     this.sizes = sizes;
     const theta = value("theta");
     this.theta = theta;
@@ -89,16 +93,17 @@ export class Scene {
     put(this.handle, "aria-valuetext", isHeld ? `${angle}, ${torque}` : angle);
   }
 
-  // Anew where a length has changed.
-  build(state) {
-    const [a, b, h] = ["a", "b", "h"].map((name) => state.value(name) * MM);
+  // Anew where a length or the stop has changed.
+  build(run) {
+    const [a, b, h] = ["a", "b", "h"].map((name) => parameterOf(run, name) * MM);
+    this.stop = stopOf(run);
     this.buildWhole(a, b, h);
-    this.buildDetail(a, b, state);
+    this.buildDetail(a, b, run);
   }
 
   buildWhole(a, b, h) {
     const top = Math.max(this.top, 1.2 * h);
-    const reach = top * Math.sin(this.stop) + 0.12 * top;
+    const reach = top * Math.sin(Math.max(this.stop, this.released)) + 0.12 * top;
     this.whole.setAttribute("viewBox", `${-reach} ${-1.08 * top} ${2 * reach} ${1.2 * top}`);
     const grip = 0.045 * top;
     const outline = [
@@ -148,7 +153,7 @@ export class Scene {
     };
   }
 
-  buildDetail(a, b, state) {
+  buildDetail(a, b, run) {
     const unit = a / 24; // the drawing's own lengths, in proportion to the paper's joystick
     const plate = 3 * unit;
     const half = a + 15 * unit;
@@ -160,7 +165,7 @@ export class Scene {
       makeSvg("rect", { class: "part", x: -1.35 * a, y: -b - plate, width: 2.7 * a, height: plate }),
       makeSvg("line", { class: "guide", y1: 0, y2: -b }),
     );
-    this.actuators = Object.fromEntries(SIDES.map((side) => [side, new Actuator(side, a, b, unit, state)]));
+    this.actuators = Object.fromEntries(SIDES.map((side) => [side, new Actuator(side, a, b, unit, run)]));
     const parts = SIDES.map((side) => this.actuators[side].element);
     const pivot = makeSvg("circle", { class: "pivot", r: 1.1 * unit });
     const support = makeSvg("path", { class: "guide", d: `M 0 0 L ${-4 * unit} ${9 * unit} H ${4 * unit} Z` });

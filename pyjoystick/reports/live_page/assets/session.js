@@ -37,6 +37,7 @@ export class Session {
       request.reals.values.push(value);
     }
     const inputs = { references: [], rows: 0, values: [], slopes: [] };
+    this.recording.starts = request.starts;
     Object.assign(request, { session: this.id, rows: 1, step: this.step, stop: this.time + FOREVER, inputs });
     app.simulation.run(request);
     this.last = performance.now();

@@ -52,6 +52,7 @@ def test_a_joystick_with_stops_has_them_on_its_page(live: Live, fmus: Path) -> N
         values = {"stops.theta_stop": math.radians(15.0), "theta_start": math.radians(-20.0)}
         expected = fmu.run(shown.index.to_numpy(), parameters=values, outputs=list(shown.columns))
     assert shown["M_stop"].abs().max() > 10.0
+    assert page.page.locator(".handle").get_attribute("aria-valuemax") == "15.0"
     np.testing.assert_allclose(shown.to_numpy(), expected.to_numpy(), rtol=1e-6, atol=1e-9)
 
 
@@ -75,6 +76,42 @@ def test_the_scene_follows_the_cursor(live: Live) -> None:
     assert moved == [0.0, pytest.approx(depth, rel=1e-9)]
 
 
+def test_lengths_that_the_model_refuses_are_not_drawn(live: Live) -> None:
+    page = live()
+    parts = page.page.locator(".detail")
+    drawn = parts.inner_html()
+    with page.rerun():
+        page.type("a", "-3")  # the browser would complain of negative widths
+    assert 'Variable "a" cannot be -0.003' in page.alert()
+    page.settle()
+    assert parts.inner_html() == drawn
+    with page.rerun():
+        page.type("a", "30")
+    page.settle()
+    assert parts.inner_html() != drawn
+
+
+def test_tab_goes_to_the_handle_and_on(live: Live) -> None:
+    page = live().page
+    page.get_by_label("Speed").focus()
+    focused = []
+    for _ in range(3):
+        page.keyboard.press("Tab")
+        focused.append(page.evaluate("document.activeElement.getAttribute('aria-label')"))
+    assert focused == ["Plots", "Handle", "Remove the plot of theta"]
+
+
+def test_a_record_of_many_samples_fits_the_page(live: Live, tmp_path: Path) -> None:
+    time = np.linspace(0.0, 2.0, 20_000)
+    theta = -0.35 * np.exp(-2.0 * time) * np.cos(30.0 * time)
+    file = tmp_path / "fast.csv"
+    np.savetxt(
+        file, np.column_stack([time, theta]), delimiter=",", header="time (s),theta (rad)", comments=""
+    )
+    page = live("--record", str(file))  # which checks the size
+    assert page.csv().index[-1] == pytest.approx(2.0, abs=0.01)
+
+
 def test_play_moves_the_handle_and_stops_at_the_end(live: Live) -> None:
     page = live("--release-angle", "-10")
     page.page.get_by_label("Speed").select_option("1")
@@ -91,6 +128,7 @@ def test_a_record_lies_over_the_motion_with_its_difference(live: Live) -> None:
     release = guess_release(record.time, record.theta)
     shown = page.csv()["theta"]
     assert shown.iloc[0] == pytest.approx(release.angle, abs=1e-6)
+    assert shown.index[-1] >= record.time[-1] - release.time
     late = (record.time >= release.time) & (record.time - release.time <= shown.index[-1])
     simulated = np.interp(record.time[late] - release.time, shown.index, shown)
     difference = np.degrees(simulated - record.theta[late])

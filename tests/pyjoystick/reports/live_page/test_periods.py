@@ -70,6 +70,13 @@ def test_without_damping_they_are_those_of_the_energy(live: Live) -> None:
         assert amplitude == pytest.approx(exact.forward, rel=1e-3)
 
 
+def test_they_end_at_the_stops(live: Live) -> None:
+    page = live("--set", "stops.theta_stop=10deg", "--set", "damping.C=0", fragment="#theta_start=-0.1")
+    released, _ = _periods(page)
+    # Heavy on one side, the handle swings a little farther to the other.
+    assert math.degrees(released[-1, 0]) == pytest.approx(10.0, abs=0.5)
+
+
 def test_they_follow_a_value_and_can_be_kept(live: Live) -> None:
     page = live()
     before, _ = _periods(page)
