@@ -138,13 +138,11 @@ export class Controls {
   }
 }
 
-// "theta_start" in quotation marks, or as the subject: "Model.theta_start must be ...".
+// "theta_start" in quotation marks, or as the subject: "Model.theta_start must be ...", "... must not be ...".
 function names(message, name) {
   return (
     message.includes(`"${name}"`) ||
-    ` ${message}`
-      .split(" must be ")
-      .some((part) => /[\s.]/.test(part.at(-name.length - 1) ?? "") && part.endsWith(name))
+    ` ${message}`.split(" must ").some((part) => /[\s.]/.test(part.at(-name.length - 1) ?? "") && part.endsWith(name))
   );
 }
 

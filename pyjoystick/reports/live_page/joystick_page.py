@@ -17,8 +17,8 @@ if TYPE_CHECKING:
     from fmu_build.explore import Settings
 
 _ASSETS: Final = Path(__file__).with_name("assets")
-#: Of a record. A page with one of them, of 20 bytes a sample, stays below 250 kB.
-_MOST_SAMPLES: Final = 1000
+#: Of a record, of 18 bytes each: the largest page with one record stays below 250 kB.
+_MOST_SAMPLES: Final = 800
 #: A number that no file has.
 _MARK: Final = -12345.5
 #: Drawn where the parameter file does not say how long the handle is: in proportion to the paper's joystick.
@@ -190,6 +190,6 @@ def _record(record: Record) -> dict[str, Any]:
     return {
         "name": record.name,
         "start": round(release.angle, 7),
-        "time": [round(float(time - release.time), 7) for time in record.time[late][::every]],
-        "theta": [round(float(angle), 7) for angle in record.theta[late][::every]],
+        "time": [round(float(time - release.time), 6) for time in record.time[late][::every]],
+        "theta": [round(float(angle), 6) for angle in record.theta[late][::every]],
     }

@@ -91,6 +91,15 @@ def test_lengths_that_the_model_refuses_are_not_drawn(live: Live) -> None:
     assert parts.inner_html() != drawn
 
 
+def test_what_springs_refuse_together_is_said_at_the_one_that_is_named(live: Live) -> None:
+    page = live()
+    with page.rerun():
+        page.type("forward.returnSpring.x_0", "40")  # mm
+    error = page.control("forward.balanceSpring.x_0").locator(".error")
+    expect(error).to_contain_text("forward.balanceSpring.x_0 must not be less than returnSpring.x_0 = 0.04 m")
+    assert page.control("forward.returnSpring.x_0").locator(".error").is_hidden()
+
+
 def test_tab_goes_to_the_handle_and_on(live: Live) -> None:
     page = live().page
     page.get_by_label("Speed").focus()
