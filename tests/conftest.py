@@ -165,7 +165,7 @@ def _tool(fmu: Path) -> str:
 def _sources() -> Iterator[Path]:
     for folder in ("fmu_build", "modelica"):
         for file in (ROOT / folder).rglob("*"):
-            if file.is_file() and file.suffix != ".pyc":
+            if file.is_file() and file.suffix not in (".pyc", ".js", ".css", ".html"):  # pages are in no FMU
                 yield file
 
 
