@@ -76,7 +76,7 @@ run: build/fmi2/.first
 
 # Where another compiler is asked for, the tests make the FMUs of FMI 3 themselves.
 test: $(READY)
-	@$(MAKE) --no-print-directory --jobs 2 --output-sync=line build/fmi2/.built \
+	@$(MAKE) --no-print-directory --jobs 2 build/fmi2/.built \
 		$(if $(filter rumoca,$(COMPILER)),build/fmi3/.built)
 	$(BIN)/python -m pytest --numprocesses $(WORKERS) --dist loadgroup --no-loadscope-reorder
 
