@@ -36,9 +36,15 @@ class CommandError(Exception):
     """A command ended in a way in which none may end."""
 
 
+class InterruptedCommandError(CommandError):
+    """A command said that it was interrupted."""
+
+
 def _command(*arguments: str) -> Drive:
     def drive() -> None:
         code = main(arguments)
+        if code == 130:
+            raise InterruptedCommandError("exit code 130")
         if code not in (0, 1, 2, 3):
             raise CommandError(f"exit code {code}")
 

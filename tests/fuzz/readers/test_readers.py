@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
+import pandas as pd
 import pytest
 
-from tests.fuzz.readers import corpus, trial as trials
+from pyjoystick import Fmu
+from tests.fuzz.readers import corpus, patience, trial as trials
 from tests.fuzz.readers.subjects import Subject
 from tests.fuzz.readers.trial import trial
 
@@ -40,3 +43,26 @@ def test_a_trial_sees_what_is_wrong(files: Path, monkeypatch: pytest.MonkeyPatch
         fault = trial(1, files)
         assert fault is not None
         assert said in fault.what
+
+
+@pytest.mark.parametrize("is_kept", [False, True])
+def test_a_long_run_of_an_fmu_has_to_end_at_ctrl_c(
+    files: Path, monkeypatch: pytest.MonkeyPatch, is_kept: bool
+) -> None:
+    def runs() -> None:
+        torque = pd.DataFrame({"T": [0.0, 5e8]}, index=pd.Index([0.0, 1.0], name="time"))
+        try:
+            with Fmu("Joystick.fmu") as fmu:
+                fmu.run(np.linspace(0.0, 1.0, 1001), inputs=torque)
+        except KeyboardInterrupt:
+            if not is_kept:
+                raise
+        while is_kept:
+            pass
+
+    monkeypatch.setattr(trials, "PATIENCE", 0.5)
+    monkeypatch.setattr(patience, "_MOMENT", 0.1)
+    monkeypatch.setattr(trials, "SUBJECTS", (Subject("run", "Joystick.fmu", (), runs),))
+    monkeypatch.setattr(trials, "damaged", lambda content, *_: content)
+    fault = trial(1, files)
+    assert (fault is not None) == is_kept

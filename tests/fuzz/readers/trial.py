@@ -6,11 +6,9 @@ import contextlib
 import io
 import resource
 import shutil
-import signal
 import tempfile
 import traceback
 import warnings
-from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from random import Random
@@ -18,18 +16,13 @@ from typing import Final
 
 from pyjoystick.support import PyJoystickError
 from tests.fuzz.readers.damage import damaged
-from tests.fuzz.readers.subjects import SUBJECTS, CommandError, Subject
+from tests.fuzz.readers.patience import HangError, Patience
+from tests.fuzz.readers.subjects import SUBJECTS, CommandError, InterruptedCommandError, Subject
 
 #: More time of the processor than any of them takes with a file that is whole (s).
 PATIENCE: Final = 20.0
-#: So much longer may it take by the clock, on a machine with much else to do.
-_CROWD: Final = 10.0
 #: What a trial may need more than all before it (bytes).
 MEMORY: Final = 1 << 29
-
-
-class HangError(BaseException):
-    """Nothing came of a trial in time; no ``except Exception`` keeps it."""
 
 
 @dataclass(frozen=True)
@@ -91,9 +84,9 @@ def _copied(subject: Subject, corpus: Path, folder: Path, random: Random) -> Pat
 
 def _judged(subject: Subject, folder: Path) -> str | None:
     """How it ended, if it may not."""
-    said = io.StringIO()
+    said, patience = io.StringIO(), Patience()
     try:
-        with contextlib.chdir(folder), _limited(), warnings.catch_warnings():
+        with contextlib.chdir(folder), patience.limited(PATIENCE), warnings.catch_warnings():
             warnings.simplefilter("error")
             with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(said):
                 subject.drive()
@@ -101,31 +94,11 @@ def _judged(subject: Subject, folder: Path) -> str | None:
         said.write(str(error))
     except HangError as hang:
         return f"did not end within {PATIENCE:g} s\n" + "".join(traceback.format_exception(hang)[-6:])
-    except (CommandError, Exception) as error:
+    except (CommandError, KeyboardInterrupt, Exception) as error:
+        if patience.interrupted and isinstance(error, (InterruptedCommandError, KeyboardInterrupt)):
+            return None
         return "".join(traceback.format_exception(error)[-4:])
     text = said.getvalue()
     if "internal error" in text or "Traceback" in text or "Warning" in text:
         return text
     return None
-
-
-@contextlib.contextmanager
-def _limited() -> Iterator[None]:
-    def stop(*_: object) -> None:
-        raise HangError
-
-    limits = {
-        (signal.SIGPROF, signal.ITIMER_PROF): PATIENCE,
-        (signal.SIGALRM, signal.ITIMER_REAL): PATIENCE * _CROWD,
-    }
-    before = {}
-    for (number, timer), seconds in limits.items():
-        before[number] = signal.signal(number, stop)
-        # Again and again, where something keeps it the first time.
-        signal.setitimer(timer, seconds, 1.0)
-    try:
-        yield
-    finally:
-        for number, timer in limits:
-            signal.setitimer(timer, 0.0)
-            signal.signal(number, before[number])
