@@ -144,7 +144,7 @@ $(RUN_READY): requirements.lock pyproject.toml locked_part.py
 	@echo "Setting up the environment in $(VENV)/ ..."
 	@$(PYTHON) -m venv $(VENV)
 	@$(PYTHON) locked_part.py build openmodelica > $(VENV)/requirements.txt
-	@$(INSTALL) --require-hashes -r $(VENV)/requirements.txt
+	@$(INSTALL) --no-deps --require-hashes -r $(VENV)/requirements.txt
 	@$(INSTALL) --no-deps --no-build-isolation --editable .
 	@touch $@
 

@@ -14,10 +14,15 @@ _ROOT = Path(__file__).parent
 # A package has a block for each version that its markers choose between.
 _BLOCK = re.compile(r"^(?P<name>[A-Za-z0-9._-]+)==.*\n(?:[ ]+.*\n)*", re.MULTILINE)
 _USER = re.compile(r"^ +# (?:via)? *([A-Za-z0-9._-]+)", re.MULTILINE)
+# FMPy asks for CMake (87 MB) to compile foreign FMUs from their sources, which nothing here has it do.
+_UNUSED = {"cmake"}
 
 
 def locked_part(project: str, lock: str, extras: list[str]) -> str:
-    """Return the lines of a lock that a project, its build system and its extras need, with their hashes."""
+    """Return the lines of a lock that a project, its build system and its extras need, with their hashes.
+
+    They are to be installed without asking for what they depend on, as that is among them but for the unused.
+    """
     table = tomllib.loads(project)
     asked = [*table["project"]["dependencies"], *table["build-system"]["requires"]]
     for extra in extras:
@@ -33,7 +38,7 @@ def locked_part(project: str, lock: str, extras: list[str]) -> str:
     }
     while added := {name for name, by in users.items() if name not in needed and by & needed}:
         needed |= added
-    return "".join(block for name, block in blocks if name in needed)
+    return "".join(block for name, block in blocks if name in needed - _UNUSED)
 
 
 def _normalized(name: str) -> str:
