@@ -58,8 +58,11 @@ WORKERS ?= $(shell expr $$(getconf _NPROCESSORS_ONLN) + 1)
 SPHINX = $(BIN)/python -m sphinx --fail-on-warning --keep-going --nitpicky --fresh-env --quiet \
 	--doctree-dir build/doctrees
 
-# Bytecode is made at first use, and only of what is used.
-INSTALL = $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-compile
+# By uv where it is there (make UV= for pip alone), else by pip; also where uv fails, as it does not read what pip is
+# set to. Bytecode is made at first use, and only of what is used.
+UV ?= $(shell uv --version > /dev/null 2>&1 && echo uv)
+install = $(if $(UV),$(UV) pip install --quiet --python $(BIN)/python $(1) 2> /dev/null ||) \
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-compile $(1)
 
 # Without bytecode every process of the tests would compile its modules anew.
 unexport PYTHONDONTWRITEBYTECODE
@@ -144,13 +147,13 @@ $(RUN_READY): requirements.lock pyproject.toml locked_part.py
 	@echo "Setting up the environment in $(VENV)/ ..."
 	@$(PYTHON) -m venv $(VENV)
 	@$(PYTHON) locked_part.py build openmodelica > $(VENV)/requirements.txt
-	@$(INSTALL) --no-deps --require-hashes -r $(VENV)/requirements.txt
-	@$(INSTALL) --no-deps --no-build-isolation --editable .
+	@$(call install,--no-deps --require-hashes -r $(VENV)/requirements.txt)
+	@$(call install,--no-deps --no-build-isolation --editable .)
 	@touch $@
 
 $(READY): $(RUN_READY)
 	@echo "Adding what tests, checks and documentation need ..."
-	@$(INSTALL) --require-hashes -r requirements.lock
+	@$(call install,--require-hashes -r requirements.lock)
 	@touch $@
 
 env: $(READY)
