@@ -19,6 +19,8 @@ Examples:
 
     pyjoystick vibration --plot vibration.png
 
+    pyjoystick vibration --direction vertical --angle 15deg
+
     pyjoystick vibration --angle 15deg --hand-mass 0.6 --acceleration 1 --acceleration 5 --csv vibration.csv
 
 Lines of the figure are small vibrations, points those of --acceleration.
@@ -40,9 +42,13 @@ def run(
         typer.Option(
             "--acceleration",
             metavar="M/S2",
-            help="Shake the base with this amplitude too, in runs of the FMU; repeatable.",
+            help="Shake the base with this amplitude too, in runs of the FMU; with pitch rad/s2; repeatable.",
         ),
     ] = None,
+    direction: Annotated[
+        forced_motion.Direction,
+        typer.Option("--direction", help="How the base shakes; with pitch it turns about the pivot."),
+    ] = forced_motion.Direction.HORIZONTAL,
     stiffness: Annotated[
         float | None,
         typer.Option("--hand-stiffness", metavar="N.M/RAD", help="Of hand and arm about the pivot."),
@@ -62,8 +68,9 @@ def run(
 ) -> None:
     """Find how far the handle moves when its base shakes, as in a vehicle, alone and in a hand.
 
-    The base accelerates to and fro, horizontally in the plane of the handle. The tables give the amplitude of
-    the angle in degrees per m/s2 of the base, and the acceleration of the handle's top over that of the base.
+    The base shakes in the plane of the handle. The tables give the amplitude of the angle in degrees per m/s2
+    (or rad/s2) of the base, and the acceleration of the handle's top in space over that of the base, in the
+    same direction; with pitch, the handle's angular acceleration over the base's.
     """
     check_outputs(csv, plot)
     held = parsing.parse_angle(angle, "--angle")
@@ -76,10 +83,15 @@ def run(
     given = {"stiffness": stiffness, "damping": hand_damping, "mass": mass, "distance": top}
     hand = forced_motion.Hand(**{name: value for name, value in given.items() if value is not None})
     with fmu.Fmu(found_or_built(runs.mounted_fmu(joystick))) as mounted:
-        handles = {"hand": forced_motion.MountedHandle(mounted, joystick, held, hand, pivot_to_top=top)}
+
+        def mounted_handle(hand: forced_motion.Hand | None) -> forced_motion.MountedHandle:
+            return forced_motion.MountedHandle(
+                mounted, joystick, held, hand, direction=direction, pivot_to_top=top
+            )
+
+        handles = {"hand": mounted_handle(hand)}
         try:
-            alone = forced_motion.MountedHandle(mounted, joystick, held, pivot_to_top=top)
-            handles = {"alone": alone} | handles
+            handles = {"alone": mounted_handle(None)} | handles
         except support.ParameterError as error:
             print_note(f"without a hand: {error}")
         found = forced_motion.feedthrough(
@@ -91,6 +103,6 @@ def run(
     write(
         plot,
         lambda path: support.save_figure(
-            forced_motion.plot_transmissibility(found.small, found.driven), path
+            forced_motion.plot_transmissibility(found.small, found.driven, direction=direction), path
         ),
     )

@@ -71,6 +71,7 @@ from .torque import (
     torque_by_fmu as torque_by_fmu,
     torque_by_reference as torque_by_reference,
 )
+from .vibration.direction import Direction as Direction
 from .vibration.feedthrough import (
     Feedthrough as Feedthrough,
     feedthrough as feedthrough,

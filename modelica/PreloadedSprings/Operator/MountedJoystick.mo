@@ -20,7 +20,7 @@ equation
     experiment(StartTime = 0, StopTime = 1.5, Tolerance = 1e-8, Interval = 1e-3),
     Documentation(info = "<html>
 <p>A joystick where it is used: on a <a href=\"modelica://PreloadedSprings.Joystick.BaseMotion\">base</a> that
-accelerates, as in a vehicle, between mechanical
+goes, rises and turns, as in a vehicle, between mechanical
 <a href=\"modelica://PreloadedSprings.Joystick.Stops\">stops</a>, in the
 <a href=\"modelica://PreloadedSprings.Operator.HandArm\">hand</a> of an operator. It is
 <a href=\"modelica://PreloadedSprings.Operator.HeldJoystick\">HeldJoystick</a> with two more moments:</p>

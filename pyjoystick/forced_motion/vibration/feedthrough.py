@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import pandas as pd
 
+from pyjoystick.forced_motion.vibration.direction import Direction
 from pyjoystick.forced_motion.vibration.mounted import MountedHandle
 from pyjoystick.support import FloatArray, TextTable
 
@@ -17,11 +18,13 @@ class Feedthrough:
     """Responses of handles on a shaking base.
 
     Attributes:
+        direction: how the base shakes
         few: the frequencies of the tables and of the driven motions (Hz), shape (n,)
         small: `MountedHandle.small` by the handle's name, at many frequencies, those among them
         driven: `MountedHandle.driven` by name and acceleration, such as ``hand, 5 m/s2``
     """
 
+    direction: Direction
     few: FloatArray
     small: Mapping[str, pd.DataFrame]
     driven: Mapping[str, pd.DataFrame]
@@ -33,20 +36,22 @@ def feedthrough(
     """The responses of some handles.
 
     Args:
-        handles: by name
+        handles: by name, one or more, on bases that shake in the same direction
         few: frequencies (Hz), shape (n,)
         many: further ones for small vibrations (Hz), shape (m,)
-        accelerations: amplitudes of the base (m/s2)
+        accelerations: amplitudes of the base (`Direction.unit`)
 
     Raises:
         ParameterError, FmuRunError: as `MountedHandle`
     """
     lines = np.union1d(few, many)
+    direction = next(iter(handles.values())).direction
     return Feedthrough(
+        direction,
         few,
         {name: handle.small(lines) for name, handle in handles.items()},
         {
-            f"{name}, {size:g} m/s2": handle.driven(few, size)
+            f"{name}, {size:g} {direction.unit}": handle.driven(few, size)
             for size in accelerations
             for name, handle in handles.items()
         },
@@ -54,7 +59,7 @@ def feedthrough(
 
 
 def feedthrough_report(found: Feedthrough) -> str:
-    """Two tables in Markdown: the angle in degrees per m/s2, and the top's acceleration over the base's."""
+    """Two tables in Markdown: the angle in degrees over the base's acceleration, and the motion in space."""
     series = {name: table.reindex(found.few) for name, table in found.small.items()} | dict(found.driven)
     return "\n\n".join(
         TextTable(
@@ -65,8 +70,8 @@ def feedthrough_report(found: Feedthrough) -> str:
             ],
         ).markdown()
         for heading, column, factor in (
-            ("Hz: angle (deg per m/s2)", "gain", float(np.degrees(1.0))),
-            ("Hz: top over base", "transmissibility", 1.0),
+            (f"Hz: angle (deg per {found.direction.unit})", "gain", float(np.degrees(1.0))),
+            (f"Hz: {found.direction.seen} over base", "transmissibility", 1.0),
         )
     )
 

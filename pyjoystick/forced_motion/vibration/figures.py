@@ -9,6 +9,7 @@ import numpy as np
 import pandas as pd
 from matplotlib.figure import Figure
 
+from pyjoystick.forced_motion.vibration.direction import Direction
 from pyjoystick.support import SERIES, ParameterError, dress, legend_above
 
 _MARKERS: Final = ("o", "s", "^", "D", "v")
@@ -18,6 +19,7 @@ def plot_transmissibility(
     small: Mapping[str, pd.DataFrame],
     driven: Mapping[str, pd.DataFrame] | None = None,
     *,
+    direction: Direction = Direction.HORIZONTAL,
     size: tuple[float, float] = (7.4, 5.6),
 ) -> Figure:
     """Frequency responses of small vibrations as lines, those of large ones as points.
@@ -26,6 +28,7 @@ def plot_transmissibility(
         small: tables as `MountedHandle.small` gives them, by label; one or more, at most as many as there are
             line styles
         driven: tables as `MountedHandle.driven` gives them, by label
+        direction: how the base shakes, for the labels
         size: width and height (inch)
 
     Raises:
@@ -50,8 +53,8 @@ def plot_transmissibility(
         panel.xaxis.set_major_formatter("{x:g}")
         dress(panel)
     lower.axhline(1.0, color="0.6", linewidth=0.8, zorder=0)
-    upper.set_ylabel("Angle (deg per m/s$^2$)")
-    lower.set_ylabel("Top over base in space")
+    upper.set_ylabel(f"Angle (deg per {direction.unit.replace('s2', 's$^2$')})")
+    lower.set_ylabel(f"{direction.seen.capitalize()} over base in space")
     lower.set_xlabel("Frequency (Hz)")
     legend_above(figure, upper, columns=3)
     return figure

@@ -1,8 +1,9 @@
 """Vibration feedthrough: how far a handle moves, relative to its base and in space, when the base shakes.
 
-The base accelerates along the horizontal in the plane of the handle with a_base, and with a moment
--m*h*cos(theta)*a_base leaves the handle behind. A hand holds the handle at an angle: a spring and a damper
-about the pivot whose other end moves with the base, as the operator's seat does, and a mass at the grip.
+The base moves in one of three directions in the plane of the handle, and with the moment
+m*h*(a_base_z*sin(theta) - a_base*cos(theta)) - J*alpha_base leaves the handle behind. A hand holds the handle
+at an angle: a spring and a damper about the pivot whose other end moves with the base, as the operator's seat
+does, and a mass at the grip.
 """
 
 from __future__ import annotations
@@ -18,7 +19,8 @@ import pandas as pd
 from numpy.typing import ArrayLike
 
 from pyjoystick.fmu import Fmu, Linearization, UnsupportedFmuError, Value
-from pyjoystick.forced_motion.sine import ROWS, sine_table
+from pyjoystick.forced_motion.sine import ROWS
+from pyjoystick.forced_motion.vibration.direction import ALONG, TURNING, UPWARD, Direction
 from pyjoystick.model import PIVOT_TO_TOP, JoystickParameters, values_for
 from pyjoystick.support import FloatArray, ParameterError, angle, not_negative, positive
 
@@ -28,7 +30,7 @@ _TRANSIENT: Final = 1e-5
 _STEADY: Final = 1e-3
 #: Periods of further runs where a motion is not steady when small ones would be.
 _LONGER: Final = (50, 200)
-_NEEDED: Final = ("a_base", "theta_ref", "grip", "hand.K", "hand.D", "stops.theta_stop")
+_NEEDED: Final = (ALONG, UPWARD, TURNING, "theta_ref", "grip", "hand.K", "hand.D", "stops.theta_stop")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -77,6 +79,7 @@ class MountedHandle:
         held: float,
         hand: Hand | None = None,
         *,
+        direction: Direction = Direction.HORIZONTAL,
         pivot_to_top: float = PIVOT_TO_TOP,
     ) -> None:
         """Find how small motions about the angle go.
@@ -86,7 +89,8 @@ class MountedHandle:
             joystick: the joystick, without dry friction
             held: the angle (rad)
             hand: the hand; None where nothing but the torque holds the handle
-            pivot_to_top: where its motion in space is seen (m)
+            direction: how the base shakes; pitch is about the pivot
+            pivot_to_top: where the handle's motion in space is seen (m)
 
         Raises:
             UnsupportedFmuError: the FMU has no base or no hand
@@ -104,7 +108,11 @@ class MountedHandle:
             raise ParameterError("held", held, allowed)
         self.fmu = fmu
         self.joystick = joystick if hand is None else hand.on(joystick)
-        self._arm = positive("pivot_to_top", pivot_to_top, "m") * math.cos(held)
+        self.direction = direction
+        if direction is Direction.VERTICAL and held == 0.0:
+            allowed = "other than 0: a base that goes up and down does not move an upright handle"
+            raise ParameterError("held", held, allowed)
+        self._arm = direction.arm(held, positive("pivot_to_top", pivot_to_top, "m"))
         self._parameters: dict[str, Value] = {
             **values_for(self.joystick, fmu.description.variables),
             "theta_start": held,
@@ -136,41 +144,47 @@ class MountedHandle:
 
         Returns:
             indexed by ``frequency`` (Hz): ``gain``, the amplitude of the angle over that of the base's
-            acceleration (rad/(m/s2)); ``phase`` of the angle against it (rad); and ``transmissibility``, the
-            horizontal acceleration of the top in space over that of the base (1)
+            acceleration (rad over `Direction.unit`); ``phase`` of the angle against it (rad); and
+            ``transmissibility``, the acceleration in space over that of the base (1): that of the top in the
+            same direction, with pitch the handle's angular acceleration
 
         Raises:
             ParameterError: a frequency is not above 0
         """
-        found = self.linearization
-        a, b = found.A.to_numpy(), found.B["a_base"].to_numpy()
-        c, d = found.C.to_numpy()[0], found.D["a_base"].to_numpy()[0]
-        rates = 2j * np.pi * _checked(frequencies)
-        responses = [c @ np.linalg.solve(rate * np.eye(len(a)) - a, b) + d for rate in rates]
-        return self._table(_checked(frequencies), np.array(responses))
+        rates = _checked(frequencies)
+        return self._table(rates, np.array([self._response(float(frequency)) for frequency in rates]))
 
     def driven(self, frequencies: ArrayLike, acceleration: float) -> pd.DataFrame:
         """What vibrations of any size do: the fundamental of the steady motion, from runs of the FMU.
 
         Args:
             frequencies: Hz, above 0, shape (n,)
-            acceleration: amplitude of the base's acceleration (m/s2), above 0
+            acceleration: amplitude of the base's acceleration (`Direction.unit`), above 0
 
         Returns:
             the columns of `small`, and ``theta_max`` and ``theta_min`` (rad); NaN where the motion does not
             repeat with its period within 200 periods: it is chaotic, or takes several periods to repeat
 
         Raises:
-            ParameterError: a frequency or the acceleration is not above 0
+            ParameterError: a frequency or the acceleration is not above 0, or the base would turn over
             FmuRunError: a run fails, as where the handle falls to pi/2
         """
-        size = positive("acceleration", acceleration, "m/s2")
+        size = positive("acceleration", acceleration, self.direction.unit)
         rates = _checked(frequencies)
         found = [self._fundamental(float(frequency), size) for frequency in rates]
         table = self._table(rates, np.array([response for response, _, _ in found]))
         table["theta_max"] = [high for _, high, _ in found]
         table["theta_min"] = [low for _, _, low in found]
         return table
+
+    def _response(self, frequency: float) -> complex:
+        """The angle over the base's acceleration, of small ones."""
+        found = self.linearization
+        shares = self.direction.shares(frequency, self.joystick.g)
+        names, parts = list(shares), np.array(list(shares.values()))
+        a, b = found.A.to_numpy(), found.B[names].to_numpy() @ parts
+        c, d = found.C.to_numpy()[0], found.D[names].to_numpy()[0] @ parts
+        return complex(c @ np.linalg.solve(2j * np.pi * frequency * np.eye(len(a)) - a, b) + d)
 
     def _fundamental(self, frequency: float, acceleration: float) -> tuple[complex, float, float]:
         """The angle over the acceleration as `small` has it, and the largest and smallest angle (rad)."""
@@ -185,7 +199,8 @@ class MountedHandle:
 
     def _last_periods(self, frequency: float, acceleration: float, periods: int) -> FloatArray:
         """The angle (rad) in the last two of 3 or more periods from rest, shape (2, `ROWS`)."""
-        inputs = sine_table("a_base", acceleration, frequency, periods).assign(**self._inputs)
+        shaking = self.direction.inputs(frequency, acceleration, periods, self.joystick.g)
+        inputs = shaking.assign(**self._inputs)
         time = np.append(0.0, inputs.index[-2 * ROWS - 1 :])
         run = self.fmu.run(time, parameters=self._parameters, inputs=inputs, outputs=["theta"])
         return run["theta"].to_numpy()[-2 * ROWS :].reshape(2, ROWS)

@@ -47,6 +47,8 @@ _MOUNTED_RANGES: Final = {
     "stops.K": (100.0, 5000.0),
     "stops.D": (0.0, 5.0),
     "a_base": (-20.0, 20.0),
+    "a_base_z": (-20.0, 20.0),
+    "alpha_base": (-50.0, 50.0),
 }
 _FIRST: Final = ("theta_start", "damping.C", "damping.alpha", "friction.T_c", "friction.F_c", "T")
 _SPRINGS: Final = tuple(f"{side}.{kind}Spring" for side in model.SIDES for kind in ("return", "balance"))

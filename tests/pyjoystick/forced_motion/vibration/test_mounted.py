@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from pyjoystick.fmu import Fmu, UnsupportedFmuError
-from pyjoystick.forced_motion import Hand, MountedHandle, plot_transmissibility
+from pyjoystick.forced_motion import Direction, Hand, MountedHandle, plot_transmissibility
 from pyjoystick.forced_motion.sine import sine_table
 from pyjoystick.model import NOMINAL, ConstantDamping, JoystickParameters, contact_moment
 from pyjoystick.support import ParameterError
@@ -27,8 +27,14 @@ def mounted(joystick_fmus: Path) -> Iterator[Fmu]:
         yield fmu
 
 
-def _closed_form(joystick: JoystickParameters, hand: Hand | None) -> np.ndarray:
-    """Theta over a_base: J*theta'' + (C + D)*theta' + (k + K - m*g*h*cos(held))*theta = -m*h*cos(held)*a."""
+def _closed_form(
+    joystick: JoystickParameters, hand: Hand | None, direction: Direction = Direction.HORIZONTAL
+) -> np.ndarray:
+    """Theta over the base's acceleration: J*theta'' + (C + D)*theta' + (k + K - m*g*h*cos(held))*theta = M.
+
+    M is -m*h*cos(held)*a, m*h*sin(held)*a, or with the base at phi = -a/omega^2 from upright the difference
+    that this makes to the weight's moment m*g*h*sin(held + phi), less J*a.
+    """
     assert isinstance(joystick.damping, ConstantDamping)
     inertia, moment = joystick.J, joystick.m * joystick.h
     damping, stiffness = joystick.damping.C, 0.0
@@ -41,7 +47,12 @@ def _closed_form(joystick: JoystickParameters, hand: Hand | None) -> np.ndarray:
     springs = np.diff(contact_moment(joystick, [HELD - step, HELD + step]))[0] / (2.0 * step)
     stiffness += springs - moment * joystick.g * math.cos(HELD)
     s = 2j * np.pi * FREQUENCIES
-    return np.asarray(-moment * math.cos(HELD) / (inertia * s**2 + damping * s + stiffness))
+    push = {
+        Direction.HORIZONTAL: -moment * math.cos(HELD),
+        Direction.VERTICAL: moment * math.sin(HELD),
+        Direction.PITCH: moment * joystick.g * math.cos(HELD) / s**2 - inertia,
+    }[direction]
+    return np.asarray(push / (inertia * s**2 + damping * s + stiffness))
 
 
 @pytest.mark.parametrize("hand", HANDS, ids=["alone", "hand", "heavy hand"])
@@ -56,9 +67,24 @@ def test_small_vibrations(hand: Hand | None, mounted: Fmu) -> None:
 
 
 @pytest.mark.parametrize("hand", HANDS, ids=["alone", "hand", "heavy hand"])
-def test_driven_by_little_it_does_the_same(hand: Hand | None, mounted: Fmu) -> None:
+@pytest.mark.parametrize("direction", [Direction.VERTICAL, Direction.PITCH])
+def test_small_vibrations_in_other_directions(direction: Direction, hand: Hand | None, mounted: Fmu) -> None:
+    expected = _closed_form(NOMINAL, hand, direction)
+    handle = MountedHandle(mounted, NOMINAL, HELD, hand, direction=direction, pivot_to_top=TOP)
+    found = handle.small(FREQUENCIES)
+    assert found["gain"].to_numpy() == pytest.approx(np.abs(expected), rel=1e-7)
+    assert np.exp(1j * found["phase"].to_numpy()) == pytest.approx(expected / np.abs(expected), abs=1e-6)
+    # The top rises by -TOP*sin(held) times the angle; with pitch the handle turns by what the base and it do.
+    arm = 1.0 if direction is Direction.PITCH else -TOP * math.sin(HELD)
+    in_space = 1.0 - arm * (2.0 * np.pi * FREQUENCIES) ** 2 * expected
+    assert found["transmissibility"].to_numpy() == pytest.approx(np.abs(in_space), rel=1e-7)
+
+
+@pytest.mark.parametrize("hand", HANDS, ids=["alone", "hand", "heavy hand"])
+@pytest.mark.parametrize("direction", Direction)
+def test_driven_by_little_it_does_the_same(direction: Direction, hand: Hand | None, mounted: Fmu) -> None:
     """0.01 m/s2 at resonance move the handle by 0.06 degrees, over which its stiffness hardly changes."""
-    handle = MountedHandle(mounted, NOMINAL, HELD, hand)
+    handle = MountedHandle(mounted, NOMINAL, HELD, hand, direction=direction)
     small, driven = handle.small(FREQUENCIES), handle.driven(FREQUENCIES, 0.01)
     response = small["gain"] * np.exp(1j * small["phase"])
     again = driven["gain"] * np.exp(1j * driven["phase"])
@@ -128,6 +154,10 @@ def test_what_cannot_be_right_is_refused(mounted: Fmu, joystick_fmus: Path) -> N
         MountedHandle(mounted, NOMINAL.replace({"stops.theta_stop": 0.1}), HELD)
     with pytest.raises(ParameterError, match="frequencies"):
         MountedHandle(mounted, NOMINAL, HELD).small([1.0, 0.0])
+    with pytest.raises(ParameterError, match="upright"):
+        MountedHandle(mounted, NOMINAL, 0.0, Hand(), direction=Direction.VERTICAL)
+    with pytest.raises(ParameterError, match=r"at most 62\.01 rad/s2 at 1 Hz"):
+        MountedHandle(mounted, NOMINAL, HELD, direction=Direction.PITCH).driven([1.0], 63.0)
     with pytest.raises(ParameterError, match="stiffness"):
         Hand(stiffness=-1.0)
 
