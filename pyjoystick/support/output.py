@@ -8,7 +8,7 @@ import os
 import platform
 import re
 import tempfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from importlib import metadata
 from os import PathLike
@@ -93,6 +93,17 @@ def write_text(path: str | PathLike[str], text: str) -> None:
     """Write a text file (UTF-8), whole or not at all; raises OutputFileError."""
     with replacing(path) as temporary:
         temporary.write_text(text, encoding="utf-8", newline="\n")
+
+
+def document_text(command: str, content: Mapping[str, Any], notes: Iterable[str] = ()) -> str:
+    """The document of a command as JSON text; docs/json.md has the convention that all of them keep.
+
+    Args:
+        command: ``fit``, ``import swing``; `pyjoystick run` and functions write the same documents
+        content: what is found, by name
+        notes: what was noted on it
+    """
+    return json_text({"command": command, **content, "notes": list(notes)})
 
 
 def json_text(content: Mapping[str, Any]) -> str:
