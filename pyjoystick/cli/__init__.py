@@ -182,11 +182,15 @@ def _options(
         ),
     ] = False,
     verbose: Annotated[
-        bool,
+        int,
         typer.Option(
-            "--verbose", "-v", help="Log to standard error which files and values are used, and how."
+            "--verbose",
+            "-v",
+            count=True,
+            show_default=False,
+            help="Log to standard error which files and values are used, and how; -vv logs all runs.",
         ),
-    ] = False,
+    ] = 0,
 ) -> None:
     if quiet and verbose:
         raise typer.BadParameter("give --quiet or --verbose")
@@ -195,5 +199,5 @@ def _options(
         from pyjoystick.cli.logs import log_shown  # without --verbose nothing is to be loaded for it
 
         invocation.verbose = True
-        context.with_resource(log_shown())
+        context.with_resource(log_shown(everything=verbose > 1))
     support.remove_abandoned()

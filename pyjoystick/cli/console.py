@@ -12,9 +12,8 @@ from typing import Final
 from rich.console import Console
 from rich.markup import escape
 
-from pyjoystick import model
+from pyjoystick import model, support
 from pyjoystick.cli.invocation import invocation
-from pyjoystick.support import write_text
 
 #: Width of tables that are not shown on a terminal: more than any of them takes.
 _UNBOUNDED: Final = 10_000
@@ -107,7 +106,7 @@ def write_json(path: Path | None, text: Callable[[Sequence[str]], str]) -> None:
     """
     if invocation.is_piped:
         sys.stdout.write(text(invocation.notes))
-    write(path, lambda file: write_text(file, text(invocation.notes)))
+    write(path, lambda file: support.write_text(file, text(invocation.notes)))
 
 
 def note_stops(largest: float, joystick: model.JoystickParameters) -> None:

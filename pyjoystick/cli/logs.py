@@ -19,11 +19,15 @@ class _Printed(logging.Handler):
 
 
 @contextmanager
-def log_shown() -> Iterator[None]:
-    """Show the log until the body ends."""
+def log_shown(*, everything: bool = False) -> Iterator[None]:
+    """Show the log until the body ends.
+
+    Args:
+        everything: what is of interest in a search for faults alone, too
+    """
     handler, before = _Printed(), _PACKAGE.level
     _PACKAGE.addHandler(handler)
-    _PACKAGE.setLevel(logging.DEBUG)
+    _PACKAGE.setLevel(logging.DEBUG if everything else logging.INFO)
     try:
         yield
     finally:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import logging
 import math
 import os
 import platform
@@ -16,6 +17,8 @@ from pathlib import Path
 from typing import Any, Final
 
 from pyjoystick.support.errors import OutputFileError
+
+_LOG = logging.getLogger(__name__)
 
 #: Formats of figures.
 FIGURE_SUFFIXES: Final = (".png", ".pdf", ".svg")
@@ -43,6 +46,7 @@ def replacing(path: str | PathLike[str]) -> Iterator[Path]:
     try:
         yield temporary
         temporary.replace(path)
+        _LOG.info("wrote %s", path)
     except OSError as error:
         raise OutputFileError(path, error.strerror or str(error)) from error
     finally:
