@@ -95,7 +95,7 @@ def run(
             _tell_of_replaced(before, measured)
             found = found.with_more(measured)
         write_measured(parameters, before, found)
-    write_json(json, lambda notes: laboratory.load_curve_json(fit, notes))
+    write_json(json, lambda notes: laboratory.load_curve_json(fit, side, notes))
 
 
 def _tell_of_replaced(before: model.ParameterFile, found: laboratory.MeasuredValues) -> None:

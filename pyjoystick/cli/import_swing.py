@@ -75,7 +75,7 @@ def run(
     console = output()
     console.print(laboratory.swing_report(period), markup=False)
     console.print()
-    estimates = {"T (s)": period.period, "J (kg m2)": found}
+    estimates, friction = {"T (s)": period.period, "J (kg m2)": found}, None
     if period.decay is not None:
         friction = laboratory.friction_of_swing(period.decay, values["m"], values["h"], values["g"])
         estimates["T_c (N m)"] = friction
@@ -84,7 +84,7 @@ def run(
         readings = f"swing test, {len(times or [])} readings"
         source = readings if record is None else f"swing test {record.name}"
         write_measured(parameters, before, laboratory.measured_swing(found, values, source))
-    write_json(json, lambda notes: laboratory.swing_json(period, estimates, notes))
+    write_json(json, lambda notes: laboratory.swing_json(period, found, friction, notes))
 
 
 def _known(

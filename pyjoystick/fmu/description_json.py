@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Sequence
+from contextlib import suppress
 from typing import Any
 
 from pyjoystick.fmu.description import FmuDescription, Variable
@@ -42,10 +43,10 @@ def _variable(variable: Variable) -> dict[str, Any]:
 
 
 def _start(variable: Variable) -> float | str | None:
-    """A number where the file has one; texts, switches and arrays as they are written there."""
+    """A number where the file has one, whole ones exact; texts, switches and arrays as written there."""
     if variable.start is None or variable.type in ("String", "Boolean"):
         return variable.start
-    try:
-        return float(variable.start)
-    except ValueError:
-        return variable.start
+    for kind in (int, float):
+        with suppress(ValueError):
+            return kind(variable.start)
+    return variable.start

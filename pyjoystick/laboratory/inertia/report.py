@@ -54,19 +54,26 @@ def estimates_report(estimates: Mapping[str, Estimate]) -> str:
     return TextTable(["", "value", "standard uncertainty", "95 % interval"], rows).markdown()
 
 
-def swing_json(found: SwingPeriod, estimates: Mapping[str, Estimate], notes: Sequence[str] = ()) -> str:
+def swing_json(
+    found: SwingPeriod, inertia: Estimate, friction: Estimate | None, notes: Sequence[str] = ()
+) -> str:
     """A swing test as JSON text, in SI units.
 
     Args:
         found: the period
-        estimates: by name and unit, as `estimates_report` takes them
+        inertia: J
+        friction: T_c; None where the decay was not recorded
         notes: what was noted on them
     """
     decay = found.decay
+    parameters = [_parameter("J", "kg.m2", inertia)]
+    if friction is not None:
+        parameters.append(_parameter("friction.T_c", "N.m", friction))
     content = {
         "measured_period": found.measured,
         "amplitude_factor": found.amplitude_factor,
-        "parameters": _estimates(estimates),
+        "period": _estimate(found.period),
+        "parameters": parameters,
         "decay": None
         if decay is None
         else {
@@ -81,29 +88,26 @@ def swing_json(found: SwingPeriod, estimates: Mapping[str, Estimate], notes: Seq
 
 def parts_json(found: PartsResult, notes: Sequence[str] = ()) -> str:
     """Mass, center of mass and moment of inertia as JSON text, in SI units."""
-    return document_text("import parts", {"parameters": _estimates(found.estimates())}, notes)
+    units = {"m": "kg", "h": "m", "J": "kg.m2"}
+    parameters = [_parameter(name, unit, getattr(found, name)) for name, unit in units.items()]
+    return document_text("import parts", {"parameters": parameters}, notes)
 
 
 def _measured(one: Measured) -> dict[str, float]:
     return {"value": one.value, "standard_uncertainty": one.uncertainty}
 
 
-def _estimates(estimates: Mapping[str, Estimate]) -> list[dict[str, Any]]:
-    """Estimates by name and unit, such as ``J (kg m2)``, as rows."""
-    rows = []
-    for heading, one in estimates.items():
-        name, _, unit = heading.removesuffix(")").partition(" (")
-        rows.append(
-            {
-                "name": name,
-                "value": one.value,
-                "unit": unit.replace(" ", "."),
-                "standard_uncertainty": one.uncertainty,
-                "degrees_of_freedom": one.freedom,
-                "interval": one.interval,
-                "contributions": [
-                    {"name": quantity, "standard_uncertainty": part} for quantity, part in one.budget.items()
-                ],
-            }
-        )
-    return rows
+def _parameter(name: str, unit: str, one: Estimate) -> dict[str, Any]:
+    return {"name": name, "unit": unit, **_estimate(one)}
+
+
+def _estimate(one: Estimate) -> dict[str, Any]:
+    return {
+        "value": one.value,
+        "standard_uncertainty": one.uncertainty,
+        "degrees_of_freedom": one.freedom,
+        "interval": one.interval,
+        "contributions": [
+            {"name": quantity, "standard_uncertainty": part} for quantity, part in one.budget.items()
+        ],
+    }

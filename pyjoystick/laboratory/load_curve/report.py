@@ -9,6 +9,7 @@ import numpy as np
 
 from pyjoystick.laboratory.load_curve.cubic import misses
 from pyjoystick.laboratory.load_curve.fit import LoadCurveFit
+from pyjoystick.model import Side
 from pyjoystick.support import TextTable, document_text
 
 #: Half width of a 95 % interval in standard errors.
@@ -48,23 +49,26 @@ def load_curve_report(fit: LoadCurveFit) -> str:
     )
 
 
-def load_curve_json(fit: LoadCurveFit, notes: Sequence[str] = ()) -> str:
+def load_curve_json(fit: LoadCurveFit, side: Side | None = None, notes: Sequence[str] = ()) -> str:
     """The same as JSON text, in SI units.
 
     Args:
         fit: the fit
+        side: of the joystick, where it is known; names of springs then begin with it, as in the FMU
         notes: what was noted on it
     """
     segments = zip(fit.table.x, fit.x_errors, fit.table.k, fit.k_errors, strict=True)
+    prefix = "" if side is None else f"{side}."
     with_unloading = fit.curve.unloading is not None
     content = {
         "file": str(fit.curve.source),
+        "side": side,
         "segments": [
             {"x": x, "x_error": x_error, "k": k, "k_error": k_error} for x, x_error, k, k_error in segments
         ],
         "springs": [
             {
-                "name": name,
+                "name": prefix + name,
                 "value": value,
                 "unit": _SI_UNITS[name.split(".")[1]],
                 "standard_error": error,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
+from pyjoystick import model
 from pyjoystick.project.document_schemas.blocks import (
     COUNT,
     INTERVAL,
@@ -17,13 +18,13 @@ from pyjoystick.project.document_schemas.blocks import (
 from pyjoystick.project.editor_schemas.blocks import TEXT, Schema, about, array
 
 _UNCERTAIN: Final = entry(value=NUMBER, standard_uncertainty=NUMBER)
-_ESTIMATES: Final = parameters(
-    unit=TEXT,
-    standard_uncertainty=NUMBER,
-    degrees_of_freedom=about(NUMBER, "null: infinite"),
-    interval=about(INTERVAL, "of 95 %"),
-    contributions=rows(name=TEXT, standard_uncertainty=NUMBER),
-)
+_ESTIMATE: Final[dict[str, Schema]] = {
+    "standard_uncertainty": NUMBER,
+    "degrees_of_freedom": about(NUMBER, "null: infinite"),
+    "interval": about(INTERVAL, "of 95 %"),
+    "contributions": rows(name=TEXT, standard_uncertainty=NUMBER),
+}
+_ESTIMATES: Final = parameters(unit=TEXT, **_ESTIMATE)
 RECORD: Final[dict[str, Schema]] = {
     "file": TEXT,
     "form": TEXT,
@@ -83,10 +84,13 @@ ACCELEROMETER: Final[dict[str, Schema]] = {
 }
 LOAD_CURVE: Final[dict[str, Schema]] = {
     "file": TEXT,
+    "side": or_null({"enum": list(model.SIDES)}),
     "segments": rows(
         x=si("m"), x_error=si("m", "standard error"), k=si("N/m"), k_error=si("N/m", "standard error")
     ),
-    "springs": about(parameters(unit=TEXT, standard_error=NUMBER), "of four segments; names within the side"),
+    "springs": about(
+        parameters(unit=TEXT, standard_error=NUMBER), "of four segments; names begin with the side, if known"
+    ),
     "friction": or_null(entry(value=si("N"), standard_error=si("N"))),
     "hysteresis_work": si("J", "of one cycle"),
     "zero": si("N", "force without load"),
@@ -98,7 +102,8 @@ LOAD_CURVE: Final[dict[str, Schema]] = {
 SWING: Final[dict[str, Schema]] = {
     "measured_period": si("s"),
     "amplitude_factor": about(NUMBER, "measured period over that of small swings"),
-    "parameters": about(_ESTIMATES, "T: period of small undamped swings; J; T_c where the decay shows it"),
+    "period": about(entry(value=si("s"), **_ESTIMATE), "of small undamped swings"),
+    "parameters": about(_ESTIMATES, "J, and friction.T_c where the decay was recorded"),
     "decay": or_null(
         entry(
             damping_ratio=_UNCERTAIN,

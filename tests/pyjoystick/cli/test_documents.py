@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import json
+import math
+import re
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -140,6 +143,84 @@ def test_numbers_are_those_of_the_table(command: Command, tmp_path: Path) -> Non
     assert {one["name"]: one["value"] for one in found["parameters"]} == NOMINAL.replace(
         {"m": 0.9}
     ).to_names()
+
+
+def _named(rows: list[dict[str, Any]], name: str) -> dict[str, Any]:
+    (found,) = (one for one in rows if one["name"] == name)
+    return found
+
+
+def _parameter(document: dict[str, Any], name: str) -> dict[str, Any]:
+    return _named(document["parameters"], name)
+
+
+#: Cells of a printed table, with what they must be by the document: in SI units, where the table has others.
+CELLS: list[tuple[str, str, Callable[[dict[str, Any]], str]]] = [
+    ("import parts DATA/synthetic_parts.csv", "h (m)", lambda d: f"{_parameter(d, 'h')['value']:.6g}"),
+    ("import swing DATA/synthetic_swing.csv", "T (s)", lambda d: f"{d['period']['value']:.6g}"),
+    (
+        "import swing DATA/synthetic_swing.csv",
+        "T_c (N m)",
+        lambda d: f"{_parameter(d, 'friction.T_c')['standard_uncertainty']:.2g}",
+    ),
+    (
+        "import load-curve DATA/synthetic_forward.csv --side forward -p a.toml",
+        "returnSpring.x_0",
+        lambda d: f"{1e3 * d['springs'][3]['value']:.5f}",
+    ),
+    (
+        "import load-curve DATA/synthetic_forward.csv",
+        "friction",
+        lambda d: f"{d['friction']['standard_error']:.4f}",
+    ),
+    (
+        "import markers DATA/synthetic_trial_2.csv --top TOP --base BASE1 BASE2 -o t2.csv",
+        "noise of the angle (deg)",
+        lambda d: f"{math.degrees(d['noise']):.3f}",
+    ),
+    (
+        "import markers DATA/synthetic_trial_2.csv --top TOP --base BASE1 BASE2 -o t2.csv",
+        "angle (deg)",
+        lambda d: f"{math.degrees(d['theta_min']):+.2f} to {math.degrees(d['theta_max']):+.2f}",
+    ),
+    (
+        "import accelerometer DATA/synthetic_acceleration_1.csv --angle LAB/trial_1.csv --distance 0.25",
+        "difference, less gravity",
+        lambda d: f"{100 * d['alpha'][0]['rms_difference'] / d['differentiated']['rms']:.1f} % rms",
+    ),
+    (
+        "import record RECORD --preview log.png",
+        "Angle (deg)",
+        lambda d: " to ".join(f"{math.degrees(d['columns'][1][key]):+.6g}" for key in ("minimum", "maximum")),
+    ),
+    ("vibration", "50", lambda d: f"{math.degrees(d['responses'][-1]['gain']):.3g}"),
+    (
+        "torque --damping constant",
+        "inertia",
+        lambda d: f"{_named(d['laws'][0]['parts'], 'inertia')['rms']:.3f}",
+    ),
+    ("peaks RECORD", "C, velocity", lambda d: f"{_named(d['constants'], 'velocity')['corrected']:.4f}"),
+    ("parameters --fmu-names", "J", lambda d: f"{_parameter(d, 'J')['value']:.9g}"),
+    ("info Joystick", "theta_start", lambda d: f"{_named(d['variables'], 'theta_start')['unit']}"),
+]
+
+
+@pytest.mark.parametrize(("line", "row", "expected"), CELLS, ids=[f"{a.split()[0]}-{b}" for a, b, _ in CELLS])
+def test_documents_say_what_the_tables_say(
+    command: Command,
+    lab: Path,
+    tmp_path: Path,
+    line: str,
+    row: str,
+    expected: Callable[[dict[str, Any]], str],
+) -> None:
+    line = line.replace("RECORD", RECORDS[0]).replace("DATA", str(lab / "data")).replace("LAB", str(lab))
+    outcome = command(*line.split(), "--json", "document.json")
+    assert outcome.code == 0, outcome.err
+    found = _read((tmp_path / "document.json").read_text(encoding="utf-8"))
+    cells = [re.split(r" *\| *|  +", one.strip("| ")) for one in outcome.out.splitlines()]
+    (printed,) = [one for one in cells if one[0] == row][:1]
+    assert expected(found) in printed
 
 
 def test_standard_output_can_take_the_document_alone(command: Command, tmp_path: Path) -> None:
