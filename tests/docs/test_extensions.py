@@ -182,3 +182,4 @@ def test_what_documents_say_as_text() -> None:
     torque = document_text("torque", found["torque"])
     assert "`flat` or `kind`, `file`" in torque
     assert "`total` (`highest` (N.m), " in torque
+    assert not [name for name, one in found.items() if "|  |" in document_text(name, one)], "no meaning"

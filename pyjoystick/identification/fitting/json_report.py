@@ -18,7 +18,7 @@ def as_json(fit: Fit, notes: Sequence[str] = ()) -> str:
         "interrupted": fit.interrupted,
         "parameters": [_parameter(fit, j) for j in range(len(fit.variables))],
         "tied": [
-            {"name": one.name, "record": one.record, "value": one.value, "standard_error": one.error}
+            {"name": one.name, "record": one.record or None, "value": one.value, "standard_error": one.error}
             for one in fit.derived
         ],
         "correlation": fit.standard_errors.correlation,

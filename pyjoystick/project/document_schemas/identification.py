@@ -71,18 +71,16 @@ _RECORD: Final = rows(
     data=NUMBERS,
     fit=NUMBERS,
     fit_error=or_null(NUMBERS),
-    curve=or_null(about(mapping(NUMBERS), "`time`, in s, and the outputs of the fitted motion")),
+    curve=about(or_null(mapping(NUMBERS)), "`time`, in s, and the outputs of the fitted motion"),
 )
 FIT: Final[dict[str, Schema]] = {
     "trusted": about(FLAG, "every check passed"),
-    "interrupted": FLAG,
+    "interrupted": about(FLAG, "it was stopped before its end"),
     "parameters": _FITTED,
-    "tied": rows(
-        name=TEXT, record={"type": ["string", "integer", "null"]}, value=NUMBER, standard_error=NUMBER
-    ),
+    "tied": rows(name=TEXT, record={"type": ["string", "null"]}, value=NUMBER, standard_error=NUMBER),
     "correlation": _MATRIX,
-    "sum_of_squares": NUMBER,
-    "degrees_of_freedom": {"type": "integer"},
+    "sum_of_squares": about(NUMBER, "of the residuals, in standard deviations of the noise"),
+    "degrees_of_freedom": about({"type": "integer"}, "samples less fitted values"),
     "criteria": or_null(
         entry(log_likelihood=NUMBER, parameters=COUNT, samples=COUNT, aicc=NUMBER, bic=NUMBER)
     ),
@@ -94,9 +92,9 @@ FIT: Final[dict[str, Schema]] = {
         "what the records would hardly show: by what part it moves a parameter, and by how many errors",
     ),
     "records": _RECORD,
-    "noise_correlation": NUMBER,
+    "noise_correlation": about(NUMBER, "from sample to sample; 0: white"),
     "derivatives": entry(steps=NUMBERS, errors=NUMBERS, noise=NUMBER, tolerance=NUMBER),
-    "runs": COUNT,
+    "runs": about(COUNT, "runs of the FMU"),
     "seconds": si("s", "of the computer"),
     "settings": about({"type": "object"}, "of the fit, with the names of `FitSettings`"),
 }

@@ -17,6 +17,7 @@ from pyjoystick.project.document_schemas.blocks import (
 )
 from pyjoystick.project.editor_schemas.blocks import TEXT, Schema, about, array
 
+_FILE: Final = about(TEXT, "what was read")
 _UNCERTAIN: Final = entry(value=NUMBER, standard_uncertainty=NUMBER)
 _ESTIMATE: Final[dict[str, Schema]] = {
     "standard_uncertainty": NUMBER,
@@ -26,21 +27,21 @@ _ESTIMATE: Final[dict[str, Schema]] = {
 }
 _ESTIMATES: Final = parameters(unit=TEXT, **_ESTIMATE)
 RECORD: Final[dict[str, Schema]] = {
-    "file": TEXT,
-    "form": TEXT,
-    "heading_line": {"type": ["integer", "null"]},
-    "samples": COUNT,
+    "file": _FILE,
+    "form": about(TEXT, "format of the file, in words"),
+    "heading_line": about({"type": ["integer", "null"]}, "line of the headings; null: none"),
+    "samples": about(COUNT, "number of samples"),
     "rate": si("Hz"),
     "columns": about(
         rows(name=TEXT, heading=TEXT, unit=about(TEXT, "in the file"), minimum=NUMBER, maximum=NUMBER),
         "minimum and maximum in SI units",
     ),
-    "lines_left_out": array({"type": "integer"}, 0),
+    "lines_left_out": about(array({"type": "integer"}, 0), "numbers of lines without a number"),
 }
 MARKERS: Final[dict[str, Schema]] = {
-    "file": TEXT,
-    "record": TEXT,
-    "frames": COUNT,
+    "file": _FILE,
+    "record": about(TEXT, "name of the record"),
+    "frames": about(COUNT, "number of frames"),
     "rate": si("Hz"),
     "duration": si("s"),
     "markers": rows(name=TEXT, frames_without=COUNT, residual=si("m", "rms, as the cameras state it")),
@@ -68,8 +69,8 @@ MARKERS: Final[dict[str, Schema]] = {
     ),
 }
 ACCELEROMETER: Final[dict[str, Schema]] = {
-    "file": TEXT,
-    "samples": COUNT,
+    "file": _FILE,
+    "samples": about(COUNT, "of the whole file"),
     "rate": si("Hz"),
     "smallest": si("m/s2"),
     "largest": si("m/s2"),
@@ -79,12 +80,12 @@ ACCELEROMETER: Final[dict[str, Schema]] = {
     "gravity_share": about(NUMBER, "largest component of gravity over the peak"),
     "alpha": rows(name=TEXT, peak=si("rad/s2"), rms_difference=si("rad/s2", "to the differentiated angle")),
     "differentiated": entry(peak=si("rad/s2"), rms=si("rad/s2")),
-    "correlation": NUMBER,
+    "correlation": about(NUMBER, "with the differentiated angle"),
     "lag": si("s", "to be added to the delay"),
 }
 LOAD_CURVE: Final[dict[str, Schema]] = {
-    "file": TEXT,
-    "side": or_null({"enum": list(model.SIDES)}),
+    "file": _FILE,
+    "side": about(or_null({"enum": list(model.SIDES)}), "forward or backward; null: not given"),
     "segments": rows(
         x=si("m"), x_error=si("m", "standard error"), k=si("N/m"), k_error=si("N/m", "standard error")
     ),

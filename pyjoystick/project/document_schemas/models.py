@@ -11,10 +11,10 @@ from pyjoystick.project.editor_schemas.blocks import FLAG, TEXT, Schema, about
 LAW: Final[Schema] = {"enum": list(model.PAPER.laws)}
 INFO: Final[dict[str, Schema]] = {
     "fmu": FMU,
-    "about": TEXT,
-    "fmi_version": TEXT,
-    "interfaces": TEXTS,
-    "platforms": TEXTS,
+    "about": about(TEXT, "one line on the model"),
+    "fmi_version": about(TEXT, "such as 2.0"),
+    "interfaces": about(TEXTS, "CoSimulation, ModelExchange"),
+    "platforms": about(TEXTS, "for which there are binaries"),
     "sources": about(FLAG, "the C sources are in the FMU"),
     "experiment": entry(
         start_time=si("s"), stop_time=si("s"), step_size=si("s"), tolerance=about(NUMBER, "relative")
@@ -33,8 +33,8 @@ INFO: Final[dict[str, Schema]] = {
     ),
 }
 PARAMETERS: Final[dict[str, Schema]] = {
-    "title": TEXT,
-    "damping": LAW,
+    "title": about(TEXT, "of the parameter file"),
+    "damping": about(LAW, "the damping law"),
     "parameters": parameters(
         unit=TEXT,
         standard_uncertainty=about(NUMBER, "in the unit of the value"),
@@ -58,7 +58,7 @@ COMPARE_OPTIONAL: Final = ("declarations",)
 COMPARE: Final[dict[str, Schema]] = {
     "fmus": {"type": "array", "items": FMU, "minItems": 1, "maxItems": 2},
     "tolerances": entry(co_simulation=NUMBER, model_exchange=NUMBER),
-    "within_limits": FLAG,
+    "within_limits": about(FLAG, "in all runs"),
     "runs": rows(
         interface=TEXT,
         experiment=TEXT,

@@ -99,7 +99,7 @@ RESPONSE: Final[dict[str, Schema]] = {
     ),
     "attractors": array({"oneOf": [_PERIODIC, _UNSETTLED]}, 0),
     "free": about(TEXT, "the varied parameter"),
-    "limits": array(NUMBER, 2, 2),
+    "limits": about(array(NUMBER, 2, 2), "of the varied parameter"),
     "branches": rows(branch=COUNT, periods=COUNT, ends=TEXTS, reasons=TEXTS),
     "points": _varied(
         branch=COUNT,
@@ -127,9 +127,7 @@ VIBRATION: Final[dict[str, Schema]] = {
         frequency=si("Hz"),
         gain=si("rad per m/s2 of the base, with pitch rad per rad/s2"),
         phase=si("rad"),
-        transmissibility=about(
-            NUMBER, "acceleration of the top over that of the base; with pitch of the handle"
-        ),
+        transmissibility=about(NUMBER, "of the top in space over the base; with pitch of the handle"),
         theta_max=si("rad", "of driven motions"),
         theta_min=si("rad", "of driven motions"),
     ),

@@ -40,6 +40,7 @@ CASES = [
     ("import parts", "import parts DATA/synthetic_parts.csv"),
     ("peaks", "peaks RECORD"),
     ("fit", "fit RECORD"),
+    ("fit", "fit RECORD --settings LAB/fit.toml"),
     ("design", "design --angle 5deg --angle 20deg --records 1 --check 2"),
     ("budget", "budget RECORD -p LAB/joystick.toml --uncertainty m=0.001"),
     ("free-oscillation", "free-oscillation"),
@@ -53,6 +54,19 @@ CASES = [
 ]
 
 
+#: A fit with what others do not have: ties, those of a record among them, and a bootstrap.
+SETTINGS = """
+fmu.path = "Joystick"
+ties = { omega_start = "0.001 * theta_start", J = "0.0130 * m" }
+uncertainty = { bootstrap = 2, resampling = "residuals" }
+[free]
+"damping.C" = { start = 0.05, minimum = 0.0, maximum = 0.5 }
+theta_start = { per_record = true }
+release_time = { per_record = true }
+m = { start = 0.87 }
+"""
+
+
 @pytest.fixture(scope="module")
 def lab(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The folder of a synthetic laboratory, with the record of its first trial."""
@@ -62,6 +76,7 @@ def lab(tmp_path_factory: pytest.TempPathFactory) -> Path:
     markers = ["--top", "TOP", "--base", "BASE1", "BASE2", "-o", str(record)]
     assert main(["import", "markers", str(source), *markers]) == 0
     assert main(["parameters", "-o", str(folder / "joystick.toml")]) == 0
+    (folder / "fit.toml").write_text(SETTINGS, encoding="utf-8")
     return folder
 
 
