@@ -83,7 +83,11 @@ def run(
     ] = None,
     schemas: Annotated[
         Path | None,
-        typer.Option("--schemas", metavar="FOLDER", help="Write JSON schemas of these files, for editors."),
+        typer.Option(
+            "--schemas",
+            metavar="FOLDER",
+            help="Write JSON schemas of these files, for editors, and of what --json writes.",
+        ),
     ] = None,
 ) -> None:
     """List everything that is wrong in projects, parameter files and settings of sweeps and fits.

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Final
 
-from pyjoystick import forced_motion
 from pyjoystick.project.document_schemas.blocks import COUNT, FMU, JOYSTICK, NUMBER, TEXTS, entry, rows, si
 from pyjoystick.project.document_schemas.models import LAW
 from pyjoystick.project.editor_schemas.blocks import FLAG, TEXT, Schema, about, array
@@ -116,7 +115,7 @@ RESPONSE: Final[dict[str, Schema]] = {
     "special": _varied(branch=COUNT, kind=TEXT, amplitude=si("rad")),
 }
 VIBRATION: Final[dict[str, Schema]] = {
-    "direction": about({"enum": [one.value for one in forced_motion.Direction]}, "in which the base shakes"),
+    "direction": about(TEXT, "in which the base shakes: horizontal, vertical or pitch"),
     "theta": si("rad", "angle at which the handle is held"),
     "hand": entry(stiffness=si("N.m/rad"), damping=si("N.m.s/rad"), mass=si("kg"), distance=si("m")),
     "parameters": JOYSTICK,
