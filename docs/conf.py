@@ -26,6 +26,7 @@ extensions = [
     "sphinx_copybutton",
     "extensions.command_line",
     "extensions.docstrings",
+    "extensions.documents",
     "extensions.live_page",
     "extensions.mathml",
     "extensions.modelica_classes",

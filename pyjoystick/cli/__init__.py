@@ -17,6 +17,7 @@ from typer.core import TyperCommand, TyperGroup
 
 from pyjoystick import support
 from pyjoystick.cli.console import print_error, print_traceback
+from pyjoystick.cli.invocation import invocation
 from pyjoystick.support import PyJoystickError
 
 __all__ = ["app", "main"]
@@ -137,7 +138,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     Args:
         arguments: without the name of the program; those of this process by default
     """
-    state.debug = state.implausible = False
+    invocation.begin()
     try:
         app(args=None if arguments is None else list(arguments), prog_name="pyjoystick")
     except SystemExit as stop:
@@ -145,26 +146,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except PyJoystickError as error:
         return _failed(str(error))
     except Exception as error:  # a fault of this program must not end in a traceback
-        hint = "" if state.debug else " (pyjoystick --debug COMMAND shows where)"
+        hint = "" if invocation.debug else " (pyjoystick --debug COMMAND shows where)"
         return _failed(f"internal error: {type(error).__name__}: {error}{hint}")
     return 0
 
 
 def _failed(message: str) -> int:
     print_error(message)
-    if state.debug:
+    if invocation.debug:
         print_traceback()
     return 1
-
-
-class State:
-    """The options before the command."""
-
-    debug = False
-    implausible = False
-
-
-state = State()
 
 
 def _print_version(wanted: bool) -> None:
@@ -175,6 +166,7 @@ def _print_version(wanted: bool) -> None:
 
 @app.callback()
 def _options(
+    context: typer.Context,
     version: Annotated[
         bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Show the version.")
     ] = False,
@@ -183,6 +175,29 @@ def _options(
         bool,
         typer.Option("--implausible", help="Take values that no joystick has."),
     ] = False,
+    quiet: Annotated[
+        bool,
+        typer.Option(
+            "--quiet", "-q", help="No progress and no notes: only results, errors and what is doubtful."
+        ),
+    ] = False,
+    verbose: Annotated[
+        int,
+        typer.Option(
+            "--verbose",
+            "-v",
+            count=True,
+            show_default=False,
+            help="Log to standard error which files and values are used, and how; -vv logs all runs.",
+        ),
+    ] = 0,
 ) -> None:
-    state.debug, state.implausible = debug, implausible
+    if quiet and verbose:
+        raise typer.BadParameter("give --quiet or --verbose")
+    invocation.debug, invocation.implausible, invocation.quiet = debug, implausible, quiet
+    if verbose:
+        from pyjoystick.cli.logs import log_shown  # without --verbose nothing is to be loaded for it
+
+        invocation.verbose = True
+        context.with_resource(log_shown(everything=verbose > 1))
     support.remove_abandoned()

@@ -9,7 +9,7 @@ import typer
 
 from pyjoystick import fmu, identification, laboratory, model, motion
 from pyjoystick.cli import options, parsing
-from pyjoystick.cli.console import messages, output, print_error, print_note, write
+from pyjoystick.cli.console import output, print_error, print_warning, progress_console, write, write_json
 from pyjoystick.cli.fit import DOUBTFUL, failed_checks
 from pyjoystick.cli.fmus import found_or_built
 from pyjoystick.cli.parameter_updates import write_update
@@ -74,14 +74,14 @@ def run(
     releases = motion.read_repeats(records, counted=False)
     with (
         fmu.Fmu(found_or_built(bench.fmu)) as opened,
-        messages().status("fitting"),
+        progress_console().status("fitting"),
     ):
         found, contributions = identification.fit_contributions(releases, bench, opened, release_angle=angle)
     output().print(identification.contribution_table(contributions), markup=False)
     write(csv, lambda path: write_text(path, identification.contribution_csv(contributions)))
-    write(
+    write_json(
         json,
-        lambda path: write_text(path, identification.contribution_json(found, contributions, bench.exact)),
+        lambda notes: identification.contribution_json(found, contributions, bench.exact, notes),
     )
     names = identification.FITTED
     values = [found.value(name) for name in names]
@@ -121,7 +121,7 @@ def _bench(
         **{name: errors.get(name, 0.0) for name in of_records},
     )
     if bench.exact:
-        print_note(f"taken as exact: {', '.join(bench.exact)}")
+        print_warning(f"taken as exact: {', '.join(bench.exact)}")
     return bench
 
 

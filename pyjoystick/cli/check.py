@@ -10,7 +10,7 @@ from typing import Annotated, Any, Final
 import typer
 
 from pyjoystick import identification, model, project, runs, support
-from pyjoystick.cli.console import output, print_error, print_note
+from pyjoystick.cli.console import output, print_error, print_progress
 from pyjoystick.cli.fmus import found_or_built
 from pyjoystick.support import InputFileError, PyJoystickError, Table
 
@@ -83,7 +83,11 @@ def run(
     ] = None,
     schemas: Annotated[
         Path | None,
-        typer.Option("--schemas", metavar="FOLDER", help="Write JSON schemas of these files, for editors."),
+        typer.Option(
+            "--schemas",
+            metavar="FOLDER",
+            help="Write JSON schemas of these files, for editors, and of what --json writes.",
+        ),
     ] = None,
 ) -> None:
     """List everything that is wrong in projects, parameter files and settings of sweeps and fits.
@@ -94,7 +98,7 @@ def run(
     if not files and schemas is None:
         raise typer.BadParameter("give a FILE, or --schemas")
     for path in [] if schemas is None else project.write_schemas(schemas):
-        print_note(f"wrote {path}")
+        print_progress(f"wrote {path}")
     wrong = False
     for file in files or []:
         try:

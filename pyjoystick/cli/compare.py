@@ -13,10 +13,10 @@ from rich.markup import escape
 from pyjoystick import fmu, model, runs, support
 from pyjoystick.cli import joystick_choice, options, parsing
 from pyjoystick.cli.comparison_tables import print_comparison, print_differences, solver_text
-from pyjoystick.cli.console import messages, output, write
+from pyjoystick.cli.console import output, progress_console, write_json
 from pyjoystick.cli.fmus import found_or_built, law_of, opened
 from pyjoystick.cli.plausibility import require_plausible
-from pyjoystick.support import check_outputs, write_text
+from pyjoystick.support import check_outputs
 
 EXAMPLES: Final = """
 Examples:
@@ -231,7 +231,7 @@ def _with_reference(
     angles = request.angles or [parsing.parse_angle(options.DEFAULT_RELEASE_ANGLE)]
     duration = support.DEFAULT_DURATION if request.duration is None else request.duration
     step = support.DEFAULT_OUTPUT_INTERVAL if request.output_interval is None else request.output_interval
-    with messages().status("") as status:
+    with progress_console().status("") as status:
         found = runs.compare_with_reference(
             description.path,
             joystick,
@@ -271,7 +271,7 @@ def _of_two(first: str, second: str, between: _BetweenFmus, request: _Request) -
     limits = runs.Limits(absolute=request.limits, co_simulation=between.cs_limits)
     if between.relative_limit is not None:
         limits = runs.Limits(request.limits, between.relative_limit, between.cs_limits)
-    with messages().status("") as status:
+    with progress_console().status("") as status:
         comparison = runs.compare_fmus(
             *paths,
             experiments=experiments,
@@ -300,8 +300,10 @@ def _write_json(
     request: _Request,
     declarations: runs.Declarations | None = None,
 ) -> None:
-    text = runs.as_json(fmus, found, request.tolerances, declarations=declarations)
-    write(request.json, lambda path: write_text(path, text))
+    write_json(
+        request.json,
+        lambda notes: runs.as_json(fmus, found, request.tolerances, declarations=declarations, notes=notes),
+    )
 
 
 def _names(arguments: list[str], option: str | None) -> list[str]:

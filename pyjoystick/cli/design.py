@@ -14,10 +14,10 @@ from rich.progress import Progress
 
 from pyjoystick import fmu, identification, model, runs, support
 from pyjoystick.cli import joystick_choice, options, parsing
-from pyjoystick.cli.console import messages, output, print_note, write
+from pyjoystick.cli.console import output, print_note, progress_console, write, write_json
 from pyjoystick.cli.fit import settings_of
 from pyjoystick.cli.fmus import found_or_built
-from pyjoystick.support import check_outputs, write_text
+from pyjoystick.support import check_outputs
 
 #: Release angles to choose from (deg), on both sides.
 _ANGLES: Final = (1.0, 2.0, 3.0, 5.0, 7.0, 10.0, 15.0, 20.0)
@@ -100,7 +100,7 @@ def run(
     with fmu.Fmu(found_or_built(settings.fmu)) as opened:
         experiments = _experiments(angles, torques, rate, duration, settings, opened.description)
         planned = identification.PlannedFit(settings, joystick.to_names(), sigma, opened)
-        with messages().status("looking at what each experiment tells"):
+        with progress_console().status("looking at what each experiment tells"):
             found = [planned.information(one) for one in experiments]
         # Settings go before the file and are not added to it: both may have the same measurement.
         known = _known(file, found[0].names, joystick) | planned.uncertainties
@@ -111,7 +111,7 @@ def run(
     output().print(identification.design_table(rows), markup=False)
     if trial is not None:
         output().print(identification.trial_sentence(trial), markup=False)
-    write(json, lambda path: write_text(path, identification.design_json(rows, trial)))
+    write_json(json, lambda notes: identification.design_json(rows, trial, notes))
     write(plot, lambda path: support.save_figure(identification.plot_design(best), path))
 
 
@@ -208,7 +208,8 @@ def _tried(
 ) -> identification.Trial | None:
     if sets is None:
         return None
-    with Progress(console=messages(), transient=True) as bar:
+    console = progress_console()
+    with Progress(console=console, transient=True, disable=not console.is_terminal) as bar:
         task = bar.add_task("fitting synthetic records", total=sets)
         return identification.try_design(
             best, planned, sets=sets, on_progress=lambda done, _: bar.update(task, completed=done)

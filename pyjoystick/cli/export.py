@@ -10,7 +10,8 @@ import typer
 
 from pyjoystick import model, reports
 from pyjoystick.cli import joystick_choice, options
-from pyjoystick.cli.console import messages, print_note, write
+from pyjoystick.cli.console import print_progress, progress_console, write
+from pyjoystick.cli.invocation import invocation
 from pyjoystick.support import write_text
 
 EXAMPLES = """
@@ -92,9 +93,12 @@ def run(
         text = reports.modelica_class(own, values, law=law, title=file.title, more=more)
         write(folder / f"{own}.mo", lambda path: write_text(path, text))
     if json:
-        write(folder / f"{own}.json", lambda path: write_text(path, reports.values_json(file, law)))
+        write(
+            folder / f"{own}.json",
+            lambda path: write_text(path, model.values_json(file, law, invocation.notes)),
+        )
     if fmus:
-        with messages().status(f"building {own}") as status:
+        with progress_console().status(f"building {own}") as status:
             built = reports.export_fmus(
                 file,
                 folder,
@@ -106,7 +110,7 @@ def run(
                 on_stage=status.update,
             )
         for path in built:
-            print_note(f"wrote {path}")
+            print_progress(f"wrote {path}")
         write(
             folder / f"{own}.ssp" if ssp else None,
             lambda path: reports.export_ssp(file, built[0], path, law=law),

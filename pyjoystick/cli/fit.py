@@ -13,8 +13,17 @@ from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
 from pyjoystick import fmu, identification, model, motion, runs
 from pyjoystick.cli import joystick_choice, options, parsing
-from pyjoystick.cli.console import messages, output, print_error, print_note, print_notes
+from pyjoystick.cli.console import (
+    output,
+    print_error,
+    print_progress,
+    print_warning,
+    print_warnings,
+    progress_console,
+    write_json,
+)
 from pyjoystick.cli.fmus import found_or_built, law_of
+from pyjoystick.cli.invocation import invocation
 from pyjoystick.cli.parameter_updates import file_to_update, write_update
 from pyjoystick.support import check_outputs, write_text
 
@@ -96,6 +105,7 @@ def run(
             "--output", "-o", metavar="FOLDER", help="Write fit.md, fit.json and the figures to this folder."
         ),
     ] = None,
+    json: Annotated[Path | None, options.json("what --output writes to fit.json")] = None,
     both_sides: Annotated[
         bool, typer.Option("--both-sides", help="Take records that are released from either side.")
     ] = False,
@@ -110,7 +120,7 @@ def run(
     _check_choice(settings_file, damping, is_driven=is_driven, friction=friction)
     _check_file(parameters, known, update=update, even_if_doubtful=even_if_doubtful)
     headings = parsing.parse_headings(columns, units)
-    check_outputs(parameters if update else None, None if folder is None else folder / "fit.md")
+    check_outputs(parameters if update else None, None if folder is None else folder / "fit.md", json)
     given = file_to_update(parameters) if update else joystick_choice.parameter_file(parameters)
     settings = settings_of(settings_file, damping or given.law, is_driven=is_driven, friction=friction)
     if settings_file is None:
@@ -136,10 +146,11 @@ def run(
             raise typer.Exit(INTERRUPTED) from None
     names = ", ".join(path.name for path in paths)
     _show(found, folder, names)
+    write_json(json, lambda notes: identification.as_json(found, notes))
     if update and parameters is not None and joystick is not None:
         doubts = "it was stopped" if found.interrupted else failed_checks(found)
         if doubts and not even_if_doubtful:
-            print_note(f"{parameters} is unchanged; --even-if-doubtful saves the result anyway")
+            print_warning(f"{parameters} is unchanged; --even-if-doubtful saves the result anyway")
         else:
             _update(parameters, found, joystick, given.uncertainties, names, doubts)
     if found.interrupted or not found.trusted:
@@ -224,7 +235,7 @@ def _records(
     counted = settings.comparison == "peaks"
     records = motion.read_repeats(paths, columns=columns, units=units, both_sides=both_sides, counted=counted)
     for record in records:
-        print_notes(record.name, record.notes)
+        print_warnings(record.name, record.notes)
     return records
 
 
@@ -233,12 +244,12 @@ def _show(found: identification.Fit, folder: Path | None, names: str) -> None:
     output().print(identification.summary(found), markup=False)
     if folder is not None:
         write_text(folder / "fit.md", identification.report(found, f"Fit to {names}"))
-        write_text(folder / "fit.json", identification.as_json(found))
+        write_text(folder / "fit.json", identification.as_json(found, invocation.notes))
         figures = identification.save_figures(found, folder)
-        print_note(f"wrote fit.md, fit.json, {', '.join(path.name for path in figures)} into {folder}")
+        print_progress(f"wrote fit.md, fit.json, {', '.join(path.name for path in figures)} into {folder}")
         profiles = folder / identification.PROFILES
         if not found.profiles and profiles.exists():
-            print_note(f"{profiles} belongs to an earlier fit: this one has no profiles")
+            print_warning(f"{profiles} belongs to an earlier fit: this one has no profiles")
     if not found.trusted:
         print_error(f"do not trust this fit: it failed {failed_checks(found)} (see above)")
 
@@ -262,7 +273,7 @@ def _update(
 @contextmanager
 def _progress() -> Iterator[identification.OnProgress]:
     """A bar for each stage, which pulses where it has only one part; drawn on a terminal only."""
-    console = messages()
+    console = progress_console()
     columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
     with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:
         task = bar.add_task("searching", total=None)

@@ -11,7 +11,7 @@ from typing import Final
 import typer
 
 from pyjoystick import fmu, model, runs
-from pyjoystick.cli.console import messages, print_note
+from pyjoystick.cli.console import print_progress, progress_console
 from pyjoystick.cli.joystick_choice import joystick_of, parameter_file
 from pyjoystick.cli.parsing import parse_assignments
 from pyjoystick.support import PyJoystickError
@@ -75,12 +75,12 @@ def found_or_built(name: str) -> Path:
 def _build(model_name: str, folder: Path) -> Path:
     from fmu_build import BuildError, build_fmu  # needs packages that only builds need
 
-    with messages().status(f"building the FMU of {model_name}") as status:
+    with progress_console().status(f"building the FMU of {model_name}") as status:
         try:
             result = build_fmu(
                 model_name, folder, on_stage=lambda stage: status.update(f"{model_name}: {stage}")
             )
         except BuildError as error:
             raise FmuBuildError(f"the FMU of {model_name} could not be built: {error}") from error
-    print_note(f"built {result.path} in {result.seconds:.1f} s, as it was missing")
+    print_progress(f"built {result.path} in {result.seconds:.1f} s, as it was missing")
     return result.path

@@ -11,7 +11,7 @@ from rich.table import Table
 
 from pyjoystick import forced_motion, model, motion, runs, support
 from pyjoystick.cli import options, parsing
-from pyjoystick.cli.console import messages, note_stops, output, write
+from pyjoystick.cli.console import note_stops, output, progress_console, write, write_json
 from pyjoystick.cli.fmus import opened
 
 if TYPE_CHECKING:
@@ -25,6 +25,7 @@ Examples:
     pyjoystick free-oscillation -a 15deg --damping power-law
     pyjoystick free-oscillation -a -0.3rad -d 3 --set J=0.012 --set b=0.006
     pyjoystick free-oscillation --parameters joystick.toml
+    pyjoystick free-oscillation --json - | jq '.peaks[0]'
 """
 
 
@@ -36,6 +37,7 @@ def run(
     assignments: options.Set = None,
     fmu: options.FmuFile = None,
     csv: Annotated[Path | None, options.csv("the motion")] = None,
+    json: Annotated[Path | None, options.json("the peaks and what was run")] = None,
     plot: Annotated[Path | None, options.plot("displacement, velocity and acceleration")] = None,
     output_interval: options.OutputInterval = support.DEFAULT_OUTPUT_INTERVAL,
     tolerance: options.Tolerance = support.DEFAULT_TOLERANCE,
@@ -50,10 +52,10 @@ def run(
 ) -> None:
     """Release the joystick from rest, let it oscillate, and print the peaks of its motion."""
     start = parsing.parse_angle(release_angle)
-    support.check_outputs(csv, plot)
+    support.check_outputs(csv, json, plot)
     with (
         opened(damping, fmu, assignments, parameters_file) as (joystick, parameters),
-        messages().status("simulating"),
+        progress_console().status("simulating"),
     ):
         table = runs.free_oscillation(
             start,
@@ -63,7 +65,7 @@ def run(
             output_interval=output_interval,
             tolerance=tolerance,
         )
-        name = joystick.description.path.name
+        description = joystick.description
         until = None
         if trusted:
             until = forced_motion.trusted_until(
@@ -73,7 +75,7 @@ def run(
                 parameters=dict(model.values_for(parameters, joystick.description.variables)),
                 tolerance=tolerance,
             )
-    degrees = math.degrees(start)
+    name, degrees = description.path.name, math.degrees(start)
     note_stops(abs(start), parameters)
     _print_peaks(table, f"{name}: free oscillation from {degrees:.6g} deg ({start:.6g} rad), {duration:g} s")
     if until is not None:
@@ -83,26 +85,35 @@ def run(
             "largest angle"
         )
     write(csv, lambda path: motion.write_csv(table, path))
+    write_json(
+        json,
+        lambda notes: runs.release_json(
+            table,
+            description,
+            parameters,
+            tolerance=tolerance,
+            trusted_until=until,
+            notes=notes,
+        ),
+    )
     title = f"Free oscillation from {degrees:.6g} deg"
     write(plot, lambda path: support.save_figure(support.plot_motion({name: table}, title=title), path))
 
 
 def _print_peaks(run: pd.DataFrame, title: str) -> None:
-    peaks = motion.find_peaks(run.index, run["theta"], run["omega"]) if len(run) > 2 else None
+    peaks = runs.release_peak_rows(run)
     console = output()
     console.print(title)
-    if peaks is None or peaks.empty:
+    if not peaks:
         console.print("the run has no peak of the displacement")
         return
     table = Table("peak", "time (s)", "displacement (deg)", "half period (s)", box=None)
     for column in table.columns:
         column.justify = "right"
-    shown = peaks.head(_PEAKS_SHOWN)
-    before = math.nan
-    for number, (time, value) in enumerate(zip(shown["time"], shown["value"], strict=True), start=1):
-        half_period = "" if number == 1 else f"{time - before:.5f}"
-        table.add_row(str(number), f"{time:.5f}", f"{math.degrees(value):+.4f}", half_period)
-        before = time
+    shown = peaks[:_PEAKS_SHOWN]
+    for number, one in enumerate(shown, start=1):
+        half_period = "" if math.isnan(one.half_period) else f"{one.half_period:.5f}"
+        table.add_row(str(number), f"{one.time:.5f}", f"{math.degrees(one.theta):+.4f}", half_period)
     console.print(table)
     if len(peaks) > len(shown):
         console.print(f"and {len(peaks) - len(shown)} more")

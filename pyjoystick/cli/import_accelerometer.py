@@ -9,7 +9,7 @@ import typer
 
 from pyjoystick import laboratory, motion
 from pyjoystick.cli import options
-from pyjoystick.cli.console import output, print_notes, write
+from pyjoystick.cli.console import output, print_warnings, write, write_json
 from pyjoystick.cli.plausibility import require_length
 from pyjoystick.support import check_outputs
 
@@ -42,6 +42,7 @@ def run(
         ),
     ],
     result: Annotated[Path | None, options.csv("the angular acceleration", "--output", "-o")] = None,
+    json: Annotated[Path | None, options.json("the comparison")] = None,
     column: Annotated[
         str, typer.Option("--column", metavar="HEADING", help="Heading of the readings.")
     ] = "acceleration",
@@ -93,7 +94,7 @@ def run(
         rate, cutoff, order, corrected, longest_gap, velocity_points, acceleration_points
     )
     require_length("--distance", distance)
-    check_outputs(result)
+    check_outputs(result, json)
     setup = laboratory.AccelerometerSetup(
         distance=distance,
         column=column,
@@ -108,6 +109,7 @@ def run(
     )
     measured = motion.read_record(angle, free_oscillation=False)
     found = laboratory.compare_accelerometer(file, measured, setup)
-    print_notes(file, found.notes)
+    print_warnings(file, found.notes)
     write(result, found.write)
     output().print(found.report())
+    write_json(json, lambda notes: laboratory.comparison_json(found, notes))

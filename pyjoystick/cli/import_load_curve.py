@@ -9,7 +9,7 @@ import typer
 
 from pyjoystick import laboratory, model, support
 from pyjoystick.cli import options, parsing, table_options
-from pyjoystick.cli.console import output, print_note, print_notes, write
+from pyjoystick.cli.console import output, print_warning, print_warnings, write, write_json
 from pyjoystick.cli.parameter_updates import file_to_update, write_measured
 from pyjoystick.cli.plausibility import require_plausible
 from pyjoystick.support import check_outputs
@@ -64,6 +64,7 @@ def run(
     delimiter: table_options.Delimiter = "",
     decimal: table_options.Decimal = "",
     encoding: table_options.Encoding = "",
+    json: Annotated[Path | None, options.json("segments, springs and noise")] = None,
     plot: Annotated[Path | None, options.plot("the curve and the fit")] = None,
 ) -> None:
     """Fit straight segments to a load-deflection curve to find the springs of one side (Table 1)."""
@@ -78,11 +79,11 @@ def run(
         options={"travel_noise": "--travel-noise", "force_noise": "--force-noise"},
     )
     layout = table_options.layout(delimiter, decimal, encoding, sheet)
-    check_outputs(parameters, plot)
+    check_outputs(parameters, json, plot)
     before = file_to_update(parameters)
     curve = laboratory.read_load_curve(file, **parsing.parse_headings(columns, units), layout=layout)
     fit = laboratory.fit_load_curve(curve, segments, travel_noise=travel_noise, force_noise=force_noise)
-    print_notes(file, fit.notes)
+    print_warnings(file, fit.notes)
     output().print(laboratory.load_curve_report(fit), markup=False)
     title = f"Load-deflection curve, {file.name}"
     write(plot, lambda path: support.save_figure(laboratory.plot_load_curve(fit, title=title), path))
@@ -94,6 +95,7 @@ def run(
             _tell_of_replaced(before, measured)
             found = found.with_more(measured)
         write_measured(parameters, before, found)
+    write_json(json, lambda notes: laboratory.load_curve_json(fit, side, notes))
 
 
 def _tell_of_replaced(before: model.ParameterFile, found: laboratory.MeasuredValues) -> None:
@@ -101,4 +103,4 @@ def _tell_of_replaced(before: model.ParameterFile, found: laboratory.MeasuredVal
     old, place = before.joystick.friction.F_c, "friction.F_c"
     if old:
         origin = before.sources.get("friction") or "an unknown source"
-        print_note(f"F_c = {found.values[place]:.4g} N replaces {old:.4g} N ({origin})")
+        print_warning(f"F_c = {found.values[place]:.4g} N replaces {old:.4g} N ({origin})")

@@ -9,7 +9,7 @@ import typer
 
 from pyjoystick import laboratory, model
 from pyjoystick.cli import joystick_choice, options
-from pyjoystick.cli.console import output, print_note, print_notes
+from pyjoystick.cli.console import output, print_progress, print_warnings, write_json
 from pyjoystick.cli.plausibility import require_length
 from pyjoystick.support import check_outputs
 
@@ -39,6 +39,7 @@ def run(
     ],
     record_file: Annotated[Path, options.csv("the record, time and angle,", "--output", "-o")],
     motion_file: Annotated[Path | None, options.csv("the filtered motion", "--motion")] = None,
+    json: Annotated[Path | None, options.json("what the markers and the filtered motion are")] = None,
     forward: Annotated[
         str, typer.Option("--forward", metavar="AXIS", help="Axis that points forward: x, -x, y, -y, z, -z.")
     ] = "x",
@@ -105,7 +106,7 @@ def run(
     if middle and radius is not None:
         raise typer.BadParameter("give --middle or --radius: the pivot is one or the other")
     require_length("--radius", radius)
-    check_outputs(record_file, motion_file)
+    check_outputs(record_file, motion_file, json)
     setup = laboratory.MarkerSetup(
         top=top,
         base=base,
@@ -122,8 +123,9 @@ def run(
     )
     joystick = None if rests is None else joystick_choice.parameter_file(parameters).joystick
     trial = laboratory.read_trial(file, setup, name=record_file.stem, joystick=joystick)
-    print_notes(file, trial.record.notes)
+    print_warnings(file, trial.record.notes)
     trial.write(record_file, motion_file)
     for path in filter(None, (record_file, motion_file)):
-        print_note(f"wrote {path}")
+        print_progress(f"wrote {path}")
     output().print(trial.report())
+    write_json(json, lambda notes: laboratory.trial_json(trial, notes))

@@ -11,7 +11,7 @@ import typer
 
 from pyjoystick import laboratory, motion, support
 from pyjoystick.cli import options, parsing, table_options
-from pyjoystick.cli.console import output, print_notes, write
+from pyjoystick.cli.console import output, print_warnings, write, write_json
 from pyjoystick.support import ParameterError
 
 EXAMPLES: Final = """
@@ -37,6 +37,7 @@ def run(
         Path | None,
         options.plot("what was understood; without --output, nothing else is written", "--preview"),
     ] = None,
+    json: Annotated[Path | None, options.json("what was understood")] = None,
     columns: Annotated[list[str] | None, options.column("time, theta, omega, T or F")] = None,
     units: Annotated[
         list[str] | None,
@@ -84,7 +85,7 @@ def run(
     layout = table_options.layout(delimiter, decimal, encoding, sheet)
     if samples_per_second is not None and not (0.0 < samples_per_second < math.inf):
         raise typer.BadParameter("must be above 0", param_hint="--samples-per-second")
-    support.check_outputs(record_file, preview)
+    support.check_outputs(record_file, preview, json)
     log = motion.read_log(
         file,
         **parsing.parse_headings(columns, units),
@@ -94,10 +95,11 @@ def run(
         start=-math.inf if start is None else start,
         end=math.inf if end is None else end,
     )
-    print_notes(file, log.notes)
+    print_warnings(file, log.notes)
     output().print(laboratory.log_report(log), markup=False)
     write(preview, lambda path: support.save_figure(laboratory.plot_log(log), path))
     write(record_file, lambda path: laboratory.write_log(log, path))
+    write_json(json, lambda notes: laboratory.log_json(log, notes))
 
 
 def _scales(texts: Sequence[str] | None, zeros: Sequence[str] | None) -> dict[str, motion.Scale]:

@@ -9,8 +9,8 @@ from typing import Annotated, Final
 import typer
 
 from pyjoystick import laboratory, model, motion
-from pyjoystick.cli.console import output, print_note
-from pyjoystick.cli.options import ParametersToUpdate, Set, uncertainty
+from pyjoystick.cli import options
+from pyjoystick.cli.console import output, print_warning, write_json
 from pyjoystick.cli.parameter_updates import file_to_update, write_measured
 from pyjoystick.cli.parsing import parse_angle, parse_assignments
 from pyjoystick.cli.plausibility import require_plausible, require_uncertainties
@@ -53,12 +53,13 @@ def run(
         float | None,
         typer.Option(metavar="SECONDS", help="Standard uncertainty common to all readings. Default: 0.05 s."),
     ] = None,
-    parameters: ParametersToUpdate = None,
-    assignments: Set = None,
-    uncertainties: Annotated[list[str] | None, uncertainty("m, h or g (SI units)")] = None,
+    parameters: options.ParametersToUpdate = None,
+    assignments: options.Set = None,
+    uncertainties: Annotated[list[str] | None, options.uncertainty("m, h or g (SI units)")] = None,
+    json: Annotated[Path | None, options.json("the values and their uncertainties")] = None,
 ) -> None:
     """Find the moment of inertia from the period as a pendulum, upside down without contact (section 3.2)."""
-    check_outputs(parameters)
+    check_outputs(parameters, json)
     before = file_to_update(parameters)
     values = _known(before, assignments, uncertainties)
     if (record is None) == (not times):
@@ -74,7 +75,7 @@ def run(
     console = output()
     console.print(laboratory.swing_report(period), markup=False)
     console.print()
-    estimates = {"T (s)": period.period, "J (kg m2)": found}
+    estimates, friction = {"T (s)": period.period, "J (kg m2)": found}, None
     if period.decay is not None:
         friction = laboratory.friction_of_swing(period.decay, values["m"], values["h"], values["g"])
         estimates["T_c (N m)"] = friction
@@ -83,6 +84,7 @@ def run(
         readings = f"swing test, {len(times or [])} readings"
         source = readings if record is None else f"swing test {record.name}"
         write_measured(parameters, before, laboratory.measured_swing(found, values, source))
+    write_json(json, lambda notes: laboratory.swing_json(period, found, friction, notes))
 
 
 def _known(
@@ -102,7 +104,7 @@ def _known(
         value = values.get(name, file.joystick.to_names()[name])
         known[name] = laboratory.Measured(value, errors.get(name, in_file))
         if known[name].uncertainty == 0.0 and name != "g":
-            print_note(
+            print_warning(
                 f"{name} = {value:g} has no uncertainty and is taken as exact: --uncertainty {name}=..."
             )
     return known

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Annotated, Final
 
 import typer
@@ -10,8 +11,10 @@ from rich.markup import escape
 from rich.table import Table
 
 from pyjoystick import fmu
-from pyjoystick.cli.console import output
+from pyjoystick.cli import options
+from pyjoystick.cli.console import output, write_json
 from pyjoystick.cli.fmus import found_or_built
+from pyjoystick.support import check_outputs
 
 _GROUPS: Final = (
     ("input", "Inputs"),
@@ -26,6 +29,7 @@ Examples:
 
     pyjoystick info Joystick
     pyjoystick info path/to/other.fmu --all
+    pyjoystick info Joystick --json - | jq '.variables[] | select(.causality == "input")'
 """
 
 
@@ -39,9 +43,11 @@ def run(
         ),
     ],
     everything: Annotated[bool, typer.Option("--all", help="Show local variables too.")] = False,
+    json: Annotated[Path | None, options.json("the description and all variables")] = None,
 ) -> None:
     """Show the model, interfaces, platforms and variables of an FMU, without running it."""
     description = fmu.read_description(found_or_built(name))
+    check_outputs(json)
     console = output()
     _print_facts(console, description)
     for causality, title in _GROUPS:
@@ -51,6 +57,7 @@ def run(
         elif names:
             console.print(f"\n[bold]{title}[/bold]")
             console.print(_variables([description.variables[name] for name in names]))
+    write_json(json, lambda notes: fmu.description_json(description, notes))
 
 
 def _print_facts(console: Console, description: fmu.FmuDescription) -> None:

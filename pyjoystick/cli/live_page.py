@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from pyjoystick import model, motion, reports
-from pyjoystick.cli.console import messages, write
+from pyjoystick.cli.console import progress_console, write
 from pyjoystick.cli.fmus import FmuBuildError, found_or_built
 from pyjoystick.support import write_text
 
@@ -24,7 +24,7 @@ def write_live_page(
     fmu = found_or_built(reports.held_fmu(joystick))
     from fmu_build import BuildError  # takes long to load
 
-    with messages().status("page"):
+    with progress_console().status("page"):
         try:
             text = reports.joystick_page(fmu, file, joystick, start, records=records, title=title)
         except BuildError as error:

@@ -8,7 +8,7 @@ from typing import Annotated, Final
 import typer
 
 from pyjoystick import project
-from pyjoystick.cli.console import print_note
+from pyjoystick.cli.console import print_progress
 
 EXAMPLES: Final = """
 Examples:
@@ -30,6 +30,6 @@ def run(
     is in the folder is replaced.
     """
     project.new_project(folder, example=example)
-    print_note(f"wrote {folder / project.FILE}")
+    print_progress(f"wrote {folder / project.FILE}")
     ready = "cd into the folder" if example else f"put files into {folder / 'data'}, edit {project.FILE}"
-    print_note(f"next: {ready}, and pyjoystick run")
+    print_progress(f"next: {ready}, and pyjoystick run")

@@ -9,6 +9,7 @@ from typing import Annotated, Any, Final
 import typer
 
 from pyjoystick import laboratory, model, motion, support
+from pyjoystick.cli.invocation import invocation
 
 DEFAULT_RELEASE_ANGLE: Final = "-20deg"
 
@@ -67,8 +68,18 @@ def plot(what: str, name: str = "--plot") -> Any:
 
 
 def json(what: str) -> Any:
-    """--json."""
-    return file("--json", text=f"Write {what} as JSON.", suffixes=(".json",))
+    """--json; for ``-`` the file is None, and `console.write_json` writes to standard output."""
+
+    def checked(given: Path | None) -> Path | None:
+        if given is not None and str(given) == "-":
+            invocation.is_piped = True
+            return None
+        if given is not None:
+            support.check_suffix(given, ".json")
+        return given
+
+    text = f"Write {what} as JSON; - writes to standard output."
+    return typer.Option("--json", metavar="FILE", help=text, callback=checked)
 
 
 def csv(what: str, *names: str) -> Any:

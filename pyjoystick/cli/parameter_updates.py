@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from pyjoystick import laboratory, model
-from pyjoystick.cli.console import print_note
+from pyjoystick.cli.console import print_progress, print_warning
 from pyjoystick.cli.plausibility import require_plausible
 
 
@@ -37,9 +37,9 @@ def write_update(
     shown = {place: model.rounded_error(value) for place, value in uncertainties.items()}
     model.write_parameters(path, joystick, uncertainties=shown, sources=sources)
     tables = ", ".join(f"[{table}]" for table in sources)
-    print_note(f"wrote {tables} of {path}")
+    print_progress(f"wrote {tables} of {path}")
     if new:
-        print_note(f"{path} is new: all other values are the paper's")
+        print_warning(f"{path} is new: all other values are the paper's")
 
 
 def write_measured(path: Path, before: model.ParameterFile, found: laboratory.MeasuredValues) -> None:

@@ -9,7 +9,7 @@ import numpy as np
 
 from pyjoystick import identification, model, motion, runs, support
 from pyjoystick.cli import joystick_choice, options, parsing
-from pyjoystick.cli.console import messages, output, print_notes, write
+from pyjoystick.cli.console import output, print_warnings, progress_console, write, write_json
 from pyjoystick.cli.fmus import found_or_built
 
 EXAMPLES: Final = """
@@ -41,13 +41,13 @@ def run(
         records, columns=headings["columns"], units=headings["units"], released=released
     )
     for record in read:
-        print_notes(record.name, record.notes)
+        print_warnings(record.name, record.notes)
     releases = [motion.measured_peaks(record) for record in read]
     estimate = identification.estimate_damping(releases, joystick.J)
     for law in (model.NOMINAL, model.NOMINAL_POWER_LAW):
         found_or_built(runs.fmu_of_joystick(law))
     angle = float(np.mean([release.release_angle for release in releases]))
-    with runs.SimulatedReleases() as simulate, messages().status("simulating"):
+    with runs.SimulatedReleases() as simulate, progress_console().status("simulating"):
         constants = identification.constant_bias(estimate, joystick, angle, simulate)
         lines = identification.line_bias(estimate, joystick, angle, simulate)
     console = output()
@@ -56,7 +56,7 @@ def run(
     console.print(identification.damping_report(estimate, constants, lines))
     found = releases, estimate, constants, lines
     write(csv, lambda path: support.write_text(path, identification.damping_csv(estimate)))
-    write(json, lambda path: support.write_text(path, identification.damping_json(*found)))
+    write_json(json, lambda notes: identification.damping_json(*found, notes))
     constant = constants["both"].corrected
     write(
         plot,

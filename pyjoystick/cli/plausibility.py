@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from typing import Final
 
 from pyjoystick import model
-from pyjoystick.cli import state
 from pyjoystick.cli.console import print_note
+from pyjoystick.cli.invocation import invocation
 
 _INSIST: Final = "pyjoystick --implausible COMMAND takes it as it is."
 
@@ -23,7 +23,7 @@ def require_plausible(values: Mapping[str, float], *, options: Mapping[str, str]
     Raises:
         ImplausibleError: a value is far outside what joysticks have, and --implausible was not given
     """
-    for name, value in values.items() if not state.implausible else ():
+    for name, value in values.items() if not invocation.implausible else ():
         model.require_plausible(name, value, field=(options or {}).get(name, ""), insist=_INSIST)
 
 
@@ -43,7 +43,7 @@ def require_uncertainties(errors: Mapping[str, float], values: Mapping[str, floa
     Raises:
         ImplausibleError: one is larger, and --implausible was not given
     """
-    for name, error in errors.items() if not state.implausible else ():
+    for name, error in errors.items() if not invocation.implausible else ():
         most = abs(values.get(name, 0.0)) / 3.0
         if error > most > 0.0:
             allowed = f"below a third of {name} = {values[name]:g}, in the same unit"

@@ -11,7 +11,7 @@ import typer
 
 from pyjoystick import model, reports
 from pyjoystick.cli import joystick_choice, options, parsing
-from pyjoystick.cli.console import messages, write
+from pyjoystick.cli.console import progress_console, write
 from pyjoystick.cli.fmus import found_or_built, opened
 from pyjoystick.cli.live_page import write_live_page
 from pyjoystick.support import check_outputs, write_text
@@ -69,7 +69,7 @@ def run(
     found_or_built("Joystick")  # for the table of the paper's statements
     with (
         opened(damping, None, assignments, parameters_file) as (fmu, joystick),
-        messages().status("report") as status,
+        progress_console().status("report") as status,
     ):
         study = reports.Study(joystick, fmu, start, file.pivot_to_top)
         text = reports.joystick_report(

@@ -10,7 +10,15 @@ import typer
 
 from pyjoystick import forced_motion, support
 from pyjoystick.cli import options, parsing
-from pyjoystick.cli.console import messages, note_stops, output, print_note, print_notes, write
+from pyjoystick.cli.console import (
+    note_stops,
+    output,
+    print_warning,
+    print_warnings,
+    progress_console,
+    write,
+    write_json,
+)
 from pyjoystick.cli.fmus import opened
 from pyjoystick.support import check_outputs, write_text
 
@@ -75,7 +83,7 @@ def run(
     response = None
     with (
         opened(damping, fmu, assignments, parameters) as (joystick_fmu, joystick),
-        messages().status("releasing") as status,
+        progress_console().status("releasing") as status,
     ):
         once = forced_motion.ShakenJoystick(joystick_fmu, joystick, shaking)
         # Made first, because it refuses what cannot be varied before anything takes long.
@@ -91,18 +99,17 @@ def run(
         note_stops(max(one.largest for one in found.attractors), joystick)
         output().print(forced_motion.attractor_report(found, once), markup=False)
         if any(isinstance(one, forced_motion.UnsettledMotion) for one in found.attractors):
-            print_note("no period is claimed for motions that have not become periodic")
+            print_warning("no period is claimed for motions that have not become periodic")
         if response is None:
             write(plot, lambda path: support.save_figure(forced_motion.plot_attractors(found, once), path))
         else:
             _give_branches(response, csv, plot)
-        document = forced_motion.as_document(once, found, response)
-        write(json, lambda path: write_text(path, support.json_text(document)))
+        write_json(json, lambda notes: forced_motion.response_json(once, found, response, notes))
 
 
 def _give_branches(response: forced_motion.Response, csv: Path | None, plot: Path | None) -> None:
     output().print(f"\n{forced_motion.branch_report(response)}", markup=False)
-    print_notes("not found", response.notes)
+    print_warnings("not found", response.notes)
     text = forced_motion.branch_table(response).to_csv(index=False, lineterminator="\n")
     write(csv, lambda path: write_text(path, text))
     write(plot, lambda path: support.save_figure(forced_motion.plot_response(response), path))

@@ -13,7 +13,14 @@ from rich.markup import escape
 from rich.table import Table
 
 from pyjoystick import fmu, project
-from pyjoystick.cli.console import messages, output, print_error, print_note, print_notes
+from pyjoystick.cli.console import (
+    output,
+    print_error,
+    print_progress,
+    print_warning,
+    print_warnings,
+    progress_console,
+)
 from pyjoystick.cli.fmus import found_or_built
 
 EXAMPLES: Final = """
@@ -57,9 +64,9 @@ def run(
     for one in done.steps:
         if one.state == "failed":
             print_error(f"{one.name}: {one.remark}")
-        print_notes(one.name, one.notes)
+        print_warnings(one.name, one.notes)
     for note in done.notes:
-        print_note(f"note: {note}")
+        print_warning(f"note: {note}")
     if done.interrupted:
         print_error("stopped; the next `pyjoystick run` goes on from here")
         raise typer.Exit(INTERRUPTED)
@@ -73,14 +80,14 @@ def run(
 @contextmanager
 def _shown() -> Iterator[project.OnChange]:
     """A table of the steps as they go on; on anything but a terminal a line for each that has ended."""
-    console = messages()
+    console = progress_console()
     told: set[str] = set()
 
     def lines(steps: Sequence[project.StepState]) -> None:
         for one in steps:
             if one.state in ("done", "failed", "not done") and one.name not in told:
                 told.add(one.name)
-                print_note(f"{one.name}: {one.state}{f' in {_seconds(one)} s' if one.seconds else ''}")
+                print_progress(f"{one.name}: {one.state}{f' in {_seconds(one)} s' if one.seconds else ''}")
 
     if not console.is_terminal:
         yield lines

@@ -12,7 +12,7 @@ from rich.table import Table
 
 from pyjoystick import runs, support
 from pyjoystick.cli import options
-from pyjoystick.cli.console import output, print_note, write
+from pyjoystick.cli.console import output, print_progress, print_warning, write
 from pyjoystick.cli.fmus import found_or_built
 from pyjoystick.cli.sweep_progress import progress
 from pyjoystick.support import OutputFileError, UnknownVariableError, check_outputs, write_text
@@ -155,12 +155,12 @@ def _print_outcome(sweep: runs.Sweep, outcome: runs.Outcome) -> None:
     for line in _failures(outcome.messages):
         console.print(escape(line))
     if outcome.interrupted:
-        print_note("interrupted; finished runs are kept, and the same command continues from here")
+        print_warning("interrupted; finished runs are kept, and the same command continues from here")
     elif outcome.found == total:
-        print_note(f"{outcome.path} was already complete; nothing was run")
+        print_progress(f"{outcome.path} was already complete; nothing was run")
     else:
         before = f" ({outcome.found} runs were finished before)" if outcome.found else ""
-        print_note(f"wrote {outcome.path}{before}")
+        print_progress(f"wrote {outcome.path}{before}")
 
 
 def _failures(failures: dict[int, str]) -> list[str]:
@@ -175,10 +175,10 @@ def _print_sensitivity(table: pd.DataFrame, results: Sequence[str]) -> pd.DataFr
     try:
         found = runs.sensitivity(table, results)
     except runs.SensitivityError as error:
-        print_note(f"no Sobol indices: {error}")
+        print_warning(f"no Sobol indices: {error}")
         return None
     for name, reason in found.attrs["left_out"].items():
-        print_note(f"no Sobol indices of {name}: it {reason}")
+        print_warning(f"no Sobol indices of {name}: it {reason}")
     shown = Table("", "first order", "95 %", "total", "95 %", box=None)
     shown.columns[0].overflow = "fold"
     for column in shown.columns[1:]:
@@ -232,7 +232,7 @@ def _save(figure: Figure, paths: Sequence[Path]) -> None:
 def _first(results: list[str]) -> list[str]:
     if len(results) > runs.MOST_RESULTS:
         left_out = ", ".join(results[runs.MOST_RESULTS :])
-        print_note(
+        print_warning(
             f"a figure has room for {runs.MOST_RESULTS} results; left out: {left_out} (--result chooses)"
         )
     return results[: runs.MOST_RESULTS]

@@ -16,7 +16,7 @@ from rich.progress import (
 )
 from rich.text import Text
 
-from pyjoystick.cli.console import messages, print_note
+from pyjoystick.cli.console import print_warning, progress_console
 
 
 class _Rate(ProgressColumn):
@@ -52,13 +52,13 @@ class SweepProgress:
         """Print a note, unless it was printed before."""
         if text not in self._said:
             self._said.add(text)
-            print_note(text)
+            print_warning(text)
 
 
 @contextmanager
 def progress(total: int) -> Iterator[SweepProgress]:
     """The progress of `total` runs; nothing is drawn unless standard error is a terminal."""
-    console = messages()
+    console = progress_console()
     columns = (
         TextColumn("{task.description}"),
         BarColumn(),

@@ -10,9 +10,9 @@ import typer
 
 from pyjoystick import forced_motion, laboratory, model, motion, support
 from pyjoystick.cli import joystick_choice, options, parsing, torque_results
-from pyjoystick.cli.console import messages, note_stops, output, print_note, write
+from pyjoystick.cli.console import note_stops, output, print_warning, progress_console, write, write_json
 from pyjoystick.cli.plausibility import require_length
-from pyjoystick.support import ParameterError, check_outputs, write_text
+from pyjoystick.support import ParameterError, check_outputs
 
 _PAPER: Final = laboratory.Chain()
 _DEFAULTS: Final[Mapping[str, Any]] = {"amplitude": "15deg", "rise": 0.15, "shape": "minimum-jerk"}
@@ -132,14 +132,14 @@ def run(
         chain = laboratory.Chain(rate=rate, low_pass=laboratory.LowPass(cutoff=cutoff))
         chosen = torque_results.from_file(record, chain, **parsing.parse_headings(columns, units))
     for note in chosen.notes:
-        print_note(note)
-    with messages().status("computing"):
+        print_warning(note)
+    with progress_console().status("computing"):
         results = torque_results.compute(chosen, joysticks, torque_results.arm_of(file, arm))
     table = next(iter(results.values())).table
     note_stops(float(table["theta"].abs().max()), next(iter(joysticks.values())))
     output().print(torque_results.text(chosen, results), markup=False)
     write(csv, lambda path: motion.write_csv(table, path))
-    write(json, lambda path: write_text(path, torque_results.as_json(chosen, results)))
+    write_json(json, lambda notes: torque_results.as_json(chosen, joysticks, results, notes))
     write(plot, lambda path: torque_results.draw(results, path))
 
 

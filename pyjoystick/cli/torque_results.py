@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -130,13 +130,20 @@ def text(motion: Motion, results: Mapping[model.LawName, Result]) -> str:
     )
 
 
-def as_json(motion: Motion, results: Mapping[model.LawName, Result]) -> str:
+def as_json(
+    motion: Motion,
+    joysticks: Mapping[model.LawName, model.JoystickParameters],
+    results: Mapping[model.LawName, Result],
+    notes: Sequence[str],
+) -> str:
     """Everything in full, SI units."""
-    content: dict[str, Any] = {
-        "motion": dict(motion.description),
-        "laws": {law: _measures(result) for law, result in results.items()},
-    }
-    return support.json_text(content)
+    return forced_motion.torque_json(
+        motion.description,
+        joysticks,
+        {law: result.measures for law, result in results.items()},
+        {law: result.difference for law, result in results.items()},
+        notes,
+    )
 
 
 def draw(results: Mapping[model.LawName, Result], path: Path) -> None:
@@ -144,17 +151,6 @@ def draw(results: Mapping[model.LawName, Result], path: Path) -> None:
     support.save_figure(
         forced_motion.plot_torque({law: result.table for law, result in results.items()}), path
     )
-
-
-def _measures(result: Result) -> dict[str, Any]:
-    measures = result.measures
-    derived = {
-        "work": measures.work,
-        "loss": measures.loss,
-        "peak_force": measures.peak_force,
-        "difference_to_plain_python": result.difference,
-    }
-    return asdict(measures) | derived
 
 
 def _difference(found: pd.DataFrame, expected: pd.DataFrame) -> float:

@@ -10,7 +10,7 @@ import typer
 
 from pyjoystick import fmu, forced_motion, model, runs, support
 from pyjoystick.cli import joystick_choice, options, parsing
-from pyjoystick.cli.console import output, print_note, write
+from pyjoystick.cli.console import output, print_warning, write, write_json
 from pyjoystick.cli.fmus import found_or_built
 from pyjoystick.support import check_outputs, write_text
 
@@ -64,6 +64,7 @@ def run(
     parameters: options.Parameters = None,
     assignments: options.Set = None,
     csv: Annotated[Path | None, options.csv("all responses")] = None,
+    json: Annotated[Path | None, options.json("all responses")] = None,
     plot: Annotated[Path | None, options.plot("angle and transmissibility over the frequency")] = None,
 ) -> None:
     """Find how far the handle moves when its base shakes, as in a vehicle, alone and in a hand.
@@ -72,7 +73,7 @@ def run(
     (or rad/s2) of the base, and the acceleration of the handle's top in space over that of the base, in the
     same direction; with pitch, the handle's angular acceleration over the base's.
     """
-    check_outputs(csv, plot)
+    check_outputs(csv, json, plot)
     held = parsing.parse_angle(angle, "--angle")
     low, high = limits
     if not 0.0 < low < high:
@@ -93,13 +94,14 @@ def run(
         try:
             handles = {"alone": mounted_handle(None)} | handles
         except support.ParameterError as error:
-            print_note(f"without a hand: {error}")
+            print_warning(f"without a hand: {error}")
         found = forced_motion.feedthrough(
             handles, np.geomspace(low, high, _FEW), np.geomspace(low, high, _MANY), accelerations or ()
         )
     output().print(forced_motion.feedthrough_report(found), markup=False)
     text = forced_motion.feedthrough_table(found).to_csv(index=False, lineterminator="\n")
     write(csv, lambda path: write_text(path, text))
+    write_json(json, lambda notes: forced_motion.feedthrough_json(found, joystick, held, hand, notes))
     write(
         plot,
         lambda path: support.save_figure(

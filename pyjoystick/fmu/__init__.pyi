@@ -7,6 +7,7 @@ from .description import (
     Variable as Variable,
 )
 from .description_file import read_description as read_description
+from .description_json import description_json as description_json
 from .errors import (
     FmuCrashError as FmuCrashError,
     FmuEndedError as FmuEndedError,

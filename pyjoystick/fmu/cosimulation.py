@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import logging
 import threading
 import weakref
 from collections.abc import Iterable, Mapping
 from functools import partial
 from os import PathLike
-from typing import TYPE_CHECKING, Any, Self, TypeVar
+from typing import TYPE_CHECKING, Any, Final, Self, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -30,6 +31,14 @@ from pyjoystick.support import DEFAULT_TOLERANCE, FloatArray, ParameterError, Sh
 
 if TYPE_CHECKING:
     import pandas as pd
+
+_LOG = logging.getLogger(__name__)
+#: Where the instances of a pool run.
+_PLACES: Final = {
+    InstancePool: "in this process",
+    ProcessPool: "in a process of its own",
+    SandboxPool: "in a sandbox",
+}
 
 _V = TypeVar("_V")
 
@@ -92,6 +101,14 @@ class Fmu(Shown):
             SandboxPool(self.description, time_limit)
             if sandbox
             else new_pool(self.description, own_process, time_limit)
+        )
+        _LOG.info(
+            "opened %s: %s, FMI %s, made by %s; runs %s",
+            self.description.path,
+            self.description.model_name,
+            self.description.fmi_version,
+            self.description.generation_tool or "an unknown tool",
+            _PLACES[type(self._pool)],
         )
         self._close = weakref.finalize(self, self._pool.close)
         self._lock = threading.Lock()

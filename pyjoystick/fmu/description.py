@@ -148,6 +148,17 @@ class FmuDescription:
     log_categories: tuple[str, ...] = ()
 
     @property
+    def identity(self) -> dict[str, str]:
+        """Which FMU it is, for documents and logs; what it does not say is empty."""
+        return {
+            "path": str(self.path),
+            "model": self.model_name,
+            "made_by": self.generation_tool,
+            "made_at": self.generation_date,
+            "guid": self.guid,
+        }
+
+    @property
     def platforms(self) -> tuple[str, ...]:
         """Names of the platforms that there are binaries for, such as ``linux64``."""
         return tuple(sorted({file.split("/")[0] for file in self.binaries if "/" in file}))

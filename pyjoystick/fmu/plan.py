@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import logging
 from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -18,6 +19,7 @@ from pyjoystick.fmu.own_process.pool import ProcessPool
 from pyjoystick.fmu.own_process.runner import Outcome, RemoteRunner
 from pyjoystick.fmu.preparation import prepare
 from pyjoystick.fmu.reductions import Reduction, checked_reductions, operations_of, units_of
+from pyjoystick.fmu.run_log import log_runs
 from pyjoystick.fmu.runner import Job, Runner
 from pyjoystick.fmu.sandbox.pool import SandboxPool
 from pyjoystick.fmu.sandbox.runner import SandboxRunner
@@ -30,6 +32,8 @@ from pyjoystick.support import FloatArray, ParameterError, increasing_times, not
 
 if TYPE_CHECKING:
     import pandas as pd
+
+_LOG = logging.getLogger(__name__)
 
 #: Tell the plans apart that a process is sent.
 _keys = itertools.count()
@@ -99,6 +103,7 @@ class Plan:
         self._key = next(_keys)
         self._batches: dict[int, NDArray[np.bool_]] = {}
         self._loop: Loop | None = None
+        log_runs(description, self.time, parameters, self.varied, tolerance)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _planned, (self._fmu, self._settings)
@@ -190,6 +195,7 @@ class Plan:
         values = self._empty(runs if kept is None else 0)
         operations = operations_of(kept or (), self.outputs)
         job = self._job(self._rows(numbers), len(columns), stop)
+        _LOG.debug("%d runs of %s on at most %d instances", runs, self._pool.description.path.name, count)
         batch = Batch(self._new_runner(job, operations, load_compiler=True), job, values)
         interrupted = batch.carry_out(count, on_progress) if runs else False
         values[~batch.done[: len(values)]] = np.nan

@@ -38,7 +38,11 @@ from .periodic.solutions import (
     solve as solve,
 )
 from .predictability import trusted_until as trusted_until
-from .reports import demand_report as demand_report, measures_report as measures_report
+from .reports import (
+    demand_report as demand_report,
+    measures_report as measures_report,
+    torque_json as torque_json,
+)
 from .response.attractors import (
     Basins as Basins,
     PeriodicAttractor as PeriodicAttractor,
@@ -57,10 +61,10 @@ from .response.figures import (
 )
 from .response.shaken import Orbit as Orbit, ShakenJoystick as ShakenJoystick, Shaking as Shaking
 from .response.tables import (
-    as_document as as_document,
     attractor_report as attractor_report,
     branch_report as branch_report,
     branch_table as branch_table,
+    response_json as response_json,
     special_table as special_table,
 )
 from .samples import Samples as Samples, smooth_spans as smooth_spans
@@ -75,6 +79,7 @@ from .vibration.direction import Direction as Direction
 from .vibration.feedthrough import (
     Feedthrough as Feedthrough,
     feedthrough as feedthrough,
+    feedthrough_json as feedthrough_json,
     feedthrough_report as feedthrough_report,
     feedthrough_table as feedthrough_table,
 )

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import dataclasses
+from collections.abc import Mapping, Sequence
 
 from pyjoystick.forced_motion.measures import PartMeasures, TorqueMeasures
 from pyjoystick.forced_motion.work_cycle import MOVES_PER_SHIFT, Demand
-from pyjoystick.model import LawName
-from pyjoystick.support import TextTable
+from pyjoystick.model import JoystickParameters, LawName, parameter_list
+from pyjoystick.support import TextTable, document_text
 
 
 def measures_report(found: Mapping[LawName, TorqueMeasures]) -> str:
@@ -21,6 +22,38 @@ def measures_report(found: Mapping[LawName, TorqueMeasures]) -> str:
     header = ["torque (N m)", "highest", "lowest", "rms", "impulse (N m s)", "work (mJ)", "share"]
     rows = [_part_row(name, part) for name, part in parts.items()]
     return TextTable(header, rows).markdown() + "\n\n" + _hand_table(found)
+
+
+def torque_json(
+    motion: Mapping[str, object],
+    joysticks: Mapping[LawName, JoystickParameters],
+    found: Mapping[LawName, TorqueMeasures],
+    differences: Mapping[LawName, float],
+    notes: Sequence[str] = (),
+) -> str:
+    """The torque of a motion as JSON text, in SI units.
+
+    Args:
+        motion: what it is, by name
+        joysticks: the joysticks by damping law
+        found: their torques
+        differences: of FMU and plain Python, relative to the largest value of the torque or part
+        notes: what was noted on the motion
+    """
+    laws = [
+        {
+            "damping": law,
+            "parameters": parameter_list(joysticks[law]),
+            **dataclasses.asdict(one),
+            "parts": [{"name": name, **dataclasses.asdict(part)} for name, part in one.parts.items()],
+            "work": one.work,
+            "loss": one.loss,
+            "peak_force": one.peak_force,
+            "difference_to_plain_python": differences[law],
+        }
+        for law, one in found.items()
+    ]
+    return document_text("torque", {"motion": motion, "laws": laws}, notes)
 
 
 def demand_report(demands: Mapping[str, Demand], *, moves: int = MOVES_PER_SHIFT) -> str:

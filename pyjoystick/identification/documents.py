@@ -267,8 +267,8 @@ def _budget(content: Mapping[str, Any], source: str) -> BudgetDocument:
     return BudgetDocument(
         source=source,
         fitted={
-            name: (float(one["value"]), float(one["standard_uncertainty"]))
-            for name, one in content["fitted"].items()
+            one["name"]: (float(one["value"]), float(one["standard_uncertainty"]))
+            for one in content["parameters"]
         },
         contributions=tuple(
             Contribution(

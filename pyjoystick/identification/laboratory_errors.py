@@ -26,7 +26,7 @@ from pyjoystick.laboratory import REST_TIME, LoadCurveFit, mean_period
 from pyjoystick.model import ActuatorAssembly, JoystickParameters, Side, simulate
 from pyjoystick.motion import Record
 from pyjoystick.runs import fmu_of_joystick
-from pyjoystick.support import ParameterError, TextTable, json_text
+from pyjoystick.support import ParameterError, TextTable, document_text
 
 _OF_NOISE: Final = "fit, noise of the records"
 #: What `refit` finds.
@@ -248,18 +248,32 @@ def contribution_csv(contributions: Sequence[Contribution]) -> str:
     return pd.DataFrame(contributions).rename(columns=headings).to_csv(index=False, lineterminator="\n")
 
 
-def contribution_json(found: Fit, contributions: Sequence[Contribution], exact: Sequence[str]) -> str:
+def contribution_json(
+    found: Fit, contributions: Sequence[Contribution], exact: Sequence[str], notes: Sequence[str] = ()
+) -> str:
     """The fitted values with their combined standard uncertainties (SI units), and the contributions.
 
     Args:
         found: the fit
         contributions: to its errors
         exact: what was taken as exact, see `Bench.exact`
+        notes: what was noted on the records
     """
-    fitted = {
-        name: {"value": found.value(name), "standard_uncertainty": abs(found.value(name)) * part}
+    units = {one.name: one.unit for one in found.variables if one.record is None}
+    fitted = [
+        {
+            "name": name,
+            "value": found.value(name),
+            "unit": units[name],
+            "standard_uncertainty": abs(found.value(name)) * part,
+        }
         for name, part in zip(FITTED, combined(contributions), strict=True)
-    }
+    ]
     stages = [dataclasses.asdict(one) for one in contributions]
-    content = {"fitted": fitted, "trusted": found.trusted, "contributions": stages, "exact": list(exact)}
-    return json_text(content)
+    content = {
+        "trusted": found.trusted,
+        "parameters": fitted,
+        "contributions": stages,
+        "exact": list(exact),
+    }
+    return document_text("budget", content, notes)

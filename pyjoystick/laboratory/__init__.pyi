@@ -12,7 +12,12 @@ from .inertia.parts import (
     from_parts as from_parts,
     read_parts as read_parts,
 )
-from .inertia.report import estimates_report as estimates_report, swing_report as swing_report
+from .inertia.report import (
+    estimates_report as estimates_report,
+    parts_json as parts_json,
+    swing_json as swing_json,
+    swing_report as swing_report,
+)
 from .inertia.swing import (
     REACTION_TIME as REACTION_TIME,
     SwingPeriod as SwingPeriod,
@@ -29,7 +34,7 @@ from .load_curve.figures import (
     plot_load_deflection as plot_load_deflection,
 )
 from .load_curve.fit import LoadCurveFit as LoadCurveFit, fit_load_curve as fit_load_curve
-from .load_curve.report import load_curve_report as load_curve_report
+from .load_curve.report import load_curve_json as load_curve_json, load_curve_report as load_curve_report
 from .measured_values import PLACES as PLACES, MeasuredValues as MeasuredValues
 from .measurement_errors import (
     ChainEffect as ChainEffect,
@@ -54,6 +59,11 @@ from .measurements.chain import Chain as Chain, Motion as Motion, derivative as 
 from .measurements.comparison import (
     AccelerometerComparison as AccelerometerComparison,
     compare_accelerometer as compare_accelerometer,
+)
+from .measurements.documents import (
+    comparison_json as comparison_json,
+    log_json as log_json,
+    trial_json as trial_json,
 )
 from .measurements.low_pass import LowPass as LowPass
 from .measurements.marker_files import read_markers as read_markers

@@ -33,6 +33,8 @@ from .parameters.fmu_values import (
     FmuValue as FmuValue,
     fmu_value_table as fmu_value_table,
     fmu_values as fmu_values,
+    parameter_list as parameter_list,
+    values_json as values_json,
 )
 from .parameters.joystick import (
     FRICTION_NAMES as FRICTION_NAMES,

@@ -8,6 +8,7 @@ that is too long to be read whole, `read_table_head` reads the headings alone.
 from __future__ import annotations
 
 import csv
+import logging
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -20,6 +21,8 @@ from numpy.typing import NDArray
 from pyjoystick.motion.columns import Column, Heading, TableHead
 from pyjoystick.motion.records.errors import RecordError
 from pyjoystick.support import FloatArray
+
+_LOG = logging.getLogger(__name__)
 
 _COMMENT: Final = "#"
 DELIMITERS: Final = ",;\t"
@@ -139,6 +142,8 @@ def read_table_file(path: Path) -> TableFile:
             reason = f"has {len(row)} cells under {len(head.headings)} headings"
             advice = "was the file cut off, or are the decimal marks commas?"
             raise RecordError(str(path), reason, advice, rows=[number])
+    headings = [one.text for one in head.headings]
+    _LOG.info("read %s: %d rows of %s", path, len(rows), ", ".join(headings))
     comments = tuple(line.removeprefix(_COMMENT).strip() for _, line in lines if line.startswith(_COMMENT))
     return TableFile(head, comments, cells, np.array([number for number, _ in rows], dtype=np.int64))
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator, Mapping
 from typing import Final
 
@@ -67,12 +66,13 @@ def joystick(lab: Laboratory, sources: Mapping[str, str], *, with_fit: bool, wit
 
 def _budgeted(lab: Laboratory) -> dict[str, laboratory.Measured]:
     """J and C with all that is uncertain, to the digits that are known."""
-    fitted = json.loads((lab.root / BUDGET_JSON).read_text(encoding="utf-8"))["fitted"]
-    errors = {name: model.rounded_error(fitted[name]["standard_uncertainty"]) for name in _BUDGETED}
-    return {
-        name: laboratory.Measured(model.rounded(fitted[name]["value"], error), error)
-        for name, error in errors.items()
-    }
+    fitted = identification.read_budget(lab.root / BUDGET_JSON).fitted
+    found = {}
+    for name in _BUDGETED:
+        value, error = fitted[name]
+        error = model.rounded_error(error)
+        found[name] = laboratory.Measured(model.rounded(value, error), error)
+    return found
 
 
 def _contradictions(

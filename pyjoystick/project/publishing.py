@@ -45,7 +45,7 @@ def fmus(lab: Laboratory, *, with_fit: bool) -> Step:
                 name, model.fmu_values(file), law=file.law, title=file.title
             )
         if choice.json:
-            texts[f"{_FMUS}/{name}.json"] = reports.values_json(file)
+            texts[f"{_FMUS}/{name}.json"] = model.values_json(file)
         for path, text in texts.items():
             write_text(lab.root / path, text)
         written = (*files, *texts)

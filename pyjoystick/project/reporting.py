@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import time
 from dataclasses import replace
 from pathlib import Path
@@ -18,6 +19,7 @@ from pyjoystick.project.states import OnChange, StepState
 from pyjoystick.project.steps import Step
 from pyjoystick.project.tasks import task_name
 
+_LOG = logging.getLogger(__name__)
 _HOLDS: Final = ("done", "unchanged")
 
 
@@ -67,6 +69,7 @@ class Reporter(ZeroReporter):  # type: ignore[misc]  # doit is not annotated
         self._memory.checker.take(task.file_dep)
         self._before = self._memory.get_values(task.name).get("files", {})
         self._begun = time.monotonic()
+        _LOG.info("step %s, from %s", self._steps[task.name].name, ", ".join(sorted(task.file_dep)))
         self.tell(self._steps[task.name], "")
 
     def add_success(self, task: Task) -> None:

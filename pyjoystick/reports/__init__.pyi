@@ -21,7 +21,6 @@ from .export.fmus import (
     FmuExportError as FmuExportError,
     default_name as default_name,
     export_fmus as export_fmus,
-    values_json as values_json,
 )
 from .export.modelica_class import (
     Direction as Direction,

@@ -54,6 +54,11 @@ from .joystick_fmus import (
     fmu_with_parts as fmu_with_parts,
     mounted_fmu as mounted_fmu,
 )
+from .release_report import (
+    ReleasePeak as ReleasePeak,
+    release_json as release_json,
+    release_peak_rows as release_peak_rows,
+)
 from .simulated_releases import SimulatedReleases as SimulatedReleases
 from .sweeps.files import read_sweep as read_sweep
 from .sweeps.plots import (

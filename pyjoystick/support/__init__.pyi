@@ -58,6 +58,7 @@ from .output import (
     FIGURE_SUFFIXES as FIGURE_SUFFIXES,
     check_outputs as check_outputs,
     check_suffix as check_suffix,
+    document_text as document_text,
     json_text as json_text,
     remove_unfinished as remove_unfinished,
     replacing as replacing,

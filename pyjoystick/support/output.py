@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import json
+import logging
 import math
 import os
 import platform
 import re
 import tempfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from importlib import metadata
 from os import PathLike
@@ -16,6 +17,8 @@ from pathlib import Path
 from typing import Any, Final
 
 from pyjoystick.support.errors import OutputFileError
+
+_LOG = logging.getLogger(__name__)
 
 #: Formats of figures.
 FIGURE_SUFFIXES: Final = (".png", ".pdf", ".svg")
@@ -43,6 +46,7 @@ def replacing(path: str | PathLike[str]) -> Iterator[Path]:
     try:
         yield temporary
         temporary.replace(path)
+        _LOG.info("wrote %s", path)
     except OSError as error:
         raise OutputFileError(path, error.strerror or str(error)) from error
     finally:
@@ -93,6 +97,17 @@ def write_text(path: str | PathLike[str], text: str) -> None:
     """Write a text file (UTF-8), whole or not at all; raises OutputFileError."""
     with replacing(path) as temporary:
         temporary.write_text(text, encoding="utf-8", newline="\n")
+
+
+def document_text(command: str, content: Mapping[str, Any], notes: Iterable[str] = ()) -> str:
+    """The document of a command as JSON text; docs/json.md has the convention that all of them keep.
+
+    Args:
+        command: ``fit``, ``import swing``; `pyjoystick run` and functions write the same documents
+        content: what is found, by name
+        notes: what was noted on it
+    """
+    return json_text({"command": command, **content, "notes": list(notes)})
 
 
 def json_text(content: Mapping[str, Any]) -> str:

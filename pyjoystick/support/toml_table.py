@@ -7,6 +7,7 @@ on the file, which refuses all that was not read.
 from __future__ import annotations
 
 import difflib
+import logging
 import re
 import tomllib
 from collections.abc import Iterator, Sequence
@@ -17,6 +18,8 @@ from typing import Any, Final
 
 from pyjoystick.support.checks import finite, whole_number
 from pyjoystick.support.errors import InputFileError, ParameterError, SettingsError, UnknownNameError
+
+_LOG = logging.getLogger(__name__)
 
 _BARE_KEY: Final = re.compile(r"[A-Za-z0-9_-]+")
 _ABSENT: Final = object()
@@ -199,6 +202,7 @@ def read_toml(path: str | PathLike[str] | Table) -> Table:
     except (ValueError, RecursionError) as error:  # of tomllib, and of numbers with thousands of digits
         raise SettingsError(path, "", "", None, f"is not TOML: {error}") from error
     _require_known_whole_numbers(path, "", content)
+    _LOG.info("read %s", path)
     return Table(path, "", content)
 
 

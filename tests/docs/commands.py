@@ -37,7 +37,8 @@ def read(command: str) -> None:
     Raises:
         CommandError: it does not understand it, or it is no program that pages may mention
     """
-    program, *arguments = shlex.split(command)
+    # What it is piped into is another program's.
+    program, *arguments = shlex.split(command.partition(" | ")[0])
     match program, arguments:
         case "pyjoystick", _:
             _parse(typer.main.get_command(app), arguments, command)

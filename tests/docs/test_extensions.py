@@ -12,6 +12,7 @@ import pytest
 import typer
 
 from pyjoystick import cli
+from pyjoystick.project import schemas
 from tests.docs.commands import command_lines, read
 from tests.docs.pages import blocks
 from tests.modelica.library import MSL_ROOT, ROOT as LIBRARY, library_classes
@@ -21,6 +22,7 @@ pytest.importorskip("sphinx", reason="the extra docs is not installed")
 from docutils.utils.math import MathError
 from extensions import docstrings, mathml
 from extensions.command_line import command_text, commands
+from extensions.documents import document_text
 from extensions.imports import PACKAGES, arrows
 from extensions.modelica_library import read_packages
 from extensions.rooms import direct, drawing, layers
@@ -165,3 +167,19 @@ def test_the_commands_stand_in_the_order_of_the_help() -> None:
     help_ = list(PROGRAM.list_commands(None))
     assert list(dict.fromkeys(words.split()[1] for words, _ in COMMANDS)) == help_
     assert help_.index("import") < help_.index("peaks")
+
+
+def test_what_documents_say_as_text() -> None:
+    """Units, tables within tables, keys that may be missing, and one of two forms."""
+    found = schemas()["document.schema.json"]["definitions"]
+    text = document_text("free-oscillation", found["free-oscillation"])
+    assert text.startswith("### free-oscillation\n")
+    assert (
+        "| `peaks` | list of `time` (s), `theta` (rad), `half_period` (since the peak before, in s) |" in text
+    )
+    assert "| `trusted_until`? | " in text
+    assert "made_with" not in text
+    torque = document_text("torque", found["torque"])
+    assert "`flat` or `kind`, `file`" in torque
+    assert "`total` (`highest` (N.m), " in torque
+    assert not [name for name, one in found.items() if "|  |" in document_text(name, one)], "no meaning"

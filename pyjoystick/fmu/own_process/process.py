@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import math
 import mmap
 import os
@@ -23,6 +24,8 @@ from numpy.typing import NDArray
 
 from pyjoystick.fmu.stepping.program import BETWEEN_RUNS, PLACE_SIZE, POINT, RUN
 from pyjoystick.support import PyJoystickError
+
+_LOG = logging.getLogger(__name__)
 
 #: Time between two looks at the limit and at whether to stop (s).
 _INTERVAL: Final = 0.05
@@ -81,6 +84,7 @@ class OwnProcess:
             # Neither Ctrl-C reaches it nor does a signal that the FMU sends to its group reach this process.
             start_new_session=True,
         )
+        _LOG.debug("started process %d", self._process.pid)
         self._answers: SimpleQueue[tuple[bool, Any] | None] = SimpleQueue()
         self._printed = b""
         self._readers = [threading.Thread(target=read, daemon=True) for read in (self._read, self._listen)]
@@ -124,6 +128,7 @@ class OwnProcess:
             self.is_alive = False
             self._kill()
             self._process.wait()
+            _LOG.debug("ended process %d after %d runs", self._process.pid, self.runs)
             self._place = self._place.copy()  # the file is to be deleted
             pipes = self._process.stdout, self._process.stderr
             for pipe, reader in zip(pipes, self._readers, strict=True):

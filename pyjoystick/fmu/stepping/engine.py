@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import os
 import threading
 from collections.abc import Callable, Sequence
@@ -15,6 +16,8 @@ from pyjoystick.fmu.stepping.kernel import run_many
 from pyjoystick.fmu.stepping.program import GROUP, PLACE_SIZE, Group, Program, Workspace
 from pyjoystick.fmu.stepping.reducing import OPERATION, Operation
 from pyjoystick.support import FloatArray
+
+_LOG = logging.getLogger(__name__)
 
 #: `kernel.run_many` from the argument `workspace` on.
 Loop = Callable[..., int]
@@ -70,6 +73,7 @@ def _compiled_for(shared: tuple[object, ...]) -> Callable[..., int]:
         if _compiled is None:
             from pyjoystick.fmu.stepping.compiled import compiled
 
+            _LOG.info("loading the compiled loop, or compiling it")
             octets, flags = np.zeros(8, np.uint8), np.zeros(1, np.bool_)
             workspace = Workspace(0, np.zeros(PLACE_SIZE, np.intp), octets, 0, octets, 0)
             tables = (np.zeros((1, 1, 1)), np.zeros((1, 1)), flags, flags)

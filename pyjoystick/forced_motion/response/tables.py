@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Sequence
 from typing import Any, Final
 
 import pandas as pd
@@ -12,7 +12,8 @@ from pyjoystick.forced_motion.periodic.solutions import PeriodicSolution
 from pyjoystick.forced_motion.response.attractors import Basins, PeriodicAttractor, UnsettledMotion
 from pyjoystick.forced_motion.response.branches import Response, ResponseBranch
 from pyjoystick.forced_motion.response.shaken import FREQUENCY, TORQUE, ShakenJoystick
-from pyjoystick.support import DEFAULT_TOLERANCE, TextTable
+from pyjoystick.model import parameter_list
+from pyjoystick.support import DEFAULT_TOLERANCE, TextTable, document_text
 
 _UNITS: Final = {FREQUENCY: "Hz", TORQUE: "N m"}
 
@@ -135,23 +136,31 @@ def branch_report(response: Response) -> str:
     return text
 
 
-def as_document(shaken: ShakenJoystick, found: Basins, response: Response | None) -> Mapping[str, Any]:
-    """Everything for a JSON file, in SI units."""
+def response_json(
+    shaken: ShakenJoystick, found: Basins, response: Response | None, notes: Sequence[str] = ()
+) -> str:
+    """Everything as JSON text, in SI units."""
     document: dict[str, Any] = {
         "torque": shaken.shaking.torque,
         "frequency": shaken.shaking.frequency,
-        "parameters": shaken.joystick.to_names(),
-        "releases": {"theta": found.theta, "omega": found.omega, "attractor": found.labels},
+        "parameters": parameter_list(shaken.joystick),
+        "releases": [
+            {"theta": theta, "omega": omega, "attractor": label}
+            for omega, labels in zip(found.omega, found.labels, strict=True)
+            for theta, label in zip(found.theta, labels, strict=True)
+        ],
         "attractors": [_attractor(one, shaken) for one in found.attractors],
     }
     if response is not None:
         document["free"] = response.shaken.free
         document["limits"] = response.limits
-        document["ends"] = [list(branch.ends) for branch in response.branches]
-        document["reasons"] = [list(branch.reasons) for branch in response.branches]
-        document["branches"] = branch_table(response).to_dict("records")
+        document["branches"] = [
+            {"branch": number, "periods": one.periods, "ends": one.ends, "reasons": one.reasons}
+            for number, one in enumerate(response.branches, 1)
+        ]
+        document["points"] = branch_table(response).to_dict("records")
         document["special"] = special_table(response).to_dict("records")
-    return document
+    return document_text("response", document, notes)
 
 
 def _attractor(one: PeriodicAttractor | UnsettledMotion, shaken: ShakenJoystick) -> dict[str, Any]:

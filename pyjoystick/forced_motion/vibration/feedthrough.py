@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
@@ -9,8 +10,9 @@ import numpy as np
 import pandas as pd
 
 from pyjoystick.forced_motion.vibration.direction import Direction
-from pyjoystick.forced_motion.vibration.mounted import MountedHandle
-from pyjoystick.support import FloatArray, TextTable
+from pyjoystick.forced_motion.vibration.mounted import Hand, MountedHandle
+from pyjoystick.model import JoystickParameters, parameter_list
+from pyjoystick.support import FloatArray, TextTable, document_text
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,6 +80,28 @@ def feedthrough_report(found: Feedthrough) -> str:
 
 def _cell(value: float) -> str:
     return "not with its period" if np.isnan(value) else f"{value:.3g}"
+
+
+def feedthrough_json(
+    found: Feedthrough, joystick: JoystickParameters, held: float, hand: Hand, notes: Sequence[str] = ()
+) -> str:
+    """All responses as JSON text, in SI units.
+
+    Args:
+        found: the responses
+        joystick: the joystick, without the hand
+        held: angle at which the handle is held (rad)
+        hand: what holds it there, in the series of that name
+        notes: what was noted on them
+    """
+    content = {
+        "direction": found.direction.value,
+        "theta": held,
+        "hand": dataclasses.asdict(hand),
+        "parameters": parameter_list(joystick),
+        "responses": feedthrough_table(found).to_dict("records"),
+    }
+    return document_text("vibration", content, notes)
 
 
 def feedthrough_table(found: Feedthrough) -> pd.DataFrame:

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from matplotlib.figure import Figure
 
 from pyjoystick.identification.design.choice import Design
 from pyjoystick.identification.design.trial import Trial
-from pyjoystick.support import FloatArray, TextTable, dress, json_text, legend_above
+from pyjoystick.support import FloatArray, TextTable, document_text, dress, legend_above
 
 
 def design_table(rows: Mapping[str, Design]) -> str:
@@ -35,9 +35,10 @@ def chosen_experiments(design: Design) -> str:
     )
 
 
-def design_json(rows: Mapping[str, Design], trial: Trial | None) -> str:
+def design_json(rows: Mapping[str, Design], trial: Trial | None, notes: Sequence[str] = ()) -> str:
     """The designs, their standard errors in the units of the FMU, and the check by simulation."""
-    return json_text(
+    return document_text(
+        "design",
         {
             "designs": [
                 {
@@ -47,9 +48,11 @@ def design_json(rows: Mapping[str, Design], trial: Trial | None) -> str:
                         for one, count in zip(design.informations, design.counts, strict=True)
                         if count
                     ],
-                    "values": dict(zip(design.names, design.values.tolist(), strict=True)),
-                    "standard_errors": dict(zip(design.names, design.errors.tolist(), strict=True)),
-                    "covariance": design.covariance.tolist(),
+                    "parameters": [
+                        {"name": name, "value": value, "standard_error": error}
+                        for name, value, error in zip(design.names, design.values, design.errors, strict=True)
+                    ],
+                    "covariance": design.covariance,
                 }
                 for label, design in rows.items()
             ],
@@ -57,9 +60,13 @@ def design_json(rows: Mapping[str, Design], trial: Trial | None) -> str:
             if trial is None
             else {
                 "sets": trial.sets,
-                "scatter_over_standard_error": dict(zip(trial.names, trial.ratios.tolist(), strict=True)),
+                "parameters": [
+                    {"name": name, "scatter_over_standard_error": ratio}
+                    for name, ratio in zip(trial.names, trial.ratios, strict=True)
+                ],
             },
-        }
+        },
+        notes,
     )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import time
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import nullcontext
@@ -48,6 +49,8 @@ from pyjoystick.identification.fitting.solution.uncertainty import (
 )
 from pyjoystick.motion import Record
 from pyjoystick.support import FloatArray, ParameterError, notebook_progress, type_text
+
+_LOG = logging.getLogger(__name__)
 
 #: Called with the stage, what is done of it and of how much.
 OnProgress = Callable[[str, int, int], None]
@@ -100,6 +103,7 @@ def fit(
 
         judged = _judged(found, ordered, make, tell)
         runs = judged.runs + found.runs_before
+    _LOG.info("fitted with %d runs of the FMU", runs)
     judged = as_given(judged, settings, [one.name for one in given])
     return replace(judged, runs=runs, seconds=time.perf_counter() - begun)
 
@@ -143,15 +147,19 @@ def _searched(measured: Sequence[Measurement], settings: FitSettings, fmu: Fmu, 
     turn until they agree.
     """
     first = make_problem(measured, settings, fmu)
+    names = ", ".join(first.variables.labels)
+    _LOG.info("fit of %d values to %d records: %s", len(first.variables.free), len(measured), names)
     solution = _at_solution(first, measured, settings, fmu)
     best, *others = _coarse_minima(first, settings, tell)
+    _LOG.info("searched: %d minima, the least sum of squares %.9g", 1 + len(others), best.cost)
     steps = choose_steps(solution.model, best.x)
     problem = replace(solution, steps=steps.steps)
     best = _refined(problem, best, settings)
     settled = False
-    for _ in range(_MOST_ROUNDS):
+    for number in range(1, _MOST_ROUNDS + 1):
         before, problem = problem, with_noise_of(problem, best.x, settings, steps.least(settings.tolerance))
         settled = has_settled(before, problem, settings)
+        _LOG.info("noise, round %d: %s", number, "settled" if settled else "has changed")
         if settled:
             break
         best = _refined(problem, best, settings)
@@ -224,6 +232,8 @@ def _judged(found: _Found, settings: FitSettings, make: Make, tell: OnProgress) 
         checks = all_checks(problem, settings, best, known, errors, records, least, make)
     except FitInterruptedError:
         checks, stopped = [Check("complete", False, "stopped before the residuals were judged")], True
+    failed = ", ".join(one.name for one in checks if not one.passed)
+    _LOG.info("judged: %d checks, failed: %s", len(checks), failed or "none")
     derived = tuple(derived_parameters(variables, best.x, errors, [one.name for one in records]))
     profiles: dict[int, Profile] = {}
     drawn, interrupted = None, stopped

@@ -3,21 +3,22 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Sequence
 from typing import Any
 
 from pyjoystick.identification.fitting.result import Fit, RecordFit
 from pyjoystick.identification.fitting.settings_file import as_document
-from pyjoystick.support import json_text
+from pyjoystick.support import document_text
 
 
-def as_json(fit: Fit) -> str:
-    """The whole result as JSON text, as `json_text` writes it."""
+def as_json(fit: Fit, notes: Sequence[str] = ()) -> str:
+    """The whole result as JSON text, with what was noted on its records, as `document_text` writes it."""
     document = {
         "trusted": fit.trusted,
         "interrupted": fit.interrupted,
         "parameters": [_parameter(fit, j) for j in range(len(fit.variables))],
         "tied": [
-            {"name": one.name, "record": one.record, "value": one.value, "standard_error": one.error}
+            {"name": one.name, "record": one.record or None, "value": one.value, "standard_error": one.error}
             for one in fit.derived
         ],
         "correlation": fit.standard_errors.correlation,
@@ -44,7 +45,7 @@ def as_json(fit: Fit) -> str:
         "seconds": fit.seconds,
         "settings": as_document(fit.settings),
     }
-    return json_text(document)
+    return document_text("fit", document, notes)
 
 
 def _record(one: RecordFit) -> dict[str, Any]:

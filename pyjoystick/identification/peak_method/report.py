@@ -13,7 +13,7 @@ import pandas as pd
 from pyjoystick.identification.peak_method.bias import Bias
 from pyjoystick.identification.peak_method.estimate import CONSTANTS, LINES, DampingEstimate
 from pyjoystick.motion import MeasuredPeaks, minima
-from pyjoystick.support import TextTable, json_text
+from pyjoystick.support import TextTable, document_text
 
 _LINE_NAMES = dict(zip(LINES, (("A_pos", "n_pos"), ("A_neg", "n_neg"), ("B", "m")), strict=True))
 _ERRORS = {
@@ -75,30 +75,31 @@ def damping_json(
     estimate: DampingEstimate,
     constants: Mapping[str, Bias],
     lines: Mapping[str, Bias],
+    notes: Sequence[str] = (),
 ) -> str:
     """The same as JSON text, in SI units: releases, constant C, coefficients and exponents of the lines."""
 
-    def with_bias(bias: Bias, interval: tuple[float, float] | None) -> dict[str, Any]:
-        return asdict(bias) | {"bias": bias.bias, "interval": interval}
+    def with_bias(name: str, bias: Bias, interval: tuple[float, float] | None) -> dict[str, Any]:
+        return {"name": name, **asdict(bias), "bias": bias.bias, "interval": interval}
 
     content: dict[str, Any] = {
         "releases": [
             {key: value for key, value in vars(one).items() if not isinstance(value, pd.DataFrame)}
             for one in releases
         ],
-        "constants": {
-            name: with_bias(constants[name], estimate.constants[name].interval()) for name in CONSTANTS
-        },
-        "lines": {},
+        "constants": [
+            with_bias(name, constants[name], estimate.constants[name].interval()) for name in CONSTANTS
+        ],
+        "lines": [],
         "left_out": estimate.left_out,
     }
     for line, (coefficient, exponent) in _LINE_NAMES.items():
         fitted = estimate.lines[line]
-        content["lines"] |= {
-            coefficient: with_bias(lines[coefficient], fitted.coefficient_interval()),
-            exponent: with_bias(lines[exponent], fitted.exponent_interval()),
-        }
-    return json_text(content)
+        content["lines"] += [
+            with_bias(coefficient, lines[coefficient], fitted.coefficient_interval()),
+            with_bias(exponent, lines[exponent], fitted.exponent_interval()),
+        ]
+    return document_text("peaks", content, notes)
 
 
 def damping_csv(estimate: DampingEstimate) -> str:

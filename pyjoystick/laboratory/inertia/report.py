@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from typing import Final
+from collections.abc import Mapping, Sequence
+from typing import Any, Final
 
-from pyjoystick.laboratory.inertia.budget import Estimate
+from pyjoystick.laboratory.inertia.budget import Estimate, Measured
 from pyjoystick.laboratory.inertia.decay import Decay
+from pyjoystick.laboratory.inertia.parts import PartsResult
 from pyjoystick.laboratory.inertia.swing import SwingPeriod
-from pyjoystick.support import TextTable
+from pyjoystick.support import TextTable, document_text
 
 #: Standard errors from which a value counts as seen.
 _CLEAR: Final = 2.0
@@ -51,3 +52,62 @@ def estimates_report(estimates: Mapping[str, Estimate]) -> str:
             if part > 0.0
         ]
     return TextTable(["", "value", "standard uncertainty", "95 % interval"], rows).markdown()
+
+
+def swing_json(
+    found: SwingPeriod, inertia: Estimate, friction: Estimate | None, notes: Sequence[str] = ()
+) -> str:
+    """A swing test as JSON text, in SI units.
+
+    Args:
+        found: the period
+        inertia: J
+        friction: T_c; None where the decay was not recorded
+        notes: what was noted on them
+    """
+    decay = found.decay
+    parameters = [_parameter("J", "kg.m2", inertia)]
+    if friction is not None:
+        parameters.append(_parameter("friction.T_c", "N.m", friction))
+    content = {
+        "measured_period": found.measured,
+        "amplitude_factor": found.amplitude_factor,
+        "period": _estimate(found.period),
+        "parameters": parameters,
+        "decay": None
+        if decay is None
+        else {
+            "damping_ratio": _measured(decay.damping_ratio),
+            "friction_angle": _measured(decay.friction_angle),
+            "preferred": decay.preferred,
+            "models": [{"name": name, "bic_above_best": one} for name, one in decay.margins.items()],
+        },
+    }
+    return document_text("import swing", content, notes)
+
+
+def parts_json(found: PartsResult, notes: Sequence[str] = ()) -> str:
+    """Mass, center of mass and moment of inertia as JSON text, in SI units."""
+    units = {"m": "kg", "h": "m", "J": "kg.m2"}
+    parameters = [_parameter(name, unit, getattr(found, name)) for name, unit in units.items()]
+    return document_text("import parts", {"parameters": parameters}, notes)
+
+
+def _measured(one: Measured) -> dict[str, float]:
+    return {"value": one.value, "standard_uncertainty": one.uncertainty}
+
+
+def _parameter(name: str, unit: str, one: Estimate) -> dict[str, Any]:
+    return {"name": name, "unit": unit, **_estimate(one)}
+
+
+def _estimate(one: Estimate) -> dict[str, Any]:
+    return {
+        "value": one.value,
+        "standard_uncertainty": one.uncertainty,
+        "degrees_of_freedom": one.freedom,
+        "interval": one.interval,
+        "contributions": [
+            {"name": quantity, "standard_uncertainty": part} for quantity, part in one.budget.items()
+        ],
+    }

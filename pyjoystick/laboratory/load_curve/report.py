@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Final
 
 import numpy as np
 
 from pyjoystick.laboratory.load_curve.cubic import misses
 from pyjoystick.laboratory.load_curve.fit import LoadCurveFit
-from pyjoystick.support import TextTable
+from pyjoystick.model import Side
+from pyjoystick.support import TextTable, document_text
 
 #: Half width of a 95 % interval in standard errors.
 _SIGMAS: Final = 1.96
 _GRID: Final = 5000
+#: Segments of an actuator, whose two springs they make.
+_OF_ACTUATOR: Final = 4
+_SI_UNITS: Final = {"k_s": "N/m", "k_h": "N/m", "F_0": "N", "x_0": "m"}
 _UNITS: Final = {"k_s": ("N/m", 1.0), "k_h": ("N/m", 1.0), "F_0": ("N", 1.0), "x_0": ("mm", 1e3)}
 
 
@@ -23,7 +28,7 @@ def load_curve_report(fit: LoadCurveFit) -> str:
         rows.append(_row(f"x_{i}", "mm", 1e3 * value, 1e3 * float(error)))
     for i, (value, error) in enumerate(zip(fit.table.k, fit.k_errors, strict=True)):
         rows.append(_row(f"k_{i}", "N/m", value, float(error)))
-    if len(fit.table.x) == 4:
+    if len(fit.table.x) == _OF_ACTUATOR:
         for name, (value, error) in fit.springs().items():
             unit, factor = _UNITS[name.split(".")[1]]
             rows.append(_row(name, unit, factor * value, factor * error))
@@ -42,6 +47,45 @@ def load_curve_report(fit: LoadCurveFit) -> str:
             f"{segments.largest:.3g} N, a cubic by {cubic.rms:.3g} N, at most {cubic.largest:.3g} N.",
         )
     )
+
+
+def load_curve_json(fit: LoadCurveFit, side: Side | None = None, notes: Sequence[str] = ()) -> str:
+    """The same as JSON text, in SI units.
+
+    Args:
+        fit: the fit
+        side: of the joystick, where it is known; names of springs then begin with it, as in the FMU
+        notes: what was noted on it
+    """
+    segments = zip(fit.table.x, fit.x_errors, fit.table.k, fit.k_errors, strict=True)
+    prefix = "" if side is None else f"{side}."
+    with_unloading = fit.curve.unloading is not None
+    content = {
+        "file": str(fit.curve.source),
+        "side": side,
+        "segments": [
+            {"x": x, "x_error": x_error, "k": k, "k_error": k_error} for x, x_error, k, k_error in segments
+        ],
+        "springs": [
+            {
+                "name": prefix + name,
+                "value": value,
+                "unit": _SI_UNITS[name.split(".")[1]],
+                "standard_error": error,
+            }
+            for name, (value, error) in (fit.springs() if len(fit.table.x) == _OF_ACTUATOR else {}).items()
+        ],
+        "friction": {"value": fit.friction, "standard_error": fit.friction_error} if with_unloading else None,
+        "hysteresis_work": hysteresis_work(fit),
+        "zero": fit.zero,
+        "travel_noise": fit.travel_noise,
+        "force_noise": fit.force_noise,
+        "misfit": fit.misfit,
+        "misses": [
+            {"name": name, "rms": one.rms, "largest": one.largest} for name, one in misses(fit).items()
+        ],
+    }
+    return document_text("import load-curve", content, notes)
 
 
 def hysteresis_work(fit: LoadCurveFit) -> float:

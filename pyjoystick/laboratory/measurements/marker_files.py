@@ -5,6 +5,7 @@ Plain CSV has one frame a row: ``time (s),TOP x (mm),TOP y (mm),TOP z (mm),...``
 
 from __future__ import annotations
 
+import logging
 import re
 from dataclasses import replace
 from os import PathLike
@@ -18,6 +19,8 @@ from pyjoystick.laboratory.measurements.lost_markers import without_lost
 from pyjoystick.laboratory.measurements.markers import Markers, length_factor
 from pyjoystick.laboratory.measurements.nexus_csv import is_nexus_csv, read_nexus_csv
 from pyjoystick.motion import TIME, Heading, RecordError, TableHead, open_text, read_table_file
+
+_LOG = logging.getLogger(__name__)
 
 _TIME: Final = replace(TIME, advice="delete these rows, or export the time of every frame")
 _AXES: Final = "xyz"
@@ -42,14 +45,21 @@ def read_markers(path: str | PathLike[str], *, unit: str | None = None) -> Marke
     """
     file = Path(path)
     if file.suffix.casefold() == ".c3d":
-        return without_lost(read_c3d(file, unit=unit))
+        return _told(without_lost(read_c3d(file, unit=unit)))
     with open_text(file, "name a C3D file .c3d, export a table as CSV in UTF-8") as opened:
         text = opened.read()
     if text.startswith(_MOTIVE):
         advice = "export the take as C3D, which Motive writes too"
         raise RecordError(str(file), "is the CSV export of OptiTrack Motive, which is not read", advice)
     read = read_nexus_csv(file, text, unit=unit) if is_nexus_csv(text) else read_marker_csv(file, unit=unit)
-    return without_lost(read)
+    return _told(without_lost(read))
+
+
+def _told(markers: Markers) -> Markers:
+    """The same, after a line in the log."""
+    names = ", ".join(markers.names)
+    _LOG.info("read %s: %d frames at %g Hz of %s", markers.source, len(markers.time), markers.rate, names)
+    return markers
 
 
 def read_marker_csv(path: Path, *, unit: str | None = None) -> Markers:

@@ -176,11 +176,17 @@ def acceleration_report(record: AccelerometerRecord, found: AngularAcceleration)
     return TextTable(["", "accelerometer"], rows).markdown()
 
 
+def residual(markers: Markers, name: str) -> float:
+    """Root mean square of a marker's residuals (m); NaN where the file has none."""
+    if markers.residuals is None:
+        return math.nan
+    column = markers.residuals[:, markers.index(name)]
+    known = column[np.isfinite(column)]
+    return math.sqrt(float(np.mean(known**2))) if known.size else math.nan
+
+
 def _residuals(markers: Markers, names: tuple[str, ...]) -> str:
-    assert markers.residuals is not None
-    texts = []
-    for name in names:
-        column = markers.residuals[:, markers.index(name)]
-        known = column[np.isfinite(column)]
-        texts.append(f"{name} {1e3 * math.sqrt(float(np.mean(known**2))):.2f}" if known.size else f"{name} -")
-    return ", ".join(texts)
+    found = {name: residual(markers, name) for name in names}
+    return ", ".join(
+        f"{name} -" if math.isnan(one) else f"{name} {1e3 * one:.2f}" for name, one in found.items()
+    )

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Final
 
 from pyjoystick.model.parameters.file import PLAIN_TABLES, SIDES, LawName, ParameterFile
-from pyjoystick.support import TextTable
+from pyjoystick.model.parameters.joystick import JoystickParameters
+from pyjoystick.support import TextTable, document_text
 
 #: Where the parameters of the two springs of a side stand in its load-deflection curve (Table 1).
 _SPRINGS: Final = {
@@ -80,7 +81,7 @@ def fmu_values(file: ParameterFile, law: LawName | None = None) -> tuple[FmuValu
         FmuValue(
             name=name,
             value=values[name],
-            unit=_UNITS.get(name) or _UNITS[name.rpartition(".")[2]],
+            unit=_unit(name),
             table=table,
             place=place,
             uncertainty=file.uncertainties.get(f"{table}.{place}"),
@@ -88,6 +89,39 @@ def fmu_values(file: ParameterFile, law: LawName | None = None) -> tuple[FmuValu
         )
         for name, table, place in _places(tuple(values), law)
     )
+
+
+def parameter_list(joystick: JoystickParameters) -> list[dict[str, str | float]]:
+    """Name in the FMU, value and unit of each parameter, for documents."""
+    return [
+        {"name": name, "value": value, "unit": _unit(name)} for name, value in joystick.to_names().items()
+    ]
+
+
+def values_json(file: ParameterFile, law: LawName | None = None, notes: Sequence[str] = ()) -> str:
+    """The parameters by their FMU names as the document of ``pyjoystick parameters``.
+
+    Args:
+        file: the parameters
+        law: damping law; that of the file by default
+        notes: what was noted on them
+
+    Raises:
+        SettingsError: the file has no numbers of that law
+    """
+    parameters = [
+        {
+            "name": one.name,
+            "value": one.value,
+            "unit": one.unit,
+            "standard_uncertainty": one.uncertainty,
+            "source": one.source,
+            "from": f"{one.table}: {one.place}",
+        }
+        for one in fmu_values(file, law)
+    ]
+    content = {"title": file.title, "damping": law or file.law, "parameters": parameters}
+    return document_text("parameters", content, notes)
 
 
 def fmu_value_table(values: tuple[FmuValue, ...]) -> TextTable:
@@ -103,6 +137,10 @@ def fmu_value_table(values: tuple[FmuValue, ...]) -> TextTable:
         for v in values
     ]
     return TextTable(("in the FMU", "in the parameter file", "value", "standard uncertainty", "unit"), rows)
+
+
+def _unit(name: str) -> str:
+    return _UNITS.get(name) or _UNITS[name.rpartition(".")[2]]
 
 
 def _places(names: tuple[str, ...], law: LawName) -> Iterator[tuple[str, str, str]]:

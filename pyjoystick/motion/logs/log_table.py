@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -21,6 +22,7 @@ from pyjoystick.motion.table_files import TableFile, read_table_file
 from pyjoystick.motion.units import UNITS
 from pyjoystick.support import FloatArray
 
+_LOG = logging.getLogger(__name__)
 #: Everything about the file is found out.
 AUTOMATIC: Final = Layout()
 #: Time between two samples (s) of an instrument that records a joystick.
@@ -188,6 +190,7 @@ def read_log_table(
             "--column time=#1 --column theta=#2",
             rows=[found.rows[0][0]],
         )
+    _LOG.info("read %s: %d rows (%s)", path, len(found.rows), words)
     return LogTable(found.table(path, comments), words)
 
 

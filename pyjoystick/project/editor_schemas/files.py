@@ -1,4 +1,4 @@
-"""JSON schemas of all TOML files, with which editors complete keys and mark mistakes.
+"""JSON schemas of all TOML files, with which editors complete keys and mark mistakes, and of documents.
 
 A schema knows names, types and choices. Mistakes that depend on an FMU or on several values together are
 left to the reader of the file, `pyjoystick check`. No schema refuses what its reader takes.
@@ -10,6 +10,7 @@ import json
 from os import PathLike
 from pathlib import Path
 
+from pyjoystick.project.document_schemas.document import document_schema
 from pyjoystick.project.editor_schemas.blocks import Schema
 from pyjoystick.project.editor_schemas.laboratory import laboratory_schema
 from pyjoystick.project.editor_schemas.settings import (
@@ -29,6 +30,7 @@ def schemas() -> dict[str, Schema]:
         "sweep": ("The settings of a sweep", sweep_schema()),
         "fit": ("The settings of a fit", fit_schema()),
         "explore": ("What the live page of a model shows, in SI units", explore_schema()),
+        "document": ("What commands write with --json, in SI units", document_schema()),
     }
     draft = {"$schema": "http://json-schema.org/draft-07/schema#"}
     return {f"{name}.schema.json": draft | {"title": title} | one for name, (title, one) in titled.items()}

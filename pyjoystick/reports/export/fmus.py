@@ -14,7 +14,7 @@ from fmu_build import BuildError, FmiVersion, build_fmu
 from pyjoystick.model import JoystickParameters, LawName, ParameterFile, fmu_values, inverse_torque
 from pyjoystick.reports.export.fit_page import fit_page
 from pyjoystick.reports.export.modelica_class import BASE_NAMES, Direction, check_name, modelica_class
-from pyjoystick.support import PyJoystickError, json_text, temporary_folder, write_text
+from pyjoystick.support import PyJoystickError, temporary_folder, write_text
 
 _TOOLS: Final = ("rumoca", "ziglang")
 _SUFFIXES: Final[dict[Direction, str]] = {"forward": "", "inverse": "Inverse"}
@@ -128,22 +128,3 @@ def _default_inputs(joystick: JoystickParameters, direction: Direction) -> str:
     ]
     lines = (f"{0.1 * i:.1f},{theta},{omega},{alpha}" for i, (theta, omega, alpha) in enumerate(rows))
     return "\n".join(("time,theta,omega,alpha", *lines)) + "\n"
-
-
-def values_json(file: ParameterFile, law: LawName | None = None) -> str:
-    """The parameters by their FMU names as JSON: value, unit, standard uncertainty (or null) and source.
-
-    Raises:
-        SettingsError: the file has no numbers of that law
-    """
-    parameters = {
-        v.name: {
-            "value": v.value,
-            "unit": v.unit,
-            "standard_uncertainty": v.uncertainty,
-            "source": v.source,
-            "from": f"{v.table}: {v.place}",
-        }
-        for v in fmu_values(file, law)
-    }
-    return json_text({"title": file.title, "parameters": parameters})

@@ -10,7 +10,7 @@ from pyjoystick.fmu import FmuDescription
 from pyjoystick.runs.fmu_comparison.compare import RunComparison
 from pyjoystick.runs.fmu_comparison.declarations import Declarations
 from pyjoystick.runs.fmu_comparison.experiments import Tolerances
-from pyjoystick.support import json_text
+from pyjoystick.support import document_text
 
 
 def as_json(
@@ -19,6 +19,7 @@ def as_json(
     tolerances: Tolerances,
     *,
     declarations: Declarations | None = None,
+    notes: Sequence[str] = (),
 ) -> str:
     """All results of a comparison as JSON.
 
@@ -29,26 +30,17 @@ def as_json(
         runs: the compared runs
         tolerances: tolerances of the integrators
         declarations: what the FMUs declare, where there are two
+        notes: what was noted on it
     """
     content: dict[str, Any] = {
-        "fmus": [_fmu(one) for one in fmus],
+        "fmus": [one.identity for one in fmus],
         "tolerances": asdict(tolerances),
         "within_limits": all(run.within_limits for run in runs),
         "runs": [_run(run) for run in runs],
     }
     if declarations is not None:
         content["declarations"] = asdict(declarations)
-    return json_text(content)
-
-
-def _fmu(fmu: FmuDescription) -> dict[str, str]:
-    return {
-        "path": str(fmu.path),
-        "model": fmu.model_name,
-        "made_by": fmu.generation_tool,
-        "made_at": fmu.generation_date,
-        "guid": fmu.guid,
-    }
+    return document_text("compare", content, notes)
 
 
 def _run(run: RunComparison) -> dict[str, Any]:

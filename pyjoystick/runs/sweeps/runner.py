@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import os
 import time
 from collections.abc import Callable, Generator
@@ -20,6 +21,8 @@ from pyjoystick.runs.sweeps.chunks import Chunks
 from pyjoystick.runs.sweeps.files import check_target, read_sweep, write_sweep
 from pyjoystick.runs.sweeps.parts import Parts, require_same
 from pyjoystick.runs.sweeps.sweep import Part, Sweep, part_of
+
+_LOG = logging.getLogger(__name__)
 
 #: Target duration of a chunk (s); at most this much work is lost when the process is killed.
 _CHUNK: Final = 2.0
@@ -92,6 +95,7 @@ def run_sweep(
     with parts.opened(sweep.identity, anew=overwrite):
         whole, done = parts.whole(len(sweep.design), len(sweep.columns))
         found = int(done.sum())
+        _LOG.info("%d of %d runs are kept from before, in %s", found, len(sweep.design), parts.folder)
         on_progress(found)
         interrupted = _carry_out(
             sweep,

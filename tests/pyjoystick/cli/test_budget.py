@@ -51,8 +51,9 @@ def test_what_is_uncertain_has_a_row_and_the_file_the_whole(command: Command, re
     assert all(0.0 < part < total for row in parts for part, total in zip(row, whole, strict=True))
     saved = json.loads(Path("budget.json").read_text(encoding="utf-8"))
     assert saved["trusted"] is True
-    assert saved["fitted"]["J"]["value"] == pytest.approx(NOMINAL.J, rel=0.01)
-    inertia = saved["fitted"]["J"]
+    inertia, damping = saved["parameters"]
+    assert (inertia["name"], damping["name"], inertia["unit"]) == ("J", "damping.C", "kg.m2")
+    assert inertia["value"] == pytest.approx(NOMINAL.J, rel=0.01)
     assert inertia["standard_uncertainty"] / inertia["value"] == pytest.approx(whole[0] / 100.0, abs=1e-5)
     table = pd.read_csv("budget.csv", index_col="stage")
     assert list(table) == ["theta (rad)", "omega (rad/s)", "period", "J", "C"]

@@ -28,7 +28,7 @@ def test_formats_that_need_no_compiler(
     assert done.code == 0, done.err
     assert sorted(path.name for path in Path("out").iterdir()) == ["Stick.json", "Stick.mo"]
     values = json.loads(Path("out/Stick.json").read_text("utf-8"))["parameters"]
-    assert values["a"]["value"] == 0.025
+    assert {one["name"]: one["value"] for one in values}["a"] == 0.025
     assert "a = 0.025" in Path("out/Stick.mo").read_text("utf-8")
     assert "pip install" in command("export", "-p", "stick.toml", "-o", "out").message
 

@@ -32,11 +32,11 @@ def test_the_results_are_saved(command: Command, tmp_path: Path) -> None:
     outcome = command("peaks", *RECORDS, "--json", "peaks.json", "--csv", "peaks.csv")
     assert outcome.code == 0, outcome.err
     found = json.loads((tmp_path / "peaks.json").read_text(encoding="utf-8"))
-    both = found["constants"]["both"]
+    both = {one["name"]: one for one in found["constants"]}["both"]
     row = next(line for line in outcome.out.splitlines() if line.startswith("| C, both "))
     assert f"{both['corrected']:.4f}" == row.split("|")[5].strip()
     assert both["interval"][0] < both["estimate"] < both["interval"][1]
-    assert list(found["lines"]) == ["A_pos", "n_pos", "A_neg", "n_neg", "B", "m"]
+    assert [one["name"] for one in found["lines"]] == ["A_pos", "n_pos", "A_neg", "n_neg", "B", "m"]
     assert [one["name"] for one in found["releases"]] == [Path(record).stem for record in RECORDS]
     assert found["releases"][0]["release_angle"] == pytest.approx(math.radians(-20.0), rel=0.01)
     table = pd.read_csv(tmp_path / "peaks.csv")

@@ -78,7 +78,7 @@ print(*(name for name in sys.modules if name == "numpy" or name.startswith("pyjo
 """
     done = _python(program)
     assert done.returncode == 0, done.stderr
-    assert done.stdout.splitlines()[-1] == "pyjoystick.cli.console"
+    assert done.stdout.splitlines()[-1] == "pyjoystick.cli.invocation pyjoystick.cli.console"
 
 
 def test_every_command_has_one_line_in_its_list() -> None:

@@ -14,6 +14,7 @@ import pytest
 from pyjoystick.support import (
     OutputFileError,
     check_outputs,
+    document_text,
     json_text,
     replacing,
     version_of,
@@ -105,6 +106,12 @@ def test_json_has_every_number_in_full_and_the_versions() -> None:
     found = json.loads(json_text(content), parse_constant=lambda name: pytest.fail(name))
     assert found.pop("made_with") == versions()
     assert found == {"x": [[0.1, None]], "y": [1 / 3, None, 2], "z": {"1": "ä"}}
+
+
+def test_a_document_names_its_command_and_repeats_the_notes() -> None:
+    found = json.loads(document_text("fit", {"x": math.inf}, iter(["doubtful"])))
+    assert found == {"command": "fit", "x": None, "notes": ["doubtful"], "made_with": versions()}
+    assert json.loads(document_text("fit", {}))["notes"] == []
 
 
 def test_versions_are_those_of_the_packages() -> None:

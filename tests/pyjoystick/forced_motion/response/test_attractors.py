@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Iterator
 
@@ -13,10 +14,10 @@ from pyjoystick.forced_motion import (
     ShakenJoystick,
     Shaking,
     UnsettledMotion,
-    as_document,
     attractor_report,
     basins,
     plot_attractors,
+    response_json,
 )
 from pyjoystick.support import ParameterError
 
@@ -72,7 +73,7 @@ def test_no_period_is_claimed_for_chaos_and_its_end_of_trust_is_told(
     text = attractor_report(found, shaken)
     assert "| chaotic" in text
     assert text.count("periodic") == 1
-    document = as_document(shaken, found, None)
+    document = json.loads(response_json(shaken, found, None))
     assert [one["kind"] for one in document["attractors"]] == ["periodic", "chaotic"]
 
 

@@ -28,15 +28,7 @@ from pyjoystick.model import (
     simulate,
     write_parameters,
 )
-from pyjoystick.reports import (
-    FmuExportError,
-    default_name,
-    export_fmus,
-    export_ssp,
-    fit_page,
-    modelica_class,
-    values_json,
-)
+from pyjoystick.reports import FmuExportError, default_name, export_fmus, export_ssp, fit_page, modelica_class
 from pyjoystick.runs import read_ssp
 from pyjoystick.support import InputFileError, ParameterError
 from tests.other_tools import test_ecos, test_pyfmi
@@ -277,21 +269,6 @@ def test_a_fit_of_another_joystick_is_refused(tmp_path: Path) -> None:
         (tmp_path / "fit.json").write_text(content, encoding="utf-8")
         with pytest.raises(InputFileError, match=r"fit.json: is not a fit.json"):
             fit_page(tmp_path / "fit.json", other)
-
-
-def test_values_by_fmu_name(tmp_path: Path) -> None:
-    file = _file(tmp_path, "power-law")
-    found = json.loads(values_json(file))["parameters"]
-    assert {name: one["value"] for name, one in found.items()} == file.joystick.to_names()
-    assert found["m"]["standard_uncertainty"] == 1e-3
-    assert found["damping.B"] == {
-        "value": file.joystick.to_names()["damping.B"],
-        "unit": "N.m.s/rad",
-        "standard_uncertainty": 2e-4,
-        "source": "",
-        "from": "damping.power-law: B",
-    }
-    assert found["forward.returnSpring.F_0"]["standard_uncertainty"] is None
 
 
 @pytest.mark.parametrize(
