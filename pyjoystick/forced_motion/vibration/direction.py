@@ -5,12 +5,6 @@ from __future__ import annotations
 import math
 from enum import StrEnum
 
-import numpy as np
-import pandas as pd
-
-from pyjoystick.forced_motion.sine import sine_table
-from pyjoystick.support import ParameterError
-
 #: Inputs of the FMU.
 ALONG, UPWARD, TURNING = "a_base", "a_base_z", "alpha_base"
 
@@ -45,29 +39,6 @@ class Direction(StrEnum):
         if self is Direction.PITCH:
             return {TURNING: 1.0, ALONG: gravity / (2.0 * math.pi * frequency) ** 2}
         return {ALONG if self is Direction.HORIZONTAL else UPWARD: 1.0}
-
-    def inputs(self, frequency: float, acceleration: float, periods: int, gravity: float) -> pd.DataFrame:
-        """The inputs while the base shakes with acceleration*sin(2*pi*frequency*time), see `sine_table`.
-
-        Args:
-            frequency: Hz
-            acceleration: in `unit`
-            periods: how many
-            gravity: m/s2
-
-        Raises:
-            ParameterError: the base would turn by more than a right angle
-        """
-        if self is not Direction.PITCH:
-            (name,) = self.shares(frequency, gravity)
-            return sine_table(name, acceleration, frequency, periods)
-        square = (2.0 * math.pi * frequency) ** 2
-        if acceleration > 0.5 * math.pi * square:
-            allowed = f"at most {0.5 * math.pi * square:.4g} rad/s2 at {frequency:g} Hz: the base turns over"
-            raise ParameterError("acceleration", acceleration, allowed)
-        table = sine_table(TURNING, acceleration, frequency, periods)
-        turn = table[TURNING] / -square
-        return table.assign(**{ALONG: -gravity * np.sin(turn), UPWARD: gravity * (np.cos(turn) - 1.0)})
 
     def arm(self, held: float, pivot_to_top: float) -> float:
         """What the motion in space has more than the base's, over the angle of the handle (m/rad, or 1).

@@ -19,7 +19,7 @@ import pandas as pd
 from numpy.typing import ArrayLike
 
 from pyjoystick.fmu import Fmu, Linearization, UnsupportedFmuError, Value
-from pyjoystick.forced_motion.sine import ROWS
+from pyjoystick.forced_motion.sine import ROWS, sine_table
 from pyjoystick.forced_motion.vibration.direction import ALONG, TURNING, UPWARD, Direction
 from pyjoystick.model import PIVOT_TO_TOP, JoystickParameters, values_for
 from pyjoystick.support import FloatArray, ParameterError, angle, not_negative, positive
@@ -199,11 +199,23 @@ class MountedHandle:
 
     def _last_periods(self, frequency: float, acceleration: float, periods: int) -> FloatArray:
         """The angle (rad) in the last two of 3 or more periods from rest, shape (2, `ROWS`)."""
-        shaking = self.direction.inputs(frequency, acceleration, periods, self.joystick.g)
-        inputs = shaking.assign(**self._inputs)
+        inputs = self._shaking(frequency, acceleration, periods).assign(**self._inputs)
         time = np.append(0.0, inputs.index[-2 * ROWS - 1 :])
         run = self.fmu.run(time, parameters=self._parameters, inputs=inputs, outputs=["theta"])
         return run["theta"].to_numpy()[-2 * ROWS :].reshape(2, ROWS)
+
+    def _shaking(self, frequency: float, acceleration: float, periods: int) -> pd.DataFrame:
+        """The base's acceleration as inputs of the FMU, see `sine_table`; raises ParameterError."""
+        if self.direction is not Direction.PITCH:
+            (name,) = self.direction.shares(frequency, self.joystick.g)
+            return sine_table(name, acceleration, frequency, periods)
+        square = (2.0 * math.pi * frequency) ** 2
+        if acceleration > 0.5 * math.pi * square:
+            allowed = f"at most {0.5 * math.pi * square:.4g} rad/s2 at {frequency:g} Hz: the base turns over"
+            raise ParameterError("acceleration", acceleration, allowed)
+        table = sine_table(TURNING, acceleration, frequency, periods)
+        turn, gravity = table[TURNING] / -square, self.joystick.g
+        return table.assign(**{ALONG: -gravity * np.sin(turn), UPWARD: gravity * (np.cos(turn) - 1.0)})
 
     def _table(
         self, frequencies: FloatArray, responses: np.ndarray[tuple[int], np.dtype[np.complex128]]
