@@ -235,11 +235,23 @@ MEANINGS = (
         (r"=\s*size\s*\(",),
     ),
     Meaning(
-        r"for-equation range must be a constant range",
+        r"for-equation range must be a constant range|array comprehension domain|range step",
         UnsupportedModelError,
-        "iterators run over ranges such as 1:n; arrays, as in {{3, 1, 2}}, and enumerations are not "
-        "supported",
+        "ranges have whole numbers, as 1:n; iterators over arrays and enumerations are not supported",
         (r"\bin\s+(?![\w.+*/() -]*:)[\w.{]+",),
+    ),
+    Meaning(
+        r"missing exact function-selection identity",
+        UnsupportedModelError,
+        "which function is called through a redeclared class is not clear here; write its full name",
+        (r"\bredeclare\s+(?:replaceable\s+)?(?:package|function)\s+\w+",),
+    ),
+    Meaning(
+        r"unresolved type reference: '(?P<heir>[\w.]+)\.(?P<name>\w+)'",
+        UnsupportedModelError,
+        "{heir}.{name}: an inherited class is found only where it is declared; write its own full name",
+        (r"\b(?:model|block|record|connector|type|package)\s+NAME\b",),
+        only_there=True,
     ),
     Meaning(
         r"missing source context: .* binding type compatibility",

@@ -285,7 +285,27 @@ _CASES = {
         "Real y;",
         "y = sum(i*time for i in {3, 1, 2});",
         UnsupportedModelError,
-        "M.mo:4:24: iterators run over ranges such as 1:n; arrays, as in {3, 1, 2}, and enumerations",
+        "M.mo:4:24: ranges have whole numbers, as 1:n; iterators over arrays and enumerations",
+    ),
+    "range with a step": Case(
+        "Real a[5];",
+        "a = time*(0:0.5:2);",
+        UnsupportedModelError,
+        "M.mo: ranges have whole numbers, as 1:n;",
+    ),
+    "class of a base class": Case(
+        "package A model T Real y = time; end T; end A; package B extends A; end B; B.T t;",
+        "",
+        UnsupportedModelError,
+        "M.mo:2:13: B.T: an inherited class is found only where it is declared",
+    ),
+    "function of a medium in a function": Case(
+        "package A function h input Real x; output Real y; algorithm y := x; end h; end A; "
+        "function f replaceable package P = A; input Real x; output Real y; algorithm y := P.h(x); end f; "
+        "function g = f(redeclare package P = A); Real y;",
+        "y = g(time);",
+        UnsupportedModelError,
+        "M.mo:2:197: which function is called through a redeclared class is not clear here",
     ),
     "size of a local array": Case(
         "function f input Real a[:]; output Real y; protected Real b[size(a, 1)]; Integer n = size(b, 1); "
