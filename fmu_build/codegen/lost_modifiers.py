@@ -82,8 +82,7 @@ def _nested_redeclarations(text: ModelText) -> Iterator[tuple[str, Construct]]:
             if before.count("(") - before.count(")") > 1:
                 yield (
                     f"the redeclaration of {found[1] or found[2]} in the modifier of another component is "
-                    "lost; "
-                    "make it in a class that extends that of the component",
+                    "lost; make it in a class that extends that of the component",
                     modified,
                 )
 

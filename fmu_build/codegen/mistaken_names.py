@@ -44,9 +44,8 @@ def _outer_classes(text: ModelText) -> Iterator[tuple[str, Construct]]:
     for construct in text.find([rf"{_OUTER_CLASS}\w+"]):
         kind = construct.plain.rpartition(" ")[2]
         yield (
-            f"outer {kind}: the compiler would use the class of the outer declaration, not that of the "
-            "inner one; "
-            "outer components are supported",
+            f"outer {kind}: the compiler would use the class of the outer declaration, not that of the inner "
+            "one; outer components are supported",
             construct,
         )
 
@@ -128,8 +127,8 @@ def _ambiguous_aliases(text: ModelText, functions: dict[str, object]) -> Iterato
         if len(meanings[name]) > 1:
             yield (
                 f"the model calls functions of {name}, which has several meanings in it: "
-                f"{', '.join(meanings[name])}; "
-                "the compiler would take one for all; call them by their full names",
+                f"{', '.join(meanings[name])}; the compiler would take one for all; "
+                "call them by their full names",
                 list(meanings[name].values())[-1],
             )
 
@@ -148,8 +147,7 @@ def _reject_other_functions(model: LoweredModel) -> None:
         if is_other or meant.setdefault(name, last["def_id"]) != last["def_id"]:
             raise model.unsupported(
                 f"{last['ident']}() would call another function of that name, which the model uses too; "
-                "give one "
-                "of them another name, or call them by their full names",
+                "give one of them another name, or call them by their full names",
                 last["span"],
             )
 

@@ -208,8 +208,7 @@ MEANINGS = (
         r"expression shape mismatch",
         UnsupportedModelError,
         "the size of an array does not fit, or the compiler does not find it; write the array out, as "
-        "{{a, b}}, "
-        "and with one iterator for each pair of braces",
+        "{{a, b}}, and with one iterator for each pair of braces",
         (
             r"\{[^{}]*\bfor\b[^{}]*,[^{}]*\bin\b[^{}]*\}",
             r"\(\s*(?:each\s+)?\w+\s*=\s*(?!\{[^{}]*\}\s*[,)])[^,()]*[:*+({][^;]*",
@@ -247,10 +246,10 @@ MEANINGS = (
         (r"\bredeclare\s+(?:replaceable\s+)?(?:package|function)\s+\w+",),
     ),
     Meaning(
-        r"unresolved type reference: '(?P<heir>[\w.]+)\.(?P<name>\w+)'",
+        r"unresolved type reference: '(?P<whole>(?:[\w.]+\.)?(?P<name>\w+)\.\w+)'",
         UnsupportedModelError,
-        "{heir}.{name}: an inherited class is found only where it is declared; write its own full name",
-        (r"\b(?:model|block|record|connector|type|package)\s+NAME\b",),
+        "{whole}: an inherited class is found only where it is declared; write its own full name",
+        (r"\b(?:model|block|package)\s+NAME\b[^;]*\bextends\b",),
         only_there=True,
     ),
     Meaning(
@@ -264,15 +263,14 @@ MEANINGS = (
         r"named argument `(?P<name>\w+)` does not match any input",
         UnsupportedModelError,
         "the base class of a function is given a value for {name}, which is no input; this is not supported",
-        (r"\bextends\s+[\w.]+\s*\(",),
+        (r"\bextends\s+[\w.]+\s*\((?=[^;]*\bNAME\s*=)",),
         only_there=True,
     ),
     Meaning(
         r"unbalanced model",
         UnsupportedModelError,
         "outer variables that are neither parameters nor components are not supported; connect them, or "
-        "declare "
-        "them in a component that is inner",
+        "declare them in a component that is inner",
         (r"\bouter\s+(?:(?:input|output)\s+)?(?:Real|(?:[\w.]+\.)?SI\.\w+)\s+\w+",),
         only_there=True,
     ),

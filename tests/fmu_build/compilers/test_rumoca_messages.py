@@ -297,7 +297,7 @@ _CASES = {
         "package A model T Real y = time; end T; end A; package B extends A; end B; B.T t;",
         "",
         UnsupportedModelError,
-        "M.mo:2:13: B.T: an inherited class is found only where it is declared",
+        "M.mo:2:50: B.T: an inherited class is found only where it is declared",
     ),
     "function of a medium in a function": Case(
         "package A function h input Real x; output Real y; algorithm y := x; end h; end A; "
@@ -326,6 +326,19 @@ _CASES = {
         "",
         UnsupportedModelError,
         "M.mo:2:13: a literal of an enumeration is taken for a variable of the same name; rename one of them",
+    ),
+    "class that no base class has": Case(
+        "package A model T Real y = 1; end T; end A; package B model U Real y = 1; end U; end B; B.T t;",
+        "",
+        ModelicaError,
+        "M.mo:2:91: unresolved type reference: 'B.T'",
+    ),
+    "argument that a function does not have": Case(
+        "model A parameter Real k = 1; end A; model B extends A(k = 2); end B; B b; "
+        "function f input Real x; output Real y; algorithm y := x; end f; Real y;",
+        "y = f(time, q = 3);",
+        UnsupportedModelError,
+        "M.mo: invalid call of function `f`: named argument `q` does not match any input",
     ),
     "a constant of a base function": Case(
         "function f input Real x; output Real y; protected constant Real k = 1; algorithm y := k*x; end f; "

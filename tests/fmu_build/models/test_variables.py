@@ -96,6 +96,18 @@ def test_a_member_with_a_value_of_its_own_follows_no_other(
     assert list(table["d.y"]) == [value, value]
 
 
+@pytest.mark.parametrize(("name", "value"), [("d.r.a", 8.0), ("d.r.b", 9.0), ("e.r.a", 7.0)])
+def test_a_member_leads_what_is_bound_to_it_and_nothing_else(name: str, value: float, tmp_path: Path) -> None:
+    parts = "model H parameter Real J = 1; Real y = J; end H; "
+    user = "model B extends A; H h(J = r.a); end B; model M B d(r = R(5, 6)); B e(r(a = 3)); end M; "
+    file = tmp_path / "P.mo"
+    file.write_text(f"package P {_RECORD}{parts}{user}end P;")
+    with Fmu(build_fmu("P.M", tmp_path, library=file).path) as fmu:
+        row = fmu.run([0.0, 1.0], parameters={name: value}, outputs=["d.y", "d.h.y", "e.y", "e.h.y"]).iloc[-1]
+    a, b, own = ({"d.r.a": 5.0, "d.r.b": 6.0, "e.r.a": 3.0} | {name: value}).values()
+    assert list(row) == [a + 10 * b, a, 11 * own, own]
+
+
 def test_names_with_escapes(tmp_path: Path) -> None:
     """Quoted identifiers with an apostrophe and a backslash, a description with what looks like escapes."""
     file = tmp_path / "M.mo"
