@@ -39,7 +39,7 @@ _EXTENSION = r"\bextends\s+[\w.]+\s*\("
 _SHORT_CLASS = rf"\b{_KINDS}\s+\w+\s*=\s*[\w.]+\s*\("
 _BASE = re.compile(r"(?:\bextends\s+|=\s*)([\w.]+)\s*(\()?")
 _RECORD_VALUE = (
-    r"(?<![\w.])(?P<name>\w+)\s*(?:\([^()]*\))?\s*=(?!=)\s*\{?\s*"
+    r"(?<![\w.])(?P<name>\w+)(?:\s*\([^()]*\))?\s*=(?!=)\s*\{?\s*"
     r"(?:\w+\s*\.\s*)*(?P<record>\w+)\s*\("
 )
 _REDECLARED = re.compile(
