@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from pathlib import Path
 from typing import Any
 
+from fmu_build.modelica_source.constructs import Construct, ModelText
 from fmu_build.modelica_source.places import Place, located, place_at
 from fmu_build.modelica_source.text import declarations
 from fmu_build.support.errors import UnsupportedModelError
@@ -35,6 +37,11 @@ class CompiledModel:
                 return path
         return self.name
 
+    @cached_property
+    def classes(self) -> ModelText:
+        """The text of the classes that the model can reach."""
+        return ModelText(self.name, {Path(path): text for path, text in self._sources.values()}, around=False)
+
     def text(self, span: Span) -> str:
         """Return the source text of a span."""
         return self._sources[span["source"]][1].encode()[span["start"] : span["end"]].decode()
@@ -46,7 +53,30 @@ class CompiledModel:
         path, text = self._sources[span["source"]]
         return place_at(path, text, len(text.encode()[: span["start"]].decode(errors="ignore")))
 
+    def class_around(self, span: Span) -> str:
+        """Return the qualified name of the innermost class around a span."""
+        text = self._sources[span["source"]][1]
+        place = len(text.encode()[: span["start"]].decode())
+        around = (one for one in declarations(text) if one.start <= place < one.end)
+        return max(around, key=lambda one: one.start).name
+
     def unsupported(self, what: str, span: Span | None = None) -> UnsupportedModelError:
         """Return the error for an unsupported construct, with its place in the source."""
         place = self.place(span)
         return UnsupportedModelError(located(what, [place] if place else [], self.name, self._file))
+
+    def unsupported_at(self, what: str, construct: Construct) -> UnsupportedModelError:
+        """Return the error for a construct that was found in the source."""
+        return UnsupportedModelError(located(what, [construct.place], self.name, construct.place.file))
+
+
+def expressions(tree: Any, kind: str) -> Iterator[dict[str, Any]]:
+    """Yield all expressions of a kind in a tree of rumoca's, inner ones too."""
+    if isinstance(tree, dict):
+        if kind in tree:
+            yield tree[kind]
+        tree = tree.values()
+    elif not isinstance(tree, list):
+        return
+    for child in tree:
+        yield from expressions(child, kind)

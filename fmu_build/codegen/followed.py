@@ -56,9 +56,11 @@ def _names(chosen: Sequence[Candidate]) -> set[str]:
 
 
 def _is_open(trials: Trials, one: Candidate) -> bool:
-    """Return whether the equations do not hang on it otherwise."""
+    """Return whether the equations do not hang on it otherwise, and setting it as it is changes nothing."""
     present, other = trials.compiled([one.present]), trials.compiled([one.other])
-    return present is not None and other is not None and present.computes_as(other)
+    if trials.plain is None or present is None or other is None or trials.plain.changed(present):
+        return False
+    return present.computes_as(other)
 
 
 def _named(model: LoweredModel, anew: LoweredModel, settings: Mapping[str, str]) -> LoweredModel:

@@ -11,16 +11,13 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from itertools import chain
-from pathlib import Path
 
 from fmu_build.codegen.changed_constants import changed_constants
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.redeclared_modifiers import changed_modifiers
 from fmu_build.modelica_source.constructs import Construct, ModelText
 from fmu_build.modelica_source.modifiers import Path as NamePath, assigned, closing, dotted
-from fmu_build.modelica_source.places import located
 from fmu_build.modelica_source.text import inside_parentheses
-from fmu_build.support.errors import UnsupportedModelError
 
 _KINDS = r"(?:model|block|record|type|package|class)"
 _REDECLARED_CLASS = (
@@ -33,6 +30,7 @@ _CONSTRAINING_CLASS = (
     "the modifiers of a constraining class are lost; put them on the component",
 )
 _KEYWORD = (
+    r""
     r"(?:algorithm|and|annotation|assert|connect|else|elseif|elsewhen|equation|for|if|in|initial|input|loop|not|or|"
     r"output|return|then|when|while)\b"
 )
@@ -40,26 +38,91 @@ _COMPONENT = rf"(?<![\w.])(?!{_KEYWORD})[\w.]+\s+(?!{_KEYWORD})\w+\s*(?:\[[^\]]*
 _EXTENSION = r"\bextends\s+[\w.]+\s*\("
 _SHORT_CLASS = rf"\b{_KINDS}\s+\w+\s*=\s*[\w.]+\s*\("
 _BASE = re.compile(r"(?:\bextends\s+|=\s*)([\w.]+)\s*(\()?")
+_RECORD_VALUE = (
+    r"(?<![\w.])(?P<name>\w+)(?:\s*\([^()]*\))?\s*=(?!=)\s*\{?\s*"
+    r"(?:\w+\s*\.\s*)*(?P<record>\w+)\s*\("
+)
+_REDECLARED = re.compile(
+    rf"\bredeclare\s+(?:replaceable\s+)?(?:(?:{_KINDS}|function|connector)\s+(\w+)|[\w.]+\s+(\w+))"
+)
 _REDECLARED_COMPONENT = re.compile(rf"\bredeclare\s+(?:replaceable\s+)?(?!{_KINDS}\b)[\w.]+\s+(\w+)")
 
 
 def reject_lost_modifiers(model: LoweredModel) -> None:
     """Raise `UnsupportedModelError` for the first modifier in the model's classes that would be lost."""
-    texts = {Path(path): content for _, path, content in model.source_files}
-    text = ModelText(model.name, texts, around=False)
+    text = model.classes
     for pattern, why in (_REDECLARED_CLASS, _CONSTRAINING_CLASS):
         for construct in text.find([pattern]):
-            raise _rejection(model, why, construct)
-    for why, construct in chain(changed_modifiers(text), changed_constants(text)):
-        raise _rejection(model, why, construct)
-    for modified in text.find([_COMPONENT, _EXTENSION, _SHORT_CLASS]):
+            raise model.unsupported_at(why, construct)
+    found = (
+        _nested_redeclarations,
+        _values_over_members,
+        _modifiers_of_base_functions,
+        changed_modifiers,
+        changed_constants,
+    )
+    for why, construct in chain.from_iterable(find(text) for find in found):
+        raise model.unsupported_at(why, construct)
+    for modified in text.find([f"{_COMPONENT}|{_EXTENSION}|{_SHORT_CLASS}"]):
         inside = modified.plain[modified.plain.index("(") + 1 : -1]
         for name in dotted(inside):
             nested = name.replace(".", "(") + " ..." + ")" * name.count(".")
-            raise _rejection(model, f"the modifier of {name} is lost; write {nested}", modified)
+            raise model.unsupported_at(f"the modifier of {name} is lost; write {nested}", modified)
     for extension in (*text.find([_EXTENSION]), *text.find([_SHORT_CLASS])):
         for why in _faults(text, extension.plain):
-            raise _rejection(model, why, extension)
+            raise model.unsupported_at(why, extension)
+
+
+def _nested_redeclarations(text: ModelText) -> Iterator[tuple[str, Construct]]:
+    """Yield redeclarations in modifiers of modifiers, which have no effect."""
+    for modified in text.find([rf"{_COMPONENT}|{_EXTENSION}|{_SHORT_CLASS}"]):
+        opening = modified.plain.index("(")
+        for found in _REDECLARED.finditer(modified.plain):
+            before = modified.plain[opening : found.start()]
+            if before.count("(") - before.count(")") > 1:
+                yield (
+                    f"the redeclaration of {found[1] or found[2]} in the modifier of another component is "
+                    "lost; make it in a class that extends that of the component",
+                    modified,
+                )
+
+
+def _values_over_members(text: ModelText) -> Iterator[tuple[str, Construct]]:
+    """Yield values of whole records whose declarations modify members: these would stay as they are."""
+    records = {name.rpartition(".")[2] for name, kind, _ in text.named() if kind.endswith("record")}
+    for value in text.find([_RECORD_VALUE]):
+        found = re.match(_RECORD_VALUE, value.plain)
+        assert found is not None  # by the pattern
+        if found["record"] not in records:
+            continue
+        component = rf"[\w.]+\s+{found['name']}\s*(?:\[[^\]]*\]\s*)?\("
+        for declared in text.find([rf"(?<![\w.])(?!each\b|final\b){component}"]):
+            given = sorted(path[0] for path in assigned(declared.plain[declared.plain.index("(") + 1 : -1]))
+            if given:
+                yield (
+                    f"the declaration of {found['name']} gives a value to {', '.join(given)}, which would "
+                    "hold instead of the one in this record; leave it out there, or modify the members here",
+                    value,
+                )
+
+
+def _modifiers_of_base_functions(text: ModelText) -> Iterator[tuple[str, Construct]]:
+    """Yield clauses by which functions with algorithms of their own give values to what they inherit."""
+    clauses = {
+        "".join(own[found.start() : closing(own, found.end() - 1)].split())
+        for _, kind, own in text.named()
+        if kind.endswith("function") and re.search(r"\balgorithm\b", own)
+        for found in re.finditer(_EXTENSION, own)
+    }
+    for clause in text.find([_EXTENSION]):
+        given = assigned(clause.plain[clause.plain.index("(") + 1 : -1])
+        if given and "".join(clause.plain.split()) in clauses:
+            names = ", ".join(sorted(".".join(path) for path in given))
+            yield (
+                f"what the function gives to {names} of its base class is lost; write the function without "
+                "the base class",
+                clause,
+            )
 
 
 def _faults(text: ModelText, extension: str) -> Iterator[str]:
@@ -103,7 +166,3 @@ def _given(text: ModelText, base: str, component: str, seen: set[str]) -> set[Na
                 given |= {path for path in assigned(inner) if path[0] == component}
             given |= _given(text, extended[1].rpartition(".")[2], component, seen)
     return given
-
-
-def _rejection(model: LoweredModel, why: str, construct: Construct) -> UnsupportedModelError:
-    return UnsupportedModelError(located(why, [construct.place], model.name, construct.place.file))

@@ -31,7 +31,7 @@ _REPLACEMENTS = tuple(
     (re.compile(rf"(?<![\w.\"])(?:{words})(?![\w.\"])"), replacement)
     for words, replacement in (("none|undefined", "null"), ("inf", "Infinity"), ("-?nan|-?NaN", "NaN"))
 )
-_RUST_ESCAPE = re.compile(r"\\u\{([0-9a-fA-F]+)\}|\\'|\\0")
+_RUST_ESCAPE = re.compile(r"\\u\{([0-9a-fA-F]+)\}|\\'|\\0|\\\\")
 
 
 @dataclass(frozen=True)
@@ -117,4 +117,4 @@ def _converted(text: str) -> str:
 def _as_json_escape(match: re.Match[str]) -> str:
     if match.group(1):
         return json.dumps(chr(int(match.group(1), 16)))[1:-1]
-    return "'" if match.group() == r"\'" else r"\u0000"
+    return {r"\'": "'", r"\0": r"\u0000"}.get(match.group(), match.group())

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from fmu_build.codegen.compiled import CompiledModel, Span
+from fmu_build.codegen.compiled import CompiledModel, Span, expressions
 from fmu_build.modelica_source.text import blanked
 from fmu_build.support.errors import UnsupportedModelError
 
@@ -43,7 +43,7 @@ def _variable_attributes(model: CompiledModel, _: re.Match[str]) -> Obstacles:
     variables = model.flat["variables"]
     for name, variable in variables.items():
         for attribute in _ATTRIBUTES:
-            for reference in _found(variable[attribute], "VarRef"):
+            for reference in expressions(variable[attribute], "VarRef"):
                 other = reference["name"]["name"]
                 if other in variables and not _is_fixed(variables[other]):
                     what = f"{attribute} of {name} depends on {other}, which is not a parameter"
@@ -67,6 +67,16 @@ def _recursive_functions(model: CompiledModel, _: re.Match[str]) -> Obstacles:
         if re.search(rf"\b{re.escape(name)}\s*\(", blanked(model.text(function["span"]))):
             yield f"the recursive function {name} is not supported", function["span"]
     yield "functions that call each other in turn are not supported", None
+
+
+def _string_arguments(model: CompiledModel, _: re.Match[str]) -> Obstacles:
+    for name, function in model.flat["functions"].items():
+        for argument in function["inputs"]:
+            if argument["type_name"] == "String":
+                yield (
+                    f"the argument {argument['name']} of {name}, a String, is not supported",
+                    argument["span"],
+                )
 
 
 def _strings_in_equations(_: CompiledModel, __: re.Match[str]) -> Obstacles:
@@ -110,6 +120,7 @@ _FINDERS: tuple[tuple[str, Callable[[CompiledModel, re.Match[str]], Obstacles]],
     ("", _external_functions),
     ("depends on a runtime coordinate", _variable_attributes),
     ("checked recursion limit|recursive functions", _recursive_functions),
+    ("pure-call argument or slot interface", _string_arguments),
     ("String values", _strings_in_equations),
     ("coupled discrete Real", _discrete_loops),
     ("clock activation owners", _partly_sampled_clauses),
@@ -125,16 +136,4 @@ def _is_fixed(variable: dict[str, Any]) -> bool:
 
 
 def _calls(tree: Any, function: str) -> Iterator[dict[str, Any]]:
-    return (call for call in _found(tree, "BuiltinCall") if call["function"] == function)
-
-
-def _found(tree: Any, kind: str) -> Iterator[dict[str, Any]]:
-    """Yield all expressions of a kind in a tree."""
-    if isinstance(tree, dict):
-        if kind in tree:
-            yield tree[kind]
-        tree = tree.values()
-    elif not isinstance(tree, list):
-        return
-    for child in tree:
-        yield from _found(child, kind)
+    return (call for call in expressions(tree, "BuiltinCall") if call["function"] == function)

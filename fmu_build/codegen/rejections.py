@@ -8,6 +8,7 @@ from typing import Any
 from fmu_build.codegen.compiled import Span
 from fmu_build.codegen.lost_modifiers import reject_lost_modifiers
 from fmu_build.codegen.lowered import LoweredModel
+from fmu_build.codegen.mistaken_names import reject_mistaken_names
 
 
 def reject_unsupported(model: LoweredModel) -> None:
@@ -18,6 +19,7 @@ def reject_unsupported(model: LoweredModel) -> None:
     _reject_undetermined_parameters(model)
     _reject_repeated_assignments(model)
     reject_lost_modifiers(model)
+    reject_mistaken_names(model)
 
 
 def _reject_operators(model: LoweredModel) -> None:

@@ -16,6 +16,7 @@ from typing import Any, NamedTuple
 
 import rumoca
 
+from fmu_build.codegen.compiled import expressions
 from fmu_build.codegen.functions.definitions import bodies
 from fmu_build.codegen.lowered import LoweredModel, read_mapping
 from fmu_build.codegen.probes import probe_values, thresholds
@@ -95,6 +96,7 @@ class Trials:
         candidates = list(_candidates(model, starts, groups))
         self.kinds = tuple([one for one in candidates if one.is_real == kind] for kind in (True, False))
         self.computed = model.computed_parameters
+        self._literals = _literals(model)
         self._compiled: dict[tuple[Setting, ...], Trial | None] = {}
         self.plain = self.compiled([])
 
@@ -113,7 +115,20 @@ class Trials:
         return Trial.read(text)
 
     def followers(self, chosen: Sequence[Candidate]) -> set[str]:
-        """Return the other parameters whose values the compiler derives from those of the chosen ones."""
+        """Return the other parameters whose values the compiler derives from those of the chosen ones.
+
+        What the source gives a value of its own follows nothing, although it may move in a trial: setting one
+        member of a record by a modifier puts the others back to their defaults.
+        """
+        literals = {span for one in chosen for name in one.names for span in self._literals.get(name, ())}
+        return {
+            name
+            for name in self._moved(chosen)
+            if not (own := self._literals.get(name)) or not literals.isdisjoint(own)
+        }
+
+    def _moved(self, chosen: Sequence[Candidate]) -> set[str]:
+        """Return the other parameters that have another value where the chosen ones have."""
         if not chosen or self.plain is None:
             return set()
         others = self.computed | {name for one in chosen for name in one.names}
@@ -128,7 +143,21 @@ class Trials:
         if len(chosen) == 1:
             return set()
         middle = len(chosen) // 2
-        return self.followers(chosen[:middle]) | self.followers(chosen[middle:])
+        return self._moved(chosen[:middle]) | self._moved(chosen[middle:])
+
+
+def _literals(model: LoweredModel) -> dict[str, frozenset[tuple[int, ...]]]:
+    """Return where in the source the literals stand of parameters that have literals only.
+
+    A literal that rumoca has copied to what is bound to a parameter keeps its place.
+    """
+    places: dict[str, frozenset[tuple[int, ...]]] = {}
+    for name, variable in model.flat["variables"].items():
+        binding = variable["binding"]
+        if not any(any(expressions(binding, kind)) for kind in ("VarRef", "FunctionCall", "BuiltinCall")):
+            spans = [one["span"] for one in expressions(binding, "Literal")]
+            places[name] = frozenset((one["source"], one["start"], one["end"]) for one in spans)
+    return places
 
 
 def _groups(model: LoweredModel) -> dict[str, list[Mapping[str, Any]]]:

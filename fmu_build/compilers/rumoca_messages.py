@@ -3,49 +3,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
-from dataclasses import dataclass
 
-from fmu_build.modelica_source.constructs import Construct, ModelText
-from fmu_build.support.errors import BuildError, ModelicaError, UnsupportedModelError
+from fmu_build.compilers.rumoca_meaning import Meaning
+from fmu_build.modelica_source.constructs import ModelText
+from fmu_build.support.errors import ModelicaError, UnsupportedModelError
 
 _NAME = r"(?:[^`']*\.)?(?P<name>\w+)(?:\[[^`'.]*\])?"
 """The last part of a qualified name, as written in the source."""
 
 _VARIABLE = r"\s*\w+(?:\[[^\[\]]*\])?(?:\.\w+(?:\[[^\[\]]*\])?)*\s*"
-
-
-@dataclass(frozen=True, slots=True)
-class Meaning:
-    """The explanation of a message.
-
-    `message` is a pattern; `says` may use its named groups. `constructs` are patterns of possible causes in
-    the source, most likely first, in which NAME stands for the group ``name``. `called` is set if the
-    explanation begins with the construct itself; it replaces the construct if several different ones match.
-    """
-
-    message: str
-    error: type[BuildError]
-    says: str
-    constructs: tuple[str, ...] = ()
-    called: str = ""
-    only_there: bool = False
-    """Whether the explanation applies only if one of the constructs occurs in the source."""
-
-    def search(self, message: str, source: ModelText) -> list[Construct]:
-        """Return the constructs in the source that may have caused the message."""
-        match = re.search(self.message, message)
-        name = re.escape(match.groupdict().get("name") or "") if match is not None else ""
-        return source.find([pattern.replace("NAME", name) for pattern in self.constructs])
-
-    def text(self, message: str, found: Sequence[Construct]) -> str:
-        """Return the explanation, given the constructs found."""
-        match = re.search(self.message, message)
-        told = self.says.format(**match.groupdict()) if match is not None else self.says
-        texts = {construct.text for construct in found}
-        subject = texts.pop() if len(texts) == 1 else self.called
-        return f"{subject}: {told}" if self.called else told
-
 
 MEANINGS = (
     Meaning(
@@ -125,10 +91,24 @@ MEANINGS = (
     ),
     Meaning(
         rf"reinit\(\) can only be applied to state variables: {_NAME}",
+        UnsupportedModelError,
+        "reinit() of elements in a for-loop is not supported; write reinit({name}, {{...}}) for the whole "
+        "array",
+        (r"\breinit\s*\((?=\s*NAME\s*\[\s*[A-Za-z])",),
+        only_there=True,
+    ),
+    Meaning(
+        rf"reinit\(\) can only be applied to state variables: {_NAME}",
         ModelicaError,
         "reinit() can be applied to states only: {name} is not a state",
         (r"\breinit\s*\((?=\s*(?:[\w.]+\.)?NAME\s*[,\[])",),
         "reinit(...)",
+    ),
+    Meaning(
+        rf"`{_NAME}` has more than one semantic definition owner",
+        ModelicaError,
+        "the discrete variable {name} is determined more than once, as by two when-clauses",
+        (r"(?<![\w.])NAME\s*:?=(?!=)",),
     ),
     Meaning(
         r"duplicate discrete \w+ when owner",
@@ -223,6 +203,76 @@ MEANINGS = (
         "an equation for a value of type {kind} is not supported here; replace an initial equation "
         "pre(v) = ... by v(start = ..., fixed = true)",
         (r"\bpre\s*\([^()]*\)\s*=(?!=)",),
+    ),
+    Meaning(
+        r"expression shape mismatch",
+        UnsupportedModelError,
+        "the size of an array does not fit, or the compiler does not find it; write the array out, as "
+        "{{a, b}}, and with one iterator for each pair of braces",
+        (
+            r"\{[^{}]*\bfor\b[^{}]*,[^{}]*\bin\b[^{}]*\}",
+            r"\(\s*(?:each\s+)?\w+\s*=\s*(?!\{[^{}]*\}\s*[,)])[^,()]*[:*+({][^;]*",
+        ),
+    ),
+    Meaning(
+        r"expression type mismatch: expected Real, found Integer",
+        UnsupportedModelError,
+        "Integer values are not converted to Real in every place; write 1.0 for 1",
+        (r"\b(?:cross|skew|outerProduct)\s*\(",),
+    ),
+    Meaning(
+        r"an empty array needs an explicit checked element type",
+        UnsupportedModelError,
+        "sums, products and arrays over an empty range are not supported",
+        (r"\bin\s+[\w.+*/() -]*:[\w.+*/ -]*",),
+    ),
+    Meaning(
+        r"missing function value definition for identity",
+        UnsupportedModelError,
+        "a function takes the size of a local array for the value of another local variable, which is not "
+        "supported",
+        (r"=\s*size\s*\(",),
+    ),
+    Meaning(
+        r"for-equation range must be a constant range|array comprehension domain|range step",
+        UnsupportedModelError,
+        "ranges have whole numbers, as 1:n; iterators over arrays and enumerations are not supported",
+        (r"\bin\s+(?![\w.+*/() -]*:)[\w.{]+",),
+    ),
+    Meaning(
+        r"missing exact function-selection identity",
+        UnsupportedModelError,
+        "which function is called through a redeclared class is not clear here; write its full name",
+        (r"\bredeclare\s+(?:replaceable\s+)?(?:package|function)\s+\w+",),
+    ),
+    Meaning(
+        r"unresolved type reference: '(?P<whole>(?:[\w.]+\.)?(?P<name>\w+)\.\w+)'",
+        UnsupportedModelError,
+        "{whole}: an inherited class is found only where it is declared; write its own full name",
+        (r"\b(?:model|block|package)\s+NAME\b[^;]*\bextends\b",),
+        only_there=True,
+    ),
+    Meaning(
+        r"missing source context: .* binding type compatibility",
+        UnsupportedModelError,
+        "a literal of an enumeration is taken for a variable of the same name; rename one of them",
+        (r"\btype\s+\w+\s*=\s*enumeration\b",),
+        only_there=True,
+    ),
+    Meaning(
+        r"named argument `(?P<name>\w+)` does not match any input",
+        UnsupportedModelError,
+        "the base class of a function is given a value for {name}, which is no input; this is not supported",
+        (r"\bextends\s+[\w.]+\s*\((?=[^;]*\bNAME\s*=)",),
+        only_there=True,
+    ),
+    Meaning(
+        r"unbalanced model",
+        UnsupportedModelError,
+        "outer variables that are neither parameters nor components are not supported; connect them, or "
+        "declare them in a component that is inner",
+        (r"\bouter\s+(?:(?:input|output)\s+)?(?:Real|(?:[\w.]+\.)?SI\.\w+)\s+\w+",),
+        only_there=True,
     ),
     Meaning(
         r"unbalanced model",

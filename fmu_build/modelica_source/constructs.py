@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Container, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -66,6 +66,10 @@ class ModelText:
     def kinds_of(self, simple_name: str) -> set[str]:
         """Return the restrictions of the classes of that simple name, such as "partial package"."""
         return {kind for name, kind in self._kinds.items() if name.rpartition(".")[2] == simple_name}
+
+    def named(self) -> Iterator[tuple[str, str, str]]:
+        """Yield qualified name, restriction and text, without comments and strings, of all classes."""
+        return ((name, self._kinds[name], text) for name, text in self._classes.items())
 
     def classes(self) -> list[str]:
         """Return the texts of all classes, without comments and strings."""

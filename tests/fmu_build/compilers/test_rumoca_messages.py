@@ -237,6 +237,116 @@ _CASES = {
         UnsupportedModelError,
         "M.mo:2:45: the parameter p[2] has fixed = false, and no initial equation determines it",
     ),
+    "elements reinitialized in a loop": Case(
+        "Real x[3](each start = 1, each fixed = true);",
+        "der(x) = -x; when time > 0.5 then for i in 1:3 loop reinit(x[i], i); end for; end when;",
+        UnsupportedModelError,
+        "M.mo:4:55: reinit() of elements in a for-loop is not supported; write reinit(x, {...}) for the "
+        "whole array",
+    ),
+    "discrete variable of two when-clauses": Case(
+        _N,
+        "when time > 1 then n = pre(n) + 1; end when; when time > 2 then n = 0; end when;",
+        ModelicaError,
+        "M.mo: the discrete variable n is determined more than once, as by two when-clauses (model M; see "
+        "M.mo:4:22, M.mo:4:67)",
+    ),
+    "outer variable": Case(
+        "model U outer Real v; Real y = 2*v; end U; inner Real v; U u;",
+        "v = time;",
+        UnsupportedModelError,
+        "M.mo:2:11: outer variables that are neither parameters nor components are not supported",
+    ),
+    "two iterators of an array": Case(
+        "Real a[2, 3];",
+        "a = {i + 10*j*time for j in 1:3, i in 1:2};",
+        UnsupportedModelError,
+        "M.mo:4:7: the size of an array does not fit, or the compiler does not find it; write the array out",
+    ),
+    "an array of another size": Case(
+        "Real a[2] = {1, 2, 3};",
+        "",
+        UnsupportedModelError,
+        "M.mo: the size of an array does not fit",
+    ),
+    "Integer beside Real": Case(
+        "Real a[3];",
+        "a = cross({1, time, 3}, {4, 5, 6});",
+        UnsupportedModelError,
+        "M.mo:4:7: Integer values are not converted to Real in every place; write 1.0 for 1",
+    ),
+    "sum over nothing": Case(
+        "Real y;",
+        "y = time + sum(i*time for i in 1:0);",
+        UnsupportedModelError,
+        "M.mo:4:31: sums, products and arrays over an empty range are not supported",
+    ),
+    "iterator over an array": Case(
+        "Real y;",
+        "y = sum(i*time for i in {3, 1, 2});",
+        UnsupportedModelError,
+        "M.mo:4:24: ranges have whole numbers, as 1:n; iterators over arrays and enumerations",
+    ),
+    "range with a step": Case(
+        "Real a[5];",
+        "a = time*(0:0.5:2);",
+        UnsupportedModelError,
+        "M.mo: ranges have whole numbers, as 1:n;",
+    ),
+    "class of a base class": Case(
+        "package A model T Real y = time; end T; end A; package B extends A; end B; B.T t;",
+        "",
+        UnsupportedModelError,
+        "M.mo:2:50: B.T: an inherited class is found only where it is declared",
+    ),
+    "function of a medium in a function": Case(
+        "package A function h input Real x; output Real y; algorithm y := x; end h; end A; "
+        "function f replaceable package P = A; input Real x; output Real y; algorithm y := P.h(x); end f; "
+        "function g = f(redeclare package P = A); Real y;",
+        "y = g(time);",
+        UnsupportedModelError,
+        "M.mo:2:197: which function is called through a redeclared class is not clear here",
+    ),
+    "size of a local array": Case(
+        "function f input Real a[:]; output Real y; protected Real b[size(a, 1)]; Integer n = size(b, 1); "
+        "algorithm b := a; y := n*sum(b); end f; Real y;",
+        "y = f({time, 1});",
+        UnsupportedModelError,
+        "M.mo:2:86: a function takes the size of a local array for the value of another local variable",
+    ),
+    "String as an argument": Case(
+        'function f input Real x; input String s = "a"; output Real y; '
+        'algorithm y := if s == "a" then x else 2*x; end f; Real y;',
+        "y = f(time);",
+        UnsupportedModelError,
+        "M.mo:2:34: the argument s of f, a String, is not supported",
+    ),
+    "enumeration literal like a variable": Case(
+        "package A type E = enumeration(x, y); end A; A.E e = A.E.y; Real y = if e == A.E.y then 1 else 0;",
+        "",
+        UnsupportedModelError,
+        "M.mo:2:13: a literal of an enumeration is taken for a variable of the same name; rename one of them",
+    ),
+    "class that no base class has": Case(
+        "package A model T Real y = 1; end T; end A; package B model U Real y = 1; end U; end B; B.T t;",
+        "",
+        ModelicaError,
+        "M.mo:2:91: unresolved type reference: 'B.T'",
+    ),
+    "argument that a function does not have": Case(
+        "model A parameter Real k = 1; end A; model B extends A(k = 2); end B; B b; "
+        "function f input Real x; output Real y; algorithm y := x; end f; Real y;",
+        "y = f(time, q = 3);",
+        UnsupportedModelError,
+        "M.mo: invalid call of function `f`: named argument `q` does not match any input",
+    ),
+    "a constant of a base function": Case(
+        "function f input Real x; output Real y; protected constant Real k = 1; algorithm y := k*x; end f; "
+        "function g extends f(k = 3); end g; Real y;",
+        "y = g(time);",
+        UnsupportedModelError,
+        "M.mo:2:112: the base class of a function is given a value for k, which is no input",
+    ),
 }
 
 

@@ -36,6 +36,9 @@ package R
     replaceable model Y = A(g = 5) constrainedby A;
     Y h;
   end ConstrainedClass;
+  model Inner
+    Component c;
+  end Inner;
   model M
     {}
   end M;
@@ -78,10 +81,36 @@ def test_what_is_kept_and_what_is_dropped(tmp_path: Path) -> None:
         ("extends Class; redeclare model X = B;", "gives to g would be lost"),
         ("extends Component; redeclare B h;", "gives to g would be lost"),
         ("extends Component; redeclare replaceable B h(f = 1);", "gives to g would be lost"),
+        (
+            "Inner a(c(redeclare B h(g = 3)));",
+            "the redeclaration of h in the modifier of another component is lost",
+        ),
+        ("extends Inner(c(redeclare B h(g = 3)));", "the redeclaration of h .* is lost"),
+        (
+            "Inner i(c(h(g = 2))); Inner j[2](c(redeclare replaceable B h));",
+            "the redeclaration of h .* is lost",
+        ),
     ],
 )
 def test_what_the_compiler_would_get_wrong_is_refused(tmp_path: Path, declaration: str, message: str) -> None:
     file = _library(tmp_path, declaration)
     with pytest.raises(UnsupportedModelError, match=message) as caught:
         generate_model(BuildRequest("R.M", tmp_path, file))
-    assert str(caught.value).startswith(f"{file}:27:")
+    assert str(caught.value).startswith(f"{file}:30:")
+
+
+@pytest.mark.parametrize(
+    "declarations",
+    [
+        "model A parameter R r(a = 3); end A; model M A d(r = R(5, 6)); end M;",
+        "model A parameter R r(a = 3); end A; model B = A(r = R(5, 6)); model M B d; end M;",
+        "model A parameter R r[2](a = {3, 4}); end A; model M A d(r = {R(5, 6), R(7, 8)}); end M;",
+        "model M R r(a = 3) = R(5, 6); end M;",
+    ],
+)
+def test_a_record_over_members_with_values_is_refused(declarations: str, tmp_path: Path) -> None:
+    """The compiler keeps a = 3."""
+    file = tmp_path / "P.mo"
+    file.write_text(f"package P record R Real a = 1; Real b = 2; end R; {declarations} end P;", "utf-8")
+    with pytest.raises(UnsupportedModelError, match=r"P\.mo:1:\d+: the declaration of r gives a value to a"):
+        generate_model(BuildRequest("P.M", tmp_path, file))

@@ -69,6 +69,56 @@ def test_an_element_that_no_modifier_sets_alone_is_a_constant(tmp_path: Path) ->
     assert list(table.iloc[-1]) == [12.0, 0.5]
 
 
+_RECORD = "record R Real a = 1; Real b = a; end R; model A parameter R r; Real y = r.a + 10*r.b; end A; "
+
+
+@pytest.mark.parametrize(
+    ("declaration", "given", "value"),
+    [
+        ("A d(r = R(5, 6));", {}, 65.0),
+        ("A d(r = R(5, 6));", {"d.r.a": 8.0}, 68.0),
+        ("A d(r = R(5, 5));", {"d.r.a": 8.0}, 58.0),
+        ("A d(r(a = 5, b = 5));", {"d.r.a": 8.0}, 58.0),
+        ("A d(r = R(5));", {"d.r.a": 8.0}, 88.0),
+        ("A d(r(a = 5));", {"d.r.a": 8.0}, 88.0),
+        ("parameter R q(a = 5, b = 6); A d(r = q);", {}, 65.0),
+        ("record Q extends R(a = 5, b = 6); end Q; A d(r = Q());", {}, 65.0),
+    ],
+)
+def test_a_member_with_a_value_of_its_own_follows_no_other(
+    declaration: str, given: dict[str, float], value: float, tmp_path: Path
+) -> None:
+    """By default b follows a, and so it does where the trials set a alone by a modifier."""
+    file = tmp_path / "P.mo"
+    file.write_text(f"package P {_RECORD} model M {declaration} end M; end P;")
+    with Fmu(build_fmu("P.M", tmp_path, library=file).path) as fmu:
+        table = fmu.run([0.0, 1.0], parameters=given, outputs=["d.y"])
+    assert list(table["d.y"]) == [value, value]
+
+
+@pytest.mark.parametrize(("name", "value"), [("d.r.a", 8.0), ("d.r.b", 9.0), ("e.r.a", 7.0)])
+def test_a_member_leads_what_is_bound_to_it_and_nothing_else(name: str, value: float, tmp_path: Path) -> None:
+    parts = "model H parameter Real J = 1; Real y = J; end H; "
+    user = "model B extends A; H h(J = r.a); end B; model M B d(r = R(5, 6)); B e(r(a = 3)); end M; "
+    file = tmp_path / "P.mo"
+    file.write_text(f"package P {_RECORD}{parts}{user}end P;")
+    with Fmu(build_fmu("P.M", tmp_path, library=file).path) as fmu:
+        row = fmu.run([0.0, 1.0], parameters={name: value}, outputs=["d.y", "d.h.y", "e.y", "e.h.y"]).iloc[-1]
+    a, b, own = ({"d.r.a": 5.0, "d.r.b": 6.0, "e.r.a": 3.0} | {name: value}).values()
+    assert list(row) == [a + 10 * b, a, 11 * own, own]
+
+
+def test_names_with_escapes(tmp_path: Path) -> None:
+    """Quoted identifiers with an apostrophe and a backslash, a description with what looks like escapes."""
+    file = tmp_path / "M.mo"
+    file.write_text(r"""model M Real 'it\'s' = 2 "a \\0 'b' \\u{41}"; Real '\\' = 2*'it\'s'; end M;""")
+    with Fmu(build_fmu("M", tmp_path, library=file).path) as fmu:
+        variables = fmu.description.variables
+        table = fmu.run([0.0, 1.0], outputs=[r"'it\'s'", r"'\\'"])
+    assert variables[r"'it\'s'"].description == r"a \0 'b' \u{41}"
+    assert list(table.iloc[-1]) == [2.0, 4.0]
+
+
 def test_integer_and_boolean_inputs(shared_fmus: SharedFmus) -> None:
     """The gear goes from 1 to 3 at t = 1, and into reverse at t = 2."""
     path = shared_fmus.unpacked("Oscillators.DiscreteInputs", library("Oscillators"))

@@ -1,0 +1,159 @@
+"""Names that rumoca takes for other classes than Modelica does.
+
+rumoca keeps one function for each name as the source calls it: `own()` in two models with a function of their
+own, or `Medium.h()` where two components have different media, become one function. A function of a model is
+evaluated once for all its instances, a function with the name of a built-in one is not called, and an outer
+class stands for itself. What is called by its full name is right.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Iterator
+
+from fmu_build.codegen.compiled import expressions
+from fmu_build.codegen.lowered import LoweredModel
+from fmu_build.modelica_source.constructs import Construct, ModelText
+from fmu_build.modelica_source.modifiers import assigned
+
+_KIND = r"(?:model|block|class|package|connector|record|function|type)"
+_OUTER_CLASS = rf"\bouter\s+(?:replaceable\s+)?(?:partial\s+)?(?={_KIND}\s+\w)"
+_ALIAS = re.compile(r"\b(?:package|import)\s+(?P<name>\w+)\s*=\s*(?P<meaning>[\w.]+\s*\(?)")
+_MODIFIED = r"(?<![\w.])[\w.]+\s+\w+\s*(?:\[[^\]]*\]\s*)?\(|\bextends\s+[\w.]+\s*\(|=\s*[\w.]+\s*\("
+_REDECLARED_FUNCTION = r"\bredeclare\s+(?:replaceable\s+)?function\s+(?:extends\s+)?(\w+)"
+_BUILT_IN = re.compile(
+    r"abs|sign|sqrt|div|mod|rem|ceil|floor|integer|a?sin|a?cos|a?tan|atan2|sinh|cosh|tanh|exp|log|log10|min|max|"
+    r"sum|product|size|ndims|zeros|ones|fill|identity|diagonal|linspace|transpose|outerProduct|symmetric|cross|"
+    r"skew|scalar|vector|matrix|cat|homotopy|semiLinear|delay"
+)
+
+
+def reject_mistaken_names(model: LoweredModel) -> None:
+    """Raise `UnsupportedModelError` for the first name that would be taken for something else."""
+    text = model.classes
+    for find in (_outer_classes, _functions_like_built_in_ones, _blind_functions):
+        for why, construct in find(text):
+            raise model.unsupported_at(why, construct)
+    for why, construct in _ambiguous_aliases(text, model.flat["functions"]):
+        raise model.unsupported_at(why, construct)
+    _reject_other_functions(model)
+
+
+def _outer_classes(text: ModelText) -> Iterator[tuple[str, Construct]]:
+    for construct in text.find([rf"{_OUTER_CLASS}\w+"]):
+        kind = construct.plain.rpartition(" ")[2]
+        yield (
+            f"outer {kind}: the compiler would use the class of the outer declaration, not that of the inner "
+            "one; outer components are supported",
+            construct,
+        )
+
+
+def _functions_like_built_in_ones(text: ModelText) -> Iterator[tuple[str, Construct]]:
+    """Yield functions with built-in names that are called by these from where they are declared.
+
+    Those of `Modelica.Math` hand their arguments on to the built-in ones.
+    """
+    for name, kind, own in text.named():
+        scope, _, simple = name.rpartition(".")
+        call = re.compile(rf"(?<![\w.]){simple}\s*\(")
+        if not kind.endswith("function") or not _BUILT_IN.fullmatch(simple) or call.search(own):
+            continue
+        if any(call.search(user) for inside, _, user in text.named() if f"{inside}.".startswith(f"{scope}.")):
+            for construct in text.find([rf"\bfunction\s+{simple}\b"]):
+                yield f"{simple}() would call the built-in function; give this one another name", construct
+
+
+def _blind_functions(text: ModelText) -> Iterator[tuple[str, Construct]]:
+    """Yield what is given to names that functions of models use: they see what the model declares."""
+    used = {name: user for user in _functions_of_models(text) for name in _outside(text, *user)}
+    if not used:
+        return
+    given = [
+        (path[-1], construct)
+        for construct in text.find([_MODIFIED])
+        for path in assigned(construct.plain[construct.plain.index("(") + 1 : -1])
+    ]
+    redeclared = text.find([_REDECLARED_FUNCTION])
+    given += [(construct.plain.rpartition(" ")[2], construct) for construct in redeclared]
+    for name, construct in given:
+        if name in used:
+            function = used[name][0].rpartition(".")[2]
+            yield (
+                f"the function {function} would not see what is given to {name}; hand {name} to it as an "
+                "argument",
+                construct,
+            )
+
+
+def _functions_of_models(text: ModelText) -> Iterator[tuple[str, str]]:
+    """Yield names and texts of functions that are declared in a model or block."""
+    kinds = {name: kind for name, kind, _ in text.named()}
+    for name, kind, own in text.named():
+        scope = kinds.get(name.rpartition(".")[0], "")
+        if kind.endswith("function") and scope.endswith(("model", "block", "class")):
+            yield name, own
+
+
+def _outside(text: ModelText, function: str, own: str) -> set[str]:
+    """Return the constants and functions of the enclosing model and its bases that a function names."""
+    scopes, waiting = set[str](), [function.split(".")[-2]]
+    declared: set[str] = set()
+    while waiting:
+        scope = waiting.pop()
+        if scope in scopes:
+            continue
+        scopes.add(scope)
+        for body in text.of(scope):
+            declared.update(*(re.findall(r"\w+", one) for one in re.findall(r"\bconstant\b[^;]*", body)))
+            waiting += (base.rpartition(".")[2] for base in re.findall(r"\bextends\s+([\w.]+)", body))
+    functions = (name.split(".") for name, kind, _ in text.named() if kind.endswith("function"))
+    declared.update(name[-1] for name in functions if len(name) > 1 and name[-2] in scopes)
+    return declared.intersection(re.findall(r"(?<![\w.])[A-Za-z_]\w*", own)) - {function.rpartition(".")[2]}
+
+
+def _ambiguous_aliases(text: ModelText, functions: dict[str, object]) -> Iterator[tuple[str, Construct]]:
+    """Yield aliases of packages that mean several ones, where functions are called through them."""
+    called = {part for name in functions for part in name.split(".")[:-1]}
+    meanings: defaultdict[str, dict[str, Construct]] = defaultdict(dict)
+    for construct in text.find([_ALIAS.pattern]):
+        found = _ALIAS.match(construct.plain)
+        assert found is not None  # by the pattern
+        meaning = re.sub(r"\s+", "", construct.plain[found.start("meaning") :])
+        if meaning != found["name"]:
+            meanings[found["name"]].setdefault(meaning, construct)
+    for name in sorted(called.intersection(meanings)):
+        if len(meanings[name]) > 1:
+            yield (
+                f"the model calls functions of {name}, which has several meanings in it: "
+                f"{', '.join(meanings[name])}; the compiler would take one for all; "
+                "call them by their full names",
+                list(meanings[name].values())[-1],
+            )
+
+
+def _reject_other_functions(model: LoweredModel) -> None:
+    """Compare the declaration of each function with those that the calls of its name refer to."""
+    functions = model.flat["functions"]
+    meant: dict[str, int] = {}
+    for call in expressions(model.flat, "FunctionCall"):
+        called = call["name"] if "name" in call else call["comp"]  # an expression or a statement
+        name, reference = called["name"], called["component_ref"]
+        if name not in functions or reference is None:  # without one it is the constructor of a record
+            continue
+        last = reference["parts"][-1]
+        is_other = last["def_id"] != functions[name]["def_id"] and _has_own_text(model, name, last["ident"])
+        if is_other or meant.setdefault(name, last["def_id"]) != last["def_id"]:
+            raise model.unsupported(
+                f"{last['ident']}() would call another function of that name, which the model uses too; "
+                "give one of them another name, or call them by their full names",
+                last["span"],
+            )
+
+
+def _has_own_text(model: LoweredModel, name: str, simple: str) -> bool:
+    """Return whether a function is not another name for one that is declared elsewhere."""
+    function = model.flat["functions"][name]
+    span = next(expressions(function["body"] or function["outputs"], "span"))
+    return model.class_around(span).rpartition(".")[2] == simple
