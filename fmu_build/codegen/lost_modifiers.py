@@ -9,6 +9,7 @@ also `redeclared_modifiers` and `changed_constants`.
 from __future__ import annotations
 
 import re
+from collections import defaultdict
 from collections.abc import Iterator
 from itertools import chain
 
@@ -30,7 +31,6 @@ _CONSTRAINING_CLASS = (
     "the modifiers of a constraining class are lost; put them on the component",
 )
 _KEYWORD = (
-    r""
     r"(?:algorithm|and|annotation|assert|connect|else|elseif|elsewhen|equation|for|if|in|initial|input|loop|not|or|"
     r"output|return|then|when|while)\b"
 )
@@ -38,10 +38,8 @@ _COMPONENT = rf"(?<![\w.])(?!{_KEYWORD})[\w.]+\s+(?!{_KEYWORD})\w+\s*(?:\[[^\]]*
 _EXTENSION = r"\bextends\s+[\w.]+\s*\("
 _SHORT_CLASS = rf"\b{_KINDS}\s+\w+\s*=\s*[\w.]+\s*\("
 _BASE = re.compile(r"(?:\bextends\s+|=\s*)([\w.]+)\s*(\()?")
-_RECORD_VALUE = (
-    r"(?<![\w.])(?P<name>\w+)(?:\s*\([^()]*\))?\s*=(?!=)\s*\{?\s*"
-    r"(?:\w+\s*\.\s*)*(?P<record>\w+)\s*\("
-)
+_RECORD_VALUE = r"(?<![\w.])(\w+)(?:\s*\([^()]*\))?\s*=(?!=)\s*\{?\s*(?:\w+\s*\.\s*)*(?:RECORDS)\s*\("
+_MODIFIED_COMPONENT = r"(?<![\w.])(?!each\b|final\b)[\w.]+\s+(NAMES)\s*(?:\[[^\]]*\]\s*)?\("
 _REDECLARED = re.compile(
     rf"\bredeclare\s+(?:replaceable\s+)?(?:(?:{_KINDS}|function|connector)\s+(\w+)|[\w.]+\s+(\w+))"
 )
@@ -89,21 +87,28 @@ def _nested_redeclarations(text: ModelText) -> Iterator[tuple[str, Construct]]:
 
 def _values_over_members(text: ModelText) -> Iterator[tuple[str, Construct]]:
     """Yield values of whole records whose declarations modify members: these would stay as they are."""
-    records = {name.rpartition(".")[2] for name, kind, _ in text.named() if kind.endswith("record")}
-    for value in text.find([_RECORD_VALUE]):
-        found = re.match(_RECORD_VALUE, value.plain)
-        assert found is not None  # by the pattern
-        if found["record"] not in records:
-            continue
-        component = rf"[\w.]+\s+{found['name']}\s*(?:\[[^\]]*\]\s*)?\("
-        for declared in text.find([rf"(?<![\w.])(?!each\b|final\b){component}"]):
-            given = sorted(path[0] for path in assigned(declared.plain[declared.plain.index("(") + 1 : -1]))
-            if given:
-                yield (
-                    f"the declaration of {found['name']} gives a value to {', '.join(given)}, which would "
-                    "hold instead of the one in this record; leave it out there, or modify the members here",
-                    value,
-                )
+    records = sorted({name.rpartition(".")[2] for name, kind, _ in text.named() if kind.endswith("record")})
+    if not records:
+        return
+    found = text.find([_RECORD_VALUE.replace("RECORDS", "|".join(records))])
+    values = [(re.split(r"[=(\s]", construct.plain)[0], construct) for construct in found]
+    if not values:
+        return
+    members: defaultdict[str, list[str]] = defaultdict(list)
+    pattern = _MODIFIED_COMPONENT.replace("NAMES", "|".join(sorted({name for name, _ in values})))
+    for declared in text.find([pattern]):
+        component = re.match(pattern, declared.plain)
+        assert component is not None  # by the pattern
+        given = sorted(path[0] for path in assigned(declared.plain[declared.plain.index("(") + 1 : -1]))
+        if given:
+            members[component[1]].append(", ".join(given))
+    for name, value in values:
+        for given_members in members[name]:
+            yield (
+                f"the declaration of {name} gives a value to {given_members}, which would "
+                "hold instead of the one in this record; leave it out there, or modify the members here",
+                value,
+            )
 
 
 def _modifiers_of_base_functions(text: ModelText) -> Iterator[tuple[str, Construct]]:

@@ -41,18 +41,21 @@ class ModelText:
             file: _only(blanked(text), [span for part in reached if part.file == file for span in part.spans])
             for file, text in self._texts.items()
         }
+        self._found: dict[str, list[Construct]] = {}
 
     def find(self, patterns: Sequence[str]) -> list[Construct]:
         """Return all matches of the first pattern that has any; a final ``(`` extends to its ``)``."""
-        for pattern in patterns:
-            found = [
+        return next(filter(None, map(self._all, patterns)), [])
+
+    def _all(self, pattern: str) -> list[Construct]:
+        """Return all matches of a pattern, which several checks may look for."""
+        if pattern not in self._found:
+            self._found[pattern] = [
                 self._construct(file, match.start(), _end(plain, match))
                 for file, plain in self._plain.items()
                 for match in re.finditer(pattern, plain)
             ]
-            if found:
-                return found
-        return []
+        return self._found[pattern]
 
     def mentions(self, simple_name: str, pattern: str) -> bool | None:
         """Return whether the pattern occurs in a class of that simple name; None without such a class."""
