@@ -38,7 +38,10 @@ _COMPONENT = rf"(?<![\w.])(?!{_KEYWORD})[\w.]+\s+(?!{_KEYWORD})\w+\s*(?:\[[^\]]*
 _EXTENSION = r"\bextends\s+[\w.]+\s*\("
 _SHORT_CLASS = rf"\b{_KINDS}\s+\w+\s*=\s*[\w.]+\s*\("
 _BASE = re.compile(r"(?:\bextends\s+|=\s*)([\w.]+)\s*(\()?")
-_RECORD_VALUE = r"(?<![\w.])(\w+)(?:\s*\([^()]*\))?\s*=(?!=)\s*\{?\s*(?:\w+\s*\.\s*)*(?:RECORDS)\s*\("
+# Possessive, because most words of a library are not followed by a value.
+_RECORD_VALUE = (
+    r"(?<![\w.])(\w++)(?:\s*+\([^()]*+\))?+\s*+=(?!=)\s*+\{?+\s*+(?:\w++\s*+\.\s*+)*+(?:RECORDS)\s*\("
+)
 _MODIFIED_COMPONENT = r"(?<![\w.])(?!each\b|final\b)[\w.]+\s+(NAMES)\s*(?:\[[^\]]*\]\s*)?\("
 _REDECLARED = re.compile(
     rf"\bredeclare\s+(?:replaceable\s+)?(?:(?:{_KINDS}|function|connector)\s+(\w+)|[\w.]+\s+(\w+))"
