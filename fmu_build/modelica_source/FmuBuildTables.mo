@@ -45,7 +45,8 @@ package FmuBuildTables "Interpolation in tables, as the C functions of the Model
       slope := nearest;
     else
       next := if k < 1 then 2 else size(table, 1) - 2;
-      slope := nearest + abs(k - near)*(nearest - (table[next + 1, column] - table[next, column])/(table[next + 1, 1] - table[next, 1]));
+      slope := nearest + abs(k - near)*(nearest -
+        (table[next + 1, column] - table[next, column])/(table[next + 1, 1] - table[next, 1]));
     end if;
   end secant;
 

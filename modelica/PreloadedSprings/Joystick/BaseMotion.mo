@@ -35,19 +35,20 @@ equation
         arrow = {Arrow.None, Arrow.Filled}, arrowSize = 12),
       Text(extent = {{-150, 140}, {150, 105}}, textColor = {0, 0, 255}, textString = "%name")}),
     Documentation(info = "<html>
-<p>The joystick stands on a base that moves in the plane of the handle, such as the floor of a cabin: its pivot moves by
-<code>s</code> forward, that is towards positive angles, and by <code>z</code> upward, and the base turns by
+<p>The joystick stands on a base that moves in the plane of the handle, such as the floor of a cabin: its pivot moves
+by <code>s</code> forward, that is towards positive angles, and by <code>z</code> upward, and the base turns by
 <code>phi</code>. In space the handle is then at the angle <code>psi = theta + phi</code>, its center of mass at
 <code>s + h*sin(psi)</code>, <code>z + h*cos(psi)</code>, and Lagrange's equation is</p>
-<blockquote><code>J*psi'' = m*h*((g + z'')*sin(psi) - s''*cos(psi))</code> + moments between handle and base,</blockquote>
-<p>where <code>J</code> is the moment of inertia about the pivot. For <code>theta</code>, the angle to the base, that is
-eq. (1) with one more moment on its right-hand side:</p>
+<blockquote><code>J*psi'' = m*h*((g + z'')*sin(psi) - s''*cos(psi))</code> + moments between handle and base,
+</blockquote>
+<p>where <code>J</code> is the moment of inertia about the pivot. For <code>theta</code>, the angle to the base, that
+is eq. (1) with one more moment on its right-hand side:</p>
 <blockquote><code>M_base = m*h*(a_base_z*sin(theta) - a_base*cos(theta)) - J*alpha_base</code>,
 <code>alpha_base = phi''</code>,<br>
 <code>a_base = s''*cos(phi) - (g + z'')*sin(phi)</code>,
 <code>a_base_z = s''*sin(phi) + (g + z'')*cos(phi) - g</code>.</blockquote>
-<p>The accelerations are what an accelerometer on the base shows at the pivot, less <code>g</code> upward: on a base that
-does not turn those of the base, on one that is tilted with the weight's part along it. A base that accelerates forward
-leaves the handle behind; one that rises makes it heavier.</p>
+<p>The accelerations are what an accelerometer on the base shows at the pivot, less <code>g</code> upward: on a base
+that does not turn those of the base, on one that is tilted with the weight's part along it. A base that accelerates
+forward leaves the handle behind; one that rises makes it heavier.</p>
 </html>"));
 end BaseMotion;
