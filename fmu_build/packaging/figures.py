@@ -1,4 +1,8 @@
-"""Draw the pictures of an FMU: its icon and its default run."""
+"""Draw the pictures of an FMU: its icon and its default run.
+
+Matplotlib is loaded when something is drawn: the live page, which needs other modules of this package, draws
+nothing.
+"""
 
 from __future__ import annotations
 
@@ -6,10 +10,6 @@ import io
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any
-
-import matplotlib as mpl
-from matplotlib.figure import Figure
-from matplotlib.patches import Rectangle
 
 from fmu_build.packaging.default_run import DefaultRun
 from fmu_build.support.description import ModelDescription
@@ -19,6 +19,8 @@ from fmu_build.support.request import FmiVersion
 @contextmanager
 def _own_settings(settings: Mapping[Any, Any]) -> Iterator[None]:
     """Use Matplotlib's defaults and these settings, whatever the user or this program has set."""
+    import matplotlib as mpl
+
     with mpl.rc_context():
         mpl.rcdefaults()
         mpl.rcParams.update(settings)
@@ -38,6 +40,9 @@ def model_png(description: ModelDescription) -> bytes:
 
 
 def _drawn(description: ModelDescription) -> bytes:
+    from matplotlib.figure import Figure
+    from matplotlib.patches import Rectangle
+
     figure = Figure(figsize=(4, 3), dpi=100)
     axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
     axes.set(xlim=(0, 4), ylim=(0, 3))
@@ -79,6 +84,8 @@ _SETTINGS = {
 
 def default_run_svg(run: DefaultRun, description: ModelDescription) -> bytes:
     """Return the figure as SVG; the same run gives the same bytes."""
+    from matplotlib.figure import Figure
+
     units = {variable.name: variable.unit for variable in description.variables}
     panels = [(unit, names, run.inputs, "steps-post") for unit, names in _by_unit(run.inputs, units)]
     panels += [(unit, names, run.outputs, "default") for unit, names in _by_unit(run.outputs, units)]
