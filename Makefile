@@ -133,7 +133,7 @@ BIOME := npx --yes @biomejs/biome@2.6.8
 lint-js:
 	@if ! command -v npm > /dev/null; then echo "lint-js: skipped, npm is not installed"; \
 	elif ! $(BIOME) --version > /dev/null 2>&1; then echo "lint-js: skipped, npm cannot get Biome"; \
-	else $(BIOME) ci fmu_build/explore/assets pyjoystick/reports/live_page/assets; fi
+	else $(BIOME) ci fmu_build/explore/assets pyjoystick/reports/live_page/assets docs/_static; fi
 
 try-rumoca: $(READY)
 	$(BIN)/python -m tests.rumoca_release $(RUMOCA)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import os
 import sys
 from importlib import metadata
 from pathlib import Path
@@ -94,6 +95,21 @@ html_theme = "furo"
 html_title = "pyjoystick"
 html_static_path = ["_static"]
 html_css_files = ["pyjoystick.css"]
+templates_path = ["_templates"]
+html_sidebars = {
+    "**": [
+        "sidebar/brand.html",
+        "sidebar/versions.html",
+        "sidebar/search.html",
+        "sidebar/scroll-start.html",
+        "sidebar/navigation.html",
+        "sidebar/scroll-end.html",
+    ]
+}
+# A published site has a menu of versions, see versions.py; one that is built to be read here has none.
+html_context = {"site_version": os.environ.get("SITE_VERSION", "")}
+if html_context["site_version"]:
+    html_js_files = [("versions.js", {"defer": "defer"})]
 html_show_copyright = False
 # Formulas are MathML, figures are SVG, scripts lie beside the pages: they need no network.
 html_math_renderer = "mathml"
