@@ -6,7 +6,11 @@ import re
 import tomllib
 from pathlib import Path
 
+import yaml
+
 ROOT = Path(__file__).parents[1]
+#: Where conda-forge has another name; its matplotlib has a graphical interface besides.
+CONDA_NAMES = {"lazy-loader": "lazy_loader", "matplotlib": "matplotlib-base"}
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
 
 
@@ -27,6 +31,20 @@ def test_the_install_page_names_every_extra() -> None:
 def test_the_install_page_names_the_wheel() -> None:
     page = (ROOT / "docs" / "install.md").read_text(encoding="utf-8")
     assert f"dist/pyjoystick-{PROJECT['version']}-py3-none-any.whl" in page
+
+
+def test_the_conda_recipe_asks_for_what_the_wheel_needs() -> None:
+    """The same packages from the same versions on, by the names of conda-forge."""
+    recipe = yaml.safe_load((ROOT / "conda" / "recipe.yaml").read_text(encoding="utf-8"))
+    assert recipe["context"]["version"] == PROJECT["version"]
+    assert recipe["about"]["license"] == PROJECT["license"]
+    needed = {f"python {PROJECT['requires-python']}"}
+    for requirement in PROJECT["dependencies"]:
+        name, least = requirement.split(">=")
+        needed.add(f"{CONDA_NAMES.get(name, name)} >={least}")
+    assert set(recipe["requirements"]["run"]) == needed
+    (fast,) = PROJECT["optional-dependencies"]["fast"]
+    assert recipe["requirements"]["run_constraints"] == [fast.replace(">=", " >=")]
 
 
 def _names(row: str) -> list[str]:

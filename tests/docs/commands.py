@@ -57,7 +57,7 @@ def read(command: str) -> None:
             _require(
                 set(wanted) <= set(targets), command, f"targets of the Makefile are {', '.join(targets)}"
             )
-        case (("." | "cd" | "pip" | "dask"), _):
+        case (("." | "cd" | "conda" | "dask" | "docker" | "pip" | "rattler-build"), _):
             pass
         case _:
             raise CommandError(f"{command}\nis of no program that is known here")
