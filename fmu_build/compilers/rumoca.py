@@ -32,7 +32,7 @@ from fmu_build.compilers.library_path import (
     used_libraries,
 )
 from fmu_build.compilers.rumoca_errors import native_stderr, syntax_errors, translated_errors
-from fmu_build.modelica_source.builtins import with_known_functions
+from fmu_build.modelica_source.builtins import takes_index, with_known_functions
 from fmu_build.modelica_source.reached import IN_MEMORY, ReachedSource
 from fmu_build.modelica_source.table_files import with_tables_from_files
 from fmu_build.modelica_source.tables import with_own_tables
@@ -159,11 +159,12 @@ def _loaded_in_part(
     session = rumoca.Session()
     folders = {name: path if path.is_dir() else path.parent for name, path in libraries.roots.items()}
     texts = {file: with_tables_from_files(file, text, folders) for file, text in reached.texts.items()}
+    index = any(takes_index(text) for text in reached.texts.values())
     # Each text costs the more the more text there is before it.
     for file, text in sorted(with_own_tables(texts).items(), key=lambda one: len(one[1])):
         # The session keeps each text, then fails to compile a model that does not exist.
         with suppress(rumoca.CompileError):
-            session.loads(with_known_functions(text), model=_NONE, filename=f"{IN_MEMORY}{file}")
+            session.loads(with_known_functions(text, index=index), model=_NONE, filename=f"{IN_MEMORY}{file}")
     return session, session.loads(f"package {_NONE} end {_NONE};", model=model)
 
 

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import re
 
+from fmu_build.modelica_source.text import blanked
+
 _NAMES = "sin|cos|tan|asin|acos|atan|atan2|sinh|cosh|tanh|exp|log|log10"
 _EXTERNAL = re.compile(
     rf'\bexternal\s*"builtin"\s*(?P<result>\w+)\s*=\s*(?P<call>(?:{_NAMES})\s*\([\w\s,]*\))\s*;'
     r"(?P<annotation>\s*annotation\s*\()(?P<others>(?!\s*\)))?"
 )
 _INTERPOLATE = re.compile(
-    r"(?P<head>\bfunction\s+interpolate\b.*?\boutput\s+Integer\s+iNew\b[^;]*;\s*)"
+    r"(?P<head>\bfunction\s+interpolate\b.*?)(?P<index>\boutput\s+Integer\s+iNew\b[^;]*;\s*)"
     r"protected\b.*?\balgorithm\b.*?\biNew\s*:=\s*i\s*;\s*end\s+if\s*;(?=\s*annotation\b)",
     re.DOTALL,
 )
@@ -18,10 +20,13 @@ _INTERPOLATION = (
     "protected Integer i; Integer j; Real d; algorithm "
     "i := 1 + sum(if xi >= x[k] then 1 else 0 for k in 2:size(x, 1) - 1); "
     "j := min(i + 1, size(x, 1)); d := if j > i then x[j] - x[i] else 1; "
-    "yi := y[i] + (y[j] - y[i])*(xi - x[i])/d; iNew := i;"
+    "yi := y[i] + (y[j] - y[i])*(xi - x[i])/d;"
 )
 """`Modelica.Math.Vectors.interpolate` without its while loops, which search in both directions from iLast. A
 vector that does not increase gives a division by zero, so not a number, in place of a failed assertion."""
+_INDEX_TAKEN = re.compile(
+    r"(?:;|\b(?:algorithm|equation|then|else|loop))\s*\([^;()]*,[^;()]*\)\s*:?=\s*[\w.]*\binterpolate\s*\("
+)
 
 _SEARCH = re.compile(
     r"(?P<head>\bfor\s+\w+\s+in)\s+1\s*:(?P<last>[^;:]*?)(?P<loop>\bloop\s+if\b"
@@ -30,13 +35,20 @@ _SEARCH = re.compile(
 )
 
 
-def with_known_functions(text: str) -> str:
+def takes_index(text: str) -> bool:
+    """Return whether a text takes the second result of some `interpolate`, the index, as well."""
+    return _INDEX_TAKEN.search(blanked(text)) is not None
+
+
+def with_known_functions(text: str, *, index: bool = True) -> str:
     """Return a text in which these functions are written in another way, on the same lines.
 
     A function declared as ``external "builtin" y = sin(u)`` calls the built-in one in an algorithm. A loop
-    that returns at the first element that fulfills a condition becomes one that begins at the last.
+    that returns at the first element that fulfills a condition becomes one that begins at the last. Without
+    `index`, `interpolate` has one result: rumoca cannot evaluate parameters by functions that have several.
     """
-    return _SEARCH.sub(_backwards, _INTERPOLATE.sub(_interpolation, _EXTERNAL.sub(_built_in, text)))
+    text = _INTERPOLATE.sub(_interpolation if index else _interpolation_alone, _EXTERNAL.sub(_built_in, text))
+    return _SEARCH.sub(_backwards, text)
 
 
 def _built_in(found: re.Match[str]) -> str:
@@ -51,5 +63,10 @@ def _backwards(found: re.Match[str]) -> str:
 
 
 def _interpolation(found: re.Match[str]) -> str:
+    lines = found[0].count("\n") - found["head"].count("\n") - found["index"].count("\n")
+    return f"{found['head']}{found['index']}{_INTERPOLATION} iNew := i;" + "\n" * lines
+
+
+def _interpolation_alone(found: re.Match[str]) -> str:
     lines = found[0].count("\n") - found["head"].count("\n")
     return found["head"] + _INTERPOLATION + "\n" * lines

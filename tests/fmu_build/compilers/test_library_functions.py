@@ -86,15 +86,18 @@ end User;
 """
 
 
+def _user(folder: Path, text: str) -> Fmu:
+    library = folder / "libraries" / "Functions"
+    library.mkdir(parents=True)
+    (library / "package.mo").write_text(_LIBRARY)
+    (folder / "User.mo").write_text(text)
+    return Fmu(build_fmu("User", folder / "out", library=[folder / "User.mo", library]).path)
+
+
 def test_known_functions_in_co_simulation(tmp_path: Path) -> None:
     """Against NumPy, with a table that continues its outer lines on both sides."""
-    folder = tmp_path / "libraries" / "Functions"
-    folder.mkdir(parents=True)
-    (folder / "package.mo").write_text(_LIBRARY)
-    (tmp_path / "User.mo").write_text(_USER)
-    built = build_fmu("User", tmp_path / "out", library=[tmp_path / "User.mo", folder])
     names = ["one", "two", "three", "table", "single", "first"]
-    with Fmu(built.path) as fmu:
+    with _user(tmp_path, _USER) as fmu:
         result = fmu.run(np.linspace(0, 3, 31), outputs=names)
     x = result.index.to_numpy()
     table = np.interp(x, [-1, 0.5, 1, 1.5, 2.5, 4.5], [-2, 1, 2, 0, 4, 12])
@@ -104,8 +107,51 @@ def test_known_functions_in_co_simulation(tmp_path: Path) -> None:
         np.testing.assert_allclose(result[name], values, atol=1e-12, err_msg=name)
 
 
-def test_lines_stay_in_place() -> None:
-    changed = with_known_functions(_LIBRARY)
+_CHOICE = """model User
+  parameter Real t[:, 2] = [0, 1; 10, 3];
+  parameter Real e = abs(Functions.interpolate(t[:, 1], t[:, 2], 4));
+  parameter Real c = if e > 1.5 and e < 2 then 5 else 7;
+  Real x(start = c, fixed = true);
+equation
+  der(x) = 0;
+  annotation (uses(Functions(version = "1")));
+end User;
+"""
+_INDEX = """model User
+  function both
+    input Real x;
+    output Real sum;
+  protected
+    Real y;
+    Integer i;
+  algorithm
+    (y, i) := Functions.interpolate({0, 1, 2, 3}, {0, 1, 4, 9}, x);
+    sum := y + 100*i;
+  end both;
+  Real x(start = 0.5, fixed = true), y = both(x);
+equation
+  der(x) = 1;
+  annotation (uses(Functions(version = "1")));
+end User;
+"""
+
+
+def test_a_parameter_that_others_branch_on_may_be_interpolated(tmp_path: Path) -> None:
+    """As the friction of a gear of the Modelica Standard Library is: 1 + 2*4/10 is between 1.5 and 2."""
+    with _user(tmp_path, _CHOICE) as fmu:
+        assert fmu.run([0.0, 1.0], outputs=["x"])["x"].tolist() == [5.0, 5.0]
+
+
+def test_the_index_of_an_interpolation(tmp_path: Path) -> None:
+    """The interval is that in which x = 0.5, 1.5, 2.5 lies."""
+    with _user(tmp_path, _INDEX) as fmu:
+        result = fmu.run([0.0, 1.0, 2.0], outputs=["y"])
+    np.testing.assert_allclose(result["y"], [100.5, 202.5, 306.5], rtol=1e-12)
+
+
+@pytest.mark.parametrize("index", [True, False])
+def test_lines_stay_in_place(index: bool) -> None:
+    changed = with_known_functions(_LIBRARY, index=index)
     assert changed.count("\n") == _LIBRARY.count("\n")
     for line in ("  function tanh", "  end interpolate;"):
         assert changed.splitlines().index(line) == _LIBRARY.splitlines().index(line)
