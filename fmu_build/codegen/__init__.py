@@ -21,6 +21,7 @@ from fmu_build.codegen.rejections import reject_unsupported
 from fmu_build.codegen.sensitivities import extend, find_wanted
 from fmu_build.codegen.source import ModelSource
 from fmu_build.codegen.start_values import StartValues
+from fmu_build.codegen.state_choice import reject_other_states
 from fmu_build.codegen.structure import Structure
 from fmu_build.codegen.tables import reject_unsupported_tables
 from fmu_build.codegen.tangents import NoTangentsError, Tangents
@@ -89,6 +90,7 @@ def _read(lowered: LoweredModel) -> _Read:
     functions = FunctionLibrary(lowered)
     equations = compact(read_equations(lowered, functions.name_of), n_named_slots(lowered))
     lowered = with_named_states(lowered, equations)
+    reject_other_states(lowered, equations)
     equations, left_out = without_open_connectors(lowered, equations)
     return _Read(lowered, functions, equations, left_out, StartValues(lowered))
 

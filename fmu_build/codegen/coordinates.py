@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from fmu_build.codegen import expression as ex
-from fmu_build.codegen.algebraics import Assignment, Step
+from fmu_build.codegen.algebraics import Assignment
 from fmu_build.codegen.equations import Equations
 from fmu_build.codegen.expression import Expression
 from fmu_build.codegen.lowered import LoweredModel
@@ -84,26 +84,18 @@ def _is_linear(model: LoweredModel, equations: Equations) -> bool:
         for name in entry["scalar_names"]
         if "Y" in bindings.get(name, {})
     ]
-    steps = {unknown: step for step in equations.algebraics for unknown in _unknowns(step)}
+    steps = {unknown: step for step in equations.algebraics for unknown in step.unknowns}
     seen: set[int] = set()
     while waiting:
         index = waiting.pop()
         if index in seen or index not in steps:
             continue
-        seen |= set(_unknowns(steps[index]))
-        for expression in _expressions(steps[index]):
+        seen |= set(steps[index].unknowns)
+        for expression in steps[index].expressions:
             if not _is_affine(expression, constant):
                 return False
             waiting += [leaf.index for leaf in ex.leaves(expression) if leaf.operator == "y"]
     return True
-
-
-def _unknowns(step: Step) -> tuple[int, ...]:
-    return (step.unknown,) if isinstance(step, Assignment) else tuple(step.unknowns)
-
-
-def _expressions(step: Step) -> tuple[Expression, ...]:
-    return (step.value,) if isinstance(step, Assignment) else tuple(step.residuals)
 
 
 def _is_affine(expression: Expression, constant: set[Expression]) -> bool:

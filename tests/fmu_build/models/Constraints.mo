@@ -87,4 +87,17 @@ package Constraints "States with linear constraints between them"
       reinit(v, -pre(v));
     end when;
   end Bounced;
+
+  model Stopped "Two bodies with a damper between them; one is stopped, and the other's speed is a state by choice"
+    Real v_1(start=1, fixed=true);
+    Real v_2(stateSelect=StateSelect.prefer);
+    Real v_rel(start=0.2, fixed=true);
+  equation
+    v_rel = v_2 - v_1;
+    der(v_1) = v_rel;
+    der(v_2) = -v_rel;
+    when time >= 0.5 then
+      reinit(v_1, 0);
+    end when;
+  end Stopped;
 end Constraints;

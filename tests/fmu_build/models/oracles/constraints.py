@@ -45,6 +45,15 @@ def _bounced(t: Array) -> Values:
     return {"a": a, "v": v, "b": a + np.sin(t), "w": v + np.cos(t), "F": -0.5 * np.sin(t)}
 
 
+def _stopped(t: Array) -> Values:
+    """The speed between the bodies decays; the second one keeps its own speed when the first is stopped."""
+    speed = 0.5 * (2.2 + 0.2 * np.exp(-1.0))
+    after = t >= 0.5
+    total = np.where(after, speed, 2.2)
+    v_rel = np.where(after, speed * np.exp(1.0 - 2 * t), 0.2 * np.exp(-2 * t))
+    return {"v_1": 0.5 * (total - v_rel), "v_2": 0.5 * (total + v_rel), "v_rel": v_rel}
+
+
 CASES = (
     Case("Constraints.Geared", 3.0, _geared),
     Case("Constraints.Geared", 3.0, partial(_geared, ratio=-3.0), parameters={"ratio": -3.0}, label="turned"),
@@ -58,4 +67,5 @@ CASES = (
         label="stiff",
     ),
     Case("Constraints.Bounced", 1.0, _bounced, events=lambda _: np.array([_BOUNCE])),
+    Case("Constraints.Stopped", 1.5, _stopped, events=lambda _: np.array([0.5])),
 )

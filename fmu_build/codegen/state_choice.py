@@ -1,0 +1,66 @@
+"""Refusal of models whose motion after a reinit() depends on the choice of states.
+
+The states of ``v_1``, ``v_2`` and ``v_rel = v_2 - v_1`` may be any two of them, and the motion is the same.
+At ``reinit(v_1, 0)``, however, the other state keeps its value, be it ``v_2`` or ``v_rel``. The attribute
+stateSelect decides which, and rumoca does not always follow it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+
+from fmu_build.codegen.equations import Equations
+from fmu_build.codegen.expression import leaves
+from fmu_build.codegen.lowered import LoweredModel
+
+_RANKS = {"Never": 0, "Avoid": 1, "Default": 2, "Prefer": 3, "Always": 4}
+_WORDS = {rank: name.lower() for name, rank in _RANKS.items()}
+
+
+def reject_other_states(model: LoweredModel, equations: Equations) -> None:
+    """Refuse a model in which a state keeps its value at a reinit() in the place of one that has precedence.
+
+    Raises:
+        UnsupportedModelError: names the two and the state that is reinitialized
+    """
+    reinitialized = {row.slot[1] for row in equations.discrete if row.kind == "reinit"}
+    if not reinitialized:
+        return
+    names = model.solve["solve_layout"]["solver_maps"]["names"]
+    ranks = {index: _RANKS[select] for index, select in _selections(model)}
+    reached = _states_behind(equations)
+    for place, rank in ranks.items():
+        behind = reached.get(place, frozenset())
+        lower = sorted(state for state in behind - reinitialized if ranks.get(state, 2) < rank)
+        if lower and behind & reinitialized:
+            kept, changed = lower[0], min(behind & reinitialized)
+            raise model.unsupported(
+                f"reinit() of {names[changed]} would keep {names[kept]}, the state that rumoca has chosen, "
+                f"and not {names[place]}, which has precedence (stateSelect = {_WORDS[rank]}): give "
+                f"{names[kept]} the higher stateSelect, or write the model with {names[place]} alone"
+            )
+
+
+def _selections(model: LoweredModel) -> Iterator[tuple[int, str]]:
+    """Yield the place in y of each continuous Real variable, and its stateSelect."""
+    bindings = model.solve["layout"]["bindings"]
+    for entry in model.dae["variables"]:
+        if entry["role"] in ("state", "algebraic", "output"):
+            for name in entry["scalar_names"]:
+                if "Y" in bindings.get(name, {}):
+                    yield bindings[name]["Y"]["index"], entry["attributes"]["state_select"]
+
+
+def _states_behind(equations: Equations) -> Mapping[int, frozenset[int]]:
+    """Return the states that each algebraic variable is computed from."""
+    states = frozenset(range(equations.n_states))
+    behind: dict[int, frozenset[int]] = {}
+
+    def of(indices: Iterable[int]) -> frozenset[int]:
+        return frozenset().union(*(behind.get(i, frozenset((i,)) & states) for i in indices))
+
+    for step in equations.algebraics:
+        read = {leaf.index for value in step.expressions for leaf in leaves(value) if leaf.operator == "y"}
+        found = of(read - set(step.unknowns))
+        behind.update(dict.fromkeys(step.unknowns, found))
+    return behind
