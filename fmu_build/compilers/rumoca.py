@@ -33,6 +33,7 @@ from fmu_build.compilers.library_path import (
 )
 from fmu_build.compilers.rumoca_errors import native_stderr, syntax_errors, translated_errors
 from fmu_build.modelica_source.builtins import takes_index, with_known_functions
+from fmu_build.modelica_source.own_bases import with_bases_beside
 from fmu_build.modelica_source.reached import IN_MEMORY, ReachedSource
 from fmu_build.modelica_source.table_files import with_tables_from_files
 from fmu_build.modelica_source.tables import with_own_tables
@@ -161,7 +162,7 @@ def _loaded_in_part(
     texts = {file: with_tables_from_files(file, text, folders) for file, text in reached.texts.items()}
     index = any(takes_index(text) for text in reached.texts.values())
     # Each text costs the more the more text there is before it.
-    for file, text in sorted(with_own_tables(texts).items(), key=lambda one: len(one[1])):
+    for file, text in sorted(with_bases_beside(with_own_tables(texts)).items(), key=lambda one: len(one[1])):
         # The session keeps each text, then fails to compile a model that does not exist.
         with suppress(rumoca.CompileError):
             session.loads(with_known_functions(text, index=index), model=_NONE, filename=f"{IN_MEMORY}{file}")

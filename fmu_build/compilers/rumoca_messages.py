@@ -36,6 +36,13 @@ MEANINGS = (
         (r"\bNAME\s*(?=\()",),
     ),
     Meaning(
+        rf"reference to non-constant variable '{_NAME}' from a lexically nested class",
+        UnsupportedModelError,
+        "`{name}` is used in a class that is declared in a model: it cannot be a variable of that model, and "
+        "a model that extends a class of its own is not supported; declare the class beside the model",
+        (),
+    ),
+    Meaning(
         r"`function return`",
         UnsupportedModelError,
         "a return inside a loop or a nested branch of a function is not supported",

@@ -69,6 +69,8 @@ REFUSALS = (
     Refusal("LostModifiers", UnsupportedModelError, r"modifiers of a class that is redeclared"),
     Refusal("LostSiblings", UnsupportedModelError, r"assembly\.spring\.x is lost.*repeat it"),
     Refusal("OperatorRecord", UnsupportedModelError, r"operator records"),
+    Refusal("OtherState", UnsupportedModelError, r"reinit\(\) of v_1 would keep v_2.* not v_rel"),
+    Refusal("OwnBase.Model", UnsupportedModelError, r"extends a class of its own"),
     Refusal("ParameterFromTime", UnsupportedModelError, r"`origin` is determined from `time`"),
     Refusal("PresentState", UnsupportedModelError, r"pre\(state\)"),
     Refusal("RecordArray", UnsupportedModelError, r"der\(r\[i\]\.a\)"),
