@@ -86,7 +86,7 @@ def tables(
         [
             f"{{{names['p', c.activation]}, "
             + ", ".join(f"{float(n)!r}" for n in (*c.period, *c.phase))
-            + "}"
+            + f", {_bool(c.from_start)}}}"
             for c in e.clocks
         ],
     )

@@ -14,25 +14,28 @@ from fmu_build.codegen.lowered import LoweredModel
 class Clock:
     """A periodic clock: ``p[activation]`` is 1 in the first pass at each tick.
 
-    Period and phase are fractions of a second: (numerator, denominator).
+    Period and phase are fractions of a second: (numerator, denominator). The phase counts from time 0 or from
+    the start of the simulation.
     """
 
     activation: int
     period: tuple[int, int]
     phase: tuple[int, int]
+    from_start: bool
 
 
 def periodic_clocks(model: LoweredModel) -> tuple[Clock, ...]:
-    """Return the clocks of the model; raises `UnsupportedModelError` for one not tied to absolute time."""
+    """Return the clocks of the model; raises `UnsupportedModelError` for one that begins at another time."""
     clocks = model.solve["clocks"]
     result = []
     for slot, schedule in zip(
         clocks["activation_parameter_indices"], clocks["periodic_event_schedules"], strict=True
     ):
-        if schedule["anchor"] != "absolute":
+        if schedule["anchor"] not in ("absolute", "simulation_start"):
             raise model.unsupported(f"a clock anchored at {schedule['anchor']} is not supported")
+        from_start = schedule["anchor"] == "simulation_start"
         period, phase = schedule["lattice"]["period"], schedule["lattice"]["phase"]
-        result.append(Clock(slot, (period["num"], period["den"]), (phase["num"], phase["den"])))
+        result.append(Clock(slot, (period["num"], period["den"]), (phase["num"], phase["den"]), from_start))
     return tuple(result)
 
 

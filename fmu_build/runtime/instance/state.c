@@ -179,7 +179,8 @@ static bool clocks_are_sound(const Instance *instance, const double *block)
 {
     const size_t first = (size_t)(instance->values.clock_tick - instance->block);
     for (size_t i = first; i < first + model.n_clocks; ++i)
-        if (!(block[i] >= 0.0 && isfinite(block[i]) && block[i] == floor(block[i])))
+        if (!(block[i] >= 0.0 && isfinite(block[i]) && block[i] == floor(block[i])) ||
+            !isfinite(block[i + model.n_clocks]))
             return false;
     return true;
 }

@@ -12,13 +12,14 @@ double time_just_after(double time)
     return time + time_resolution * fmax(1.0, fabs(time));
 }
 
-static double tick_time(const PeriodicClock *clock, double number)
+static double tick_time(const Values *values, size_t i, double number)
 {
+    const PeriodicClock *clock = &model.clocks[i];
     /* Both parts have one denominator, so that a decimal period and phase give the nearest double. */
     const double denominator = clock->phase_denominator * clock->period_denominator;
-    return (clock->phase_numerator * clock->period_denominator +
-            number * clock->period_numerator * clock->phase_denominator) /
-           denominator;
+    return values->clock_zero[i] + (clock->phase_numerator * clock->period_denominator +
+                                    number * clock->period_numerator * clock->phase_denominator) /
+                                       denominator;
 }
 
 void clocks_start(Values *values)
@@ -27,9 +28,10 @@ void clocks_start(Values *values)
         const PeriodicClock *clock = &model.clocks[i];
         const double period = clock->period_numerator / clock->period_denominator;
         const double phase = clock->phase_numerator / clock->phase_denominator;
-        const double estimate = floor((values->time - phase) / period) - 1.0;
+        values->clock_zero[i] = clock->counts_from_start ? values->time : 0.0;
+        const double estimate = floor((values->time - values->clock_zero[i] - phase) / period) - 1.0;
         values->clock_tick[i] = fmax(0.0, estimate);
-        while (time_just_after(tick_time(clock, values->clock_tick[i])) < values->time)
+        while (time_just_after(tick_time(values, i, values->clock_tick[i])) < values->time)
             values->clock_tick[i] += 1.0;
     }
 }
@@ -38,7 +40,7 @@ bool clocks_tick(Values *values)
 {
     bool any = false;
     for (size_t i = 0; i < model.n_clocks; ++i) {
-        if (tick_time(&model.clocks[i], values->clock_tick[i]) > time_just_after(values->time))
+        if (tick_time(values, i, values->clock_tick[i]) > time_just_after(values->time))
             continue;
         values->p[model.clocks[i].activation] = 1.0;
         values->clock_tick[i] += 1.0;
@@ -57,7 +59,7 @@ double event_next_time(const Values *values)
 {
     double next = INFINITY;
     for (size_t i = 0; i < model.n_clocks; ++i)
-        next = fmin(next, tick_time(&model.clocks[i], values->clock_tick[i]));
+        next = fmin(next, tick_time(values, i, values->clock_tick[i]));
     if (model.n_time_events == 0)
         return next;
     double *when = malloc(model.n_time_events * sizeof(double));

@@ -98,6 +98,7 @@ typedef struct {
 typedef struct {
     size_t activation;
     double period_numerator, period_denominator, phase_numerator, phase_denominator;
+    bool counts_from_start; /* the phase is that from the start of the simulation, not from time 0 */
 } PeriodicClock;
 
 /* assert(), terminate() and warnings. */

@@ -4,7 +4,7 @@
 
 size_t values_count(void)
 {
-    return model.n_y + model.n_p + model.n_clocks + model.n_actions + 1;
+    return model.n_y + model.n_p + 2 * model.n_clocks + model.n_actions + 1;
 }
 
 void values_bind(Values *values, double *block)
@@ -12,7 +12,8 @@ void values_bind(Values *values, double *block)
     values->y = block;
     values->p = values->y + model.n_y;
     values->clock_tick = values->p + model.n_p;
-    values->reported = values->clock_tick + model.n_clocks;
+    values->clock_zero = values->clock_tick + model.n_clocks;
+    values->reported = values->clock_zero + model.n_clocks;
     values->any_reported = values->reported + model.n_actions;
 }
 

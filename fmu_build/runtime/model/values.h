@@ -9,6 +9,7 @@ typedef struct {
     double *y;          /* [model.n_y] */
     double *p;          /* [model.n_p] */
     double *clock_tick; /* [model.n_clocks] number of the next tick of each periodic clock */
+    double *clock_zero; /* [model.n_clocks] time from which its phase counts */
     double *reported;   /* [model.n_actions] 1 if a warning was reported and its condition still holds */
     double *any_reported;
 } Values;

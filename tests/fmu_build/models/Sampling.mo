@@ -219,4 +219,19 @@ package Sampling "sample(), discrete states and discrete controllers"
       e = pre(e) + 1;
     end when;
   end InitialPrevious;
+
+  model MeanFromStart "The mean of the time over each half second since the start, whenever that is"
+    parameter Real f = 2;
+    parameter Real t_0(fixed=false);
+    Real x(start=0, fixed=true);
+    discrete Real mean(start=0, fixed=true);
+  initial equation
+    t_0 = time;
+  equation
+    der(x) = time;
+    when sample(t_0 + 1/f, 1/f) then
+      mean = f*pre(x);
+      reinit(x, 0);
+    end when;
+  end MeanFromStart;
 end Sampling;

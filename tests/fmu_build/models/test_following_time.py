@@ -13,6 +13,7 @@ from fmpy import simulate_fmu
 from tests.shared_fmus import SharedFmus
 
 from .case import Array, Case, Values
+from .oracles.discrete import MEAN_FROM_START, mean_from_start
 from .oracles.time_events import pulse_case, pulses
 from .runner import FmuOf
 
@@ -56,6 +57,19 @@ def test_start_values_follow_the_time_of_the_start(start: float, kind: str, fmu_
     for name, expected in pulses(times[away], 0.3, -20.0, start).items():
         # CVode's error adds up over the run, as elsewhere in these tests.
         accuracy = 1e-7 if kind == "CoSimulation" else 1e-5
+        np.testing.assert_allclose(result[name][away], expected, atol=accuracy, err_msg=name)
+
+
+@pytest.mark.parametrize("kind", ["CoSimulation", "ModelExchange"])
+@pytest.mark.parametrize("start", [-3.21, 0.55, 7.8])
+def test_samples_count_from_the_time_of_the_start(start: float, kind: str, fmu_of: FmuOf) -> None:
+    case = replace(MEAN_FROM_START, stop_time=start + 2.2)
+    result = fmu_of(case).run(case, kind, 2.2 / 97, start_time=start)
+    times = np.asarray(result["time"])
+    away = np.abs((times - start + 0.25) % 0.5 - 0.25) > 1e-4
+    assert away.sum() > 90
+    for name, expected in mean_from_start(times[away], start).items():
+        accuracy = 1e-7 if kind == "CoSimulation" else 1e-5  # as above
         np.testing.assert_allclose(result[name][away], expected, atol=accuracy, err_msg=name)
 
 

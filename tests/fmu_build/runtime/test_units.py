@@ -397,7 +397,7 @@ def test_a_dip_that_three_samples_place_just_outside_the_step(units: c.CDLL) -> 
 class _Values(c.Structure):
     _fields_ = (
         ("time", c.c_double),
-        *((name, _Doubles) for name in ("y", "p", "clock_tick", "reported", "any_reported")),
+        *((name, _Doubles) for name in ("y", "p", "clock_tick", "clock_zero", "reported", "any_reported")),
     )
 
 
@@ -412,7 +412,7 @@ def test_actions(units: c.CDLL, function: str) -> None:
     reporter = _Reporter(None, _Report(lambda _, kind, text: told.append((kind, text.decode()))))
     error, warning, terminate = (0, "action 0"), (1, "action 1"), (2, "action 2")
     p, active = _array([0.0] * 3), (c.c_bool * 3)()
-    values = _Values(0.0, _array([0.0] * 2), p, None, _array([0.0] * 3), _array([0.0]))
+    values = _Values(0.0, _array([0.0] * 2), p, None, None, _array([0.0] * 3), _array([0.0]))
     scratch = (active,) if function == "actions_take" else ()
     for conditions, status, expected in (
         ((0, 0, 0), OK, []),

@@ -126,6 +126,14 @@ def initial_previous(k: float, x: float) -> Case:
     )
 
 
+def mean_from_start(t: Array, start: float = 0.0) -> Values:
+    """A ramp has its mean in the middle of each half second."""
+    done = np.floor((t - start) / 0.5 + 1e-9)
+    since = start + 0.5 * done
+    return {"mean": np.where(done > 0, since - 0.25, 0.0), "x": 0.5 * (t**2 - since**2)}
+
+
+MEAN_FROM_START = Case("Sampling.MeanFromStart", 2.2, mean_from_start, events=ticks(0.5, 0.5))
 CASES = (
     Case("Sampling.Counter", 1.0, counter, events=ticks(0.0, 0.125)),
     Case("Sampling.SampledPI", 2.0, sampled_pi, events=ticks(0.1, 0.1)),
@@ -138,5 +146,6 @@ CASES = (
     Case("Sampling.StepGraph", 5.0, step_graph, events=at(*GRAPH_EVENTS)),
     initial_previous(2.0, 3.0),
     initial_previous(-3.0, 2.75),
+    MEAN_FROM_START,
     Case("Sampling.SampledAlgorithm", 1.0, sampled_algorithm, events=ticks(0.1, 0.1)),
 )
