@@ -79,7 +79,7 @@ def _interval(ends: Sequence[float] | np.ndarray[tuple[int], np.dtype[np.float64
 
 
 def _resolved(value: float, width: float, least: int) -> str:
-    """A value to so many digits at least, and to two of what is known of it: an instant may have many before."""
+    """A value to two digits of a width, and to so many digits at least: an instant may need more of them."""
     known = math.isfinite(width) and width > 0.0 and value != 0.0
     digits = 2 + math.ceil(math.log10(abs(value) / width)) if known else least
     return f"{value:.{max(least, digits)}g}"

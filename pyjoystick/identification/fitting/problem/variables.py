@@ -65,9 +65,9 @@ class Variable:
         return 0.1 * width if math.isfinite(width) else 1.0
 
     def size(self, value: float) -> float:
-        """What a percentage of a value refers to: the value, or the scale where the value is zero or says nothing.
+        """What a percentage of a value refers to: the value, or the scale where that is zero or an instant.
 
-        An instant says nothing: its zero is where the clock has it.
+        The zero of an instant is where the clock has it.
         """
         zero = self.name == RELEASE_TIME or abs(value) <= _ROUNDING * self.scale
         return self.scale if zero else abs(value)
@@ -142,6 +142,11 @@ class Variables:
     def upper(self) -> FloatArray:
         """The upper bounds, shape (variables,)."""
         return np.array([variable.maximum for variable in self.free])
+
+    @property
+    def origins(self) -> FloatArray:
+        """What a search counts x from, shape (variables,): the guess for an instant, 0 for all else."""
+        return np.array([one.start if one.name == RELEASE_TIME else 0.0 for one in self.free])
 
     @property
     def labels(self) -> tuple[str, ...]:
