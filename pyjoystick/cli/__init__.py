@@ -8,6 +8,7 @@ when it is used, so that the help of a command needs no numerical packages eithe
 
 from __future__ import annotations
 
+import errno
 from collections.abc import Mapping, Sequence
 from importlib import import_module
 from typing import Annotated, Any, Final
@@ -146,6 +147,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except PyJoystickError as error:
         return _failed(str(error))
     except Exception as error:  # a fault of this program must not end in a traceback
+        if isinstance(error, OSError) and error.errno == errno.ENOSPC:
+            where = error.filename or "standard output or a temporary file"
+            return _failed(f"cannot write {where}: {error.strerror}")
         hint = "" if invocation.debug else " (pyjoystick --debug COMMAND shows where)"
         return _failed(f"internal error: {type(error).__name__}: {error}{hint}")
     return 0

@@ -95,10 +95,11 @@ def run(
     )
     require_length("--distance", distance)
     check_outputs(result, json)
+    # Messages on tables say NAME=HEADING and NAME=UNIT, as the commands with more than one column have it.
     setup = laboratory.AccelerometerSetup(
         distance=distance,
-        column=column,
-        unit=unit,
+        column=column.removeprefix("acceleration="),
+        unit=None if unit is None else unit.removeprefix("acceleration="),
         rate=samples_per_second,
         sensitivity=sensitivity,
         full_scale=full_scale,

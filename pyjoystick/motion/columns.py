@@ -148,8 +148,8 @@ class TableHead:
 
     def _unit(self, column: Column, heading: Heading, given: str) -> str:
         """The unit of a column as `Column.units` spells it."""
-        # The brackets of a variable such as x[1] are part of its name.
-        written = "" if heading.text == column.name else heading.unit
+        # The brackets of a variable such as x[1] are part of its name; a unit that a clock gives is not.
+        written = "" if heading.text == column.name != heading.name else heading.unit
         unit, known = written or given or column.default_unit, ", ".join(column.units)
         value = None
         fits = not any(column.units) or plain_unit(written) in map(plain_unit, column.units)

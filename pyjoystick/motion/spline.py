@@ -114,8 +114,11 @@ def _best_release(time: FloatArray, theta: FloatArray, candidates: FloatArray, p
 
     best = float(candidates[np.argmin([squares(candidate) for candidate in candidates])])
     step = float(candidates[1] - candidates[0])
-    bounds = (best - step, best + step)
-    return float(minimize_scalar(squares, bounds=bounds, method="bounded", options={"xatol": 1e-5}).x)
+    # Over the move and not over the instant, of which SciPy would not change the last eight digits.
+    found = minimize_scalar(
+        lambda move: squares(best + move), bounds=(-step, step), method="bounded", options={"xatol": 1e-5}
+    )
+    return best + float(found.x)
 
 
 def _knots(release: float, passages: FloatArray, time: FloatArray) -> FloatArray:

@@ -213,11 +213,11 @@ def _judged(found: _Found, settings: FitSettings, make: Make, tell: OnProgress) 
     problem, steps, best = found.problem, found.steps, found.minima[0]
     variables = problem.variables
     labels = variables.labels
-    scales = np.array([one.scale for one in variables.free])
+    sizes = np.array([one.size(value) for one, value in zip(variables.free, best.x.tolist(), strict=True)])
     blocks = [np.where(steps.errors < SCATTER, block, 0.0) for block in problem.jacobians(best.x)]
     counted = (problem.noise.counted(block, k) for k, block in enumerate(blocks))
     jacobian = np.concatenate((*counted, problem.prior))
-    known = identifiability(jacobian, best.x, scales, labels, steps.errors)
+    known = identifiability(jacobian, sizes, labels, steps.errors)
     sigma_known = bool(settings.noise.sigma)
     errors = standard_errors(
         jacobian, known, problem.terms, settings.uncertainty.level, sigma_known=sigma_known

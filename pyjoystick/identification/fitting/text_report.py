@@ -58,7 +58,7 @@ def _parameters(fit: Fit) -> str:
     rows = []
     for j, variable in enumerate(fit.variables):
         error = float(fit.standard_errors.errors[j])
-        row = [variable.label, variable.unit, f"{fit.x[j]:.8g}"]
+        row = [variable.label, variable.unit, _resolved(fit.x[j], error, 8)]
         row += (
             [f"{error:.2g}", _interval(fit.intervals[j])] if math.isfinite(error) else ["not determined", ""]
         )
@@ -73,8 +73,16 @@ def _parameters(fit: Fit) -> str:
 
 
 def _interval(ends: Sequence[float] | np.ndarray[tuple[int], np.dtype[np.float64]]) -> str:
-    low, high = (f"{end:.6g}" if math.isfinite(end) else "unbounded" for end in ends)
+    width = float(ends[1] - ends[0])
+    low, high = (_resolved(end, width, 6) if math.isfinite(end) else "unbounded" for end in ends)
     return f"{low} to {high}"
+
+
+def _resolved(value: float, width: float, least: int) -> str:
+    """A value to two digits of a width, and to so many digits at least: an instant may need more of them."""
+    known = math.isfinite(width) and width > 0.0 and value != 0.0
+    digits = 2 + math.ceil(math.log10(abs(value) / width)) if known else least
+    return f"{value:.{max(least, digits)}g}"
 
 
 def _derived(fit: Fit) -> str:

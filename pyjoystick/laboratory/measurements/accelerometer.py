@@ -153,7 +153,7 @@ def _even_rate(source: str, time: FloatArray, rows: NDArray[np.int64]) -> float:
             rows=[rows[uneven[0] + 1]],
             value=f"{steps[uneven[0]]:.6g} s",
         )
-    return 1.0 / usual
+    return (len(time) - 1) / float(time[-1] - time[0])  # of rounded times the usual step is off
 
 
 def _saturation_notes(column: str, watch: SaturationWatch) -> tuple[str, ...]:

@@ -110,7 +110,7 @@ def log_json(log: Log, notes: Sequence[str] = ()) -> str:
         "form": log.form,
         "heading_line": log.line or None,
         "samples": len(time),
-        "rate": 1.0 / np.median(np.diff(time)),
+        "rate": log.rate,
         "columns": [
             {
                 "name": name,

@@ -80,7 +80,8 @@ def _write(path: Path, columns: Mapping[str, FloatArray], comments: Iterable[str
     lines = [
         *(f"# {line}" for comment in comments for line in comment.splitlines()),
         ",".join(columns),
-        *(",".join(f"{value:.12g}" for value in row) for row in rows),
+        # The first column is the time: a clock that counts from 1970 has ten digits before the point.
+        *(",".join((repr(instant), *(f"{value:.12g}" for value in row))) for instant, *row in rows),
     ]
     write_text(path, "\n".join(lines) + "\n")
 
@@ -112,8 +113,8 @@ def log_report(log: Log) -> str:
         ["file", log.form],
         ["headings in row", str(log.line) if log.line else "none"],
         *([name, f"{match.heading.text!r}, in {match.unit}"] for name, match in log.found.items()),
-        ["samples", f"{len(time)}, {1.0 / float(np.median(np.diff(time))):.6g} Hz"],
-        ["time (s)", f"{time[0]:.6g} to {time[-1]:.6g}"],
+        ["samples", f"{len(time)}, {log.rate:.6g} Hz"],
+        ["time (s)", f"{round(time[0], 6):.16g} to {round(time[-1], 6):.16g}"],
         *(
             [label, f"{factor * log.series[name].min():+.6g} to {factor * log.series[name].max():+.6g}"]
             for name, (label, factor) in _SHOWN.items()

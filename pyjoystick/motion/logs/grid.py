@@ -26,6 +26,7 @@ _NUMBERS: Final = {
 }
 _CLOCK: Final = re.compile(
     r"(?:(?P<date>\d{4}-\d\d-\d\d)[T ])?(?P<h>\d{1,2}):(?P<m>\d\d):(?P<s>\d\d(?:[.,]\d+)?)"
+    r"(?P<zone>Z|[+-]\d\d:?\d\d)?"
     r"|(?P<m2>\d{1,3}):(?P<s2>\d\d[.,]\d+)"
 )
 _THOUSANDS: Final = re.compile(r"[+-]?[1-9]\d{0,2}([.,]\d{3})+")
@@ -191,20 +192,28 @@ def _plain_numbers(cells: Sequence[str], decimal: str) -> tuple[list[str], bool]
     matches = [_CLOCK.fullmatch(cell) for cell in cells]
     if not any(matches):
         return ["" if cell.casefold() in _ERRORS else cell.replace(decimal, ".") for cell in cells], False
-    dates = [match["date"] for match in matches if match and match["date"]]
+    first = next(match for match in matches if match)
     return [
-        _seconds(match, dates) if match else cell for match, cell in zip(matches, cells, strict=True)
+        _seconds(match, first) if match else cell for match, cell in zip(matches, cells, strict=True)
     ], True
 
 
-def _seconds(match: re.Match[str], dates: Sequence[str]) -> str:
-    """Seconds since the midnight before the first sample."""
+def _seconds(match: re.Match[str], first: re.Match[str]) -> str:
+    """Seconds since the midnight before the first sample, in its time zone."""
     second = (match["s"] or match["s2"]).replace(",", ".")
     whole = 60 * int(match["m"] or match["m2"]) + 3600 * int(match["h"] or 0)
-    if match["date"]:
-        first, own = (datetime.date.fromisoformat(date) for date in (dates[0], match["date"]))
-        whole += 86_400 * (own - first).days
+    whole -= _ahead(match["zone"]) - _ahead(first["zone"])
+    if match["date"] and first["date"]:
+        day, begun = (datetime.date.fromisoformat(one["date"]) for one in (match, first))
+        whole += 86_400 * (day - begun).days
     return f"{whole + int(second[:2])}{second[2:]}"
+
+
+def _ahead(zone: str | None) -> int:
+    """How far the clocks of a time zone (``Z``, ``+01:00``) are ahead of UTC (s)."""
+    if zone in (None, "Z"):
+        return 0
+    return (-1 if zone[0] == "-" else 1) * (3600 * int(zone[1:3]) + 60 * int(zone[-2:]))
 
 
 def text_of(value: object) -> str:

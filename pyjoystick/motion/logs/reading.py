@@ -58,6 +58,12 @@ class Log:
     left_out: NDArray[np.int64]
     notes: tuple[str, ...]
 
+    @property
+    def rate(self) -> float:
+        """Samples a second (Hz), gaps left out: the mean, because times may be rounded to milliseconds."""
+        steps = np.diff(self.series["time"])
+        return 1.0 / float(np.mean(steps[steps <= GAP * np.median(steps)]))
+
 
 def read_log(
     path: str | PathLike[str],

@@ -51,6 +51,10 @@ def decoded(path: Path, data: bytes, encoding: str) -> tuple[str, str]:
                 continue
     except LookupError:
         pass
+    row = data.partition(b"\0")[0].count(b"\n") + 1
+    if b"\0" in data and row > 1 and not encoding:
+        reason = "holds bytes of zero, as after a loss of power while the file was written"
+        raise RecordError(str(path), reason, "export it again, or end it before this row", rows=[row])
     reason = (
         f"is not text in {encoding}" if encoding else "is not UTF-8 text, nor in an encoding that is known"
     )

@@ -31,6 +31,8 @@ FEWEST_PEAKS: Final = 4
 WANTED_PEAKS: Final = 9
 #: A swing that goes further than the one before on its side by this part of the largest angle is not free.
 GROWTH: Final = 0.1
+#: A gap that is shorter than this part of a swing hides little of how far it goes: 1 - cos(0.3*pi/2) = 11 %.
+_OF_SWING: Final = 0.3
 #: The last swing on the side of release must stay below this part of the release angle.
 DECAYED: Final = 0.9
 #: Times are uneven where steps that are no gaps differ by this part of the usual one.
@@ -104,13 +106,17 @@ def _require_oscillation(record: Record, swings: Sequence[Swing]) -> None:
 def require_no_growth(record: Record, swings: Sequence[Swing], largest: float) -> None:
     """Raise RecordError where a swing goes farther than the one before on its side, which no free one does.
 
+    A swing may have gone farther than its samples in a gap: then the one before it on its side counts.
+
     Args:
         record: what was measured
         swings: of its angle, alternating in side
         largest: angle (rad) of which 10 % more are allowed
     """
-    for before, swing in zip(swings, swings[2:], strict=False):
-        if abs(swing.value) > abs(before.value) + GROWTH * largest:
+    seen: dict[int, Swing] = {}
+    for swing in swings:
+        before = seen.get(swing.sign)
+        if before is not None and abs(swing.value) > abs(before.value) + GROWTH * largest:
             raise RecordError(
                 record.source,
                 f"the motion grows again, from {math.degrees(before.value):+.2f} degrees on the same side "
@@ -120,6 +126,9 @@ def require_no_growth(record: Record, swings: Sequence[Swing], largest: float) -
                 rows=[record.rows[swing.extreme]],
                 value=f"{math.degrees(swing.value):+.2f} degrees",
             )
+        time = record.time[max(swing.first - 1, 0) : swing.last + 2]
+        if np.max(np.diff(time)) < _OF_SWING * (time[-1] - time[0]):
+            seen[swing.sign] = swing
 
 
 def _require_decay(record: Record, swings: Sequence[Swing]) -> None:

@@ -177,14 +177,10 @@ class Record:
     def _require_angles(self) -> None:
         beyond = np.flatnonzero(np.abs(self.theta) >= math.pi / 2.0)
         if beyond.size:
-            in_a_turn = float(np.max(np.abs(self.theta))) <= 2.0 * math.pi
             raise RecordError(
                 self.source,
                 "an angle of 90 degrees or more, where the geometry of the joystick ends",
-                "is this in degrees (name the column theta (deg)), does it wrap around at a full turn, or is "
-                "zero not the middle position?"
-                if in_a_turn
-                else "are these degrees under the name of radians? Name the column theta (deg)",
+                _advice_beyond(self.theta[beyond]),
                 column="theta",
                 rows=self.rows[beyond],
                 value=f"{self.theta[beyond[0]]:g} rad",
@@ -199,3 +195,16 @@ class Record:
                 rows=self.rows[largest : largest + 1],
                 value=f"{self.theta[largest]:g} rad",
             )
+
+
+def _advice_beyond(theta: FloatArray) -> str:
+    """What to do about angles (rad) of a quarter turn and more."""
+    if len(theta) > 1 and np.ptp(theta) == 0.0:
+        same = f"all are the same, {math.degrees(theta[0]):g} degrees"
+        return f"{same}: does the instrument write this where it has no angle? Leave these rows out"
+    if float(np.max(np.abs(theta))) <= 2.0 * math.pi:
+        return (
+            "is this in degrees (name the column theta (deg)), does it wrap around at a full turn, or is "
+            "zero not the middle position?"
+        )
+    return "are these degrees under the name of radians? Name the column theta (deg)"

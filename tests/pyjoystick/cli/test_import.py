@@ -102,6 +102,21 @@ def test_the_accelerometer_beside_the_angle(command: Command, record: Path, tmp_
     assert "add --backward" in command(*arguments, "--delay", "0.02", "--backward").err
 
 
+def test_the_column_of_an_accelerometer_as_its_message_names_it(
+    command: Command, record: Path, tmp_path: Path
+) -> None:
+    lines = record.with_name("acceleration.csv").read_text(encoding="utf-8").splitlines()
+    head = next(i for i, line in enumerate(lines) if line.startswith("time"))
+    lines[head] = "time (s),a"
+    file = tmp_path / "acceleration.csv"
+    file.write_text("\n".join(lines), encoding="utf-8")
+    arguments = ("import", "accelerometer", str(file), "--angle", str(record), "--distance", "0.25")
+    assert "--column acceleration=HEADING" in command(*arguments).message
+    named = (*arguments, "--column", "acceleration=a")
+    assert "--unit acceleration=UNIT" in command(*named).message
+    assert command(*named, "--unit", "acceleration=m/s2").code == 0
+
+
 def test_a_wrong_sign_is_an_error_where_the_side_is_known(
     command: Command, laboratory: Path, tmp_path: Path
 ) -> None:

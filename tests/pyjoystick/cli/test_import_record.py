@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import numpy as np
@@ -32,6 +33,26 @@ def test_a_table_becomes_a_record(tmp_path: Path, command: Command) -> None:
     inside = (TIME >= 0.1) & (TIME <= 0.4)
     np.testing.assert_allclose(found.time, TIME[inside], atol=1e-12)
     np.testing.assert_allclose(found.theta, np.radians(ANGLE[inside]), atol=1e-11)
+
+
+def test_a_clock_since_1970_keeps_its_digits(tmp_path: Path, command: Command) -> None:
+    log = written(
+        tmp_path / "log.csv", text(("timestamp [s]", "angle [deg]"), 1.7e9 + TIME, ANGLE, digits=17)
+    )
+    record = tmp_path / "record.csv"
+    result = command("import", "record", str(log), "--output", str(record))
+    assert "1700000000 to 1700000000.476" in result.out
+    found = read_record(record, free_oscillation=False)
+    np.testing.assert_array_equal(found.time, 1.7e9 + TIME)
+
+
+def test_the_rate_is_that_of_rounded_times_and_not_of_gaps(tmp_path: Path, command: Command) -> None:
+    """240 Hz in whole milliseconds are steps of 4 and 5 ms."""
+    time = np.round(1e3 * np.arange(len(ANGLE)) / 240.0)
+    kept = (time < 200.0) | (time > 400.0)
+    log = written(tmp_path / "log.csv", text(("time (ms)", "angle (deg)"), time[kept], ANGLE[kept]))
+    result = command("import", "record", str(log), "--output", str(tmp_path / "r.csv"), "--json", "-")
+    assert json.loads(result.out)["rate"] == pytest.approx(240.0, rel=0.005)
 
 
 def test_a_preview_comes_before_anything_is_written(tmp_path: Path, command: Command) -> None:

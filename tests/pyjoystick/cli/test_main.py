@@ -49,6 +49,17 @@ def test_wrong_usage_is_exit_code_2(command: Command, arguments: tuple[str, ...]
     assert "Usage: pyjoystick" in outcome.err
 
 
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no /dev/full")
+@pytest.mark.parametrize("arguments", [("parameters",), ("parameters", "--json", "-")])
+def test_a_full_disk_behind_standard_output_is_no_fault(arguments: tuple[str, ...]) -> None:
+    with Path("/dev/full").open("w", encoding="utf-8") as full:
+        call = [sys.executable, "-m", "pyjoystick", *arguments]
+        ended = subprocess.run(call, stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+    assert ended.returncode == 1
+    message = "error: cannot write standard output or a temporary file: No space left on device"
+    assert ended.stderr.splitlines()[-1] == message
+
+
 def test_a_fault_of_the_program_is_one_message(command: Command, monkeypatch: pytest.MonkeyPatch) -> None:
     def breaks(path: Path) -> None:
         raise ZeroDivisionError("[red]")

@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import dataclasses
 import math
 from functools import cache
 
@@ -100,6 +101,18 @@ def test_a_fast_camera_gives_closer_peaks() -> None:
         displacement["value"], abs=math.radians(0.08)
     )
     assert found.velocity["value"][:10].to_numpy() == pytest.approx(velocity["value"], rel=0.08)
+
+
+def test_the_zero_of_the_clock_says_nothing() -> None:
+    """A clock that has run for twelve days gives the peaks of one that begins with the record."""
+    record = synthetic_record(NOMINAL, release_angle=RELEASE, random=np.random.default_rng(3), noise=1e-3)
+    found = measured_peaks(record)
+    later = measured_peaks(dataclasses.replace(record, time=record.time + 1e6))
+    # The search ends within 1e-5 s of the release, and times are rounded to 1e-10 s.
+    assert later.release_time - 1e6 == pytest.approx(found.release_time, abs=1e-5)
+    for peaks, others in ((later.displacement, found.displacement), (later.velocity, found.velocity)):
+        assert (peaks["time"] - 1e6).to_numpy() == pytest.approx(others["time"].to_numpy(), abs=1e-5)
+        assert peaks["value"].to_numpy() == pytest.approx(others["value"].to_numpy(), rel=1e-4)
 
 
 def test_the_mirrored_record_has_the_mirrored_peaks() -> None:

@@ -13,7 +13,7 @@ import pandas as pd
 from numpy.typing import ArrayLike
 
 from pyjoystick.fmu import FmuDescription, read_variables
-from pyjoystick.motion import Record
+from pyjoystick.motion import Record, find_swings
 from pyjoystick.support import (
     FloatArray,
     ParameterError,
@@ -142,14 +142,19 @@ def guess_release(time: FloatArray, theta: FloatArray) -> Release:
     of time at first; the instants at which the angle has fallen to half of it, and before that to 0.9 of it
     or to what the noise leaves clear of the hold, give the beginning. Single outliers have no influence.
 
+    The hold is the first swing and not the largest: where one side has the weaker springs, or the zero is
+    off, the joystick may go further on the other side than it was held.
+
     Args:
         time: instants (s), shape (n,)
-        theta: angle (rad), shape (n,), with the release at the largest or at the first sample
+        theta: angle (rad), shape (n,), with the release in the first swing or at the first sample
     """
     padded = np.concatenate((theta[:1], theta, theta[-1:]))
     smooth = np.median([padded[:-2], theta, padded[2:]], axis=0)
-    largest = float(smooth[np.argmax(np.abs(smooth))])
-    ratio = smooth / largest
+    swings = find_swings(smooth, _HALF * float(np.max(np.abs(smooth))))
+    if not swings:
+        return Release(float(theta[0]), float(time[0]))
+    ratio = smooth / swings[0].value
     fallen = int(np.argmax(ratio < _HALF)) if np.any(ratio < _HALF) else len(ratio)
     before = theta[:fallen][ratio[:fallen] >= _HELD]
     if fallen == 0 or not before.size:

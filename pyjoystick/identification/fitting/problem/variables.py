@@ -28,6 +28,8 @@ _ANGLE_RANGE = (0.7, 1.6)
 #: The zero may differ from 0 by this part of the largest value measured; parts and seconds by this.
 _ZERO_RANGE = 0.25
 _INSTRUMENT_RANGE = 0.2
+#: A value below this part of its scale may be zero.
+_ROUNDING = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,6 +63,14 @@ class Variable:
             return abs(self.start)
         width = self.maximum - self.minimum
         return 0.1 * width if math.isfinite(width) else 1.0
+
+    def size(self, value: float) -> float:
+        """What a percentage of a value refers to: the value, or the scale where that is zero or an instant.
+
+        The zero of an instant is where the clock has it.
+        """
+        zero = self.name == RELEASE_TIME or abs(value) <= _ROUNDING * self.scale
+        return self.scale if zero else abs(value)
 
     @property
     def of_instrument(self) -> bool:
@@ -132,6 +142,11 @@ class Variables:
     def upper(self) -> FloatArray:
         """The upper bounds, shape (variables,)."""
         return np.array([variable.maximum for variable in self.free])
+
+    @property
+    def origins(self) -> FloatArray:
+        """What a search counts x from, shape (variables,): the guess for an instant, 0 for all else."""
+        return np.array([one.start if one.name == RELEASE_TIME else 0.0 for one in self.free])
 
     @property
     def labels(self) -> tuple[str, ...]:

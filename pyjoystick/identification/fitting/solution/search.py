@@ -82,9 +82,12 @@ def search(
 
     best = _Best(full, math.inf)
 
+    # SciPy ends a search where steps are small beside x; the zero of a clock must not count there.
+    origins = problem.variables.origins[places]
+
     def point(own: FloatArray) -> FloatArray:
         moved = full.copy()
-        moved[places] = own
+        moved[places] = origins + own
         return moved
 
     def residuals(own: FloatArray) -> FloatArray:
@@ -99,9 +102,9 @@ def search(
     lower, upper = problem.variables.lower[places], problem.variables.upper[places]
     result = least_squares(
         residuals,
-        np.clip(full[places], lower, upper),
+        np.clip(full[places], lower, upper) - origins,
         jac=jacobian,
-        bounds=(lower, upper),
+        bounds=(lower - origins, upper - origins),
         x_scale="jac",
         ftol=tolerance,
         xtol=_STEP_TOLERANCE,

@@ -17,8 +17,6 @@ _MARGIN: Final = 10.0
 _LEAST: Final = 1e-6
 #: A column this much smaller than the largest, each for a change by the variable's own size, is no influence.
 _NO_INFLUENCE: Final = 1e-10
-#: A value below this part of its scale may be zero.
-_ROUNDING: Final = 1e-6
 #: A column with this relative error shows the scatter of the FMU's results and no influence.
 SCATTER: Final = 0.1
 #: Shares of a combination below this are left out of the sentence.
@@ -56,26 +54,23 @@ class Identifiability:
 
 
 def identifiability(
-    jacobian: FloatArray, x: FloatArray, scales: FloatArray, labels: Sequence[str], errors: FloatArray
+    jacobian: FloatArray, sizes: FloatArray, labels: Sequence[str], errors: FloatArray
 ) -> Identifiability:
     """Rank and null space of the Jacobian.
 
     Args:
         jacobian: shape (residuals, variables)
-        x: the point, shape (variables,)
-        scales: size of each variable, used for percentages where x is zero, shape (variables,)
+        sizes: what percentages of each variable refer to, above 0, shape (variables,)
         labels: names of the variables
         errors: relative error of each column, shape (variables,)
     """
-    # What is zero but for rounding has the size of its scale.
-    sizes = np.where(np.abs(x) > _ROUNDING * scales, np.abs(x), scales)
     lengths = np.linalg.norm(jacobian, axis=0)
     seen = lengths * sizes > _NO_INFLUENCE * max(float(np.max(lengths * sizes)), 1e-300)
     safe = np.where(seen, lengths, 1.0)
     _, values, rows = np.linalg.svd(np.where(seen, jacobian / safe, 0.0), full_matrices=False)
     threshold = max(_LEAST, _MARGIN * float(np.max(errors[seen], initial=0.0)))
     rank = int(np.sum(values > threshold))
-    null = np.zeros((len(x) - rank, len(x)))
+    null = np.zeros((len(sizes) - rank, len(sizes)))
     null[: len(values) - rank] = rows[rank:]
     # In parts of each variable's size: a change of all of them at once that the data do not notice.
     relative = null / (safe * sizes)
@@ -89,9 +84,9 @@ def identifiability(
         values,
         float(values[0] / values[rank - 1]) if rank else float("inf"),
         rank,
-        len(x),
+        len(sizes),
         threshold,
-        np.any(np.abs(basis) > _SHARE, axis=0) if len(basis) else np.zeros(len(x), dtype=np.bool_),
+        np.any(np.abs(basis) > _SHARE, axis=0) if len(basis) else np.zeros(len(sizes), dtype=np.bool_),
         sentences,
         weakest,
     )

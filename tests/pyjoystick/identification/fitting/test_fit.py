@@ -149,6 +149,27 @@ def test_lost_samples_are_no_loss_of_the_fit(fmus_by_name: Path, tmp_path: Path)
     assert before.error("damping.C") < found.error("damping.C") < 1.5 * before.error("damping.C")
 
 
+@pytest.mark.parametrize(("since", "part"), [(1e6, 1e-4), (1.7e9, 0.02)])
+def test_the_zero_of_the_clock_says_nothing(since: float, part: float, fmus_by_name: Path) -> None:
+    """A clock that has run for twelve days or since 1970, and one that begins with the record.
+
+    Times are rounded to 1e-10 and 2e-7 s, the release is known to 1e-4 s.
+    """
+    records = releases(NOMINAL, 2, noise=NOISE)
+    late = [dataclasses.replace(one, time=one.time + since) for one in records]
+    settings = dataclasses.replace(QUICK, free=(Free("J"), *QUICK.free))
+    at_zero, later = fit(records, settings), fit(late, settings)
+    assert later.trusted, [check for check in later.checks if not check.passed]
+    for name in ("J", "damping.C", "release_time [run 1]"):
+        error, moved = at_zero.error(name), since * name.startswith("release_time")
+        assert later.value(name) - moved == pytest.approx(at_zero.value(name), abs=part * error)
+        assert later.error(name) == pytest.approx(error, rel=part)
+    assert later.identifiability.condition == pytest.approx(at_zero.identifiability.condition, rel=part)
+    shown = next(line for line in report(later).splitlines() if "release_time [run 1]" in line)
+    instant = later.value("release_time [run 1]")
+    assert abs(float(shown.split("|")[3]) - instant) < 0.1 * later.error("release_time [run 1]")
+
+
 def test_two_outputs_have_a_noise_each(fmus_by_name: Path) -> None:
     """The velocity is measured too, in its own unit."""
     (record,) = releases(NOMINAL, noise=NOISE)

@@ -152,6 +152,6 @@ def test_what_is_lost_in_the_scatter_of_the_results_has_no_influence() -> None:
     """And does not hide what has one: exact columns beside one of noise."""
     jacobian = np.eye(4)[:, :3]
     jacobian[:, 2] = 0.0
-    known = identifiability(jacobian, np.ones(3), np.ones(3), ("a", "b", "c"), np.array([1e-9, 1e-9, 1.0]))
+    known = identifiability(jacobian, np.ones(3), ("a", "b", "c"), np.array([1e-9, 1e-9, 1.0]))
     assert known.rank == 2
     assert known.sentences == ("c has no influence on what was measured",)

@@ -151,6 +151,13 @@ def test_units_of_the_readings(tmp_path: Path, unit: str, sensitivity: float | N
     np.testing.assert_allclose(found.acceleration, SERIES * factor, atol=1e-8 * factor)
 
 
+def test_the_rate_of_rounded_times_is_their_mean(tmp_path: Path) -> None:
+    """120 Hz in tenths of a millisecond are steps of 8.3 and 8.4 ms."""
+    lines = [f"{number / 120.0:.4f},{math.sin(number):.3f}" for number in range(600)]
+    path = write(tmp_path / "rounded.csv", "\n".join(["time (s),acceleration (m/s2)", *lines]))
+    assert read_accelerometer(path).rate == pytest.approx(120.0, rel=1e-4)
+
+
 def test_the_window_is_on_the_other_clock(tmp_path: Path) -> None:
     np.save(tmp_path / "a.npy", SERIES)
     found = read_accelerometer(

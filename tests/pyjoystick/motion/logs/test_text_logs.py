@@ -186,6 +186,30 @@ READ: dict[str, tuple[str, str, bool]] = {
         "utf-8",
         False,
     ),
+    "a clock under the plain name": (
+        text(("time", "angle (deg)"), [*map(_clock, TIME)], ANGLE),
+        "utf-8",
+        False,
+    ),
+    "date, clock and zone": (
+        text(
+            ("time", "angle (deg)"),
+            [
+                f"2026-03-29T01:59:{59.8 + t:06.3f}+01:00"
+                if t < 0.2
+                else f"2026-03-29T03:00:{t - 0.2:06.3f}+0200"
+                for t in TIME
+            ],
+            ANGLE,
+        ),
+        "utf-8",
+        False,
+    ),
+    "date, clock and Z": (
+        text(("time", "angle (deg)"), [f"2026-11-22T10:00:{t:06.3f}Z" for t in TIME], ANGLE),
+        "utf-8",
+        False,
+    ),
     "two headings without a name": (
         text(("Zeit [s]", "", "Winkel [Grad]", ""), TIME, ["x"] * COUNT, ANGLE, ["y"] * COUNT, delimiter=";"),
         "utf-8",
@@ -327,10 +351,15 @@ def test_a_log_of_two_meanings_is_refused_and_read_with_the_option(name: str, tm
         (_with_inserted(_german(), 40, "0,158;7;5;1"), "row 41: has 4 cells under 3 headings"),
         (text(("time (s)", "angle (kg)"), TIME, ANGLE), "column 'angle .kg.', row 1: has an unknown unit"),
         (text(("time (s)", "angle (rad)"), TIME, ANGLE), "degrees under the name of radians"),
+        (
+            text(("time (s)", "angle (deg)"), TIME, np.where(np.arange(COUNT) % 40 == 9, -999.0, ANGLE)),
+            "all are the same, -999 degrees: does the instrument write this where it has no angle",
+        ),
+        (_with_inserted(_german(), 40, 30 * "\0"), "row 41: holds bytes of zero"),
         ("PathFileType\t4\t(X/Y/Z)\ta.trc\n1\t2\n", "pyjoystick import markers"),
         ("", "has no headings"),
     ],
-    ids=range(12),
+    ids=range(14),
 )
 def test_a_log_that_no_option_mends_is_refused_with_the_place(
     content: str, message: str, tmp_path: Path

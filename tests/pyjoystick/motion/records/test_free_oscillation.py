@@ -114,6 +114,20 @@ def test_a_gap_is_noted_where_no_peaks_are_counted() -> None:
     assert note == f"gaps: about 7 samples are missing between rows {HOLD + 7}, {HOLD + 15}"
 
 
+def test_a_swing_that_a_gap_cuts_off_is_no_measure_of_the_next() -> None:
+    """All of the second swing but its feet is lost, so that the fourth seems to go further."""
+    record = _without(_record(), *range(HOLD + 12, HOLD + 17))
+    assert check_free_oscillation(record, counted=False).notes[0].startswith("gaps: about 5 samples")
+    assert "a peak may hide" in _refusal(record).reason
+
+
+def test_a_second_release_is_seen_though_every_swing_lacks_a_sample() -> None:
+    theta = np.concatenate((motion()[1], motion()[1]))
+    record = _record(theta, np.arange(len(theta)) / RATE)
+    error = _refusal(_without(record, *range(HOLD + 3, len(theta), 6)))
+    assert "a second release" in error.reason
+
+
 def test_a_gap_that_hides_a_whole_period_is_refused() -> None:
     """The two swings that are left beside it then look like one long one."""
     error = _refusal(_without(_record(), *range(HOLD + 12, HOLD + 26)))

@@ -51,6 +51,28 @@ def test_small_releases_are_found_in_noise(degrees: float, rate: float) -> None:
         assert instant == pytest.approx(0.25, abs=0.025)
 
 
+@pytest.mark.parametrize(
+    ("weaker", "zero"), [({"forward.returnSpring.F_0": 20.0, "damping.C": 0.01}, 0.0), ({}, 3.0)]
+)
+def test_the_first_swing_need_not_be_the_largest(weaker: dict[str, float], zero: float) -> None:
+    """Where one side has the weaker spring, or the zero is off, the swing after the release goes further."""
+    record = synthetic_record(
+        NOMINAL.replace(weaker),
+        release_angle=math.radians(-12.0),
+        random=np.random.default_rng(1),
+        name="run",
+        release_time=0.25,
+        duration=1.5,
+        rate=240.0,
+        noise=math.radians(0.05),
+    )
+    theta = record.theta + math.radians(zero)
+    assert np.max(theta) > 1.05 * np.max(-theta)
+    angle, instant, _ = guess_release(record.time, theta)
+    assert math.degrees(angle) == pytest.approx(zero - 12.0, abs=0.1)
+    assert instant == pytest.approx(0.25, abs=0.005)
+
+
 def test_outliers_do_not_mislead() -> None:
     random = np.random.default_rng(2)
     record = synthetic_record(
