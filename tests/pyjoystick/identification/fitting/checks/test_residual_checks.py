@@ -123,6 +123,18 @@ def test_noise_does_not_repeat_itself_and_physics_does() -> None:
     assert not failed.passed
 
 
+def test_one_degree_of_freedom_is_enough() -> None:
+    """Of two records of one sample each, a and b, the ratio is ((a + b)/(a - b))^2."""
+    one = np.ones(1)
+    twice = find_repeats([["theta"]] * 2, [one, one], [one, one])
+    check = check_repeats(twice, [3.0 * one, 1.0 * one], 0, 0)
+    assert check is not None
+    # By Student's t with one degree of freedom, whose square this is: beyond 2 in 1 - 2*atan(2)/pi.
+    assert check.message.startswith("mean over repeats against their scatter 4.00 (chance 0.3)")
+    assert check_repeats(twice, [3.0 * one, 1.0 * one], 1, 0) is None
+    assert check_repeats(twice, [one, one], 0, 0) is None
+
+
 def test_degrees_of_freedom_are_the_traces_of_the_projections() -> None:
     """Two releases, of two and of three records, each record with two variables of its own."""
     count, own = 12, 2
