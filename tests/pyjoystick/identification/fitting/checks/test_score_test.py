@@ -34,7 +34,7 @@ def _left_over(columns: FloatArray, data: FloatArray) -> tuple[FloatArray, float
     """Coefficients and residual sum of squares by NumPy's least squares."""
     found, *_ = np.linalg.lstsq(columns, data)
     rest = data - columns @ found
-    return found, float(rest @ rest)
+    return np.asarray(found, dtype=np.float64), float(rest @ rest)
 
 
 def _tested(problem: Problem, *found: Suspect) -> list[Finding]:
