@@ -15,6 +15,7 @@ from pyjoystick.fmu import Fmu, find_fmu
 from pyjoystick.identification import CONSTANT_DAMPING
 from pyjoystick.identification.fitting.checks.residual_view import ResidualView
 from pyjoystick.identification.fitting.checks.score_test import Finding, score_test, significant
+from pyjoystick.identification.fitting.checks.suspect import beyond
 from pyjoystick.identification.fitting.checks.suspects import suspects
 from pyjoystick.identification.fitting.problem.difference_steps import choose_steps
 from pyjoystick.identification.fitting.problem.setup import make_problem
@@ -155,6 +156,7 @@ _CLIPPED = -0.75 * math.radians(20.0)
         (lambda: _shown(lambda theta: np.maximum(theta, _CLIPPED)), "clipping", "at about -16 deg"),
         (_smoothed, "a low-pass filter", "-3 dB near 13 Hz"),
         (lambda: _stopped(_CLIPPED, 0.1), "a stop", "at about -15 deg"),
+        (lambda: _loose(math.radians(0.06)), "backlash of the sensor", "about 0.06 deg of play"),
         (lambda: _loose(math.radians(0.2)), "backlash of the sensor", "about 0.2 deg of play"),
         (_of_two_joysticks, "records that differ in damping.C", "0.04501 in run 0, 0.0451 in run 1"),
     ],
@@ -169,6 +171,15 @@ def test_the_cause_is_named_with_its_size(
     assert found.explained > 0.9
     assert found.explained >= best - 1e-3
     assert found in significant(findings, 1e-6)
+
+
+def test_what_shows_too_much_is_not_clipped(fmus_by_name: Path) -> None:
+    """Angles beyond a limit that are a fifth larger than the motion: clipping of a negative size."""
+    findings = _findings(_shown(lambda theta: theta + 0.2 * beyond(theta, _CLIPPED)))
+    (clipping,) = (one for one in findings if one.name == "clipping")
+    # The other side explains a tenth, because the fit follows the side that is wrong.
+    assert not clipping.size.startswith("at about -")
+    assert clipping.explained < 0.2
 
 
 def test_noise_alone_points_at_nothing(fmus_by_name: Path) -> None:
