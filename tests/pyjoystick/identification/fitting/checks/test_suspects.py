@@ -12,7 +12,7 @@ import pytest
 from scipy.signal import butter, sosfiltfilt
 
 from pyjoystick.fmu import Fmu, find_fmu
-from pyjoystick.identification import CONSTANT_DAMPING
+from pyjoystick.identification import CONSTANT_DAMPING, Uncertainty, fit
 from pyjoystick.identification.fitting.checks.residual_view import ResidualView
 from pyjoystick.identification.fitting.checks.score_test import Finding, score_test, significant
 from pyjoystick.identification.fitting.checks.suspect import beyond
@@ -191,3 +191,20 @@ def test_noise_alone_points_at_nothing(fmus_by_name: Path) -> None:
     assert len(tried) > 3
     assert significant(findings, 0.99 * min(tried) * len(tried)) == []
     assert len(significant(findings, 1.01 * min(tried) * len(tried))) == 1
+
+
+@pytest.mark.parametrize(("friction", "least", "most"), [(2.5e-3, 0.01, 0.02), (2.58e-3, 0.005, 0.01)])
+def test_a_sound_fit_is_doubted_once_in_a_hundred(
+    fmus_by_name: Path, friction: float, least: float, most: float
+) -> None:
+    """Twice as often as by each of the other checks: where noise explains as much in less than 1 %."""
+    random = np.random.default_rng(4)
+    records = [
+        dataclasses.replace(one, theta=one.theta + NOISE * random.standard_normal(len(one.theta)))
+        for one in _other(friction__T_c=friction)
+    ]
+    tried = [one.chance for one in _findings(records) if one.explained > 0.0]
+    assert least < min(tried) * len(tried) < most
+    found = fit(records, dataclasses.replace(CONSTANT_DAMPING, uncertainty=Uncertainty(profiles=())))
+    (check,) = (one for one in found.checks if one.name == "missing physics")
+    assert check.passed == (least >= 0.01)
