@@ -28,6 +28,35 @@ def _dependencies(unknown: Unknown, description: ModelDescription) -> set[str]:
     return {description.variables[reference].name for reference in unknown.dependencies}
 
 
+SWITCHED = """model Switched
+  parameter Real k = 2;
+  input Real u;
+  Real x(start=0, fixed=true);
+  output Real y;
+equation
+  der(x) = 1 + k*u - 3*x;
+  y = if x > 0.5 then k*u else 5*u;
+end Switched;
+"""
+
+
+def test_the_factor_of_a_dependency_is_constant_fixed_or_neither(tmp_path: Path) -> None:
+    """Of u it is the parameter k in the derivative of x, and hangs on x in y (FMI 2.0.4, section 2.2.8)."""
+    library = tmp_path / "Switched.mo"
+    library.write_text(SWITCHED, "utf-8")
+    description = generate_model(BuildRequest("Switched", tmp_path, library))[0].description
+    (output,), (rate,) = description.outputs, description.derivatives
+    kinds = [
+        {
+            description.variables[reference].name: kind
+            for reference, kind in zip(unknown.dependencies, unknown.dependency_kinds, strict=True)
+        }
+        for unknown in (output, rate)
+    ]
+    assert kinds[0]["u"] == "dependent"
+    assert (kinds[1]["u"], kinds[1]["x"]) == ("fixed", "constant")
+
+
 def test_parameters_time_states_and_inputs(tmp_path: Path) -> None:
     library = tmp_path / "Driven.mo"
     library.write_text(MODEL, "utf-8")

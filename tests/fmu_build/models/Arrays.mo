@@ -54,6 +54,7 @@ package Arrays "Vectors, matrices and loops"
     Real d[2, 2];
     Real t[3, 2] "Transpose of an expression";
     Real k[3];
+    Real beside[2, 5] "Matrices side by side";
   equation
     A = [1, 2, time; 4, 5, 6];
     B = transpose(A);
@@ -64,6 +65,7 @@ package Arrays "Vectors, matrices and loops"
     d = diagonal({g, time});
     t = 2*transpose(A + [time, 0, 0; 0, 0, 1]);
     k = time*linspace(0, g, 3);
+    beside = cat(2, A, d);
   end Shapes;
 
   model Products "Outer and elementwise products, fill, slices"

@@ -5,12 +5,12 @@ package Homotopy "The operator homotopy()"
     Real x(start=homotopy(side, 100), fixed=true);
     Real z;
     Real twice;
-    Real late "Its simplified expression is undefined at time 1";
+    Real late "Its simplified expression is undefined after time 1";
   equation
     der(x) = given;
     homotopy(z^3 - (1 + time)^2*z, z - side) = 0;
     twice = homotopy(2*z, 0);
-    late = homotopy(time, 1/(1 - time));
+    late = homotopy(time, sqrt(1 - time));
   end Chosen;
 
   model Nested "The simplified expression has one of its own"

@@ -64,6 +64,7 @@ REFUSALS = (
     Refusal("InputChange", ModelicaError, r"change\("),
     Refusal("InputDerivative", UnsupportedModelError, r"der\(u\)"),
     Refusal("LeftOut", UnsupportedModelError, r"first result"),
+    Refusal("LocalRecord", UnsupportedModelError, r"the record r in function"),
     Refusal("LostConstraint", UnsupportedModelError, r"constraining class"),
     Refusal("LostInShortClass", UnsupportedModelError, r"body\.v\.nominal is lost"),
     Refusal("LostModifiers", UnsupportedModelError, r"modifiers of a class that is redeclared"),

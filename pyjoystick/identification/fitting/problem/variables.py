@@ -56,7 +56,11 @@ class Variable:
 
     @property
     def scale(self) -> float:
-        """How much of a change is a large one: the start value, or a part of the range where that is 0."""
+        """How much of a change is a large one.
+
+        The start value; where that is 0 a tenth of the range, or 1 without bounds. A tenth of a second for
+        the instant of release.
+        """
         if self.name == RELEASE_TIME:
             return 0.1
         if self.start != 0.0:

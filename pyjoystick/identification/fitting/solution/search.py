@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.optimize import least_squares
 from scipy.stats import qmc
 
@@ -138,9 +139,9 @@ def staged_search(problem: Problem, x: FloatArray, *, evaluations: int, stages: 
     return search(problem, x, evaluations=evaluations)
 
 
-def _begins(times: FloatArray, release: float, stage: float) -> FloatArray:
-    """1 for what belongs to the first part of a record, else 0."""
-    return np.where(times <= release + stage * (np.max(times) - release), 1.0, 0.0)
+def _begins(times: FloatArray, release: float, stage: float) -> NDArray[np.bool_]:
+    """Which samples belong to the first part of a record."""
+    return times <= release + stage * (np.max(times) - release)
 
 
 @dataclass(slots=True)

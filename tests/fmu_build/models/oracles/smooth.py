@@ -124,6 +124,7 @@ def shapes_case(g: float) -> Case:
             "d": np.diag([g, t]),
             "t": 2 * (a + np.array([[t, 0, 0], [0, 0, 1]])).T,
             "k": t * np.linspace(0, g, 3),
+            "beside": np.hstack((a, np.diag([g, t]))),
         }
         return {
             f"{name}[{','.join(str(i + 1) for i in index)}]": float(array[index])

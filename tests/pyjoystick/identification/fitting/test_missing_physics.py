@@ -56,6 +56,15 @@ def test_dry_friction_is_found_and_named(fmus_by_name: Path, rubbing: list[Recor
     assert "dry friction at the pivot (T_c about 0.006" in _message(found, "missing physics")
 
 
+def test_the_size_of_a_large_friction_is_that_of_a_fit_with_it(fmus_by_name: Path) -> None:
+    """To first order another damping law would explain more of it."""
+    found = fit(releases(NOMINAL.replace({"friction.T_c": 0.05}), 2, noise=NOISE), QUICK)
+    message = _message(found, "missing physics")
+    assert message.startswith(
+        "the residuals are not noise: dry friction at the pivot (T_c about 0.05 N m) would explain them best"
+    )
+
+
 def test_the_other_sign_of_the_angle_is_named(fmus_by_name: Path) -> None:
     """Other preloads would explain almost as much: the springs of the two sides differ."""
     seen = [dataclasses.replace(one, theta=-one.theta) for one in releases(NOMINAL, 2, noise=NOISE)]

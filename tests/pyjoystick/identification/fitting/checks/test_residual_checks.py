@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from scipy import stats
 
 from pyjoystick.identification.fitting.checks.outliers import find_outliers
 from pyjoystick.identification.fitting.checks.repeats import Repeats, find_repeats
@@ -47,6 +48,19 @@ def test_white_noise_is_white_and_a_wave_that_no_single_record_shows_is_not() ->
     check = check_whiteness(found, 0.0)
     assert not check.passed
     assert "the model lacks something" in check.message
+
+
+def test_chances_of_records_are_pooled_by_fishers_method() -> None:
+    """Correlations of both signs vanish in the averages; Ljung's and Box's formula and SciPy find them."""
+    values = [*_colored(0.3, 1)[:2], *_colored(-0.3, 2)[:2]]
+    chances = []
+    for one in values:
+        squares = [(one[k:] @ one[:-k] / (one @ one)) ** 2 / (N - k) for k in range(1, 6)]
+        chances.append(stats.chi2.sf(N * (N + 2) * sum(squares), 5))
+    pooled = stats.combine_pvalues(chances, "fisher").pvalue
+    found = whiteness([Series(f"run {k}", one, np.zeros((N, 1))) for k, one in enumerate(values)])
+    # The least of three chances.
+    assert found.chance == pytest.approx(3.0 * pooled)
 
 
 def test_residuals_without_power_say_nothing() -> None:
@@ -121,6 +135,18 @@ def test_noise_does_not_repeat_itself_and_physics_does() -> None:
     assert passed.passed
     assert failed is not None
     assert not failed.passed
+
+
+def test_one_degree_of_freedom_is_enough() -> None:
+    """Of two records of one sample each, a and b, the ratio is ((a + b)/(a - b))^2."""
+    one = np.ones(1)
+    twice = find_repeats([["theta"]] * 2, [one, one], [one, one])
+    check = check_repeats(twice, [3.0 * one, 1.0 * one], 0, 0)
+    assert check is not None
+    # By Student's t with one degree of freedom, whose square this is: beyond 2 in 1 - 2*atan(2)/pi.
+    assert check.message.startswith("mean over repeats against their scatter 4.00 (chance 0.3)")
+    assert check_repeats(twice, [3.0 * one, 1.0 * one], 1, 0) is None
+    assert check_repeats(twice, [one, one], 0, 0) is None
 
 
 def test_degrees_of_freedom_are_the_traces_of_the_projections() -> None:

@@ -12,9 +12,10 @@ import pytest
 from scipy.signal import butter, sosfiltfilt
 
 from pyjoystick.fmu import Fmu, find_fmu
-from pyjoystick.identification import CONSTANT_DAMPING
+from pyjoystick.identification import CONSTANT_DAMPING, Uncertainty, fit
 from pyjoystick.identification.fitting.checks.residual_view import ResidualView
 from pyjoystick.identification.fitting.checks.score_test import Finding, score_test, significant
+from pyjoystick.identification.fitting.checks.suspect import beyond
 from pyjoystick.identification.fitting.checks.suspects import suspects
 from pyjoystick.identification.fitting.problem.difference_steps import choose_steps
 from pyjoystick.identification.fitting.problem.setup import make_problem
@@ -155,6 +156,7 @@ _CLIPPED = -0.75 * math.radians(20.0)
         (lambda: _shown(lambda theta: np.maximum(theta, _CLIPPED)), "clipping", "at about -16 deg"),
         (_smoothed, "a low-pass filter", "-3 dB near 13 Hz"),
         (lambda: _stopped(_CLIPPED, 0.1), "a stop", "at about -15 deg"),
+        (lambda: _loose(math.radians(0.06)), "backlash of the sensor", "about 0.06 deg of play"),
         (lambda: _loose(math.radians(0.2)), "backlash of the sensor", "about 0.2 deg of play"),
         (_of_two_joysticks, "records that differ in damping.C", "0.04501 in run 0, 0.0451 in run 1"),
     ],
@@ -171,6 +173,15 @@ def test_the_cause_is_named_with_its_size(
     assert found in significant(findings, 1e-6)
 
 
+def test_what_shows_too_much_is_not_clipped(fmus_by_name: Path) -> None:
+    """Angles beyond a limit that are a fifth larger than the motion: clipping of a negative size."""
+    findings = _findings(_shown(lambda theta: theta + 0.2 * beyond(theta, _CLIPPED)))
+    (clipping,) = (one for one in findings if one.name == "clipping")
+    # The other side explains a tenth, because the fit follows the side that is wrong.
+    assert not clipping.size.startswith("at about -")
+    assert clipping.explained < 0.2
+
+
 def test_noise_alone_points_at_nothing(fmus_by_name: Path) -> None:
     """The chance counts as often as there are suspects that explain anything."""
     random = np.random.default_rng(4)
@@ -180,3 +191,20 @@ def test_noise_alone_points_at_nothing(fmus_by_name: Path) -> None:
     assert len(tried) > 3
     assert significant(findings, 0.99 * min(tried) * len(tried)) == []
     assert len(significant(findings, 1.01 * min(tried) * len(tried))) == 1
+
+
+@pytest.mark.parametrize(("friction", "least", "most"), [(2.5e-3, 0.01, 0.02), (2.58e-3, 0.005, 0.01)])
+def test_a_sound_fit_is_doubted_once_in_a_hundred(
+    fmus_by_name: Path, friction: float, least: float, most: float
+) -> None:
+    """Twice as often as by each of the other checks: where noise explains as much in less than 1 %."""
+    random = np.random.default_rng(4)
+    records = [
+        dataclasses.replace(one, theta=one.theta + NOISE * random.standard_normal(len(one.theta)))
+        for one in _other(friction__T_c=friction)
+    ]
+    tried = [one.chance for one in _findings(records) if one.explained > 0.0]
+    assert least < min(tried) * len(tried) < most
+    found = fit(records, dataclasses.replace(CONSTANT_DAMPING, uncertainty=Uncertainty(profiles=())))
+    (check,) = (one for one in found.checks if one.name == "missing physics")
+    assert check.passed == (least >= 0.01)

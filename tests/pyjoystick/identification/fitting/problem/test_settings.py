@@ -139,6 +139,7 @@ resampling = "residuals"
     ("old", "new", "words"),
     [
         ('path = "Joystick"', "", r"[fmu] path"),
+        ("[fmu]", "[fmus]", "fmu: is missing"),
         ("[free]", "[frei]", "free: is missing"),
         ("start = 0.06", "start = 0.7", '[free."damping.C"] start = 0.7: must be from 0 to 0.5'),
         ("profiles = []", 'profiles = ["theta_start"]', "uncertainty.profiles = theta_start"),

@@ -69,6 +69,22 @@ def test_the_gradient_vanishes(away: float) -> None:
     assert found.cost == pytest.approx(float(np.sum(problem.residuals(expected) ** 2)), rel=1e-12)
 
 
+@pytest.mark.parametrize(("errors", "is_near"), [(0.075, True), (0.15, False)])
+def test_near_is_within_a_tenth_of_a_standard_error(errors: float, is_near: bool) -> None:
+    """A move d is sqrt(d^T J^T J d)/s errors long, at most sqrt(2) times the larger of its two components."""
+    expected = root(_gradient, [0.5, 0.1], tol=1e-14).x
+    problem = _problem()
+    residuals, move = problem.residuals(expected), np.array([1.0, -1.0])
+    length = np.linalg.norm(problem.jacobian(expected) @ move) / np.sqrt(np.mean(residuals**2))
+    start = expected + errors / length * move
+    minimum = Minimum(start, float(np.sum(problem.residuals(start) ** 2)), True, "", 1)
+    found = stationary_point(problem, minimum)
+    if is_near:
+        np.testing.assert_allclose(found.x, expected, atol=1e-8)
+    else:
+        assert found is minimum
+
+
 def test_a_variable_at_its_bound_stays_there() -> None:
     least = float(root(_gradient, [0.5, 0.1], tol=1e-14).x[1]) + 0.05
     expected = root(lambda u: _gradient(np.array([u[0], least]))[:1], [0.5], tol=1e-14).x[0]

@@ -170,8 +170,11 @@ def test_the_bootstrap_of_residuals_has_the_errors_of_the_noise(fmus_by_name: Pa
 
 
 def test_the_bootstrap_of_records_repeats_whole_records(fmus_by_name: Path) -> None:
-    """Of two records three samples can be drawn: the first twice, the second twice, or both."""
-    problem = _problem(2)
+    """Of two records three samples can be drawn: the first twice, the second twice, or both.
+
+    Both count by their own noise, which is four times as large in the second.
+    """
+    problem = _problem(2).with_weights((np.full(40, 1.0 / SIGMA), np.full(40, 0.25 / SIGMA)))
     found = search(problem, problem.variables.start, evaluations=50)
     drawn = bootstrap(problem, found.x, 20, "records", seed=4)
     singles = [search(_alone(k), found.x, evaluations=50).x for k in range(2)]

@@ -1,0 +1,28 @@
+"""Clocks as rumoca writes them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from fmu_build import UnsupportedModelError
+from fmu_build.codegen.clocks import Clock, periodic_clocks
+from fmu_build.codegen.lowered import LoweredModel
+
+
+def _model(anchor: str) -> LoweredModel:
+    """A model with ``sample(0.05, 0.1)`` whose ticks count from `anchor`."""
+    lattice = {"period": {"num": 1, "den": 10}, "phase": {"num": 1, "den": 20}}
+    clocks: dict[str, Any] = {
+        "activation_parameter_indices": [3],
+        "periodic_event_schedules": [{"anchor": anchor, "lattice": lattice}],
+    }
+    return LoweredModel(name="M", flat={}, source_files=(), solve={"clocks": clocks}, dae={})
+
+
+def test_ticks_count_from_time_zero() -> None:
+    """Of all that was tried, rumoca 0.10 writes no other clocks; others would tick at wrong times."""
+    assert periodic_clocks(_model("absolute")) == (Clock(3, period=(1, 10), phase=(1, 20)),)
+    with pytest.raises(UnsupportedModelError, match="a clock anchored at start is not supported"):
+        periodic_clocks(_model("start"))
