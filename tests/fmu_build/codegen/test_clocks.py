@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -21,8 +22,10 @@ def _model(anchor: str) -> LoweredModel:
     return LoweredModel(name="M", flat={}, source_files=(), solve={"clocks": clocks}, dae={})
 
 
-def test_ticks_count_from_time_zero() -> None:
+def test_ticks_count_from_time_zero_or_the_start() -> None:
     """Of all that was tried, rumoca 0.10 writes no other clocks; others would tick at wrong times."""
-    assert periodic_clocks(_model("absolute")) == (Clock(3, period=(1, 10), phase=(1, 20)),)
-    with pytest.raises(UnsupportedModelError, match="a clock anchored at start is not supported"):
-        periodic_clocks(_model("start"))
+    clock = Clock(3, period=(1, 10), phase=(1, 20), from_start=False)
+    assert periodic_clocks(_model("absolute")) == (clock,)
+    assert periodic_clocks(_model("simulation_start")) == (replace(clock, from_start=True),)
+    with pytest.raises(UnsupportedModelError, match="a clock anchored at first_tick is not supported"):
+        periodic_clocks(_model("first_tick"))
