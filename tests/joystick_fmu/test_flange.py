@@ -38,10 +38,10 @@ def _driven(times: Array) -> Array:
 
 
 def _elastic(times: Array) -> Array:
-    def derivatives(_: float, state: Array) -> list[float]:
+    def derivatives(_: float, state: Array, branch: int) -> list[float]:
         theta, omega, phi, w = state
         twist = 20.0 * (phi - theta) + 0.02 * (w - omega)
-        return [omega, (shaft_torque(theta, omega, power_law_damping) + twist) / J, w, -twist / 0.01]
+        return [omega, (shaft_torque(theta, omega, power_law_damping, branch) + twist) / J, w, -twist / 0.01]
 
     return np.asarray(integrated(derivatives, [-0.3, 0.0, 0.1, 0.0], times)[0])
 
@@ -49,9 +49,9 @@ def _elastic(times: Array) -> Array:
 def _motorized(times: Array) -> Array:
     """The rotor turns five times as fast, its torque counts five times, its inertia 25 times."""
 
-    def derivatives(time: float, state: Array) -> list[float]:
+    def derivatives(time: float, state: Array, branch: int) -> list[float]:
         theta, omega, i = state
-        torque = shaft_torque(theta, omega, constant_damping) + 5.0 * 0.05 * i
+        torque = shaft_torque(theta, omega, constant_damping, branch) + 5.0 * 0.05 * i
         voltage = 12.0 * math.sin(7.0 * time)
         return [omega, torque / (J + 25.0 * 1e-4), (voltage - 2.0 * i - 0.05 * 5.0 * omega) / 0.01]
 

@@ -4,22 +4,30 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable
 from pathlib import Path
 
 import fmpy
 import numpy as np
 import pytest
 from fmpy.fmi1 import FMICallException
-from scipy.integrate import solve_ivp
 
 from pyjoystick.fmu import Fmu, FmuRunError
 from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW, JoystickParameters, simulate
 from pyjoystick.runs import fmu_of_joystick
 from pyjoystick.support import ParameterError
+from tests.hybrid import integrate
 from tests.joystick_fmu.driver import model_exchange
 from tests.joystick_fmu.test_friction import BARE
-from tests.modelica.physics import Array, Damping, J, constant_damping, power_law_damping, shaft_torque
+from tests.modelica.physics import (
+    Array,
+    Damping,
+    J,
+    branch_of,
+    constant_damping,
+    power_law_damping,
+    shaft_torque,
+    to_the_ends,
+)
 
 TIMES = np.linspace(0.0, 1.0, 501)
 STOP, K, D = math.radians(20.0), 1000.0, 0.7
@@ -33,37 +41,30 @@ LAWS: dict[str, tuple[JoystickParameters, Damping]] = {
 
 
 def _by_scipy(damping: Damping) -> Array:
-    """The angle from one impact, and one end of a contact, to the next, each located by SciPy."""
+    """The angle, with every impact, every end of a contact and every kink of the springs located by SciPy."""
 
-    def outside(_: float, state: Array) -> float:
-        return float(abs(state[0]) - STOP)
+    def push(theta: float, omega: float) -> float:
+        side = math.copysign(1.0, theta)
+        return K * (side * theta - STOP) + D * side * omega
 
-    def push(_: float, state: Array) -> float:
-        side = math.copysign(1.0, state[0])
-        return float(K * (side * state[0] - STOP) + D * side * state[1])
+    def derivatives(_: float, state: Array, mode: tuple[int, bool]) -> list[float]:
+        (theta, omega), (branch, is_pushed) = state, mode
+        moment = math.copysign(push(theta, omega), theta) if is_pushed else 0.0
+        return [omega, (shaft_torque(theta, omega, damping, branch) - moment) / J]
 
-    def derivatives(is_pushed: bool) -> Callable[[float, Array], list[float]]:
-        def slopes(time: float, state: Array) -> list[float]:
-            moment = math.copysign(push(time, state), state[0]) if is_pushed else 0.0
-            return [state[1], (shaft_torque(state[0], state[1], damping) - moment) / J]
+    def guards(_: float, state: Array, mode: tuple[int, bool]) -> list[float]:
+        (theta, omega), (branch, is_pushed) = state, mode
+        return [push(theta, omega) if is_pushed else STOP - abs(theta), *to_the_ends(theta, branch)]
 
-        return slopes
+    def switch(_: float, state: Array, mode: tuple[int, bool], guard: int) -> tuple[Array, tuple[int, bool]]:
+        branch, is_pushed = mode
+        return state, (
+            (branch, not is_pushed) if guard == 0 else (branch + (1 if guard == 2 else -1), is_pushed)
+        )
 
-    outside.terminal = push.terminal = True  # type: ignore[attr-defined]
-    outside.direction, push.direction = 1.0, -1.0  # type: ignore[attr-defined]
-    time, state, is_pushed = 0.0, np.array(list(START.values())), False
-    theta = np.full_like(TIMES, np.nan)
-    while time < TIMES[-1]:
-        # Steps are too short for a kink of the springs to matter.
-        part = solve_ivp(
-            derivatives(is_pushed), (time, TIMES[-1]), state, "DOP853", rtol=1e-12, atol=1e-14, max_step=5e-4,
-            events=push if is_pushed else outside, dense_output=True,
-        )  # fmt: skip
-        inside = (time <= TIMES) & (part.t[-1] >= TIMES)
-        theta[inside] = part.sol(TIMES[inside])[0]
-        time, state = float(part.t[-1]), part.y[:, -1]
-        is_pushed = not is_pushed
-    return theta
+    start = list(START.values())
+    mode = (branch_of(start[0]), False)
+    return integrate(derivatives, start, mode, guards, switch, TIMES[-1], max_step=2e-3)(TIMES)[0]
 
 
 @pytest.mark.parametrize("law", LAWS)

@@ -26,13 +26,13 @@ def _ramp(time: float, height: float, duration: float, start: float) -> float:
 def _drivetrain(times: Array) -> dict[str, Array]:
     """Angle of the rotor as it appears behind the gear, where its inertia counts 64 times."""
 
-    def derivatives(time: float, state: Array) -> list[float]:
+    def derivatives(time: float, state: Array, branch: int) -> list[float]:
         theta, omega, phi, w = state
         twist = 40.0 * (phi - theta) + 0.05 * (w - omega)
         torque = RATIO * 0.2 * math.sin(4.0 * math.pi * time)
         return [
             omega,
-            (shaft_torque(theta, omega, constant_damping) + twist) / J,
+            (shaft_torque(theta, omega, constant_damping, branch) + twist) / J,
             w,
             (torque - twist) / (RATIO**2 * ROTOR),
         ]
@@ -45,12 +45,12 @@ def _force_feedback(times: Array) -> dict[str, Array]:
     """Mechanics, winding, and the integrator x of the controller u = 3*(e + x) with x' = e/T."""
     k, feedback = 0.05, 3.0
 
-    def derivatives(time: float, state: Array) -> list[float]:
+    def derivatives(time: float, state: Array, branch: int) -> list[float]:
         theta, omega, i, x = state
         hand = _ramp(time, 1.6, 0.2, 0.1) - _ramp(time, 1.6, 0.05, 1.0)
         neutral = 0.04 if time > 1.2 else 0.0
         error = feedback * (neutral - theta) / (k * RATIO) - i
-        torque = shaft_torque(theta, omega, constant_damping) + hand + RATIO * k * i
+        torque = shaft_torque(theta, omega, constant_damping, branch) + hand + RATIO * k * i
         voltage = 3.0 * (error + x)
         return [
             omega,
@@ -65,14 +65,16 @@ def _force_feedback(times: Array) -> dict[str, Array]:
 
 def _opposing_springs(times: Array) -> dict[str, Array]:
     """Equations (6) to (8) for either side, with a clearance of 0.5 mm."""
+    kinks = [-0.6e-3, -0.5e-3, 0.5e-3, 0.6e-3]
 
-    def derivatives(_: float, state: Array) -> list[float]:
+    def derivatives(_: float, state: Array, branch: int) -> list[float]:
         s, v = state
-        delta = max(abs(s) - 0.5e-3, 0.0)
-        force = min((4e5 + 2000.0) * delta, 40.0 + 2000.0 * delta)
-        return [v, (-np.sign(s) * force - 3.0 * v) / 0.5]
+        side = 1.0 if branch > 2 else -1.0
+        delta = side * s - 0.5e-3
+        force = [40.0 + 2000.0 * delta, (4e5 + 2000.0) * delta, 0.0][min(branch, 4 - branch)]
+        return [v, (-side * force - 3.0 * v) / 0.5]
 
-    return {"mass.s": integrated(derivatives, [4e-3, 0.0], times)[0]}
+    return {"mass.s": integrated(derivatives, [4e-3, 0.0], times, kinks=kinks)[0]}
 
 
 def _actuator(times: Array) -> dict[str, Array]:

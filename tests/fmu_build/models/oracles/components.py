@@ -7,8 +7,9 @@ from functools import cache
 
 import numpy as np
 
+from tests.hybrid import Trajectory
+
 from ..case import Array, Case, Values
-from ..hybrid import Trajectory
 from .smooth import linear_system, smooth_run
 from .state_events import at
 from .time_events import ramps

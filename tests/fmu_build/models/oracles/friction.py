@@ -6,8 +6,9 @@ from functools import cache
 
 import numpy as np
 
+from tests.hybrid import Trajectory, integrate
+
 from ..case import Array, Case, Values
-from ..hybrid import Trajectory, integrate
 from .state_events import at
 
 

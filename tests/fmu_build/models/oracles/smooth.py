@@ -7,8 +7,9 @@ from functools import cache
 import numpy as np
 from scipy.linalg import expm
 
+from tests.hybrid import Trajectory, integrate
+
 from ..case import Array, Case, Values
-from ..hybrid import Trajectory, integrate
 from .state_events import at, count
 from .time_events import ramps
 

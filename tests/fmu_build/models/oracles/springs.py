@@ -8,8 +8,9 @@ from functools import cache
 
 import numpy as np
 
+from tests.hybrid import Trajectory, integrate, relations
+
 from ..case import Array, Case, Values
-from ..hybrid import Trajectory, integrate, relations
 
 
 @dataclass(frozen=True)

@@ -8,10 +8,10 @@ from functools import partial
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.integrate import OdeSolution, solve_ivp
 
-from .case import Array
-
+Array = NDArray[np.float64]
 Mode = Any
 
 
@@ -46,11 +46,13 @@ def integrate(
     guards: Callable[[float, Array, Mode], Any],
     switch: Callable[[float, Array, Mode, int], tuple[Any, Mode]],
     stop: float,
+    max_step: float | None = None,
 ) -> Trajectory:
     """Integrates from time 0.
 
     `guards(t, y, mode)` are positive inside a mode; where one of them falls through zero,
-    `switch(t, y, mode, number of the guard)` gives the states and the mode after the event.
+    `switch(t, y, mode, number of the guard)` gives the states and the mode after the event. In a step of
+    `max_step` (s), a fiftieth of the time by default, no guard may fall and rise again.
     """
     time, y = 0.0, np.asarray(start, dtype=float)
     pieces: list[tuple[float, OdeSolution, Mode]] = []
@@ -65,7 +67,7 @@ def integrate(
             dense_output=True,
             rtol=1e-12,
             atol=1e-14,
-            max_step=stop / 50,
+            max_step=max_step or stop / 50,
         )
         assert piece.success, piece.message
         pieces.append((time, piece.sol, mode))

@@ -5,9 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from .case import Array
-from .hybrid import integrate, relations
-from .oracles.state_events import bounce_times, bouncing
+from tests.fmu_build.models.oracles.state_events import bounce_times, bouncing
+from tests.hybrid import Array, integrate, relations
 
 
 def test_a_bouncing_ball() -> None:
