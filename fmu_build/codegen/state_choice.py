@@ -13,8 +13,9 @@ from fmu_build.codegen.equations import Equations
 from fmu_build.codegen.expression import leaves
 from fmu_build.codegen.lowered import LoweredModel
 
-_RANKS = {"Never": 0, "Avoid": 1, "Default": 2, "Prefer": 3, "Always": 4}
-_WORDS = {rank: name.lower() for name, rank in _RANKS.items()}
+#: In rising order of precedence, as rumoca spells them.
+_SELECTIONS = ("Never", "Avoid", "Default", "Prefer", "Always")
+_DEFAULT = _SELECTIONS.index("Default")
 
 
 def reject_other_states(model: LoweredModel, equations: Equations) -> None:
@@ -27,16 +28,17 @@ def reject_other_states(model: LoweredModel, equations: Equations) -> None:
     if not reinitialized:
         return
     names = model.solve["solve_layout"]["solver_maps"]["names"]
-    ranks = {index: _RANKS[select] for index, select in _selections(model)}
+    ranks = {index: _SELECTIONS.index(select) for index, select in _selections(model)}
     reached = _states_behind(equations)
     for place, rank in ranks.items():
         behind = reached.get(place, frozenset())
-        lower = sorted(state for state in behind - reinitialized if ranks.get(state, 2) < rank)
+        lower = sorted(state for state in behind - reinitialized if ranks.get(state, _DEFAULT) < rank)
         if lower and behind & reinitialized:
             kept, changed = lower[0], min(behind & reinitialized)
+            select = _SELECTIONS[rank].lower()
             raise model.unsupported(
                 f"reinit() of {names[changed]} would keep {names[kept]}, the state that rumoca has chosen, "
-                f"and not {names[place]}, which has precedence (stateSelect = {_WORDS[rank]}): give "
+                f"and not {names[place]}, which has precedence (stateSelect = {select}): give "
                 f"{names[kept]} the higher stateSelect, or write the model with {names[place]} alone"
             )
 

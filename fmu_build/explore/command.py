@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated, NoReturn
@@ -17,6 +16,7 @@ from fmu_build.explore.settings import Settings, read_settings
 from fmu_build.packaging.archive import replacing
 from fmu_build.support.errors import BuildError
 from fmu_build.support.request import BuildRequest
+from fmu_build.support.temporary import temporary_folder
 
 _EXAMPLE = """
 Examples:
@@ -56,8 +56,8 @@ def _main(
         _fail(f"cannot write {output}: the name must end in .html")
     try:
         chosen = read_settings(settings) if settings else Settings()
-        with tempfile.TemporaryDirectory(prefix="fmu_build-") as folder:
-            fmu = Path(model) if model.endswith(".fmu") else _built(model, Path(folder), library or ())
+        with temporary_folder() as folder:
+            fmu = Path(model) if model.endswith(".fmu") else _built(model, folder, library or ())
             page = explore_page(fmu, chosen)
         with replacing(output, page.encode()):
             pass

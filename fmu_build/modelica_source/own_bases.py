@@ -33,7 +33,7 @@ def _separated(text: str, texts: Iterable[str]) -> str:
         around, _, own = name.rpartition(".")
         prefix = _ENCAPSULATED.search(plain, 0, base.start)
         model = found.get(around)
-        if prefix is None or model is None:
+        if prefix is None or model is None or "'" in name:
             continue
         is_extended = re.search(rf"\bextends\s+{own}\b", plain[model.start : model.end])
         if is_extended and not any(re.search(rf"\.\s*{own}\b", blanked(other)) for other in texts):
@@ -49,6 +49,6 @@ def _moved(text: str, model: Declaration, base: Declaration, start: int) -> str:
     lines = "\n" * text.count("\n", start, end)
     kept = text[model.start : start] + lines + text[end:model_end]
     kept = re.sub(rf"\b(extends\s+){own}\b", rf"\g<1>{new}", kept)
-    name = text.index(own, base.start)
+    name = next(re.compile(rf"\b{own}\b").finditer(blanked(text), base.start)).start()
     moved = f"{text[start:name]}{new}{text[name + len(own) : base.end - len(own)]}{new};"
     return f"{text[: model.start]}{kept} {moved}{text[model_end:]}"

@@ -15,7 +15,6 @@ import shlex
 import struct
 import subprocess
 import sys
-import tempfile
 from collections.abc import Mapping, Sequence
 from importlib import metadata
 from pathlib import Path
@@ -24,6 +23,7 @@ from fmu_build.packaging.platforms import PLATFORMS, WASM32, Platform
 from fmu_build.packaging.sources import MODEL_FILE, TOKEN_FILE, c_files
 from fmu_build.support.errors import ToolchainError
 from fmu_build.support.request import FmiVersion
+from fmu_build.support.temporary import temporary_folder
 
 # No contraction to fused multiply-add and no -ffast-math, so that every platform computes the same
 # floating-point results. -s and relative paths keep this machine's names out of the library.
@@ -171,8 +171,7 @@ def _compiled(
     files: Mapping[str, bytes], arguments: list[str], result: str, platform: Platform
 ) -> tuple[bytes, str]:
     """Return the file that zig makes from others in an empty folder, and its command and output."""
-    with tempfile.TemporaryDirectory(prefix="fmu_build-") as folder:
-        work = Path(folder)
+    with temporary_folder() as work:
         for name, content in files.items():
             (work / name).write_bytes(content)
         command = [sys.executable, "-m", "ziglang", *arguments]
@@ -189,7 +188,7 @@ def _compiled(
             )
         except OSError as error:
             raise ToolchainError(f"cannot start the C compiler {command[0]}: {error.strerror}") from error
-        output = (done.stdout + done.stderr).replace(folder + os.sep, "")
+        output = (done.stdout + done.stderr).replace(f"{work}{os.sep}", "")
         log = f"$ {shlex.join(command[1:])}\n{output}"
         if done.returncode != 0 or not (work / result).is_file():
             raise ToolchainError(

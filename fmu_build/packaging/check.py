@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import signal
 import subprocess
-import tempfile
 import zipfile
 from collections.abc import Sequence
 from pathlib import Path
@@ -14,6 +13,7 @@ from fmpy.validation import validate_fmu
 from fmu_build.packaging.scripts import run_script
 from fmu_build.support.errors import BuildError
 from fmu_build.support.request import FmiType
+from fmu_build.support.temporary import temporary_folder
 
 _SECONDS_TO_LOAD = 300  # so that a library that hangs does not hang the build
 
@@ -46,11 +46,11 @@ def check_loads(path: Path, fmi_types: Sequence[FmiType]) -> str:
 
     Raises `BuildError` if that fails.
     """
-    with tempfile.TemporaryDirectory(prefix="fmu_build-", ignore_cleanup_errors=True) as folder:
+    with temporary_folder() as folder:
         with zipfile.ZipFile(path) as archive:
             archive.extractall(folder)
         try:
-            done = run_script("load_fmu.py", folder, *fmi_types, seconds=_SECONDS_TO_LOAD)
+            done = run_script("load_fmu.py", str(folder), *fmi_types, seconds=_SECONDS_TO_LOAD)
         except subprocess.TimeoutExpired as error:
             raise BuildError(f"the FMU did not load within {_SECONDS_TO_LOAD} s") from error
     output = done.stdout + done.stderr

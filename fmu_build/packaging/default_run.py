@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import math
 import subprocess
-import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,6 +13,7 @@ from fmu_build.packaging.platforms import Platform
 from fmu_build.packaging.scripts import run_script
 from fmu_build.support.description import DefaultExperiment, ModelDescription, Variable
 from fmu_build.support.request import FmiVersion
+from fmu_build.support.temporary import temporary_folder
 
 # Tighter than the tolerance of any comparison with it.
 TOLERANCE = 1e-10
@@ -58,13 +58,13 @@ def run_default_experiment(
         "inputs": [[values[i] for values in inputs.values()] for i in range(len(points))],
         "outputs": [(variable.type, references[variable.name]) for variable in outputs],
     }
-    with tempfile.TemporaryDirectory(prefix="fmu_build-", ignore_cleanup_errors=True) as folder:
+    with temporary_folder() as folder:
         # FMPy looks for a library of FMI 3 here, whatever path it is given.
-        binaries = Path(folder, "binaries", platform.folder(fmi_version))
+        binaries = folder / "binaries" / platform.folder(fmi_version)
         binaries.mkdir(parents=True)
         file = binaries / (description.identifier + platform.extension)
         file.write_bytes(library)
-        rows = _rows(asked | {"folder": folder, "library": str(file)}, Path(folder, "run.json"))
+        rows = _rows(asked | {"folder": str(folder), "library": str(file)}, folder / "run.json")
     if isinstance(rows, str):
         return rows
     columns = dict(zip((variable.name for variable in outputs), zip(*rows, strict=True), strict=True))

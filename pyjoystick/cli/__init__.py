@@ -147,7 +147,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except PyJoystickError as error:
         return _failed(str(error))
     except Exception as error:  # a fault of this program must not end in a traceback
-        if isinstance(error, OSError) and error.errno == errno.ENOSPC:
+        if isinstance(error, OSError) and error.errno in (errno.ENOSPC, errno.EDQUOT):
             where = error.filename or "standard output or a temporary file"
             return _failed(f"cannot write {where}: {error.strerror}")
         hint = "" if invocation.debug else " (pyjoystick --debug COMMAND shows where)"

@@ -26,6 +26,11 @@ The file may be long: it is read in pieces, and only the part that the angle cov
 """
 
 
+def _unnamed(given: str) -> str:
+    """Return the value for the only column, given alone or as NAME=VALUE, as for tables with more columns."""
+    return given.removeprefix("acceleration=")
+
+
 def run(
     file: Annotated[Path, typer.Argument(metavar="FILE", help="CSV with headings, or .npy.")],
     angle: Annotated[
@@ -44,11 +49,19 @@ def run(
     result: Annotated[Path | None, options.csv("the angular acceleration", "--output", "-o")] = None,
     json: Annotated[Path | None, options.json("the comparison")] = None,
     column: Annotated[
-        str, typer.Option("--column", metavar="HEADING", help="Heading of the readings.")
+        str,
+        typer.Option(
+            "--column", metavar="[acceleration=]HEADING", parser=_unnamed, help="Heading of the readings."
+        ),
     ] = "acceleration",
     unit: Annotated[
         str | None,
-        typer.Option("--unit", metavar="UNIT", help="Unit if the heading gives none: m/s2, mm/s2, g, V, mV."),
+        typer.Option(
+            "--unit",
+            metavar="[acceleration=]UNIT",
+            parser=_unnamed,
+            help="Unit if the heading gives none: m/s2, mm/s2, g, V, mV.",
+        ),
     ] = None,
     samples_per_second: Annotated[
         float | None,
@@ -95,11 +108,10 @@ def run(
     )
     require_length("--distance", distance)
     check_outputs(result, json)
-    # Messages on tables say NAME=HEADING and NAME=UNIT, as the commands with more than one column have it.
     setup = laboratory.AccelerometerSetup(
         distance=distance,
-        column=column.removeprefix("acceleration="),
-        unit=None if unit is None else unit.removeprefix("acceleration="),
+        column=column,
+        unit=unit,
         rate=samples_per_second,
         sensitivity=sensitivity,
         full_scale=full_scale,

@@ -22,6 +22,14 @@ def test_a_command_without_figure_and_statistics_imports_none(tmp_path: Path) ->
     assert not {"matplotlib", "scipy", "numba", "asteval", "fmu_build"} & set(found)
 
 
+@pytest.mark.usefixtures("joystick_fmus")
+def test_a_page_imports_no_package_for_figures(tmp_path: Path) -> None:
+    found = latency.imported(["-m", "pyjoystick", "explore", "-o", "page.html"], tmp_path)
+    assert found["fmpy"] > 0
+    assert "matplotlib" not in found
+    assert (tmp_path / "page.html").is_file()
+
+
 def test_the_table_has_every_command(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(latency, "COMMANDS", {"--help": ["--help"]})
     (row,) = latency.commands_table(tmp_path, 1).splitlines()[2:]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import tempfile
 import time
 from collections.abc import Mapping, Sequence
 from contextlib import nullcontext
@@ -21,6 +20,7 @@ from fmu_build.compilers.openmodelica.shared import left_as_found
 from fmu_build.packaging.foreign import check_request, place
 from fmu_build.support.errors import BuildError
 from fmu_build.support.request import BuildRequest, BuildResult
+from fmu_build.support.temporary import temporary_folder
 
 __all__ = ["OpenModelicaCompiler"]
 
@@ -55,8 +55,7 @@ class OpenModelicaCompiler:
         check_request(request, "OpenModelica")
         sources = _sources(request)
         # omc writes dozens of files next to an FMU, and deletes the old one before it builds the new.
-        with tempfile.TemporaryDirectory(prefix="fmu_build-", ignore_cleanup_errors=True) as name:
-            folder = Path(name).resolve()
+        with temporary_folder() as folder:
             request.on_stage("starting OpenModelica")
             with open_session(options, folder, sources.files, request.on_stage) as opened:
                 request.on_stage("compiling Modelica and C with OpenModelica")

@@ -175,13 +175,16 @@ static bool steps_are_sound(const Plain *plain)
     return step->base <= plain->time && plain->time <= step->time && step->time - step->base <= step->step + rounding;
 }
 
-static bool clocks_are_sound(const Instance *instance, const double *block)
+/* Checks that ticks are counted from time 0, as they are before the initialization, or where the model says. */
+static bool clocks_are_sound(const Instance *instance, const SavedState *state)
 {
-    const size_t first = (size_t)(instance->values.clock_tick - instance->block);
-    for (size_t i = first; i < first + model.n_clocks; ++i)
-        if (!(block[i] >= 0.0 && isfinite(block[i]) && block[i] == floor(block[i])) ||
-            !isfinite(block[i + model.n_clocks]))
+    const double *tick = state->block + (instance->values.clock_tick - instance->block);
+    const double *zero = state->block + (instance->values.clock_zero - instance->block);
+    for (size_t i = 0; i < model.n_clocks; ++i) {
+        const bool from_start = model.clocks[i].counts_from_start && zero[i] == state->plain.experiment.start_time;
+        if (!(tick[i] >= 0.0 && isfinite(tick[i]) && tick[i] == floor(tick[i])) || !(zero[i] == 0.0 || from_start))
             return false;
+    }
     return true;
 }
 
@@ -209,7 +212,7 @@ static const char *fault_of_content(const Instance *instance, const SavedState *
         return "this instance cannot be in such a phase";
     if (!experiment_is_sound(&plain->experiment))
         return "start time, stop time and tolerance are impossible";
-    if (!progress_is_sound(&plain->progress) || !steps_are_sound(plain) || !clocks_are_sound(instance, state->block) ||
+    if (!progress_is_sound(&plain->progress) || !steps_are_sound(plain) || !clocks_are_sound(instance, state) ||
         !isfinite(plain->time))
         return "times, steps and events contradict each other";
     return NULL;

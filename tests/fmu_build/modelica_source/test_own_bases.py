@@ -56,6 +56,13 @@ def test_all_else_keeps_its_line() -> None:
     assert changed.splitlines()[11].startswith("end Decaying; encapsulated partial model Decaying_Base")
 
 
+def test_a_base_whose_name_is_part_of_other_words() -> None:
+    model = _MODEL.replace("Base", "del").replace("partial model del", "partial model /* del */ del")
+    changed = with_bases_beside({Path("Decaying.mo"): model})[Path("Decaying.mo")]
+    assert "encapsulated partial model /* del */ Decaying_del " in changed
+    assert changed.rstrip().endswith("end Decaying_del;")
+
+
 @pytest.mark.parametrize(
     "texts",
     [
@@ -63,8 +70,9 @@ def test_all_else_keeps_its_line() -> None:
         [_MODEL.replace("extends Base(k = 3);", "Base base(k = 3);").replace("partial ", "")],
         [_MODEL, "model Other extends Bodies.Decaying.Base; end Other;"],
         [_MODEL.replace("encapsulated partial", "/* encapsulated */ partial")],
+        [_MODEL.replace("Base", "'Base[1'")],
     ],
-    ids=["not encapsulated", "a component", "named from outside", "in a comment"],
+    ids=["not encapsulated", "a component", "named from outside", "in a comment", "a quoted name"],
 )
 def test_other_classes_stay(texts: list[str]) -> None:
     files = {Path(f"{number}.mo"): text for number, text in enumerate(texts)}

@@ -160,3 +160,22 @@ def test_a_state_in_event_mode_is_for_instances_with_it(build3: Build) -> None:
     assert "phase" in without.text
     with_events.free()
     without.free()
+
+
+@pytest.mark.parametrize("zero", [-1e300, 1.0, float("inf")])
+def test_clocks_count_from_time_0_or_the_start_of_the_simulation(build: Build, zero: float) -> None:
+    """The second clock's start is the only value in the block, behind the plain data, that is 2 here."""
+    instance = Instance(build("sampler"))
+    instance.initialize(start=2.0, stop=3.0)
+    instance.advance(2.0, 0.05)
+    data = _data(instance)
+    place = data.rindex(struct.pack("=d", 2.0))
+    assert instance.deserialize(_with(data, place, struct.pack("=d", zero)))[0] == ERROR
+    assert "times, steps and events" in instance.text
+    status, state = instance.deserialize(_with(data, place, struct.pack("=d", 0.0)))
+    assert status == OK, "as before the initialization"
+    instance.discard(state)
+    assert instance.deserialize(_with(data, place - 8, struct.pack("=d", 2.0)))[0] == ERROR, (
+        "the first clock's"
+    )
+    instance.free()

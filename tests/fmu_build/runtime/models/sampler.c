@@ -1,4 +1,5 @@
-/* sampler.c - der(x) = 1; every tenth of a second `held` takes the value of x and `ticks` counts. */
+/* sampler.c - der(x) = 1; every tenth of a second `held` takes the value of x and `ticks` counts. Another clock, which
+ * nothing listens to, ticks once in 1000 s from the start of the simulation. */
 #include "model.h"
 #include "parts.h"
 #include "token.h"
@@ -6,11 +7,11 @@
 #include <math.h>
 
 enum { X, N_Y };
-enum { TICK, HELD, TICKS, PRE_HELD, PRE_TICKS, N_P };
+enum { TICK, RARE_TICK, HELD, TICKS, PRE_HELD, PRE_TICKS, N_P };
 
 static const double y_start[N_Y] = {0.0}, p_start[N_P] = {0.0}, state_nominal[] = {1.0};
 static const Variable variables[] = {STATE("x", X, 0.0), DISCRETE("held", HELD), DISCRETE("ticks", TICKS)};
-static const PeriodicClock clocks[] = {{TICK, 1.0, 10.0, 0.0, 1.0, false}};
+static const PeriodicClock clocks[] = {{TICK, 1.0, 10.0, 0.0, 1.0, false}, {RARE_TICK, 1000.0, 1.0, 0.0, 1.0, true}};
 static const PreBinding pre[] = {{PRE_HELD, STORE_PARAMETER, HELD}, {PRE_TICKS, STORE_PARAMETER, TICKS}};
 static const DiscreteTarget discrete[] = {{DISCRETE_ASSIGN, STORE_PARAMETER, HELD},
                                           {DISCRETE_ASSIGN, STORE_PARAMETER, TICKS}};
@@ -21,7 +22,7 @@ const Model model = {
     .pre = pre,
     .n_discrete = 2,
     .discrete = discrete,
-    .n_clocks = 1,
+    .n_clocks = 2,
     .clocks = clocks,
 };
 
