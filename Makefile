@@ -58,11 +58,14 @@ WORKERS ?= $(shell expr $$(getconf _NPROCESSORS_ONLN) + 1)
 SPHINX = $(BIN)/python -m sphinx --fail-on-warning --keep-going --nitpicky --fresh-env --quiet \
 	--doctree-dir build/doctrees
 
-# By uv where it is there (make UV= for pip alone), else by pip; also where uv fails, as it does not read what pip is
-# set to. Bytecode is made at first use, and only of what is used.
+# By uv, which is faster: the user's, or one that pip gets and that goes afterwards (make UV=none for pip alone). Where
+# uv fails, as it does not read what pip is set to, by pip. Bytecode is made at first use, and only of what is used.
 UV ?= $(shell uv --version > /dev/null 2>&1 && echo uv)
-install = $(if $(UV),$(UV) pip install --quiet --python $(BIN)/python $(1) 2> /dev/null ||) \
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-compile $(1)
+OWN_UV := $(VENV)/uv
+PIP_INSTALL = $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-compile
+get_uv = $(if $(UV),true,$(PIP_INSTALL) --target $(OWN_UV) uv 2> /dev/null || true)
+install = $(or $(UV),$(OWN_UV)/bin/uv --no-cache) pip install --quiet --python $(BIN)/python $(1) 2> /dev/null || \
+	$(PIP_INSTALL) $(1)
 
 # Without bytecode every process of the tests would compile its modules anew.
 unexport PYTHONDONTWRITEBYTECODE
@@ -147,13 +150,17 @@ $(RUN_READY): requirements.lock pyproject.toml locked_part.py
 	@echo "Setting up the environment in $(VENV)/ ..."
 	@$(PYTHON) -m venv $(VENV)
 	@$(PYTHON) locked_part.py build openmodelica > $(VENV)/requirements.txt
+	@$(get_uv)
 	@$(call install,--no-deps --require-hashes -r $(VENV)/requirements.txt)
 	@$(call install,--no-deps --no-build-isolation --editable .)
+	@rm -rf $(OWN_UV)
 	@touch $@
 
 $(READY): $(RUN_READY)
 	@echo "Adding what tests, checks and documentation need ..."
+	@$(get_uv)
 	@$(call install,--require-hashes -r requirements.lock)
+	@rm -rf $(OWN_UV)
 	@touch $@
 
 env: $(READY)

@@ -11,7 +11,7 @@ from fmu_build.codegen.c_expression import Writer, shared_nodes
 from fmu_build.codegen.equations import Action
 from fmu_build.codegen.expression import Expression, Slot
 from fmu_build.codegen.functions import FunctionSignature
-from fmu_build.codegen.half_angle import NAME as SIN_FROM_HALF
+from fmu_build.codegen.half_angle import NAMES as FROM_HALF
 
 
 class FunctionBody:
@@ -22,7 +22,7 @@ class FunctionBody:
         slot_names: Mapping[Slot, str],
         signatures: Mapping[str, FunctionSignature],
         expressions: Iterable[Expression],
-        sines: Mapping[Expression, Expression],
+        halves: Mapping[Expression, Expression],
         known: Mapping[Expression, Expression],
     ) -> None:
         """`known` maps a value that need not be computed again to the slot that holds it."""
@@ -30,8 +30,8 @@ class FunctionBody:
         self._slot_names = slot_names
         self._signatures = signatures
         expressions = tuple(expressions)
-        self._sines = sines
-        self._shared = shared_nodes(expressions) | {sines[e] for e in ex.walk(*expressions) if e in sines}
+        self._halves = halves
+        self._shared = shared_nodes(expressions) | {halves[e] for e in ex.walk(*expressions) if e in halves}
         self._names = _Names(slot_names)
         self._names.update((value, self._names[leaf]) for value, leaf in known.items())
         self._writer = Writer(self._names)
@@ -51,8 +51,8 @@ class FunctionBody:
             if part.operator == "call":
                 self._name_call(part)
                 continue
-            if part in self._sines:
-                self._names[part] = f"{SIN_FROM_HALF}({self.value(self._sines[part])})"
+            if part in self._halves:
+                self._names[part] = f"{FROM_HALF[part.operator]}({self.value(self._halves[part])})"
             if part in self._shared:
                 self._declare(part)
 
@@ -108,7 +108,7 @@ class FunctionBody:
         slot = self._slot_names[("y", step.unknown)]
         local = f"v{slot[1:]}"
         value = step.value
-        if value in self._names or value.operator == "call" or value in self._sines:
+        if value in self._names or value.operator == "call" or value in self._halves:
             text = self.value(value)
         else:
             self._prepare(*value.arguments)

@@ -15,11 +15,7 @@ from fmu_build.codegen.c_tangents import tangent_functions
 from fmu_build.codegen.equations import Equations, watched_conditions, written_slots
 from fmu_build.codegen.expression import Expression, Slot
 from fmu_build.codegen.functions import FunctionSources
-from fmu_build.codegen.half_angle import (
-    NAME as SIN_FROM_HALF,
-    SOURCE as SIN_FROM_HALF_SOURCE,
-    sines_from_half,
-)
+from fmu_build.codegen.half_angle import SOURCES as HALF_ANGLES, from_half
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.names import modelica_texts, slot_names
 from fmu_build.codegen.right_hand_side import RightHandSide, arrange, with_parts
@@ -29,7 +25,7 @@ from fmu_build.codegen.variables import StoredVariable, nominals
 
 _HELPERS = {
     "sign": "static double sign(double a) { return (a > 0.0) - (a < 0.0); }",
-    SIN_FROM_HALF: SIN_FROM_HALF_SOURCE,
+    **HALF_ANGLES,
 }
 
 
@@ -104,7 +100,7 @@ class _Code:
         self._names = names
         self._signatures = functions.signatures
         blocks = [step for step in equations.algebraics if isinstance(step, NewtonBlock)]
-        self._sines = sines_from_half(
+        self._halves = from_half(
             [*_parts(equations.algebraics), *equations.derivatives, *equations.relations.roots]
         )
         self._block_names = {block: f"block_{number}" for number, block in enumerate(blocks)}
@@ -114,7 +110,7 @@ class _Code:
         self, expressions: Iterable[Expression], known: Mapping[Expression, Expression] | None = None
     ) -> FunctionBody:
         known = self._parts if known is None else known
-        return FunctionBody(self._names, self._signatures, expressions, self._sines, known)
+        return FunctionBody(self._names, self._signatures, expressions, self._halves, known)
 
     def blocks(self) -> list[str]:
         """Return residual, Jacobian and table of each algebraic loop that Newton's method solves."""

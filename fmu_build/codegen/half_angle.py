@@ -1,7 +1,8 @@
-"""Compute sin(u) = 2t/(1 + t^2) from t = tan(u/2) where the model computes that tangent anyway.
+"""Compute sin(u) and cos(u) from t = tan(u/2) where the model computes that tangent anyway.
 
-This saves a call of the C library. The quotient is as accurate as the tangent everywhere: the relative error
-of the sine is at most that of t.
+This saves calls of the C library. sin(u) = 2t/(1 + t^2) is as accurate as the tangent everywhere: its
+relative error is at most that of t. So is the absolute error of cos(u) = (1 - t^2)/(1 + t^2), which near its
+zeros is what the rounding of u amounts to.
 """
 
 from __future__ import annotations
@@ -11,21 +12,26 @@ from collections.abc import Iterable
 from fmu_build.codegen import expression as ex
 from fmu_build.codegen.expression import Expression
 
-NAME = "sin_from_half"
-#: The C function, for models that use it.
-SOURCE = f"""\
+#: The C functions, by operator.
+NAMES = {"Sin": "sin_from_half", "Cos": "cos_from_half"}
+#: Their sources, for models that use them.
+SOURCES = {
+    NAMES["Sin"]: f"""\
 /* sin(u) from t = tan(u/2) */
-static double {NAME}(double t) {{ return 2.0 * t / (1.0 + t * t); }}"""
+static double {NAMES["Sin"]}(double t) {{ return 2.0 * t / (1.0 + t * t); }}""",
+    NAMES["Cos"]: f"""\
+/* cos(u) from t = tan(u/2) */
+static double {NAMES["Cos"]}(double t) {{ return (1.0 - t) * (1.0 + t) / (1.0 + t * t); }}""",
+}
 
 _TWO, _HALF = ex.number(2.0), ex.number(0.5)
 
 
-def sines_from_half(expressions: Iterable[Expression]) -> dict[Expression, Expression]:
-    """Map each sine to the tangent of half its angle, if the expressions of a model contain both.
+def from_half(expressions: Iterable[Expression]) -> dict[Expression, Expression]:
+    """Map each sine and cosine to the tangent of half its angle, if the expressions of a model contain it.
 
-    A sine next to the cosine of the same angle is left alone: C compilers merge the two into one call. All
-    functions of the model must use the same map: two of them compute the zero crossings and must agree to the
-    last bit.
+    All functions of the model must use the same map: two of them compute the zero crossings and must agree to
+    the last bit.
     """
     nodes = set(ex.walk(*expressions))
     tangents = {}
@@ -35,9 +41,7 @@ def sines_from_half(expressions: Iterable[Expression]) -> dict[Expression, Expre
     return {
         node: tangents[node.arguments[0]]
         for node in nodes
-        if node.operator == "Sin"
-        and node.arguments[0] in tangents
-        and Expression("Cos", node.arguments) not in nodes
+        if node.operator in NAMES and node.arguments[0] in tangents
     }
 
 
