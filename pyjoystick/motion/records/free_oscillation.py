@@ -39,7 +39,7 @@ DECAYED: Final = 0.9
 UNEVEN: Final = 0.02
 #: Above this part of the release angle the joystick is still held: free, it never comes back there.
 HELD: Final = 0.95
-#: Samples at the end of a record that are looked at for the rest position.
+#: Fewest samples at the end of a record that show where it rests.
 _REST_SAMPLES: Final = 10
 #: A rest farther from zero than this part of the largest angle is noted. A joystick leans to an end of its
 #: clearance, 0.2 degrees, which is 1 % of a release from 20.
@@ -77,7 +77,7 @@ def check_free_oscillation(record: Record, *, released: Side | None = None, coun
         *repeated_angles(record, swings, HELD),
         *_peak_count(record, swings),
         *_stops(record, largest),
-        *_rest(record, largest),
+        *_rest(record, swings, largest),
     ]
     return record.with_notes(*notes)
 
@@ -248,8 +248,12 @@ def _stops(record: Record, largest: float) -> Iterator[str]:
         )
 
 
-def _rest(record: Record, largest: float) -> Iterator[str]:
-    tail = record.theta[-_REST_SAMPLES:]
+def _rest(record: Record, swings: Sequence[Swing], largest: float) -> Iterator[str]:
+    """What is still for a whole period is at rest; in a shorter time, also what turns round."""
+    period = 2.0 * max(record.time[swing.last] - record.time[swing.first] for swing in swings[1:-1])
+    tail = record.theta[record.time > record.time[-1] - period]
+    if len(tail) < _REST_SAMPLES:
+        tail = record.theta[-_REST_SAMPLES:]
     offset = float(np.mean(tail))
     error = float(np.std(tail)) / math.sqrt(len(tail))
     if float(np.ptp(tail)) < THRESHOLD * largest and abs(offset) > max(_OFF_ZERO * largest, 4.0 * error):

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from pyjoystick.model import NOMINAL, simulate
 from pyjoystick.motion import Record, RecordError, check_free_oscillation, read_record
 from pyjoystick.support import FloatArray
 from tests.pyjoystick.motion.records.made import HOLD, RATE, motion, written
@@ -164,7 +165,16 @@ def test_an_angle_beyond_the_stops_is_flagged() -> None:
 def test_a_rest_away_from_zero_is_flagged() -> None:
     quiet = np.concatenate((motion()[1], np.zeros(20))) + 0.5
     notes = check_free_oscillation(_record(quiet, np.arange(len(quiet)) / RATE)).notes
-    assert "at rest at +0.500 degrees (rows 115-124)" in notes[-1]
+    assert "at rest at +0.500 degrees (rows 113-124)" in notes[-1]
+
+
+@pytest.mark.parametrize("stop", np.linspace(0.9, 1.5, 13))
+def test_a_record_that_ends_in_a_swing_is_not_at_rest(stop: float) -> None:
+    """At 500 Hz, ten samples about a turning point differ by less than noise does."""
+    time = np.arange(0.0, stop, 2e-3)
+    noise = np.random.default_rng(1).normal(0.0, np.radians(0.03), len(time))
+    theta = simulate(NOMINAL, time=time, theta_start=np.radians(-10.0)).theta + noise
+    assert check_free_oscillation(Record("made", time, theta)).notes == ()
 
 
 @pytest.mark.parametrize(
