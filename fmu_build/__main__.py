@@ -16,6 +16,7 @@ from rich.markup import escape
 from fmu_build import BuildError, FmiVersion, build_fmu, compiler_names
 from fmu_build.explore import command as explore
 from fmu_build.packaging.platforms import ALL, PLATFORM_NAMES, select_platforms
+from fmu_build.support.plain_help import PlainCommand
 from fmu_build.support.request import SensitivityRequest
 
 _EXAMPLE = """
@@ -78,7 +79,11 @@ def main(
     ],
     compiler: Annotated[
         str,
-        typer.Option(callback=_known_compiler, help=f"Modelica compiler: {', '.join(compiler_names())}."),
+        typer.Option(
+            callback=_known_compiler,
+            metavar="NAME",
+            help=f"Modelica compiler: {', '.join(compiler_names())}.",
+        ),
     ] = "rumoca",
     library: Annotated[
         list[Path] | None,
@@ -184,7 +189,7 @@ def _fail(message: str) -> NoReturn:
 
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode="markdown")
-app.command(epilog=_EXAMPLE)(main)
+app.command(cls=PlainCommand, epilog=_EXAMPLE)(main)
 
 if __name__ == "__main__":
     # As Ctrl-C, also where that is ignored: temporary folders are deleted, started tools are ended.

@@ -15,6 +15,7 @@ from fmu_build.explore.page import explore_page
 from fmu_build.explore.settings import Settings, read_settings
 from fmu_build.packaging.archive import replacing
 from fmu_build.support.errors import BuildError
+from fmu_build.support.plain_help import PlainCommand
 from fmu_build.support.request import BuildRequest
 from fmu_build.support.temporary import temporary_folder
 
@@ -84,4 +85,4 @@ def _fail(message: str) -> NoReturn:
 
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode="markdown")
-app.command(epilog=_EXAMPLE)(_main)
+app.command(cls=PlainCommand, epilog=_EXAMPLE)(_main)

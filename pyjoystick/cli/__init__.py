@@ -14,8 +14,9 @@ from importlib import import_module
 from typing import Annotated, Any, Final
 
 import typer
-from typer.core import TyperCommand, TyperGroup
+from typer.core import TyperCommand
 
+from fmu_build.support.plain_help import PlainCommand, PlainGroup
 from pyjoystick import support
 from pyjoystick.cli.console import print_error, print_traceback
 from pyjoystick.cli.invocation import invocation
@@ -57,14 +58,14 @@ _IMPORTS: Final = {
 }
 
 
-class _InOrder(TyperGroup):
+class _InOrder(PlainGroup):
     """The commands in the order above; Typer would list groups last."""
 
     def list_commands(self, ctx: object) -> list[str]:
         return list(_COMMANDS)
 
 
-class _Command(TyperCommand):
+class _Command(PlainCommand):
     """A command whose options do not take the name of another option for their value."""
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
@@ -128,7 +129,7 @@ app = _program(
     epilog="`pyjoystick COMMAND --help` shows the options of a command, with examples.",
 )
 _list(app, _COMMANDS, LazyCommand)
-_imports = _program()
+_imports = _program(cls=PlainGroup)
 _list(_imports, _IMPORTS, LazyImport)
 app.add_typer(_imports, name="import", help=_COMMANDS["import"])
 

@@ -41,7 +41,10 @@ def run(
     name: Annotated[
         str | None,
         typer.Option(
-            "--name", help="Name of the FMUs; by default that of the parameter file.", show_default=False
+            "--name",
+            metavar="NAME",
+            help="Name of the FMUs; by default that of the parameter file.",
+            show_default=False,
         ),
     ] = None,
     fmi: Annotated[Version, typer.Option("--fmi", help="Version of the FMI standard.")] = Version.V2,

@@ -196,6 +196,9 @@ AccelerationPoints = Annotated[
 ]
 
 Title = Annotated[
-    str, typer.Option("--title", help="Heading. Default: the title of --parameters.", show_default=False)
+    str,
+    typer.Option(
+        "--title", metavar="TEXT", help="Heading. Default: the title of --parameters.", show_default=False
+    ),
 ]
 HtmlFile = Annotated[Path, file("--output", "-o", text="HTML file to write.", suffixes=(".html", ".htm"))]

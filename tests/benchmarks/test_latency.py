@@ -19,7 +19,7 @@ def test_imports_are_counted_by_package(tmp_path: Path) -> None:
 def test_a_command_without_figure_and_statistics_imports_none(tmp_path: Path) -> None:
     found = latency.imported(["-m", "pyjoystick", "free-oscillation"], tmp_path)
     assert found["pandas"] > 0
-    assert not {"matplotlib", "scipy", "numba", "asteval", "fmu_build"} & set(found)
+    assert not {"matplotlib", "scipy", "numba", "asteval", "rumoca"} & set(found)
 
 
 @pytest.mark.usefixtures("joystick_fmus")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -160,6 +161,7 @@ def test_versions_of_fmi(monkeypatch: pytest.MonkeyPatch, tmp_path: Path, name: 
 
 def test_help_has_an_example() -> None:
     result = _run("--help")
+    assert not re.search(r"<(?:bool|str|list\[)", result.stdout)
     assert result.exit_code == 0
     assert f"python -m fmu_build {_JOYSTICK} --output build/fmi2" in result.stdout
     for option in ("--output", "--compiler", "--library", "--platform", "--option", "--verbose"):

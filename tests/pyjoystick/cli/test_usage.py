@@ -15,6 +15,8 @@ from pyjoystick.identification import read_fit_settings
 from pyjoystick.runs import read_settings
 from tests.pyjoystick.cli.conftest import Command
 
+PYTHON_TYPES = re.compile(r"<(?:bool|int|float|str|path|list\[.*|tuple\[.*)>")
+
 
 def _commands(group: Any, *before: str) -> Iterator[tuple[str, ...]]:
     for name, one in group.commands.items():
@@ -77,12 +79,13 @@ def test_a_value_may_begin_with_a_dash(command: Command) -> None:
     assert command("free-oscillation", "-a", "-10deg", "-d", "0.01").code == 0
 
 
-def test_help_stands_alone(command: Command) -> None:
+def test_help_stands_alone_and_speaks_no_python(command: Command) -> None:
     """A wheel holds no pages that it could refer to."""
-    for words in _commands(typer.main.get_command(app)):
+    for words in [(), ("import",), *_commands(typer.main.get_command(app))]:
         outcome = command(*words, "--help")
         assert outcome.code == 0
         assert "docs/" not in outcome.out, words
+        assert not PYTHON_TYPES.search(outcome.out), words
 
 
 @pytest.mark.parametrize(("words", "reader"), [("fit", read_fit_settings), ("sweep", read_settings)])
