@@ -3,18 +3,30 @@
 The Solve IR identifies the callee only by the number of the call site. rumoca numbers the sites in the
 order in which it visits the calls in the equations of the DAE, outer calls before those in their arguments.
 The sorted sites in the programs of one equation therefore match the calls in the equation's expressions in
-that order; the match is accepted only if their number and every signature agree.
+that order. Some calls have no site: rumoca evaluates constant ones and writes out small functions. A match is
+accepted only if signatures and constancy leave no other function for a site.
 """
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from fmu_build.codegen.lowered import LoweredModel
 
 _SpanKey = tuple[int, int, int]
 _REFERENCES = ("residual", "bodies", "expression", "message")
+
+
+@dataclass(frozen=True, slots=True)
+class _Site:
+    """A call site: its number, its shapes, and whether its arguments are constants, if that is known."""
+
+    owner: int
+    shapes: Mapping[str, Any]
+    is_constant: bool | None
 
 
 class CallSites:
@@ -51,29 +63,38 @@ class CallSites:
         roots = self._roots_by_span()
         found: dict[int, int] = {}
         for span, sites in self._sites_by_span().items():
-            ordered = sorted(sites)
-            all_calls = self._calls_below(roots.get(span, []))
-            # rumoca may have evaluated calls with constant arguments.
-            for calls in (all_calls, [call for call in all_calls if not self._is_constant(call)]):
-                functions = [self._expressions[call]["operation"]["function"] for call in calls]
-                if len(functions) == len(ordered) and all(
-                    self._fits(function, sites[owner])
-                    for function, owner in zip(functions, ordered, strict=True)
-                ):
-                    found.update(zip(ordered, functions, strict=True))
-                    break
+            calls = [self._expressions[call] for call in self._calls_below(roots.get(span, []))]
+            ordered = [sites[owner] for owner in sorted(sites)]
+            for site, functions in zip(ordered, self._candidates(ordered, calls), strict=True):
+                if len(functions) == 1:
+                    found[site.owner] = functions.pop()
         return found
 
-    def _is_constant(self, call: int) -> bool:
-        return bool(self._expressions[call]["variability"] == "constant")
+    def _candidates(self, sites: Sequence[_Site], calls: Sequence[Mapping[str, Any]]) -> list[set[int]]:
+        """Return the functions that each site can call, as the sites are in the order of the calls."""
+        fits = [[k for k, call in enumerate(calls) if self._can_be(site, call)] for site in sites]
+        first, last = _earliest(fits), _latest(fits, len(calls))
+        if any(low > high for low, high in zip(first, last, strict=True)):
+            return [set() for _ in sites]
+        return [
+            {calls[k]["operation"]["function"] for k in row if low <= k <= high}
+            for row, low, high in zip(fits, first, last, strict=True)
+        ]
 
-    def _sites_by_span(self) -> dict[_SpanKey, dict[int, Mapping[str, Any]]]:
-        sites: dict[_SpanKey, dict[int, Mapping[str, Any]]] = {}
+    def _can_be(self, site: _Site, call: Mapping[str, Any]) -> bool:
+        """Return whether shapes and constancy agree; rumoca puts in constants for some parameters."""
+        possible = {True: ("constant", "parameter"), False: ("parameter", "discrete", "continuous")}
+        return self._fits(call["operation"]["function"], site.shapes) and (
+            site.is_constant is None or call["variability"] in possible[site.is_constant]
+        )
+
+    def _sites_by_span(self) -> dict[_SpanKey, dict[int, _Site]]:
+        sites: dict[_SpanKey, dict[int, _Site]] = {}
         for table in _tables(self._model.solve):
             for program, span in zip(table["programs"], table.get("program_spans") or [], strict=False):
                 if span is not None:
                     for site in _sites(program):
-                        sites.setdefault(_key(span), {})[site["owner"]] = site
+                        sites.setdefault(_key(span), {})[site.owner] = site
         return sites
 
     def _roots_by_span(self) -> dict[_SpanKey, list[int]]:
@@ -172,15 +193,52 @@ def _tables(tree: Any) -> Iterator[Mapping[str, Any]]:
             yield from _tables(child)
 
 
-def _sites(tree: Any) -> Iterator[Mapping[str, Any]]:
+def _earliest(rows: Sequence[Sequence[int]]) -> list[int]:
+    """Return the smallest member of each row that is above that of the row before; beyond all, if none is."""
+    found: list[int] = []
+    for row in rows:
+        found.append(next((k for k in row if not found or k > found[-1]), sys.maxsize))
+    return found
+
+
+def _latest(rows: Sequence[Sequence[int]], end: int) -> list[int]:
+    """Return the largest member of each row that is below that of the row behind; -1 if none is."""
+    mirrored = [[end - k for k in reversed(row)] for row in reversed(rows)]
+    return [end - k if k < sys.maxsize else -1 for k in reversed(_earliest(mirrored))]
+
+
+def _sites(tree: Any) -> Iterator[_Site]:
+    """Yield the call sites in a program, those in its conditional parts too."""
     if isinstance(tree, dict):
-        if "PureCall" in tree:
-            yield tree["PureCall"]["site"]
-            return
         tree = list(tree.values())
-    if isinstance(tree, list):
-        for child in tree:
-            yield from _sites(child)
+    if not isinstance(tree, list):
+        return
+    constancy: dict[int, bool | None] = {}
+    for part in tree:
+        kind, fields = next(iter(part.items())) if isinstance(part, dict) and len(part) == 1 else ("", part)
+        if kind == "PureCall":
+            site = fields["site"]
+            given = [
+                constancy.get(start + i)
+                for start, value in zip(fields["input_starts"], site["inputs"], strict=True)
+                for i in range(value["scalar_count"])
+            ]
+            yield _Site(site["owner"], site, _all_constant(given))
+            count = sum(output["value_type"]["scalar_count"] for output in site["outputs"])
+            first = fields["dst_start"]
+            constancy.update(dict.fromkeys(range(first, first + count), _all_constant(given)))
+        elif kind in ("Const", "LoadY", "LoadP", "LoadTime"):
+            constancy[fields["dst"]] = kind == "Const"
+        elif kind in ("Unary", "Binary", "Compare"):
+            read = [constancy.get(fields[name]) for name in ("arg", "lhs", "rhs") if name in fields]
+            constancy[fields["dst"]] = _all_constant(read)
+        else:
+            yield from _sites(fields)
+
+
+def _all_constant(parts: Sequence[bool | None]) -> bool | None:
+    """Return whether a value is constant that is computed from these parts; None if that is not known."""
+    return False if False in parts else None if None in parts else True
 
 
 def _placed(tree: Any) -> Iterator[Mapping[str, Any]]:

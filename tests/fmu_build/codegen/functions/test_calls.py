@@ -47,6 +47,12 @@ package Sites
     end for;
   end quadruple;
 
+  function sine_of_sign "sin(sign(x)); the compiler writes it out where it is called"
+    extends Scalar;
+  algorithm
+    y := min(sin(sign(x)) for i in 1:3);
+  end sine_of_sign;
+
   function decimal "a[1] + 10*a[2] + 100*a[3] + ..."
     input Real a[:];
     output Real y;
@@ -85,13 +91,14 @@ package Sites
     parameter Integer n = 2;
     parameter Real a[n] = {i for i in 1:n};
     parameter Real b = f(a[2]) - quadruple(a[2]);
-    Real order, powers, inside, sizes, branch, each_i[2], both[2], total;
+    Real order, powers, inside, sizes, branch, constants, each_i[2], both[2], total;
   equation
     order = f(time) - quadruple(time) + 2*cube(time) - quadruple(2*time);
     powers = power(time, 2) + 10*power(time, 5) - power(2*time, 3);
     inside = f(quadruple(time)) - quadruple(f(time)) + quadruple(quadruple(cube(time)));
     sizes = decimal(a) + 1000*decimal({time, 2, time}) + quadruple(decimal({b, time}));
     branch = if noEvent(inside > 50) then f(time) else quadruple(time);
+    constants = if noEvent(quadruple(2.0) > 7) then 6 + time else sine_of_sign(time);
     for i in 1:2 loop
       each_i[i] = f(i*time) + quadruple(time);
     end for;
@@ -103,6 +110,10 @@ package Sites
     Component two(redeclare function f = quadruple, n = 3);
     Component more[2](each n = 4);
   end Main;
+
+  model WrittenOut
+    Real y = sine_of_sign(time) + cube(time);
+  end WrittenOut;
 end Sites;
 """
 
@@ -146,6 +157,7 @@ def component(f: str, n: int, time: float) -> dict[str, float]:
         "inside": inside,
         "sizes": decimal(a) + 1000 * decimal([time, 2, time]) + quadruple(decimal([b, time])),
         "branch": chosen(time) if inside > 50 else quadruple(time),
+        "constants": 6.0 + time,
         "each_i_1": chosen(time) + quadruple(time),
         "each_i_2": chosen(2 * time) + quadruple(time),
         "both_1": chosen(time),
@@ -191,6 +203,12 @@ def test_calls_reach_their_functions(
     found = values(time)
     for variable, expected in component(f, n, time).items():
         assert found[f"{name}_{variable}"] == pytest.approx(expected, rel=1e-13, abs=1e-13), variable
+
+
+def test_a_call_beside_one_that_is_written_out_is_refused(folder: Path) -> None:
+    lowered = lower(rumoca.Session().load(str(folder / "Sites.mo"), model="Sites.WrittenOut"))
+    with pytest.raises(UnsupportedModelError, match=r"it fits one of .*cube, .*sine_of_sign"):
+        read_equations(lowered, FunctionLibrary(lowered).name_of)
 
 
 def test_call_that_could_be_two_functions_is_refused(folder: Path) -> None:
