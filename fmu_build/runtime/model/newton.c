@@ -119,11 +119,18 @@ static bool search_along_step(const Newton *newton, double before)
     return false;
 }
 
+/* A solution stays as it is when it is asked for again: relations that depend on it then have the same bits before and
+ * after an event, which would otherwise be found again and again. */
+static bool is_solved(const Newton *newton)
+{
+    return merit(newton) <= rounding_merit * (double)newton->system->size;
+}
+
 /* Takes one step, and a second one that removes the rounding error of the first. */
 static NewtonResult solve_linear(const Newton *newton)
 {
     NewtonResult result = linearize(newton);
-    for (int i = 0; i < 2 && result == NEWTON_SOLVED; ++i) {
+    for (int i = 0; i < 2 && result == NEWTON_SOLVED && !is_solved(newton); ++i) {
         find_step(newton);
         move(newton, 1.0);
         if (!evaluate(newton) || merit(newton) == INFINITY)
@@ -145,8 +152,10 @@ static NewtonResult iterate(const Newton *newton)
         const double before = merit(newton);
         if (before == INFINITY)
             return NEWTON_NOT_FINITE;
+        if (is_solved(newton))
+            return NEWTON_SOLVED;
         find_step(newton);
-        if (step_is_small(newton) || before <= rounding_merit * (double)newton->system->size) {
+        if (step_is_small(newton)) {
             move(newton, 1.0);
             return NEWTON_SOLVED;
         }
