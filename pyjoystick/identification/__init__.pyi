@@ -44,6 +44,7 @@ from .fitting.figures import (
     plot_residuals as plot_residuals,
     save_figures as save_figures,
 )
+from .fitting.files import read_records as read_records, save_fit as save_fit
 from .fitting.fit import OnProgress as OnProgress, fit as fit
 from .fitting.json_report import as_json as as_json
 from .fitting.problem.instrument import (

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from pyjoystick.laboratory.measurement_errors import ChainEffect
 from pyjoystick.laboratory.measurements.chain import Motion
-from pyjoystick.model import ConstantDamping, JoystickParameters, Trajectory, energy
+from pyjoystick.model import JoystickParameters, Trajectory, energy, law_name
 from pyjoystick.motion import GRAVITY
 from pyjoystick.support import LAWS, LONG_DASHES, MEASURED, SOLID, FloatArray, dress, legend_above
 
@@ -32,7 +32,7 @@ def plot_chain_effect(parameters: JoystickParameters, effect: ChainEffect, *, ti
     run, motion = effect.run, effect.motion
     shown = (motion.time >= run.time[0]) & (motion.time <= run.time[0] + 1.5)
     time = motion.time[shown] - run.time[0]
-    law = "constant" if isinstance(parameters.damping, ConstantDamping) else "power-law"
+    law = law_name(parameters.damping)
     true = LAWS[law] | {"linestyle": SOLID}
     figure = Figure(figsize=(7.0, 6.0), layout="constrained")
     above, below = figure.subplots(2, 1, sharex=True)
