@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Annotated, Final
 
 import typer
-from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+from rich.progress import BarColumn, TextColumn, TimeElapsedColumn
 
 from pyjoystick import fmu, identification, model, motion, runs
 from pyjoystick.cli import joystick_choice, options, parsing
@@ -19,11 +19,11 @@ from pyjoystick.cli.console import (
     print_progress,
     print_warning,
     print_warnings,
-    progress_console,
+    progress_bar,
     write_json,
 )
 from pyjoystick.cli.fmus import found_or_built
-from pyjoystick.cli.invocation import invocation
+from pyjoystick.cli.invocation import INTERRUPTED, invocation
 from pyjoystick.cli.parameter_updates import file_to_update, write_update
 from pyjoystick.support import check_outputs
 
@@ -46,9 +46,8 @@ Settings that fit J and C to releases, each with an angle and a time of its own:
     free.theta_start = { per_record = true }
     free.release_time = { per_record = true }
 """
-#: Exit code of a fit that failed a check, and after Ctrl-C.
+#: Exit code of a fit that failed a check.
 DOUBTFUL: Final = 3
-INTERRUPTED: Final = 130
 
 
 def run(
@@ -251,9 +250,7 @@ def _update(
 @contextmanager
 def _progress() -> Iterator[identification.OnProgress]:
     """A bar for each stage, which pulses where it has only one part; drawn on a terminal only."""
-    console = progress_console()
-    columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
-    with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:
+    with progress_bar(TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn()) as bar:
         task = bar.add_task("searching", total=None)
 
         def tell(stage: str, done: int, total: int) -> None:

@@ -9,7 +9,7 @@ import numpy as np
 
 from pyjoystick import identification, model, motion, runs, support
 from pyjoystick.cli import joystick_choice, options, parsing
-from pyjoystick.cli.console import output, print_warnings, progress_console, write, write_json
+from pyjoystick.cli.console import output, print_warnings, progress_console, write, write_json, write_plot
 from pyjoystick.cli.fmus import found_or_built
 
 EXAMPLES: Final = """
@@ -58,9 +58,4 @@ def run(
     write(csv, lambda path: support.write_text(path, identification.damping_csv(estimate)))
     write_json(json, lambda notes: identification.damping_json(*found, notes))
     constant = constants["both"].corrected
-    write(
-        plot,
-        lambda path: support.save_figure(
-            identification.plot_damping_estimate(estimate, constant=constant), path
-        ),
-    )
+    write_plot(plot, lambda: identification.plot_damping_estimate(estimate, constant=constant))
