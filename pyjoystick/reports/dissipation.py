@@ -131,18 +131,15 @@ _DEG: Final = math.degrees(1.0)
 _MJ: Final = 1e3
 
 
-def plot_energy(
-    run: Trajectory, rests: pd.DataFrame, *, title: str = "", size: tuple[float, float] = (7.0, 5.4)
-) -> Figure:
+def plot_energy(run: Trajectory, rests: pd.DataFrame, *, title: str = "") -> Figure:
     """Energy over time with its plateaus shaded, and below it the power that damping and dry friction take.
 
     Args:
         run: a free oscillation
         rests: its `plateaus`
         title: a line above the figure
-        size: width and height (inch)
     """
-    figure = Figure(figsize=size, layout="constrained")
+    figure = Figure(figsize=(7.0, 5.4), layout="constrained")
     above, below = figure.subplots(2, 1, sharex=True, height_ratios=[3, 2])
     above.plot(run.time, run.E * _MJ, color=BLACK, linewidth=1.3, label="energy")
     below.plot(run.time, (run.M_d + run.M_f) * run.omega, color=BLACK, linewidth=1.1)
@@ -161,14 +158,7 @@ def plot_energy(
     return figure
 
 
-def plot_damping_function(
-    run: Trajectory,
-    *,
-    constant: float,
-    equivalent: float,
-    title: str = "",
-    size: tuple[float, float] = (7.0, 5.4),
-) -> Figure:
+def plot_damping_function(run: Trajectory, *, constant: float, equivalent: float, title: str = "") -> Figure:
     """C over time beside constants, and below it the angle, which says where the jumps are.
 
     Args:
@@ -176,9 +166,8 @@ def plot_damping_function(
         constant: a constant C (N m s/rad) to compare with
         equivalent: the one that takes as much energy (N m s/rad), see `equivalent_damping`
         title: a line above the figure
-        size: width and height (inch)
     """
-    figure = Figure(figsize=size, layout="constrained")
+    figure = Figure(figsize=(7.0, 5.4), layout="constrained")
     above, below = figure.subplots(2, 1, sharex=True, height_ratios=[3, 2])
     style = LAWS["power-law"] | {"linestyle": SOLID, "linewidth": 1.1}
     above.plot(run.time, run.C, label="damping function, eq. (11)", **style)
