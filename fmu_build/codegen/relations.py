@@ -14,7 +14,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 from fmu_build.codegen import expression as ex
-from fmu_build.codegen.differentiate import NotDifferentiableError, partial
+from fmu_build.codegen.differentiate import linear_root
 from fmu_build.codegen.expression import TIME, ZERO, Expression, binary, negate
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.no_event import literal_comparisons
@@ -154,13 +154,7 @@ def _event_time(root: Expression) -> Expression | None:
     read = ex.leaves(root)
     if TIME not in read or any(leaf.operator == "y" for leaf in read):
         return None
-    try:
-        slope = partial(root, TIME)
-    except NotDifferentiableError:
-        return None
-    if slope == ZERO or TIME in ex.leaves(slope):
-        return None
-    return binary("Div", negate(ex.substitute(root, {TIME: ZERO})), slope)
+    return linear_root(root, TIME)
 
 
 def read_relations(
