@@ -107,9 +107,9 @@ def _after_what_they_read(model: LoweredModel, steps: Sequence[Step]) -> tuple[S
     computing = {unknown: step for step in steps for unknown in step.unknowns}
     before = {
         step.unknowns: {
-            computing[leaf.index].unknowns
-            for leaf in ex.leaves(*step.expressions)
-            if leaf.operator == "y" and leaf.index in computing and leaf.index not in step.unknowns
+            computing[place].unknowns
+            for place in ex.places("y", *step.expressions) - set(step.unknowns)
+            if place in computing
         }
         for step in steps
     }
@@ -178,12 +178,12 @@ def _undo(node: Expression, unknown: Expression, target: Expression) -> Expressi
 
 def needed(steps: Sequence[Step], roots: Iterable[Expression]) -> tuple[Step, ...]:
     """Return the steps, in order, on which the expressions depend directly or through other steps."""
-    wanted = {leaf.index for leaf in ex.leaves(*roots) if leaf.operator == "y"}
+    wanted = ex.places("y", *roots)
     kept: list[Step] = []
     for step in reversed(steps):
         if wanted.intersection(step.unknowns):
             kept.append(step)
-            wanted |= {leaf.index for leaf in ex.leaves(*step.expressions) if leaf.operator == "y"}
+            wanted |= ex.places("y", *step.expressions)
     return tuple(reversed(kept))
 
 
@@ -197,8 +197,8 @@ def in_order(rows: Sequence[tuple[int, Expression]]) -> list[tuple[int, Expressi
         if index in visited or index not in values:
             return
         visited.add(index)
-        for leaf in sorted(leaf.index for leaf in ex.leaves(values[index]) if leaf.operator == "p"):
-            visit(leaf)
+        for place in sorted(ex.places("p", values[index])):
+            visit(place)
         ordered.append((index, values[index]))
 
     for index, _ in rows:

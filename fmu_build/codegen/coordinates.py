@@ -77,7 +77,7 @@ def _is_linear(model: LoweredModel, equations: Equations) -> bool:
         for expression in steps[index].expressions:
             if not _is_affine(expression, constant):
                 return False
-            waiting += [leaf.index for leaf in ex.leaves(expression) if leaf.operator == "y"]
+            waiting += ex.places("y", expression)
     return True
 
 
@@ -95,7 +95,7 @@ def _is_affine(expression: Expression, constant: set[Expression]) -> bool:
 
 
 def _reads_y(expression: Expression) -> bool:
-    return any(leaf.operator == "y" for leaf in ex.leaves(expression))
+    return bool(ex.places("y", expression))
 
 
 def _is_constant(expression: Expression, constant: set[Expression]) -> bool:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 
 from fmu_build.codegen.equations import Equations
-from fmu_build.codegen.expression import leaves
+from fmu_build.codegen.expression import places
 from fmu_build.codegen.lowered import LoweredModel
 
 #: In rising order of precedence, as rumoca spells them.
@@ -62,7 +62,6 @@ def _states_behind(equations: Equations) -> Mapping[int, frozenset[int]]:
         return frozenset().union(*(behind.get(i, frozenset((i,)) & states) for i in indices))
 
     for step in equations.algebraics:
-        read = {leaf.index for value in step.expressions for leaf in leaves(value) if leaf.operator == "y"}
-        found = of(read - set(step.unknowns))
+        found = of(places("y", *step.expressions) - set(step.unknowns))
         behind.update(dict.fromkeys(step.unknowns, found))
     return behind

@@ -75,12 +75,10 @@ class VariableReader:
 
     def _parameters_in_use(self) -> frozenset[int]:
         """Return the indices of parameters that act after initialization, directly or through others."""
-        used = {
-            leaf.index for leaf in ex.leaves(*acting_expressions(self._equations)) if leaf.operator == "p"
-        }
+        used = ex.places("p", *acting_expressions(self._equations))
         for index, value in reversed(self._equations.dependent_parameters):
             if index in used:
-                used |= {leaf.index for leaf in ex.leaves(value) if leaf.operator == "p"}
+                used |= ex.places("p", value)
         return frozenset(used)
 
     def read(self) -> tuple[StoredVariable, ...]:
