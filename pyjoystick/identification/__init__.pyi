@@ -100,6 +100,7 @@ from .laboratory_errors import (
 from .peak_method.bias import (
     Bias as Bias,
     bias_table as bias_table,
+    biases as biases,
     constant_bias as constant_bias,
     line_bias as line_bias,
 )

@@ -7,8 +7,6 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Final
 
-import numpy as np
-
 from pyjoystick import fmu, identification, model, motion, runs, support
 from pyjoystick.project.laboratory import Laboratory, plain
 from pyjoystick.project.measuring import MEASURED, fitted_curve
@@ -34,11 +32,9 @@ def peaks(lab: Laboratory, records: tuple[str, ...], find: Find) -> Step:
         read = motion.read_repeats([lab.root / one for one in records])
         releases = [motion.measured_peaks(record) for record in read]
         estimate = identification.estimate_damping(releases, joystick.J)
-        angle = float(np.mean([release.release_angle for release in releases]))
         with runs.SimulatedReleases() as simulate:
             tell("simulating")
-            constants = identification.constant_bias(estimate, joystick, angle, simulate)
-            lines = identification.line_bias(estimate, joystick, angle, simulate)
+            constants, lines = identification.biases(estimate, joystick, releases, simulate)
         text = "\n\n".join(
             (
                 "# Damping from the peaks",
