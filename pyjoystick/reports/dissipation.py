@@ -87,15 +87,14 @@ def plateaus(run: Trajectory) -> pd.DataFrame:
     return pd.DataFrame(rows, columns=_COLUMNS, dtype=np.float64)
 
 
-def damping_jumps(run: Trajectory, *, within: float = PAPER_STEP) -> pd.DataFrame:
-    """How far C changes around each zero of the angle and of the velocity.
+def damping_jumps(run: Trajectory) -> pd.DataFrame:
+    """How far C changes within the paper's time step of each zero of the angle and of the velocity.
 
     Eq. (11) jumps where theta = 0, from one side to the other, and has a peak where omega = 0. With negative
     exponents only eps_theta and eps_omega keep either finite, so that the sizes depend on them.
 
     Args:
         run: a motion without torque, as `sampled_closely` gives it
-        within: time to either side of the zero (s); the paper's time step unless given
 
     Returns:
         one row a zero in order of time: ``time`` (s), ``zero`` (``theta`` or ``omega``), ``amplitude``
@@ -108,7 +107,7 @@ def damping_jumps(run: Trajectory, *, within: float = PAPER_STEP) -> pd.DataFram
     rows = []
     for time, zero, height in sorted(middles + turns):
         amplitude = amplitude if math.isnan(height) else height
-        near = run.C[np.abs(run.time - time) <= within]
+        near = run.C[np.abs(run.time - time) <= PAPER_STEP]
         rows.append({"time": time, "zero": zero, "amplitude": amplitude, "jump": float(np.ptp(near))})
     return pd.DataFrame(rows)
 

@@ -124,13 +124,8 @@ def cubic_fits(parameters: JoystickParameters, largest_angle: float) -> dict[str
     return fits
 
 
-def plot_load_deflection(fits: dict[str, CubicFit], *, title: str = "") -> Figure:
-    """Force over travel, the model solid and the cubics dashed.
-
-    Args:
-        fits: from `cubic_fits`
-        title: a line above the figure
-    """
+def plot_load_deflection(fits: dict[str, CubicFit]) -> Figure:
+    """Force over travel, the model solid and the cubics of `cubic_fits` dashed."""
     figure = Figure(figsize=(7.0, 4.2), layout="constrained")
     axes = figure.subplots()
     for (side, fit), color in zip(fits.items(), (FORWARD, BACKWARD), strict=True):
@@ -155,5 +150,5 @@ def plot_load_deflection(fits: dict[str, CubicFit], *, title: str = "") -> Figur
     axes.set_xlim(left=0.0)
     axes.set_ylim(bottom=0.0)
     dress(axes)
-    legend_above(figure, axes, columns=2, title=title)
+    legend_above(figure, axes, columns=2)
     return figure
