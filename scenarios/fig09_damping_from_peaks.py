@@ -21,9 +21,8 @@ from pyjoystick import (
 from pyjoystick.identification import (
     bias_report,
     bias_table,
-    constant_bias,
+    biases,
     damping_report,
-    line_bias,
     plot_damping_estimate,
     releases_report,
 )
@@ -46,9 +45,7 @@ def main(results: Path = RESULTS) -> int:
         for law, paths in RECORDS.items():
             releases = [measured_peaks(record) for record in read_repeats(paths, released="backward")]
             estimate = estimate_damping(releases, JOYSTICK.J)
-            angle = float(np.mean([release.release_angle for release in releases]))
-            constants = constant_bias(estimate, JOYSTICK, angle, simulate)
-            lines = line_bias(estimate, JOYSTICK, angle, simulate)
+            constants, lines = biases(estimate, JOYSTICK, releases, simulate)
             title = f"{len(releases)} synthetic records made with {law}"
             texts += [f"## {title}", releases_report(releases), damping_report(estimate, constants, lines)]
             figure = plot_damping_estimate(estimate, constant=constants["both"].corrected, title=title)

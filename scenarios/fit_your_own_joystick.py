@@ -28,13 +28,10 @@ from pyjoystick.identification import (
     DISPLACEMENT_DAMPING,
     POWER_LAW_DAMPING,
     Candidate,
-    as_json,
     compare_models,
     comparison_table,
-    report,
-    save_figures,
+    save_fit,
 )
-from pyjoystick.support import write_text
 
 ROOT = Path(__file__).parents[1]
 RECORDS = sorted((ROOT / "scenarios" / "data").glob("synthetic_power_law_*.csv"))
@@ -56,9 +53,7 @@ def main(results: Path = RESULTS, paths: Sequence[Path] = RECORDS) -> int:
     candidates = compare_models(records, MODELS)
     for candidate in candidates:
         folder = results / candidate.name.replace(" ", "_")
-        write_text(folder / "fit.md", report(candidate.fit, f"Fit of the {candidate.name} damping"))
-        write_text(folder / "fit.json", as_json(candidate.fit))
-        save_figures(candidate.fit, folder)
+        save_fit(candidate.fit, folder, f"Fit of the {candidate.name} damping")
 
     lines = [comparison_table(candidates), ""]
     for candidate in candidates:

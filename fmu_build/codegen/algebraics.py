@@ -12,7 +12,7 @@ from graphlib import CycleError, TopologicalSorter
 from typing import Any
 
 from fmu_build.codegen import expression as ex
-from fmu_build.codegen.differentiate import NotDifferentiableError, call_of_tangent, partial
+from fmu_build.codegen.differentiate import NotDifferentiableError, call_of_tangent, linear_root, partial
 from fmu_build.codegen.expression import ZERO, Expression, binary, negate
 from fmu_build.codegen.lowered import LoweredModel
 
@@ -107,9 +107,9 @@ def _after_what_they_read(model: LoweredModel, steps: Sequence[Step]) -> tuple[S
     computing = {unknown: step for step in steps for unknown in step.unknowns}
     before = {
         step.unknowns: {
-            computing[leaf.index].unknowns
-            for leaf in ex.leaves(*step.expressions)
-            if leaf.operator == "y" and leaf.index in computing and leaf.index not in step.unknowns
+            computing[place].unknowns
+            for place in ex.places("y", *step.expressions) - set(step.unknowns)
+            if place in computing
         }
         for step in steps
     }
@@ -123,7 +123,7 @@ def _after_what_they_read(model: LoweredModel, steps: Sequence[Step]) -> tuple[S
     try:
         ordered = tuple(TopologicalSorter(before).static_order())
     except CycleError as error:
-        names = model.solve["solve_layout"]["solver_maps"]["names"]
+        names = model.y_names
         which = ", ".join(sorted({names[unknown] for unknowns in error.args[1] for unknown in unknowns}))
         raise model.unsupported(
             f"an algebraic loop for {which} that only leads through arguments of functions without an effect "
@@ -140,7 +140,7 @@ def _solve(model: LoweredModel, unknowns: tuple[int, ...], residuals: tuple[Expr
     try:
         jacobian = tuple(tuple(partial(r, ex.y(u), call_of_tangent) for u in unknowns) for r in residuals)
     except NotDifferentiableError as error:
-        names = model.solve["solve_layout"]["solver_maps"]["names"]
+        names = model.y_names
         which = ", ".join(names[u] for u in unknowns)
         raise model.unsupported(
             f"the algebraic loop for {which} contains a {error}, which has no derivative"
@@ -151,15 +151,7 @@ def _solve(model: LoweredModel, unknowns: tuple[int, ...], residuals: tuple[Expr
 def isolate(residual: Expression, unknown: Expression) -> Expression | None:
     """Return the value of `unknown` at which `residual` is zero, or None if it does not enter linearly."""
     value = _undo(residual, unknown, ZERO)
-    if value is not None:
-        return value
-    try:
-        slope = partial(residual, unknown)
-    except NotDifferentiableError:
-        return None
-    if slope == ZERO or unknown in ex.leaves(slope):
-        return None
-    return binary("Div", negate(ex.substitute(residual, {unknown: ZERO})), slope)
+    return linear_root(residual, unknown) if value is None else value
 
 
 def _undo(node: Expression, unknown: Expression, target: Expression) -> Expression | None:
@@ -186,12 +178,12 @@ def _undo(node: Expression, unknown: Expression, target: Expression) -> Expressi
 
 def needed(steps: Sequence[Step], roots: Iterable[Expression]) -> tuple[Step, ...]:
     """Return the steps, in order, on which the expressions depend directly or through other steps."""
-    wanted = {leaf.index for leaf in ex.leaves(*roots) if leaf.operator == "y"}
+    wanted = ex.places("y", *roots)
     kept: list[Step] = []
     for step in reversed(steps):
         if wanted.intersection(step.unknowns):
             kept.append(step)
-            wanted |= {leaf.index for leaf in ex.leaves(*step.expressions) if leaf.operator == "y"}
+            wanted |= ex.places("y", *step.expressions)
     return tuple(reversed(kept))
 
 
@@ -205,8 +197,8 @@ def in_order(rows: Sequence[tuple[int, Expression]]) -> list[tuple[int, Expressi
         if index in visited or index not in values:
             return
         visited.add(index)
-        for leaf in sorted(leaf.index for leaf in ex.leaves(values[index]) if leaf.operator == "p"):
-            visit(leaf)
+        for place in sorted(ex.places("p", values[index])):
+            visit(place)
         ordered.append((index, values[index]))
 
     for index, _ in rows:

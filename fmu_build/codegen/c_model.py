@@ -281,5 +281,4 @@ def _parts(steps: Iterable[Step]) -> list[Expression]:
 
 
 def _read_by_blocks(steps: Iterable[Step]) -> set[int]:
-    blocks = [step for step in steps if isinstance(step, NewtonBlock)]
-    return {leaf.index for block in blocks for leaf in ex.leaves(*block.expressions) if leaf.operator == "y"}
+    return ex.places("y", *(e for step in steps if isinstance(step, NewtonBlock) for e in step.expressions))

@@ -50,63 +50,78 @@ def tables(
     tangents: Tangents | None,
 ) -> str:
     """Return the C definition of `model` and its tables."""
-    writer = _Tables(names)
-    e = equations
-    indicators = e.relations.indicators
-    roots = [indicators[r.root, r.holds_at_zero] for r in e.relations.crossings]
-    roots += [len(indicators) + e.relations.time_roots.index(r.root) for r in e.relations.of_time]
-    followed = _followed(e)
-    continuous_inputs = {
-        ex.p(s.index)
-        for s in variables
-        if s.variable.causality == "input" and s.variable.variability == "continuous"
-    }
+    writer, e = _Tables(names), equations
+    _write_arrays(writer, e, variables, starts, texts, nominals)
+    sensitivities = _sensitivities(e.sensitivities, writer)
+    n_blocks = sum(isinstance(step, NewtonBlock) for step in e.algebraics)
+    writer.array("Block *const", "blocks", [f"&block_{number}" for number in range(n_blocks)])
+    fields = [
+        f".name = {c_string(model.name)}",
+        ".token = MODEL_TOKEN",
+        *(f".{field} = {count}" for field, count in _counts(e, len(variables), n_blocks).items()),
+        *(f".{field} = {_bool(holds)}" for field, holds in _properties(e, variables).items()),
+        f".initial_event_slot = {'NO_SLOT' if e.initial_event is None else names['p', e.initial_event]}",
+        f".homotopy_slot = {'NO_SLOT' if e.homotopy is None else names['p', e.homotopy]}",
+        f".has_tangents = {_bool(tangents is not None)}",
+        f".has_initial_tangents = {_bool(tangents is not None and tangents.cover_initialization)}",
+        *(f".{name} = {name}" for name in writer.defined),
+        *sensitivities,
+    ]
+    return "\n".join(
+        [*writer.parts, "const Model model = {", *(f"    {field}," for field in fields), "};", ""]
+    )
+
+
+def _write_arrays(
+    writer: _Tables,
+    e: Equations,
+    variables: Sequence[StoredVariable],
+    starts: StartValues,
+    texts: Writer,
+    nominals: Mapping[int, float],
+) -> None:
+    clocks = [
+        [
+            writer.slot(("p", c.activation)),
+            *(repr(float(n)) for n in (*c.period, *c.phase)),
+            _bool(c.from_start),
+        ]
+        for c in e.clocks
+    ]
+    initial = [f"{writer.place(slot)}, {c_string(texts.text(ex.leaf(slot)))}" for slot in e.initial_unknowns]
     writer.array("double", "y_start", [_number(starts.of(("y", i))) for i in range(e.n_y)])
     writer.array("double", "p_start", [_number(starts.of(("p", i))) for i in range(e.n_p)])
     writer.array("double", "state_nominal", [_number(nominals.get(i, 1.0)) for i in range(e.n_states)])
-    writer.array("Variable", "variables", [_variable(stored, names) for stored in variables])
-    writer.array(
-        "Relation",
-        "relations",
-        [
-            f"{{{root}, {names['p', r.memory]}, {_bool(r.holds_at_zero)}}}"
-            for root, r in zip(roots, (*e.relations.crossings, *e.relations.of_time), strict=True)
-        ],
-    )
+    writer.array("Variable", "variables", [_variable(stored, writer) for stored in variables])
+    writer.array("Relation", "relations", _relations(e, writer))
     writer.array("size_t", "opposites", [str(position) for position in e.relations.opposites])
-    writer.array("PreBinding", "pre", [f"{{{names['p', i]}, {writer.place(source)}}}" for i, source in e.pre])
     writer.array(
-        "DiscreteTarget",
-        "discrete",
-        [f"{{DISCRETE_{row.kind.upper()}, {writer.place(row.slot)}}}" for row in e.discrete],
+        "PreBinding", "pre", [f"{{{writer.slot(('p', i))}, {writer.place(source)}}}" for i, source in e.pre]
     )
-    writer.array(
-        "PeriodicClock",
-        "clocks",
-        [
-            f"{{{names['p', c.activation]}, "
-            + ", ".join(f"{float(n)!r}" for n in (*c.period, *c.phase))
-            + f", {_bool(c.from_start)}}}"
-            for c in e.clocks
-        ],
-    )
+    discrete = [f"{{DISCRETE_{row.kind.upper()}, {writer.place(row.slot)}}}" for row in e.discrete]
+    writer.array("DiscreteTarget", "discrete", discrete)
+    writer.array("PeriodicClock", "clocks", [f"{{{', '.join(clock)}}}" for clock in clocks])
     writer.array("char *const", "root_texts", [c_string(texts.text(root)) for root in e.relations.roots])
     writer.array("ActionKind", "actions", [f"ACTION_{action.kind.upper()}" for action in e.actions])
-    writer.array(
-        "InitialUnknown",
-        "initial_unknowns",
-        [f"{{{writer.place(slot)}, {c_string(texts.text(ex.leaf(slot)))}}}" for slot in e.initial_unknowns],
-    )
-    sensitivities = _sensitivities(e.sensitivities, writer)
-    blocks = [step for step in e.algebraics if isinstance(step, NewtonBlock)]
-    writer.array("Block *const", "blocks", [f"&block_{number}" for number in range(len(blocks))])
-    initial_event = "NO_SLOT" if e.initial_event is None else names["p", e.initial_event]
-    homotopy = "NO_SLOT" if e.homotopy is None else names["p", e.homotopy]
-    counts = {
+    writer.array("InitialUnknown", "initial_unknowns", [f"{{{one}}}" for one in initial])
+
+
+def _relations(e: Equations, writer: _Tables) -> list[str]:
+    indicators = e.relations.indicators
+    roots = [indicators[r.root, r.holds_at_zero] for r in e.relations.crossings]
+    roots += [len(indicators) + e.relations.time_roots.index(r.root) for r in e.relations.of_time]
+    return [
+        f"{{{root}, {writer.slot(('p', r.memory))}, {_bool(r.holds_at_zero)}}}"
+        for root, r in zip(roots, (*e.relations.crossings, *e.relations.of_time), strict=True)
+    ]
+
+
+def _counts(e: Equations, n_variables: int, n_blocks: int) -> dict[str, int]:
+    return {
         "n_states": e.n_states,
         "n_y": e.n_y,
         "n_p": e.n_p,
-        "n_variables": len(variables),
+        "n_variables": n_variables,
         "n_roots": len(e.relations.roots),
         "n_time_relations": len(e.relations.time_roots),
         "n_relations": len(e.relations.crossings) + len(e.relations.of_time),
@@ -116,27 +131,24 @@ def tables(
         "n_time_events": len(e.relations.event_times),
         "n_actions": len(e.actions),
         "n_initial_unknowns": len(e.initial_unknowns),
-        "n_blocks": len(blocks),
+        "n_blocks": n_blocks,
     }
-    fields = [
-        f".name = {c_string(model.name)}",
-        ".token = MODEL_TOKEN",
-        *(f".{field} = {count}" for field, count in counts.items()),
-        f".actions_follow_states = {_bool(bool(watched_conditions(e)))}",
-        f".actions_read_algebraic = {_bool(_read_algebraic(e, [action.condition for action in e.actions]))}",
-        f".discrete_reads_algebraic = {_bool(_read_algebraic(e, [row.value for row in e.discrete]))}",
-        f".roots_follow_time = {_bool(ex.TIME in followed)}",
-        f".roots_follow_inputs = {_bool(not continuous_inputs.isdisjoint(followed))}",
-        f".initial_event_slot = {initial_event}",
-        f".homotopy_slot = {homotopy}",
-        f".has_tangents = {_bool(tangents is not None)}",
-        f".has_initial_tangents = {_bool(tangents is not None and tangents.cover_initialization)}",
-        *(f".{name} = {name}" for name in writer.defined),
-        *sensitivities,
-    ]
-    return "\n".join(
-        [*writer.parts, "const Model model = {", *(f"    {field}," for field in fields), "};", ""]
-    )
+
+
+def _properties(e: Equations, variables: Sequence[StoredVariable]) -> dict[str, bool]:
+    followed = _followed(e)
+    continuous_inputs = {
+        ex.p(s.index)
+        for s in variables
+        if s.variable.causality == "input" and s.variable.variability == "continuous"
+    }
+    return {
+        "actions_follow_states": bool(watched_conditions(e)),
+        "actions_read_algebraic": _read_algebraic(e, [action.condition for action in e.actions]),
+        "discrete_reads_algebraic": _read_algebraic(e, [row.value for row in e.discrete]),
+        "roots_follow_time": ex.TIME in followed,
+        "roots_follow_inputs": not continuous_inputs.isdisjoint(followed),
+    }
 
 
 def _sensitivities(sensitivities: EventSensitivities | None, writer: _Tables) -> list[str]:
@@ -168,8 +180,7 @@ def _followed(equations: Equations) -> set[Expression]:
 
 def _read_algebraic(equations: Equations, expressions: Sequence[Expression]) -> bool:
     """Return whether any of the expressions reads an algebraic variable."""
-    read = ex.leaves(*expressions)
-    return any(leaf.operator == "y" and leaf.index >= equations.n_states for leaf in read)
+    return max(ex.places("y", *expressions), default=-1) >= equations.n_states
 
 
 class _Tables:
@@ -197,11 +208,11 @@ class _Tables:
         return f"{_STORES[slot[0]]}, {self._names[slot]}"
 
 
-def _variable(stored: StoredVariable, names: Mapping[Slot, str]) -> str:
+def _variable(stored: StoredVariable, writer: _Tables) -> str:
     variable = stored.variable
     index = str(stored.index)
     if stored.store == "y" or stored.store == "p":
-        index = names[stored.store, stored.index]
+        index = writer.slot((stored.store, stored.index))
     fields = [
         c_string(variable.name),
         _TYPES[variable.type],

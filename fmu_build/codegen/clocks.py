@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -45,14 +44,11 @@ def ticks_of_slots(model: LoweredModel) -> dict[Slot, int]:
     The Solve IR lacks this mapping; the DAE's clock ownerships and guarded actions provide it.
     """
     activations = model.solve["clocks"]["activation_parameter_indices"]
-    bindings = model.solve["layout"]["bindings"]
     systems = model.dae["systems"]
     variables = {variable["id"]: variable for variable in model.dae["variables"]}
 
-    def slots(variable: int) -> Iterator[Slot]:
-        for name in variables[variable]["scalar_names"]:
-            ((store, place),) = bindings[name].items()
-            yield ("y" if store == "Y" else "p", place["index"])
+    def slots(variable: int) -> list[Slot]:
+        return [model.slots[name] for name in variables[variable]["scalar_names"]]
 
     owned: dict[Slot, int] = {}
     for ownership in systems["clocks"].get("ownerships", ()):

@@ -37,7 +37,7 @@ def _without_unwritten(equations: Equations, n_named: int) -> Equations:
 def _without_unread(equations: Equations) -> Equations:
     """Drop conditions, pre() values and relations that no expression reads."""
     while True:
-        read = {leaf.index for leaf in ex.leaves(*_expressions(equations)) if leaf.operator == "p"}
+        read = ex.places("p", *_expressions(equations))
         relations = equations.relations
         smaller = replace(
             equations,

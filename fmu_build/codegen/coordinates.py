@@ -7,8 +7,6 @@ with parameters as coefficients, the choice is valid for the whole motion; other
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from fmu_build.codegen import expression as ex
 from fmu_build.codegen.algebraics import Assignment
 from fmu_build.codegen.equations import Equations
@@ -23,7 +21,7 @@ def with_named_states(model: LoweredModel, equations: Equations) -> LoweredModel
 
     Raises `UnsupportedModelError` if the choice of states is not valid for the whole motion.
     """
-    names: list[str] = model.solve["solve_layout"]["solver_maps"]["names"]
+    names = model.y_names
     coordinates = [i for i in range(equations.n_states) if names[i].startswith(_COORDINATE)]
     if not coordinates:
         return model
@@ -39,7 +37,7 @@ def with_named_states(model: LoweredModel, equations: Equations) -> LoweredModel
 
 def _variable_equal_to(state: int, model: LoweredModel, equations: Equations) -> int:
     """Return the place of the first variable of the source that is a copy of a state."""
-    names = model.solve["solve_layout"]["solver_maps"]["names"]
+    names = model.y_names
     declared = {name for entry in model.dae["variables"] for name in entry["scalar_names"]}
     copies = {ex.y(state)}
     for step in equations.algebraics:
@@ -52,38 +50,23 @@ def _variable_equal_to(state: int, model: LoweredModel, equations: Equations) ->
 
 def _renamed(model: LoweredModel, taken: dict[int, int]) -> LoweredModel:
     """Return the model in which the variables in the places `taken` are the states themselves."""
-    layout, solve_layout = model.solve["layout"], model.solve["solve_layout"]
-    names = list(solve_layout["solver_maps"]["names"])
-    bindings = dict(layout["bindings"])
+    names, slots = list(model.y_names), dict(model.slots)
     for index, place in taken.items():
         names[index], names[place] = names[place], names[index]
-        bindings[names[index]], bindings[names[place]] = bindings[names[place]], bindings[names[index]]
-    maps = {**solve_layout["solver_maps"], "names": names}
-    solve = {
-        **model.solve,
-        "layout": {**layout, "bindings": bindings},
-        "solve_layout": {**solve_layout, "solver_maps": maps},
-    }
-    return replace(model, solve=solve)
+        slots[names[index]], slots[names[place]] = slots[names[place]], slots[names[index]]
+    return model.with_slots(slots, names)
 
 
 def _is_linear(model: LoweredModel, equations: Equations) -> bool:
     """Return whether the variables that were states in the source are linear in the coordinates."""
-    bindings = model.solve["layout"]["bindings"]
-    constant = {
-        ex.p(bindings[name]["P"]["index"])
+    roles = {
+        model.slots[name]: entry["role"]
         for entry in model.dae["variables"]
-        if entry["role"] in ("parameter", "constant")
         for name in entry["scalar_names"]
-        if "P" in bindings.get(name, {})
+        if name in model.slots
     }
-    waiting = [
-        bindings[name]["Y"]["index"]
-        for entry in model.dae["variables"]
-        if entry["role"] == "state"
-        for name in entry["scalar_names"]
-        if "Y" in bindings.get(name, {})
-    ]
+    constant = {ex.leaf(slot) for slot, role in roles.items() if role in ("parameter", "constant")}
+    waiting = [place for (store, place), role in roles.items() if store == "y" and role == "state"]
     steps = {unknown: step for step in equations.algebraics for unknown in step.unknowns}
     seen: set[int] = set()
     while waiting:
@@ -94,7 +77,7 @@ def _is_linear(model: LoweredModel, equations: Equations) -> bool:
         for expression in steps[index].expressions:
             if not _is_affine(expression, constant):
                 return False
-            waiting += [leaf.index for leaf in ex.leaves(expression) if leaf.operator == "y"]
+            waiting += ex.places("y", expression)
     return True
 
 
@@ -112,7 +95,7 @@ def _is_affine(expression: Expression, constant: set[Expression]) -> bool:
 
 
 def _reads_y(expression: Expression) -> bool:
-    return any(leaf.operator == "y" for leaf in ex.leaves(expression))
+    return bool(ex.places("y", expression))
 
 
 def _is_constant(expression: Expression, constant: set[Expression]) -> bool:

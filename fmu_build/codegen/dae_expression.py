@@ -95,8 +95,8 @@ def _coordinate(model: LoweredModel, coordinate: dict[str, Any], element: int) -
     if coordinate["kind"] not in ("parameter", "constant"):
         return None
     variable = next(v for v in model.dae["variables"] if v["id"] == coordinate["id"])
-    place = model.solve["layout"]["bindings"].get(variable["scalar_names"][element], {})
-    if "P" in place:
-        return ex.p(place["P"]["index"])
+    slot = model.slots.get(variable["scalar_names"][element])
+    if slot is not None:
+        return ex.leaf(slot) if slot[0] == "p" else None
     binding = variable["attributes"]["binding"]  # of a constant, which is a number in the Solve IR
-    return None if binding is None or place else plain_expression(model, binding, element)
+    return None if binding is None else plain_expression(model, binding, element)

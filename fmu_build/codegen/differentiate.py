@@ -42,6 +42,17 @@ def partial(root: Expression, leaf: Expression, call_tangent: CallTangent | None
     return differentiate(root, {leaf: ONE}, call_tangent)
 
 
+def linear_root(expression: Expression, leaf: Expression) -> Expression | None:
+    """Return the value of a leaf at which an expression is zero; None unless it is linear in the leaf."""
+    try:
+        slope = partial(expression, leaf)
+    except NotDifferentiableError:
+        return None
+    if slope == ZERO or leaf in ex.leaves(slope):
+        return None
+    return binary("Div", negate(ex.substitute(expression, {leaf: ZERO})), slope)
+
+
 def call_of_tangent(call: Expression, tangents: tuple[Expression, ...]) -> Expression:
     """Return the tangent of a call of a Modelica function: a call of the C function that computes it."""
     assert isinstance(call.payload, tuple)

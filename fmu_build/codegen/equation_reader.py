@@ -12,7 +12,7 @@ from fmu_build.codegen.equations import Action, ActionKind, DiscreteKind, Discre
 from fmu_build.codegen.expression import Expression, Slot
 from fmu_build.codegen.guesses import derived_guesses
 from fmu_build.codegen.homotopy import deformable
-from fmu_build.codegen.lowered import LoweredModel
+from fmu_build.codegen.lowered import LoweredModel, slot_of
 from fmu_build.codegen.programs import FunctionNames, ProgramReader
 from fmu_build.codegen.rejections import initial_spans
 from fmu_build.codegen.relations import freeze_comparisons, read_relations
@@ -57,7 +57,7 @@ class _Reader:
         guesses += tuple(derived_guesses(blocks, known, n_states))
         return Equations(
             n_states=n_states,
-            n_y=len(self.layout["solver_maps"]["names"]),
+            n_y=len(self.model.y_names),
             derivatives=tuple(derivatives[i] for i in range(n_states)),
             algebraics=algebraics,
             discrete=self._discrete(n_states),
@@ -103,7 +103,7 @@ class _Reader:
         conditions = self._condition_memories()
         result = []
         for number, target in enumerate(discrete["update_targets"]):
-            slot = _slot(target)
+            slot = slot_of(target)
             if number not in rows:
                 raise self.model.unsupported("a discrete equation without a right-hand side is not supported")
             kind: DiscreteKind = "assign"
@@ -122,16 +122,14 @@ class _Reader:
 
     def _reject_missing_rows(self, slots: set[Slot]) -> None:
         """Reject discrete arrays with equations outside when-clauses: rumoca drops these equations."""
-        bindings = self.solve["layout"]["bindings"]
         for variable in self.model.dae["variables"]:
-            if variable["role"].startswith("discrete"):
-                for scalar in variable["scalar_names"]:
-                    if scalar in bindings and _slot(bindings[scalar]) not in slots:
-                        raise self.model.unsupported(
-                            f"the equation of the discrete array {variable['name']} is not supported; "
-                            "write one for each element",
-                            variable["declaration"]["span"],
-                        )
+            own = {self.model.slots[name] for name in variable["scalar_names"] if name in self.model.slots}
+            if variable["role"].startswith("discrete") and not own <= slots:
+                raise self.model.unsupported(
+                    f"the equation of the discrete array {variable['name']} is not supported; "
+                    "write one for each element",
+                    variable["declaration"]["span"],
+                )
 
     def _guarded_by_tick(self, value: Expression, slot: Slot, tick: int | None) -> Expression:
         """Add the guard of ``when sample(...)``, which rumoca leaves out of the clause's equations."""
@@ -152,7 +150,7 @@ class _Reader:
 
     def _pre(self) -> tuple[tuple[int, Slot], ...]:
         bindings = self.layout["pre_param_bindings"]
-        return tuple((binding["dest_p_index"], _slot(binding["source"])) for binding in bindings)
+        return tuple((binding["dest_p_index"], slot_of(binding["source"])) for binding in bindings)
 
     def _actions(self) -> tuple[Action, ...]:
         events = self.solve["events"]
@@ -183,7 +181,7 @@ class _Reader:
         """Return computed parameters, start values given by parameters, and guesses for `sought` slots."""
         initialization = self.solve["initialization"]
         rows = self._read_rows(initialization["update_rhs"])
-        targets = [_slot(target) for target in initialization["update_targets"]]
+        targets = [slot_of(target) for target in initialization["update_targets"]]
         n_parameters = self.layout["parameter_count"]
         dependent: list[tuple[int, Expression]] = []
         starts: list[tuple[Slot, Expression]] = []
@@ -228,7 +226,7 @@ class _Reader:
         unknowns: list[Slot] = []
         residuals: list[Expression] = []
         for block in initialization["projection_plan"]["blocks"]:
-            unknowns += [_slot(unknown) for unknown in block["unknowns"]]
+            unknowns += [slot_of(unknown) for unknown in block["unknowns"]]
             residuals += [rows[row] for row in block["rows"]]
         if len(unknowns) != len(residuals):
             raise self.model.unsupported(
@@ -239,11 +237,4 @@ class _Reader:
 
 def n_named_slots(model: LoweredModel) -> int:
     """Return the number of leading slots of p, which hold parameters, inputs and discrete variables."""
-    bindings = model.solve["layout"]["bindings"].values()
-    return max((_slot(binding)[1] for binding in bindings if "P" in binding), default=-1) + 1
-
-
-def _slot(target: Mapping[str, Any]) -> Slot:
-    if "Y" in target:
-        return ("y", int(target["Y"]["index"]))
-    return ("p", int(target["P"]["index"]))
+    return max((place for store, place in model.slots.values() if store == "p"), default=-1) + 1

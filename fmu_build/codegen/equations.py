@@ -84,11 +84,7 @@ class Equations:
 
 def watched_conditions(equations: Equations) -> list[Expression]:
     """Return the conditions of actions that can become true without an event: those that read y or time."""
-    return [
-        action.condition
-        for action in equations.actions
-        if any(leaf.operator in ("y", "time") for leaf in ex.leaves(action.condition))
-    ]
+    return [action.condition for action in equations.actions if ex.varies(action.condition)]
 
 
 def written_slots(equations: Equations) -> set[int]:

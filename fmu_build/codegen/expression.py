@@ -241,6 +241,16 @@ def leaves(*roots: Expression) -> set[Expression]:
     return {node for node in walk(*roots) if node.operator in ("y", "p", "time")}
 
 
+def places(store: Literal["y", "p"], *roots: Expression) -> set[int]:
+    """Return the places in a store that the expressions read."""
+    return {leaf.index for leaf in leaves(*roots) if leaf.operator == store}
+
+
+def varies(root: Expression) -> bool:
+    """Return whether a value can change between events: it reads y or the time."""
+    return any(leaf.operator in ("y", "time") for leaf in leaves(root))
+
+
 def substitute(root: Expression, replacements: Mapping[Expression, Expression]) -> Expression:
     """Return the expression with nodes replaced; the replacements themselves are not searched."""
     done: dict[Expression, Expression] = dict(replacements)

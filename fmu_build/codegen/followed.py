@@ -66,12 +66,12 @@ def _is_open(trials: Trials, one: Candidate) -> bool:
 def _named(model: LoweredModel, anew: LoweredModel, settings: Mapping[str, str]) -> LoweredModel:
     """Exchange the names of the settings and of the parameters that they set."""
     entries = {entry["name"]: entry for entry in anew.dae["variables"]}
-    bindings = dict(anew.solve["layout"]["bindings"])
+    slots = dict(anew.slots)
     exchanged: dict[str, dict[str, Any]] = {}
     for name, setting in settings.items():
         own, given = entries[name], entries[setting]
         for one, other in zip(own["scalar_names"], given["scalar_names"], strict=True):
-            bindings[one], bindings[other] = bindings[other], bindings[one]
+            slots[one], slots[other] = slots[other], slots[one]
         values = {key: given["attributes"][key] for key in ("binding", "binding_values")}
         exchanged[name] = {**own, "id": given["id"], "attributes": {**own["attributes"], **values}}
         hidden = {**given["attributes"], "origin": "generated"}
@@ -80,6 +80,6 @@ def _named(model: LoweredModel, anew: LoweredModel, settings: Mapping[str, str])
     return replace(
         model,
         flat={**anew.flat, "model_description": model.flat.get("model_description")},
-        solve={**anew.solve, "layout": {**anew.solve["layout"], "bindings": bindings}},
+        solve=anew.with_slots(slots, anew.y_names).solve,
         dae={**anew.dae, "variables": variables},
     )

@@ -46,7 +46,7 @@ def _determined(
     """Yield unknowns that an equation of the block determines from other unknowns, all of them known."""
     unknowns = {("y", unknown) for unknown in block.unknowns}
     for residual in block.residuals:
-        read: set[Slot] = {("y", leaf.index) for leaf in ex.leaves(residual) if leaf.operator == "y"}
+        read: set[Slot] = {("y", place) for place in ex.places("y", residual)}
         missing = read - readable
         if len(missing) == 1 and missing <= {("y", one) for one in waiting} and read & unknowns & readable:
             ((_, unknown),) = missing

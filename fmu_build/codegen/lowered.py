@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import json
 import re
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -12,6 +13,7 @@ from typing import Any
 import rumoca
 
 from fmu_build.codegen.compiled import CompiledModel
+from fmu_build.codegen.expression import Slot
 from fmu_build.codegen.not_lowered import not_lowered
 from fmu_build.modelica_source.reached import IN_MEMORY
 from fmu_build.modelica_source.text import STRING
@@ -45,17 +47,42 @@ class LoweredModel(CompiledModel):
     dae: dict[str, Any]
 
     @cached_property
+    def slots(self) -> dict[str, Slot]:
+        """The slots of the scalar variables by name; those that the compiler has removed have none."""
+        return {name: slot_of(place) for name, place in self.solve["layout"]["bindings"].items()}
+
+    @property
+    def y_names(self) -> list[str]:
+        """The names of the variables in y, in their order."""
+        names: list[str] = self.solve["solve_layout"]["solver_maps"]["names"]
+        return names
+
+    def with_slots(self, slots: Mapping[str, Slot], y_names: Sequence[str]) -> LoweredModel:
+        """Return the model with its variables in these slots, those in y under these names."""
+        layout, solve_layout = self.solve["layout"], self.solve["solve_layout"]
+        bindings = {name: {store.upper(): {"index": place}} for name, (store, place) in slots.items()}
+        maps = {**solve_layout["solver_maps"], "names": [*y_names]}
+        solve = {
+            **self.solve,
+            "layout": {**layout, "bindings": bindings},
+            "solve_layout": {**solve_layout, "solver_maps": maps},
+        }
+        return replace(self, solve=solve)
+
+    @cached_property
     def computed_parameters(self) -> frozenset[str]:
         """The names of the parameters that the model computes from others at initialization."""
-        bindings = self.solve["layout"]["bindings"]
-        slots = {t["P"]["index"] for t in self.solve["initialization"]["update_targets"] if "P" in t}
+        computed = {slot_of(t) for t in self.solve["initialization"]["update_targets"] if "P" in t}
         return frozenset(
             variable["name"]
             for variable in self.dae["variables"]
-            if all(
-                bindings.get(one, {}).get("P", {}).get("index") in slots for one in variable["scalar_names"]
-            )
+            if all(self.slots.get(one) in computed for one in variable["scalar_names"])
         )
+
+
+def slot_of(place: Mapping[str, Any]) -> Slot:
+    """Return the slot that the Solve IR writes as ``{"Y": {"index": 0}}``."""
+    return ("y", int(place["Y"]["index"])) if "Y" in place else ("p", int(place["P"]["index"]))
 
 
 def lower(model: rumoca.Model) -> LoweredModel:

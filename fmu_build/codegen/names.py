@@ -28,13 +28,13 @@ def slot_names(model: LoweredModel, equations: Equations, parts: Mapping[Express
 
 
 def _variables(model: LoweredModel) -> Iterator[tuple[Slot, str]]:
-    for index, text in enumerate(model.solve["solve_layout"]["solver_maps"]["names"]):
+    for index, text in enumerate(model.y_names):
         yield ("y", index), text
     for variable in model.dae["variables"]:
         for scalar in variable["scalar_names"]:
-            binding = model.solve["layout"]["bindings"].get(scalar, {})
-            if "P" in binding:
-                yield ("p", binding["P"]["index"]), scalar
+            slot = model.slots.get(scalar)
+            if slot is not None and slot[0] == "p":
+                yield slot, scalar
 
 
 def _memories(equations: Equations) -> Iterator[tuple[Slot, str]]:
@@ -90,7 +90,5 @@ def modelica_texts(model: LoweredModel, equations: Equations) -> Writer:
     """Return a writer that uses the Modelica names of variables; memories are numbered."""
     names: dict[Expression, str] = {ex.TIME: "time"}
     names |= {ex.p(index): f"memory[{index}]" for index in range(equations.n_p)}
-    for text, binding in model.solve["layout"]["bindings"].items():
-        ((store, place),) = binding.items()
-        names[ex.y(place["index"]) if store == "Y" else ex.p(place["index"])] = text
+    names |= {ex.leaf(slot): text for text, slot in model.slots.items()}
     return _ModelicaWriter(names)

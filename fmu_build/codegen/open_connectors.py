@@ -62,12 +62,12 @@ def without_open_connectors(model: LoweredModel, equations: Equations) -> tuple[
 
 def _connectors(model: LoweredModel) -> dict[str, list[_Member]]:
     """Return the variables of each connector that has a flow."""
-    bindings = model.solve["layout"]["bindings"]
     found: dict[str, list[_Member]] = defaultdict(list)
     for name, variable in model.flat["variables"].items():
         connector, _, _ = name.rpartition(".")
-        if "Y" in bindings.get(name, {}):
-            found[connector].append(_Member(name, ex.y(bindings[name]["Y"]["index"]), variable["flow"]))
+        slot = model.slots.get(name)
+        if slot is not None and slot[0] == "y":
+            found[connector].append(_Member(name, ex.leaf(slot), variable["flow"]))
     return {name: members for name, members in found.items() if any(m.is_flow for m in members)}
 
 

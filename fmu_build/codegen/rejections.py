@@ -7,7 +7,7 @@ from typing import Any
 
 from fmu_build.codegen.compiled import Span
 from fmu_build.codegen.lost_modifiers import reject_lost_modifiers
-from fmu_build.codegen.lowered import LoweredModel
+from fmu_build.codegen.lowered import LoweredModel, slot_of
 from fmu_build.codegen.mistaken_names import reject_mistaken_names
 
 
@@ -61,15 +61,14 @@ def _reject_undetermined_parameters(model: LoweredModel) -> None:
     initialization = model.solve["initialization"]
     blocks = initialization["projection_plan"]["blocks"]
     slots = [*initialization["update_targets"], *(slot for block in blocks for slot in block["unknowns"])]
-    determined = {slot["P"]["index"] for slot in slots if "P" in slot}
-    bindings = model.solve["layout"]["bindings"]
+    determined = set(map(slot_of, slots))
     for entry in model.dae["variables"]:
         attributes = entry["attributes"]
         if attributes["fixed"] is not False or attributes["binding"] is not None:
             continue
         for name in entry["scalar_names"]:
-            slot = bindings.get(name, {})
-            if entry["role"] == "parameter" and "P" in slot and slot["P"]["index"] not in determined:
+            slot = model.slots.get(name)
+            if entry["role"] == "parameter" and slot is not None and slot not in determined:
                 raise model.unsupported(
                     f"the parameter {name} has fixed = false, and no initial equation determines it",
                     entry["declaration"]["span"],

@@ -14,7 +14,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 from fmu_build.codegen import expression as ex
-from fmu_build.codegen.differentiate import NotDifferentiableError, partial
+from fmu_build.codegen.differentiate import linear_root
 from fmu_build.codegen.expression import TIME, ZERO, Expression, binary, negate
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.no_event import literal_comparisons
@@ -154,13 +154,7 @@ def _event_time(root: Expression) -> Expression | None:
     read = ex.leaves(root)
     if TIME not in read or any(leaf.operator == "y" for leaf in read):
         return None
-    try:
-        slope = partial(root, TIME)
-    except NotDifferentiableError:
-        return None
-    if slope == ZERO or TIME in ex.leaves(slope):
-        return None
-    return binary("Div", negate(ex.substitute(root, {TIME: ZERO})), slope)
+    return linear_root(root, TIME)
 
 
 def read_relations(
@@ -191,7 +185,7 @@ def _is_step_crossing(root: Expression) -> bool:
 
 
 def _holds_at_zero(model: LoweredModel, root: Expression, domain: str) -> bool:
-    if domain == "Previous" and not any(leaf.operator in ("y", "time") for leaf in ex.leaves(root)):
+    if domain == "Previous" and not ex.varies(root):
         return False  # an equality of discrete values, written as a root of -1 or 1
     if domain not in ("NonPositive", "Positive"):
         raise model.unsupported(f"a relation of zero domain {domain} is not supported")
@@ -204,15 +198,10 @@ def freeze_comparisons(
     """Return the substitutions that make expressions read memories instead of comparing directly."""
     replacements: dict[Expression, Expression] = {}
     for node in ex.walk(*roots):
-        if node.operator in ("Floor", "Ceil", "Trunc") and _varies(node):
+        if node.operator in ("Floor", "Ceil", "Trunc") and ex.varies(node):
             replacements[node] = relations.freeze_step(node)
         if node.operator in ("Lt", "Le", "Gt", "Ge"):
             memory = relations.freeze(node, unwatched)
             if memory is not None:
                 replacements[node] = memory
     return replacements
-
-
-def _varies(node: Expression) -> bool:
-    """Return whether a value can change between events."""
-    return any(leaf.operator in ("y", "time") for leaf in ex.leaves(node))

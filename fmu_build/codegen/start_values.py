@@ -44,14 +44,11 @@ class StartValues:
         return None
 
     def _read(self) -> dict[Slot, float]:
-        bindings = self._model.solve["layout"]["bindings"]
         values: dict[Slot, float] = {}
         for variable in self._model.dae["variables"]:
             for number, name in enumerate(variable["scalar_names"]):
-                if name in bindings:
-                    ((store, place),) = bindings[name].items()
-                    slot: Slot = ("y" if store == "Y" else "p", place["index"])
-                    values[slot] = self._start(variable, number)
+                if name in self._model.slots:
+                    values[self._model.slots[name]] = self._start(variable, number)
         return values
 
     def _start(self, variable: dict[str, Any], number: int) -> float:
@@ -96,7 +93,6 @@ def starts_from_parameters(
     They belong to discrete variables, to states that are not fixed, and to the unknowns of algebraic loops
     and initial equations, whose slots are `sought`.
     """
-    bindings = model.solve["layout"]["bindings"]
     expressions = model.dae["expressions"]
     found: list[tuple[Slot, Expression]] = []
     for variable in model.dae["variables"]:
@@ -105,10 +101,9 @@ def starts_from_parameters(
             continue
         is_array = bool(expressions[start]["value_type"]["dimensions"])
         for element, name in enumerate(variable["scalar_names"]):
-            if name not in bindings:
+            slot = model.slots.get(name)
+            if slot is None:
                 continue  # removed by the compiler
-            ((store, place),) = bindings[name].items()
-            slot: Slot = ("y" if store == "Y" else "p", place["index"])
             is_state = slot[0] == "y" and slot[1] < n_states
             acts = is_state or slot in sought or variable["role"].startswith("discrete")
             if slot in without or not acts:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 
 from fmu_build.codegen.equations import Equations
-from fmu_build.codegen.expression import leaves
+from fmu_build.codegen.expression import places
 from fmu_build.codegen.lowered import LoweredModel
 
 #: In rising order of precedence, as rumoca spells them.
@@ -27,7 +27,7 @@ def reject_other_states(model: LoweredModel, equations: Equations) -> None:
     reinitialized = {row.slot[1] for row in equations.discrete if row.kind == "reinit"}
     if not reinitialized:
         return
-    names = model.solve["solve_layout"]["solver_maps"]["names"]
+    names = model.y_names
     ranks = {index: _SELECTIONS.index(select) for index, select in _selections(model)}
     reached = _states_behind(equations)
     for place, rank in ranks.items():
@@ -45,12 +45,12 @@ def reject_other_states(model: LoweredModel, equations: Equations) -> None:
 
 def _selections(model: LoweredModel) -> Iterator[tuple[int, str]]:
     """Yield the place in y of each continuous Real variable, and its stateSelect."""
-    bindings = model.solve["layout"]["bindings"]
     for entry in model.dae["variables"]:
         if entry["role"] in ("state", "algebraic", "output"):
             for name in entry["scalar_names"]:
-                if "Y" in bindings.get(name, {}):
-                    yield bindings[name]["Y"]["index"], entry["attributes"]["state_select"]
+                slot = model.slots.get(name)
+                if slot is not None and slot[0] == "y":
+                    yield slot[1], entry["attributes"]["state_select"]
 
 
 def _states_behind(equations: Equations) -> Mapping[int, frozenset[int]]:
@@ -62,7 +62,6 @@ def _states_behind(equations: Equations) -> Mapping[int, frozenset[int]]:
         return frozenset().union(*(behind.get(i, frozenset((i,)) & states) for i in indices))
 
     for step in equations.algebraics:
-        read = {leaf.index for value in step.expressions for leaf in leaves(value) if leaf.operator == "y"}
-        found = of(read - set(step.unknowns))
+        found = of(places("y", *step.expressions) - set(step.unknowns))
         behind.update(dict.fromkeys(step.unknowns, found))
     return behind

@@ -11,13 +11,12 @@ _LINEAR, _CONSTANT = 1, 3
 
 def reject_unsupported_tables(model: LoweredModel, starts: StartValues) -> None:
     """Raise `UnsupportedModelError` for a table that is smooth in two inputs, or whose file was not read."""
-    bindings = model.solve["layout"]["bindings"]
-    variables = {entry["name"]: entry for entry in model.dae["variables"] if entry["name"] in bindings}
+    variables = {entry["name"]: entry for entry in model.dae["variables"] if entry["name"] in model.slots}
     for name, entry in variables.items():
         block, _, parameter = name.rpartition(".")
         if f"{block}.smoothness" not in variables or parameter not in ("smoothness", "tableOnFile"):
             continue
-        value = starts.of(("p", bindings[name]["P"]["index"]))
+        value = starts.of(model.slots[name])
         span = entry["declaration"]["span"]
         if parameter == "smoothness":
             if f"{block}.leastStep2" in variables and value not in (_LINEAR, _CONSTANT):

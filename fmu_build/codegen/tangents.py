@@ -189,7 +189,7 @@ def _acts_at_start(equations: Equations, seeds: Seeds) -> bool:
     starters = {clock.activation for clock in equations.clocks}
     if equations.initial_event is not None:
         starters.add(equations.initial_event)
-    read = {e.index for row in equations.discrete for e in ex.leaves(row.value) if e.operator == "p"}
+    read = ex.places("p", *(row.value for row in equations.discrete))
     if starters.isdisjoint(read):
         return False
     return any(

@@ -187,8 +187,7 @@ def _candidates(
 
 
 def _scalars(model: LoweredModel, entries: Sequence[Mapping[str, Any]]) -> list[str]:
-    bindings = model.solve["layout"]["bindings"]
-    return [scalar for entry in entries for scalar in entry["scalar_names"] if scalar in bindings]
+    return [scalar for entry in entries for scalar in entry["scalar_names"] if scalar in model.slots]
 
 
 def _dimensions(entries: Sequence[Mapping[str, Any]]) -> tuple[int, ...]:
@@ -215,8 +214,7 @@ def _candidate(
     probe: Callable[[float], list[float]],
 ) -> Candidate | None:
     """Return the candidate for a parameter, in all components of an array if they form one."""
-    bindings = model.solve["layout"]["bindings"]
-    values = [starts.of(("p", bindings[scalar]["P"]["index"])) for scalar in _scalars(model, entries)]
+    values = [starts.of(model.slots[scalar]) for scalar in _scalars(model, entries)]
     texts = [_texts(model, starts, entries[0], value, probe(value)) for value in values]
     if not texts or None in texts:
         return None

@@ -61,7 +61,6 @@ class VariableReader:
         self._model = model
         self._equations = equations
         self._starts = starts
-        self._bindings = model.solve["layout"]["bindings"]
         self._computed = {index for index, _ in equations.dependent_parameters}
         self._started = {slot for slot, _ in equations.start_values} | set(equations.initial_unknowns)
         self._tunable = self._parameters_in_use()
@@ -76,12 +75,10 @@ class VariableReader:
 
     def _parameters_in_use(self) -> frozenset[int]:
         """Return the indices of parameters that act after initialization, directly or through others."""
-        used = {
-            leaf.index for leaf in ex.leaves(*acting_expressions(self._equations)) if leaf.operator == "p"
-        }
+        used = ex.places("p", *acting_expressions(self._equations))
         for index, value in reversed(self._equations.dependent_parameters):
             if index in used:
-                used |= {leaf.index for leaf in ex.leaves(value) if leaf.operator == "p"}
+                used |= ex.places("p", value)
         return frozenset(used)
 
     def read(self) -> tuple[StoredVariable, ...]:
@@ -112,11 +109,9 @@ class VariableReader:
                 entry["declaration"]["span"],
             )
         for number, name in enumerate(entry["scalar_names"]):
-            binding = self._bindings.get(name)
-            if binding is None:
+            slot = self._model.slots.get(name)
+            if slot is None:
                 continue  # removed by the compiler, such as an array of size zero
-            ((store, place),) = binding.items()
-            slot: ex.Slot = (store.lower(), place["index"])
             variable = self._variable(entry, name, number, slot)
             yield StoredVariable(variable, *self._place(slot))
 
@@ -209,7 +204,7 @@ class VariableReader:
     def _derivatives(self, stored: list[StoredVariable]) -> Iterator[StoredVariable]:
         """Yield der(state) for every state: FMI's ModelStructure needs a variable for each."""
         references = {s.index: n for n, s in enumerate(stored) if s.store == "y"}
-        names = self._model.solve["solve_layout"]["solver_maps"]["names"]
+        names = self._model.y_names
         for index in range(self._equations.n_states):
             if index not in references:
                 raise self._model.unsupported(f"the state {names[index]} is not a variable of the model")
@@ -233,10 +228,10 @@ def nominals(model: LoweredModel) -> dict[int, float]:
     found = {}
     for entry in model.dae["variables"]:
         for number, name in enumerate(entry["scalar_names"]):
-            place = model.solve["layout"]["bindings"].get(name, {}).get("Y")
+            slot = model.slots.get(name)
             nominal = _element(entry["attributes"]["nominal_values"], number)
-            if place is not None and nominal:
-                found[place["index"]] = abs(nominal)
+            if slot is not None and slot[0] == "y" and nominal:
+                found[slot[1]] = abs(nominal)
     return found
 
 

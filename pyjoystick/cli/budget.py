@@ -10,7 +10,7 @@ import typer
 from pyjoystick import fmu, identification, laboratory, model, motion
 from pyjoystick.cli import options, parsing
 from pyjoystick.cli.console import output, print_error, print_warning, progress_console, write, write_json
-from pyjoystick.cli.fit import DOUBTFUL, failed_checks
+from pyjoystick.cli.fit import DOUBTFUL
 from pyjoystick.cli.fmus import found_or_built
 from pyjoystick.cli.parameter_updates import write_update
 from pyjoystick.cli.plausibility import require_uncertainties
@@ -91,7 +91,8 @@ def run(
     for name, value, whole in zip(names, rounded, wholes, strict=True):
         output().print(f"{name} = {value:.9g}, standard uncertainty {whole:.2g} (SI units)")
     if not found.trusted:
-        print_error(f"do not trust the fit: it failed {failed_checks(found)}; pyjoystick fit shows why")
+        failed = ", ".join(found.failed)
+        print_error(f"do not trust the fit: it failed {failed}; pyjoystick fit shows why")
         raise typer.Exit(DOUBTFUL)
     if update:
         changes = dict(zip(names, rounded, strict=True))

@@ -14,7 +14,7 @@ from pyjoystick import fmu, model, runs, support
 from pyjoystick.cli import joystick_choice, options, parsing
 from pyjoystick.cli.comparison_tables import print_comparison, print_differences, solver_text
 from pyjoystick.cli.console import output, progress_console, write_json
-from pyjoystick.cli.fmus import found_or_built, law_of, opened
+from pyjoystick.cli.fmus import found_or_built, opened
 from pyjoystick.cli.plausibility import require_plausible
 from pyjoystick.support import check_outputs
 
@@ -290,7 +290,7 @@ def _joystick(between: _BetweenFmus, description: fmu.FmuDescription) -> Mapping
     """The values of the parameter file, with the damping law of the FMU."""
     if between.parameters is None:
         return {}
-    joystick = joystick_choice.parameter_file(between.parameters).with_law(law_of(description))
+    joystick = joystick_choice.parameter_file(between.parameters).with_law(runs.law_of_fmu(description))
     return model.values_for(joystick, description.variables)
 
 

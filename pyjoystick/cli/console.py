@@ -7,13 +7,17 @@ import os
 import sys
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from rich.console import Console
 from rich.markup import escape
 
 from pyjoystick import model, support
 from pyjoystick.cli.invocation import invocation
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+    from rich.progress import Progress, ProgressColumn
 
 #: Width of tables that are not shown on a terminal: more than any of them takes.
 _UNBOUNDED: Final = 10_000
@@ -42,6 +46,14 @@ def progress_console() -> Console:
     With --verbose nothing either: the lines of the log would tear it apart.
     """
     return _messages(quiet=invocation.quiet or invocation.verbose)
+
+
+def progress_bar(*columns: str | ProgressColumn) -> Progress:
+    """A bar on standard error, gone at its end; nothing is drawn unless that is a terminal."""
+    from rich.progress import Progress  # the lists of commands need no bars
+
+    console = progress_console()
+    return Progress(*columns, console=console, transient=True, disable=not console.is_terminal)
 
 
 def print_error(message: str) -> None:
@@ -93,6 +105,11 @@ def write(path: Path | None, writer: Callable[[Path], object], remark: str = "")
     if path is not None:
         writer(path)
         print_progress(f"wrote {path}{remark}")
+
+
+def write_plot(path: Path | None, draw: Callable[[], Figure]) -> None:
+    """Draw a figure and write it if its file was given, and report it."""
+    write(path, lambda file: support.save_figure(draw(), file))
 
 
 def write_json(path: Path | None, text: Callable[[Sequence[str]], str]) -> None:

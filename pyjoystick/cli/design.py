@@ -10,11 +10,10 @@ from typing import Annotated, Final
 
 import numpy as np
 import typer
-from rich.progress import Progress
 
 from pyjoystick import fmu, identification, model, runs, support
 from pyjoystick.cli import joystick_choice, options, parsing
-from pyjoystick.cli.console import output, print_note, progress_console, write, write_json
+from pyjoystick.cli.console import output, print_note, progress_bar, progress_console, write_json, write_plot
 from pyjoystick.cli.fit import settings_of
 from pyjoystick.cli.fmus import found_or_built
 from pyjoystick.support import check_outputs
@@ -112,7 +111,7 @@ def run(
     if trial is not None:
         output().print(identification.trial_sentence(trial), markup=False)
     write_json(json, lambda notes: identification.design_json(rows, trial, notes))
-    write(plot, lambda path: support.save_figure(identification.plot_design(best), path))
+    write_plot(plot, lambda: identification.plot_design(best))
 
 
 def _settings(
@@ -208,8 +207,7 @@ def _tried(
 ) -> identification.Trial | None:
     if sets is None:
         return None
-    console = progress_console()
-    with Progress(console=console, transient=True, disable=not console.is_terminal) as bar:
+    with progress_bar() as bar:
         task = bar.add_task("fitting synthetic records", total=sets)
         return identification.try_design(
             best, planned, sets=sets, on_progress=lambda done, _: bar.update(task, completed=done)

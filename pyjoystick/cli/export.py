@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from enum import StrEnum
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 import typer
 
@@ -24,13 +23,6 @@ Examples:
 """
 
 
-class Version(StrEnum):
-    """A version of the FMI standard."""
-
-    V2 = "2"
-    V3 = "3"
-
-
 def run(
     folder: Annotated[
         Path,
@@ -47,7 +39,7 @@ def run(
             show_default=False,
         ),
     ] = None,
-    fmi: Annotated[Version, typer.Option("--fmi", help="Version of the FMI standard.")] = Version.V2,
+    fmi: Annotated[Literal["2", "3"], typer.Option("--fmi", help="Version of the FMI standard.")] = "2",
     platforms: Annotated[
         list[str] | None,
         typer.Option(
@@ -107,7 +99,7 @@ def run(
                 folder,
                 name=own,
                 law=law,
-                fmi_version="3.0" if fmi is Version.V3 else "2.0",
+                fmi_version="3.0" if fmi == "3" else "2.0",
                 platforms=platforms or (),
                 fit=fit,
                 on_stage=status.update,

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Annotated, Final
 
 import typer
-from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+from rich.progress import BarColumn, TextColumn, TimeElapsedColumn
 
 from pyjoystick import fmu, identification, model, motion, runs
 from pyjoystick.cli import joystick_choice, options, parsing
@@ -19,13 +19,13 @@ from pyjoystick.cli.console import (
     print_progress,
     print_warning,
     print_warnings,
-    progress_console,
+    progress_bar,
     write_json,
 )
-from pyjoystick.cli.fmus import found_or_built, law_of
-from pyjoystick.cli.invocation import invocation
+from pyjoystick.cli.fmus import found_or_built
+from pyjoystick.cli.invocation import INTERRUPTED, invocation
 from pyjoystick.cli.parameter_updates import file_to_update, write_update
-from pyjoystick.support import check_outputs, write_text
+from pyjoystick.support import check_outputs
 
 EXAMPLES: Final = """
 Examples:
@@ -46,9 +46,8 @@ Settings that fit J and C to releases, each with an angle and a time of its own:
     free.theta_start = { per_record = true }
     free.release_time = { per_record = true }
 """
-#: Exit code of a fit that failed a check, and after Ctrl-C.
+#: Exit code of a fit that failed a check.
 DOUBTFUL: Final = 3
-INTERRUPTED: Final = 130
 
 
 def run(
@@ -130,14 +129,18 @@ def run(
             settings, {"--both-sides": both_sides or None, "--column": columns, "--unit": units}
         )
     with fmu.Fmu(found_or_built(settings.fmu)) as opened:
-        joystick = given.with_law(law_of(opened.description)) if parameters is not None else None
+        joystick = given.with_law(runs.law_of_fmu(opened.description)) if parameters is not None else None
         if joystick is not None:
             values = joystick.to_names()
             settings = identification.with_values(settings, values, replace_starts=settings_file is None)
             settings = identification.with_known(settings, *_known(given, joystick, known or ()))
         if update:
             identification.require_joystick_in(settings)
-        records = _records(paths, settings, opened.description, headings, both_sides=both_sides)
+        records = identification.read_records(
+            paths, settings, opened.description, **headings, both_sides=both_sides
+        )
+        for record in records:
+            print_warnings(record.name, record.notes if isinstance(record, motion.Record) else ())
         try:
             with _progress() as tell:
                 found = identification.fit(records, settings, fmu=opened, on_progress=tell)
@@ -148,7 +151,7 @@ def run(
     _show(found, folder, names)
     write_json(json, lambda notes: identification.as_json(found, notes))
     if update and parameters is not None and joystick is not None:
-        doubts = "it was stopped" if found.interrupted else failed_checks(found)
+        doubts = "it was stopped" if found.interrupted else ", ".join(found.failed)
         if doubts and not even_if_doubtful:
             print_warning(f"{parameters} is unchanged; --even-if-doubtful saves the result anyway")
         else:
@@ -175,11 +178,6 @@ def _known(
             allowed = f"one that {file.path} gives with an uncertainty: {', '.join(stated) or 'none'}"
             raise typer.BadParameter(f"{name} must be {allowed}", param_hint="--known")
     return {name: values[name] for name in names}, {name: errors[name] or 0.0 for name in names}
-
-
-def failed_checks(found: identification.Fit) -> str:
-    """The names of the checks that a fit failed; empty if it passed all of them."""
-    return ", ".join(check.name for check in found.checks if not check.passed)
 
 
 def _check_choice(file: Path | None, law: model.LawName | None, *, is_driven: bool, friction: bool) -> None:
@@ -220,38 +218,17 @@ def _refuse_for_tables(settings: identification.FitSettings, given: Mapping[str,
     parsing.refuse_given(f"is for releases; these records are tables of {names}", given)
 
 
-def _records(
-    paths: Sequence[Path],
-    settings: identification.FitSettings,
-    description: fmu.FmuDescription,
-    headings: Mapping[str, Mapping[str, str]],
-    *,
-    both_sides: bool,
-) -> Sequence[motion.Record | identification.Measurement]:
-    if not identification.reads_releases(settings):
-        names = (*settings.outputs, *settings.inputs)
-        return [identification.read_table_record(path, names, description) for path in paths]
-    columns, units = headings["columns"], headings["units"]
-    counted = settings.comparison == "peaks"
-    records = motion.read_repeats(paths, columns=columns, units=units, both_sides=both_sides, counted=counted)
-    for record in records:
-        print_warnings(record.name, record.notes)
-    return records
-
-
 def _show(found: identification.Fit, folder: Path | None, names: str) -> None:
     # Plain text: labels such as [run 1] are not markup.
     output().print(identification.summary(found), markup=False)
     if folder is not None:
-        write_text(folder / "fit.md", identification.report(found, f"Fit to {names}"))
-        write_text(folder / "fit.json", identification.as_json(found, invocation.notes))
-        figures = identification.save_figures(found, folder)
-        print_progress(f"wrote fit.md, fit.json, {', '.join(path.name for path in figures)} into {folder}")
+        files = identification.save_fit(found, folder, f"Fit to {names}", invocation.notes)
+        print_progress(f"wrote {', '.join(path.name for path in files)} into {folder}")
         profiles = folder / identification.PROFILES
         if not found.profiles and profiles.exists():
             print_warning(f"{profiles} belongs to an earlier fit: this one has no profiles")
     if not found.trusted:
-        print_error(f"do not trust this fit: it failed {failed_checks(found)} (see above)")
+        print_error(f"do not trust this fit: it failed {', '.join(found.failed)} (see above)")
 
 
 def _update(
@@ -273,9 +250,7 @@ def _update(
 @contextmanager
 def _progress() -> Iterator[identification.OnProgress]:
     """A bar for each stage, which pulses where it has only one part; drawn on a terminal only."""
-    console = progress_console()
-    columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
-    with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:
+    with progress_bar(TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn()) as bar:
         task = bar.add_task("searching", total=None)
 
         def tell(stage: str, done: int, total: int) -> None:

@@ -47,13 +47,8 @@ def opened(
     else:
         with fmu.Fmu(found_or_built(name)) as one:
             own = None if parameters is not None else runs.joystick_of_fmu(one.description)
-            joystick = joystick_of(law_of(one.description), changes, file, own)
+            joystick = joystick_of(runs.law_of_fmu(one.description), changes, file, own)
             yield one, joystick
-
-
-def law_of(description: fmu.FmuDescription) -> model.LawName:
-    """The damping law of an FMU's parameters."""
-    return "power-law" if "damping.alpha" in description.variables else "constant"
 
 
 def found_or_built(name: str) -> Path:

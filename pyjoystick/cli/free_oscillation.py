@@ -11,7 +11,7 @@ from rich.table import Table
 
 from pyjoystick import forced_motion, model, motion, runs, support
 from pyjoystick.cli import options, parsing
-from pyjoystick.cli.console import note_stops, output, progress_console, write, write_json
+from pyjoystick.cli.console import note_stops, output, progress_console, write, write_json, write_plot
 from pyjoystick.cli.fmus import opened
 
 if TYPE_CHECKING:
@@ -97,7 +97,7 @@ def run(
         ),
     )
     title = f"Free oscillation from {degrees:.6g} deg"
-    write(plot, lambda path: support.save_figure(support.plot_motion({name: table}, title=title), path))
+    write_plot(plot, lambda: support.plot_motion({name: table}, title=title))
 
 
 def _print_peaks(run: pd.DataFrame, title: str) -> None:

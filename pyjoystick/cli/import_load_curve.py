@@ -7,9 +7,9 @@ from typing import Annotated, Final
 
 import typer
 
-from pyjoystick import laboratory, model, support
+from pyjoystick import laboratory, model
 from pyjoystick.cli import options, parsing, table_options
-from pyjoystick.cli.console import output, print_warning, print_warnings, write, write_json
+from pyjoystick.cli.console import output, print_warning, print_warnings, write_json, write_plot
 from pyjoystick.cli.parameter_updates import file_to_update, write_measured
 from pyjoystick.cli.plausibility import require_plausible
 from pyjoystick.support import check_outputs
@@ -86,7 +86,7 @@ def run(
     print_warnings(file, fit.notes)
     output().print(laboratory.load_curve_report(fit), markup=False)
     title = f"Load-deflection curve, {file.name}"
-    write(plot, lambda path: support.save_figure(laboratory.plot_load_curve(fit, title=title), path))
+    write_plot(plot, lambda: laboratory.plot_load_curve(fit, title=title))
     if parameters is not None and side is not None:
         found = laboratory.measured_springs(fit, side, f"load-deflection curve {file.name}")
         if friction:

@@ -11,7 +11,7 @@ import typer
 
 from pyjoystick import laboratory, motion, support
 from pyjoystick.cli import options, parsing, table_options
-from pyjoystick.cli.console import output, print_warnings, write, write_json
+from pyjoystick.cli.console import output, print_warnings, write, write_json, write_plot
 from pyjoystick.support import ParameterError
 
 EXAMPLES: Final = """
@@ -97,7 +97,7 @@ def run(
     )
     print_warnings(file, log.notes)
     output().print(laboratory.log_report(log), markup=False)
-    write(preview, lambda path: support.save_figure(laboratory.plot_log(log), path))
+    write_plot(preview, lambda: laboratory.plot_log(log))
     write(record_file, lambda path: laboratory.write_log(log, path))
     write_json(json, lambda notes: laboratory.log_json(log, notes))
 

@@ -4,6 +4,10 @@ from __future__ import annotations
 
 import dataclasses
 from dataclasses import dataclass, field
+from typing import Final
+
+#: Exit code after Ctrl-C, as in shells.
+INTERRUPTED: Final = 130
 
 
 @dataclass

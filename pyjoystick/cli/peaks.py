@@ -5,11 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Annotated, Final
 
-import numpy as np
-
 from pyjoystick import identification, model, motion, runs, support
 from pyjoystick.cli import joystick_choice, options, parsing
-from pyjoystick.cli.console import output, print_warnings, progress_console, write, write_json
+from pyjoystick.cli.console import output, print_warnings, progress_console, write, write_json, write_plot
 from pyjoystick.cli.fmus import found_or_built
 
 EXAMPLES: Final = """
@@ -46,10 +44,8 @@ def run(
     estimate = identification.estimate_damping(releases, joystick.J)
     for law in (model.NOMINAL, model.NOMINAL_POWER_LAW):
         found_or_built(runs.fmu_of_joystick(law))
-    angle = float(np.mean([release.release_angle for release in releases]))
     with runs.SimulatedReleases() as simulate, progress_console().status("simulating"):
-        constants = identification.constant_bias(estimate, joystick, angle, simulate)
-        lines = identification.line_bias(estimate, joystick, angle, simulate)
+        constants, lines = identification.biases(estimate, joystick, releases, simulate)
     console = output()
     console.print(identification.releases_report(releases))
     console.print()
@@ -58,9 +54,4 @@ def run(
     write(csv, lambda path: support.write_text(path, identification.damping_csv(estimate)))
     write_json(json, lambda notes: identification.damping_json(*found, notes))
     constant = constants["both"].corrected
-    write(
-        plot,
-        lambda path: support.save_figure(
-            identification.plot_damping_estimate(estimate, constant=constant), path
-        ),
-    )
+    write_plot(plot, lambda: identification.plot_damping_estimate(estimate, constant=constant))

@@ -8,7 +8,7 @@ from typing import Annotated, Final
 import numpy as np
 import typer
 
-from pyjoystick import forced_motion, support
+from pyjoystick import forced_motion
 from pyjoystick.cli import options, parsing
 from pyjoystick.cli.console import (
     note_stops,
@@ -18,6 +18,7 @@ from pyjoystick.cli.console import (
     progress_console,
     write,
     write_json,
+    write_plot,
 )
 from pyjoystick.cli.fmus import opened
 from pyjoystick.support import check_outputs, write_text
@@ -101,7 +102,7 @@ def run(
         if any(isinstance(one, forced_motion.UnsettledMotion) for one in found.attractors):
             print_warning("no period is claimed for motions that have not become periodic")
         if response is None:
-            write(plot, lambda path: support.save_figure(forced_motion.plot_attractors(found, once), path))
+            write_plot(plot, lambda: forced_motion.plot_attractors(found, once))
         else:
             _give_branches(response, csv, plot)
         write_json(json, lambda notes: forced_motion.response_json(once, found, response, notes))
@@ -112,4 +113,4 @@ def _give_branches(response: forced_motion.Response, csv: Path | None, plot: Pat
     print_warnings("not found", response.notes)
     text = forced_motion.branch_table(response).to_csv(index=False, lineterminator="\n")
     write(csv, lambda path: write_text(path, text))
-    write(plot, lambda path: support.save_figure(forced_motion.plot_response(response), path))
+    write_plot(plot, lambda: forced_motion.plot_response(response))

@@ -22,6 +22,7 @@ from pyjoystick.cli.console import (
     progress_console,
 )
 from pyjoystick.cli.fmus import found_or_built
+from pyjoystick.cli.invocation import INTERRUPTED
 
 EXAMPLES: Final = """
 Examples:
@@ -30,7 +31,6 @@ Examples:
     pyjoystick run --plan
     pyjoystick run laboratories/left_stick
 """
-INTERRUPTED: Final = 130
 _COLORS: Final = {
     "done": "green",
     "working": "cyan",

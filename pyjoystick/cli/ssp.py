@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from enum import StrEnum
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 import typer
 
@@ -20,13 +19,6 @@ Examples:
 """
 
 
-class Version(StrEnum):
-    """A version of the SSP standard."""
-
-    V1 = "1.0"
-    V2 = "2.0"
-
-
 def run(
     file: Annotated[
         Path,
@@ -38,8 +30,8 @@ def run(
         ),
     ],
     version: Annotated[
-        Version, typer.Option("--ssp-version", help="Version of the SSP standard.")
-    ] = Version.V1,
+        Literal["1.0", "2.0"], typer.Option("--ssp-version", help="Version of the SSP standard.")
+    ] = "1.0",
 ) -> None:
     """Write operator and joystick, coupled FMU to FMU, as an SSP archive that other tools can run."""
-    write(file, lambda path: runs.write_ssp(runs.operator_and_joystick(), path, version=version.value))
+    write(file, lambda path: runs.write_ssp(runs.operator_and_joystick(), path, version=version))

@@ -10,10 +10,11 @@ import typer
 from rich.markup import escape
 from rich.table import Table
 
-from pyjoystick import runs, support
+from pyjoystick import runs
 from pyjoystick.cli import options
-from pyjoystick.cli.console import output, print_progress, print_warning, write
+from pyjoystick.cli.console import output, print_progress, print_warning, write, write_plot
 from pyjoystick.cli.fmus import found_or_built
+from pyjoystick.cli.invocation import INTERRUPTED
 from pyjoystick.cli.sweep_progress import progress
 from pyjoystick.support import OutputFileError, UnknownVariableError, check_outputs, write_text
 
@@ -39,8 +40,6 @@ Settings of a sweep over a release angle and a damping coefficient:
 """
 
 
-#: Exit code after Ctrl-C, as in shells.
-INTERRUPTED: Final = 130
 _MESSAGES_SHOWN: Final = 5
 
 
@@ -226,7 +225,7 @@ def _draw(
 
 def _save(figure: Figure, paths: Sequence[Path]) -> None:
     for path in paths:
-        write(path, lambda path: support.save_figure(figure, path))
+        write_plot(path, lambda: figure)
 
 
 def _first(results: list[str]) -> list[str]:

@@ -16,7 +16,7 @@ from rich.progress import (
 )
 from rich.text import Text
 
-from pyjoystick.cli.console import print_warning, progress_console
+from pyjoystick.cli.console import print_warning, progress_bar
 
 
 class _Rate(ProgressColumn):
@@ -57,8 +57,7 @@ class SweepProgress:
 
 @contextmanager
 def progress(total: int) -> Iterator[SweepProgress]:
-    """The progress of `total` runs; nothing is drawn unless standard error is a terminal."""
-    console = progress_console()
+    """The progress of `total` runs, see `progress_bar`."""
     columns = (
         TextColumn("{task.description}"),
         BarColumn(),
@@ -66,5 +65,5 @@ def progress(total: int) -> Iterator[SweepProgress]:
         _Rate(),
         TimeRemainingColumn(),
     )
-    with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:
+    with progress_bar(*columns) as bar:
         yield SweepProgress(bar, total)

@@ -10,7 +10,15 @@ import typer
 
 from pyjoystick import forced_motion, laboratory, model, motion, support
 from pyjoystick.cli import joystick_choice, options, parsing, torque_results
-from pyjoystick.cli.console import note_stops, output, print_warning, progress_console, write, write_json
+from pyjoystick.cli.console import (
+    note_stops,
+    output,
+    print_warning,
+    progress_console,
+    write,
+    write_json,
+    write_plot,
+)
 from pyjoystick.cli.plausibility import require_length
 from pyjoystick.support import ParameterError, check_outputs
 
@@ -140,7 +148,8 @@ def run(
     output().print(torque_results.text(chosen, results), markup=False)
     write(csv, lambda path: motion.write_csv(table, path))
     write_json(json, lambda notes: torque_results.as_json(chosen, joysticks, results, notes))
-    write(plot, lambda path: torque_results.draw(results, path))
+    tables = {law: result.table for law, result in results.items()}
+    write_plot(plot, lambda: forced_motion.plot_torque(tables))
 
 
 def _motion(given: Mapping[str, Any]) -> forced_motion.ForwardAndReturn:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pyjoystick import forced_motion, laboratory, model, support
+from pyjoystick import forced_motion, laboratory, model
 from pyjoystick.cli.fmus import found_or_built
 from pyjoystick.cli.joystick_choice import joystick_of
 
@@ -143,13 +143,6 @@ def as_json(
         {law: result.measures for law, result in results.items()},
         {law: result.difference for law, result in results.items()},
         notes,
-    )
-
-
-def draw(results: Mapping[model.LawName, Result], path: Path) -> None:
-    """Plot all laws in one figure; raises OutputFileError."""
-    support.save_figure(
-        forced_motion.plot_torque({law: result.table for law, result in results.items()}), path
     )
 
 

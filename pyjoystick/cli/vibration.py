@@ -10,7 +10,7 @@ import typer
 
 from pyjoystick import fmu, forced_motion, model, runs, support
 from pyjoystick.cli import joystick_choice, options, parsing
-from pyjoystick.cli.console import output, print_warning, write, write_json
+from pyjoystick.cli.console import output, print_warning, write, write_json, write_plot
 from pyjoystick.cli.fmus import found_or_built
 from pyjoystick.support import check_outputs, write_text
 
@@ -102,9 +102,7 @@ def run(
     text = forced_motion.feedthrough_table(found).to_csv(index=False, lineterminator="\n")
     write(csv, lambda path: write_text(path, text))
     write_json(json, lambda notes: forced_motion.feedthrough_json(found, joystick, held, hand, notes))
-    write(
+    write_plot(
         plot,
-        lambda path: support.save_figure(
-            forced_motion.plot_transmissibility(found.small, found.driven, direction=direction), path
-        ),
+        lambda: forced_motion.plot_transmissibility(found.small, found.driven, direction=direction),
     )

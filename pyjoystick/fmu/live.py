@@ -54,7 +54,6 @@ class LiveInstance:
         stop_time: float | None,
         parameters: Mapping[str, Value],
         inputs: Mapping[str, Value],
-        outputs: Sequence[str],
         tolerance: float,
     ) -> None:
         """Take an instance and bring it to its first communication point; arguments are of `Fmu.start`."""

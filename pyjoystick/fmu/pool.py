@@ -24,6 +24,8 @@ class Pool(ABC, Generic[T]):
 
     #: At most one may be taken at a time; others wait for it.
     has_one = False
+    #: Whether a forked process can use what its parent has left idle.
+    survives_fork = True
 
     def __init__(self, description: FmuDescription) -> None:
         """Make the first one, which shows that the FMU can be run; closes the pool where it cannot."""
@@ -52,6 +54,8 @@ class Pool(ABC, Generic[T]):
             if self._closed:
                 raise PyJoystickError(f"{self.description.path} has been closed")
             self._taken += 1
+            if not self.survives_fork and os.getpid() != self._process:
+                self._idle.clear()
             one = self._idle.pop() if self._idle else None
         if one is not None:
             return one

@@ -13,7 +13,7 @@ from pyjoystick.fmu.description import FmuDescription, Variable
 from pyjoystick.fmu.drive import Drive, inputs_asked_for
 from pyjoystick.fmu.inputs import InputSeries
 from pyjoystick.fmu.interface import CInterface, RowFormat, TextGetter, c_interface
-from pyjoystick.fmu.stepping.program import Group, Program
+from pyjoystick.fmu.stepping.program import Program
 from pyjoystick.fmu.values import Value
 from pyjoystick.support import FloatArray
 
@@ -129,12 +129,8 @@ def _changed(
     changed = np.zeros((points, len(form.groups)), dtype=np.bool_)
     place = 0
     for i, group in enumerate(form.groups):
-        for column in _columns(form, place, group):
+        for column in form.columns[place : place + group.size]:
             one = inputs[column]
             changed[1:, i] |= True if one in moving else one.values[1:] != one.values[:-1]
         place += group.size
     return changed
-
-
-def _columns(form: RowFormat, place: int, group: Group) -> list[int]:
-    return form.columns[place : place + group.size]

@@ -104,7 +104,7 @@ class Stepper:
         self._values: tuple[Value, ...] | None = None
         self._forgotten: deque[int] = deque()
         kind: Any = RemoteLiveInstance if isinstance(pool, ProcessPool) else LiveInstance
-        settings = stop_time, values, self._given, self._names, positive("tolerance", tolerance)
+        settings = stop_time, values, self._given, positive("tolerance", tolerance)
         self._instance = kind(pool, self._time, *settings)
         self._stop = weakref.finalize(self, self._instance.stop)
 

@@ -10,8 +10,8 @@ from typing import Any
 from pyjoystick.fmu.description import FmuDescription
 from pyjoystick.fmu.instance import Instance
 from pyjoystick.fmu.library import InstancePool
-from pyjoystick.fmu.own_process.pool import ProcessPool, new_pool, run_error
-from pyjoystick.fmu.own_process.process import OwnProcess, ProcessEndedError
+from pyjoystick.fmu.own_process.pool import ProcessPool, new_pool
+from pyjoystick.fmu.own_process.process import OwnProcess
 
 
 @contextmanager
@@ -40,7 +40,7 @@ class RemoteInstance:
         self._pool = pool
         self._process = process
         self._time = 0.0
-        self._ask("instantiate")
+        pool.ask(process, self._time, "instantiate")
 
     @contextmanager
     def reporting(self, time: float) -> Iterator[None]:
@@ -57,10 +57,4 @@ class RemoteInstance:
         return partial(self._call, name)
 
     def _call(self, name: str, *arguments: Any) -> Any:
-        return self._ask("call", name, self._time, arguments)
-
-    def _ask(self, *request: Any) -> Any:
-        try:
-            return self._process.ask(*request, time_limit=self._pool.time_limit)
-        except ProcessEndedError as ended:
-            raise run_error(ended, self._time, self._pool.description.path) from None
+        return self._pool.ask(self._process, self._time, "call", name, self._time, arguments)

@@ -7,15 +7,12 @@ import sys
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from numbers import Integral, Real
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 import numpy as np
 
 from pyjoystick.fmu.description import FmuDescription, Variable
 from pyjoystick.support import ParameterError, UnknownParameterError, UnknownVariableError, type_text
-
-if TYPE_CHECKING:
-    pass
 
 #: What a variable of an FMU may be set to.
 Value = float | bool | str

@@ -5,7 +5,6 @@ from __future__ import annotations
 import dataclasses
 from dataclasses import dataclass
 from itertools import pairwise
-from os import PathLike
 from typing import Final
 
 import numpy as np
@@ -57,7 +56,6 @@ def round_trip(
     motion: ForwardAndReturn,
     *,
     interface: Interface = "CoSimulation",
-    fmu: str | PathLike[str] | None = None,
     torque: pd.DataFrame | None = None,
     output_interval: float = 1e-3,
 ) -> RoundTrip:
@@ -70,7 +68,6 @@ def round_trip(
         joystick: the parameters of both ways
         motion: the motion
         interface: how the FMU is run
-        fmu: name or path of the FMU; the one of `joystick` if not given
         torque: the input table; that of `torque_rows` if not given
         output_interval: time between two recorded instants (s), rounded so that it divides the motion
 
@@ -81,7 +78,7 @@ def round_trip(
     steps = max(1, round(motion.duration / positive("output_interval", output_interval, "s")))
     time = motion.duration * np.arange(steps + 1) / steps
     inputs = torque_rows(joystick, motion) if torque is None else torque
-    path = find_fmu(fmu_of_joystick(joystick) if fmu is None else fmu)
+    path = find_fmu(fmu_of_joystick(joystick))
     parameters = values_for(joystick, read_description(path).variables)
     outputs = ("theta", "omega")
     if interface == "ModelExchange":

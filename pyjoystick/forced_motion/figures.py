@@ -21,20 +21,19 @@ _PANELS: Final = (
 )
 
 
-def plot_torque(tables: Mapping[LawName, pd.DataFrame], *, size: tuple[float, float] = (7.4, 5.4)) -> Figure:
+def plot_torque(tables: Mapping[LawName, pd.DataFrame]) -> Figure:
     """Stiffness, damping, inertia and total torque over time, as Fig. 15; all panels have one scale but (b).
 
     Args:
         tables: by `torque_by_fmu` or `torque_by_reference`, one for each damping law; what does not
             depend on the law is drawn once
-        size: width and height (inch)
 
     Raises:
         ParameterError: no table
     """
     if not tables:
         raise ParameterError("tables", "no table", "one or two")
-    figure = Figure(figsize=size, layout="constrained")
+    figure = Figure(figsize=(7.4, 5.4), layout="constrained")
     panels = figure.subplots(2, 2, sharex=True).ravel()
     for panel, (column, name) in zip(panels, _PANELS, strict=True):
         if column in ("T_stiffness", "T_inertia"):
@@ -62,22 +61,19 @@ def plot_torque(tables: Mapping[LawName, pd.DataFrame], *, size: tuple[float, fl
     return figure
 
 
-def plot_demands(
-    groups: Mapping[str, Mapping[str, Demand]], *, title: str = "", size: tuple[float, float] = (7.4, 3.4)
-) -> Figure:
+def plot_demands(groups: Mapping[str, Mapping[str, Demand]], *, title: str = "") -> Figure:
     """For what part of the time the force stays below a level, one panel a group of variants.
 
     Args:
         groups: demands by label, by name of the group
         title: a line above the figure
-        size: width and height (inch)
 
     Raises:
         ParameterError: no group, or more variants in one than there are line styles
     """
     if not groups or max(map(len, groups.values())) > len(SERIES):
         raise ParameterError("groups", f"{len(groups)} groups", f"one or more, of up to {len(SERIES)} each")
-    figure = Figure(figsize=size, layout="constrained")
+    figure = Figure(figsize=(7.4, 3.4), layout="constrained")
     panels = figure.subplots(1, len(groups), sharex=True, sharey=True, squeeze=False)[0]
     for panel, (name, demands) in zip(panels, groups.items(), strict=True):
         for (label, demand), style in zip(demands.items(), SERIES, strict=False):

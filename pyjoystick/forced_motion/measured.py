@@ -12,7 +12,15 @@ import numpy as np
 
 from pyjoystick.forced_motion.motions import ForwardAndReturn
 from pyjoystick.forced_motion.samples import Samples
-from pyjoystick.laboratory import BASE, TOP, Chain, MarkerLayout, measure_angle, synthetic_markers
+from pyjoystick.laboratory import (
+    BASE,
+    CAMERA_RATE,
+    TOP,
+    Chain,
+    MarkerLayout,
+    measure_angle,
+    synthetic_markers,
+)
 from pyjoystick.motion import (
     GAP,
     MISSING_ADVICE,
@@ -109,15 +117,8 @@ def _gap(record: Record, i: int) -> RecordError:
     )
 
 
-def seen_by_cameras(
-    motion: ForwardAndReturn,
-    *,
-    random: np.random.Generator,
-    chain: Chain | None = None,
-    camera_rate: float = 60.0,
-    noise: float = 3e-4,
-) -> Samples:
-    """A synthetic measurement: markers of the motion, their angle, and the result of the signal chain.
+def seen_by_cameras(motion: ForwardAndReturn, *, random: np.random.Generator) -> Samples:
+    """A synthetic measurement: markers of the motion, their angle, and the result of the paper's chain.
 
     Zero is the mean angle of the rest after the motion. The plane of motion and the radius, which a
     short arc to one side does not determine well, are taken as known.
@@ -125,18 +126,14 @@ def seen_by_cameras(
     Args:
         motion: the motion, with a rest of a few frames at least
         random: where the noise comes from
-        chain: filter and differentiation, by the paper's settings if not given
-        camera_rate: frames a second (Hz)
-        noise: standard deviation of each coordinate of the markers (m)
 
     Raises:
-        ParameterError: a value is not allowed
         RecordError, SeriesError: the motion is too short, or rests for less than two frames
     """
-    frames = np.arange(math.floor(motion.duration * camera_rate) + 1) / camera_rate
-    markers = synthetic_markers(frames, motion.at(frames).theta, random=random, noise=noise)
+    frames = np.arange(math.floor(motion.duration * CAMERA_RATE) + 1) / CAMERA_RATE
+    markers = synthetic_markers(frames, motion.at(frames).theta, random=random)
     rest = (motion.duration - motion.rest, motion.duration)
     angle = measure_angle(
         markers, top=TOP, base=BASE, forward="x", up="z", radius=MarkerLayout().height, rest=rest
     )
-    return through_chain(angle.record("synthetic"), chain or Chain())
+    return through_chain(angle.record("synthetic"), Chain())

@@ -44,6 +44,7 @@ from .fitting.figures import (
     plot_residuals as plot_residuals,
     save_figures as save_figures,
 )
+from .fitting.files import read_records as read_records, save_fit as save_fit
 from .fitting.fit import OnProgress as OnProgress, fit as fit
 from .fitting.json_report import as_json as as_json
 from .fitting.problem.instrument import (
@@ -99,6 +100,7 @@ from .laboratory_errors import (
 from .peak_method.bias import (
     Bias as Bias,
     bias_table as bias_table,
+    biases as biases,
     constant_bias as constant_bias,
     line_bias as line_bias,
 )

@@ -76,9 +76,7 @@ class FitDocument:
 
     Attributes:
         source: the file, or what else it is from
-        is_trusted: every check passed
         is_complete: it was not stopped
-        compares_peaks: peaks were compared and not samples; there are then no series
         level: of the intervals, such as 0.95
         quantile: half-width of an interval in standard errors
         values: what was fitted
@@ -88,13 +86,11 @@ class FitDocument:
         open: what the records cannot determine, a sentence each
         checks: name, passed, message
         unseen: what the records would hardly show, each with its size and what it moves
-        series: measured and fitted, record by record
+        series: measured and fitted, record by record; none where peaks were compared and not samples
     """
 
     source: str
-    is_trusted: bool
     is_complete: bool
-    compares_peaks: bool
     level: float
     quantile: float
     values: tuple[FittedValue, ...]
@@ -205,9 +201,7 @@ def _fit(content: Mapping[str, Any], source: str) -> FitDocument:
     peaks = settings["comparison"] == "peaks"
     return FitDocument(
         source=source,
-        is_trusted=bool(content["trusted"]),
         is_complete=not content["interrupted"],
-        compares_peaks=peaks,
         level=level,
         quantile=float(student.ppf(0.5 + level / 2.0, freedom)),
         values=tuple(_value(one) for one in content["parameters"]),

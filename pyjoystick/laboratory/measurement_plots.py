@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from pyjoystick.laboratory.measurement_errors import ChainEffect
 from pyjoystick.laboratory.measurements.chain import Motion
-from pyjoystick.model import ConstantDamping, JoystickParameters, Trajectory, energy
+from pyjoystick.model import JoystickParameters, Trajectory, energy, law_name
 from pyjoystick.motion import GRAVITY
 from pyjoystick.support import LAWS, LONG_DASHES, MEASURED, SOLID, FloatArray, dress, legend_above
 
@@ -21,18 +21,17 @@ _VISIBLE: Final = 2e-3
 _MEASURED: Final = {"color": MEASURED, "linestyle": LONG_DASHES, "linewidth": 1.1}
 
 
-def plot_chain_effect(parameters: JoystickParameters, effect: ChainEffect, *, title: str = "") -> Figure:
+def plot_chain_effect(parameters: JoystickParameters, effect: ChainEffect) -> Figure:
     """Velocity and energy of a simulated motion, and as the signal chain measures it (Fig. 12).
 
     Args:
         parameters: the joystick of the simulation
         effect: what `chain_effect` found
-        title: a line above the figure
     """
     run, motion = effect.run, effect.motion
     shown = (motion.time >= run.time[0]) & (motion.time <= run.time[0] + 1.5)
     time = motion.time[shown] - run.time[0]
-    law = "constant" if isinstance(parameters.damping, ConstantDamping) else "power-law"
+    law = law_name(parameters.damping)
     true = LAWS[law] | {"linestyle": SOLID}
     figure = Figure(figsize=(7.0, 6.0), layout="constrained")
     above, below = figure.subplots(2, 1, sharex=True)
@@ -57,19 +56,11 @@ def plot_chain_effect(parameters: JoystickParameters, effect: ChainEffect, *, ti
     dress(above, zero=True)
     dress(below)
     figure.align_ylabels([above, below])
-    legend_above(figure, [above, below], title=title)
+    legend_above(figure, [above, below])
     return figure
 
 
-def plot_instruments(
-    motion: Motion,
-    true: Trajectory,
-    *,
-    release_time: float,
-    distance: float,
-    title: str = "",
-    size: tuple[float, float] = (7.0, 8.0),
-) -> Figure:
+def plot_instruments(motion: Motion, true: Trajectory, *, release_time: float, distance: float) -> Figure:
     """What camera and accelerometer see of a free oscillation, in the four panels of Fig. 4.
 
     Args:
@@ -78,8 +69,6 @@ def plot_instruments(
             that signal, such as ringing, is simulated
         release_time: instant of release on the clock of `motion` (s)
         distance: pivot to accelerometer (m)
-        title: a line above the figure
-        size: width and height (inch)
     """
     duration = float(true.time[-1] - true.time[0])
     shown = (motion.time >= release_time) & (motion.time <= release_time + duration)
@@ -92,7 +81,7 @@ def plot_instruments(
         ("Acceleration,\ncamera (deg/s²)", time, motion.alpha[shown] * _DEG),
         ("Acceleration,\naccelerometer (deg/s²)", true.time - true.time[0], reading * _DEG),
     )
-    figure = Figure(figsize=size, layout="constrained")
+    figure = Figure(figsize=(7.0, 8.0), layout="constrained")
     axes = figure.subplots(len(panels), 1, sharex=True)
     for letter, panel, (label, instants, values) in zip("abcd", axes, panels, strict=True):
         panel.plot(instants, values, color=MEASURED, linewidth=1.1)
@@ -103,8 +92,6 @@ def plot_instruments(
     axes[-1].set_xlabel("Time (s)")
     axes[-1].set_xlim(0.0, duration)
     figure.align_ylabels(axes)
-    if title:
-        figure.suptitle(title, fontsize="medium")
     return figure
 
 

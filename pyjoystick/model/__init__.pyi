@@ -97,7 +97,6 @@ from .undamped_period.oscillation import (
 from .undamped_period.quadrature import (
     CamGeometry as CamGeometry,
     Geometry as Geometry,
-    LinearGeometry as LinearGeometry,
     undamped_oscillation as undamped_oscillation,
 )
 from .undamped_period.table import (

@@ -37,7 +37,7 @@ def joystick(lab: Laboratory, sources: Mapping[str, str], *, with_fit: bool, wit
         errors = {_BUDGETED[name]: one.uncertainty for name, one in budgeted.items()}
         found = file.joystick.replace(values)
         doubts = _contradictions(lab, sources, budgeted) if with_fit else []
-        texts = {table: file.sources[table] for table in (_table_of(place) for place in errors)}
+        texts = {table: file.sources[table] for table in (place.rpartition(".")[0] for place in errors)}
         texts = {table: f"{source}; uncertainty from the budget" for table, source in texts.items()}
         for doubt in doubts:
             table = table_of(doubt.name, found)
@@ -100,10 +100,6 @@ def _measured(
     for one in model.fmu_values(file):
         if one.name in names:
             yield one.name, springs.get(one.name, laboratory.Measured(one.value, one.uncertainty or 0.0))
-
-
-def _table_of(place: str) -> str:
-    return place.rpartition(".")[0]
 
 
 def _remark(found: model.JoystickParameters, uncertainties: Mapping[str, float]) -> str:

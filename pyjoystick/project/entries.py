@@ -35,11 +35,6 @@ def files_of(table: Table) -> tuple[str, ...]:
     return names
 
 
-def texts_of(table: Table) -> dict[str, str]:
-    """All entries of a table of texts."""
-    return {name: table.text(name) for name, _ in table.items()}
-
-
 def choice_of(table: Table, key: str, allowed: tuple[str, ...]) -> str | None:
     """One of the allowed words; None where the key is absent."""
     return table.choice(key, allowed) if key in table else None

@@ -7,8 +7,6 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Final
 
-import numpy as np
-
 from pyjoystick import fmu, identification, model, motion, runs, support
 from pyjoystick.project.laboratory import Laboratory, plain
 from pyjoystick.project.measuring import MEASURED, fitted_curve
@@ -34,11 +32,9 @@ def peaks(lab: Laboratory, records: tuple[str, ...], find: Find) -> Step:
         read = motion.read_repeats([lab.root / one for one in records])
         releases = [motion.measured_peaks(record) for record in read]
         estimate = identification.estimate_damping(releases, joystick.J)
-        angle = float(np.mean([release.release_angle for release in releases]))
         with runs.SimulatedReleases() as simulate:
             tell("simulating")
-            constants = identification.constant_bias(estimate, joystick, angle, simulate)
-            lines = identification.line_bias(estimate, joystick, angle, simulate)
+            constants, lines = identification.biases(estimate, joystick, releases, simulate)
         text = "\n\n".join(
             (
                 "# Damping from the peaks",
@@ -67,20 +63,13 @@ def fit(lab: Laboratory, records: tuple[str, ...], sources: Mapping[str, str], f
         given = model.read_parameter_file(lab.root / MEASURED)
         settings = _settings(lab, find)
         with fmu.Fmu(find(settings.fmu)) as opened:
-            joystick = given.with_law(_law_of(opened))
+            joystick = given.with_law(runs.law_of_fmu(opened.description))
             settings = identification.with_values(
                 settings, joystick.to_names(), replace_starts=not choice.file
             )
             identification.require_joystick_in(settings)
             paths = [lab.root / one for one in records]
-            if identification.reads_releases(settings):
-                counted = settings.comparison == "peaks"
-                read: list[motion.Record | identification.Measurement] = list(
-                    motion.read_repeats(paths, counted=counted)
-                )
-            else:
-                names = (*settings.outputs, *settings.inputs)
-                read = [identification.read_table_record(one, names, opened.description) for one in paths]
+            read = identification.read_records(paths, settings, opened.description)
             found = _fitted(read, settings, opened, tell)
         return _saved_fit(lab, found, given, joystick, records, sources)
 
@@ -145,10 +134,6 @@ def frees(lab: Laboratory, name: str) -> bool:
         return True
 
 
-def _law_of(opened: fmu.Fmu) -> model.LawName:
-    return "power-law" if "damping.alpha" in opened.description.variables else "constant"
-
-
 def _fitted(
     records: list[motion.Record | identification.Measurement],
     settings: identification.FitSettings,
@@ -176,11 +161,8 @@ def _saved_fit(
 ) -> Done:
     """Write the report and, if it can be trusted, the joystick of a fit."""
     names = ", ".join(Path(one).name for one in records)
-    folder = lab.root / FIT
-    write_text(folder / "fit.md", identification.report(found, f"Fit to {names}"))
-    write_text(folder / "fit.json", identification.as_json(found))
-    files = ["fit.md", "fit.json", *(path.name for path in identification.save_figures(found, folder))]
-    failed = ", ".join(check.name for check in found.checks if not check.passed)
+    files = [path.name for path in identification.save_fit(found, lab.root / FIT, f"Fit to {names}")]
+    failed = ", ".join(found.failed)
     if failed and not lab.fit.even_if_doubtful:
         (lab.root / FITTED).unlink(missing_ok=True)
         note = (

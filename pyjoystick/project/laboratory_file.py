@@ -17,7 +17,6 @@ from pyjoystick.project.entries import (
     quantity_of,
     relative_of,
     side_of,
-    texts_of,
 )
 from pyjoystick.project.laboratory import (
     AccelerometerSource,
@@ -155,8 +154,8 @@ def _given(root: Table) -> laboratory.MeasuredValues:
 def _curve(table: Table) -> CurveSource:
     return CurveSource(
         file=file_of(table),
-        columns=texts_of(table.table("columns")),
-        units=texts_of(table.table("units")),
+        columns=table.table("columns").texts(),
+        units=table.table("units").texts(),
         layout=_layout(table),
         travel_noise=quantity_of(table, "travel_noise", "length"),
         force_noise=quantity_of(table, "force_noise", "force"),
@@ -224,15 +223,15 @@ def _record(table: Table) -> TableSource:
     zeros = {key: finite(f"zeros.{key}", value) for key, value in table.table("zeros").items()}
     scales: dict[str, motion.Scale] = {}
     inner = table.table("scales")
-    for name, text in texts_of(inner).items():
+    for name, text in inner.texts().items():
         with inner.at(name):
             scales[name] = motion.scale_of(name, text, zeros.pop(name, 0.0))
     for name in zeros:
         raise table.error("zeros", f"has {name}, of which there is no scale")
     return TableSource(
         files=files_of(table),
-        columns=texts_of(table.table("columns")),
-        units=texts_of(table.table("units")),
+        columns=table.table("columns").texts(),
+        units=table.table("units").texts(),
         layout=_layout(table),
         scales=scales,
         rate=quantity_of(table, "samples_per_second"),

@@ -10,8 +10,8 @@ import contextlib
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-from pyjoystick.project.state import OUTDATED, Memory, aside_of, digest, standing
-from pyjoystick.project.steps import RESULTS
+from pyjoystick.project.state import OUTDATED, Memory, aside_of, standing
+from pyjoystick.project.steps import RESULTS, digest
 from pyjoystick.support import OutputFileError
 
 

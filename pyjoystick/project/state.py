@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 from collections.abc import Mapping
 from pathlib import Path
@@ -11,7 +10,7 @@ from typing import Any, Final
 from doit.dependency import Dependency, DependencyStatus, FileChangedChecker, JsonDB
 from doit.task import Task
 
-from pyjoystick.project.steps import RESULTS
+from pyjoystick.project.steps import RESULTS, digest
 from pyjoystick.support import write_text
 
 #: Relative to the project.
@@ -33,12 +32,6 @@ def standing(root: Path, name: str) -> Path:
     """Where a file of the project is: in its place or, until it is put back, among outdated ones."""
     place, aside = root / name, aside_of(root, name)
     return aside if aside is not None and not place.is_file() and aside.is_file() else place
-
-
-def digest(path: Path) -> str:
-    """The digest of a file's content."""
-    with path.open("rb") as file:
-        return hashlib.file_digest(file, "sha256").hexdigest()
 
 
 class Contents(FileChangedChecker):  # type: ignore[misc]  # doit is not annotated

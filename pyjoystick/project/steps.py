@@ -81,11 +81,16 @@ def read_values(path: Path) -> laboratory.MeasuredValues:
     return laboratory.MeasuredValues(**json.loads(path.read_text(encoding="utf-8")))
 
 
+def digest(path: Path) -> str:
+    """The digest of a file's content."""
+    with path.open("rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()
+
+
 def content_of(name: str, find: Find) -> str:
     """The digest of an FMU's file; empty where there is none, or none yet."""
     try:
-        with find(name).open("rb") as file:
-            return hashlib.file_digest(file, "sha256").hexdigest()
+        return digest(find(name))
     except (PyJoystickError, OSError):  # the step that runs it will say what is wrong
         return ""
 

@@ -12,8 +12,8 @@ from doit.exceptions import TaskFailed
 from doit.task import Task
 
 from pyjoystick import identification
-from pyjoystick.project.state import digest, standing
-from pyjoystick.project.steps import Step
+from pyjoystick.project.state import standing
+from pyjoystick.project.steps import Step, digest
 from pyjoystick.support import OutputFileError, PyJoystickError, version_of, write_text
 
 _VERSION: Final = "pyjoystick"

@@ -87,15 +87,14 @@ def plateaus(run: Trajectory) -> pd.DataFrame:
     return pd.DataFrame(rows, columns=_COLUMNS, dtype=np.float64)
 
 
-def damping_jumps(run: Trajectory, *, within: float = PAPER_STEP) -> pd.DataFrame:
-    """How far C changes around each zero of the angle and of the velocity.
+def damping_jumps(run: Trajectory) -> pd.DataFrame:
+    """How far C changes within the paper's time step of each zero of the angle and of the velocity.
 
     Eq. (11) jumps where theta = 0, from one side to the other, and has a peak where omega = 0. With negative
     exponents only eps_theta and eps_omega keep either finite, so that the sizes depend on them.
 
     Args:
         run: a motion without torque, as `sampled_closely` gives it
-        within: time to either side of the zero (s); the paper's time step unless given
 
     Returns:
         one row a zero in order of time: ``time`` (s), ``zero`` (``theta`` or ``omega``), ``amplitude``
@@ -108,7 +107,7 @@ def damping_jumps(run: Trajectory, *, within: float = PAPER_STEP) -> pd.DataFram
     rows = []
     for time, zero, height in sorted(middles + turns):
         amplitude = amplitude if math.isnan(height) else height
-        near = run.C[np.abs(run.time - time) <= within]
+        near = run.C[np.abs(run.time - time) <= PAPER_STEP]
         rows.append({"time": time, "zero": zero, "amplitude": amplitude, "jump": float(np.ptp(near))})
     return pd.DataFrame(rows)
 
@@ -131,18 +130,15 @@ _DEG: Final = math.degrees(1.0)
 _MJ: Final = 1e3
 
 
-def plot_energy(
-    run: Trajectory, rests: pd.DataFrame, *, title: str = "", size: tuple[float, float] = (7.0, 5.4)
-) -> Figure:
+def plot_energy(run: Trajectory, rests: pd.DataFrame, *, title: str = "") -> Figure:
     """Energy over time with its plateaus shaded, and below it the power that damping and dry friction take.
 
     Args:
         run: a free oscillation
         rests: its `plateaus`
         title: a line above the figure
-        size: width and height (inch)
     """
-    figure = Figure(figsize=size, layout="constrained")
+    figure = Figure(figsize=(7.0, 5.4), layout="constrained")
     above, below = figure.subplots(2, 1, sharex=True, height_ratios=[3, 2])
     above.plot(run.time, run.E * _MJ, color=BLACK, linewidth=1.3, label="energy")
     below.plot(run.time, (run.M_d + run.M_f) * run.omega, color=BLACK, linewidth=1.1)
@@ -161,14 +157,7 @@ def plot_energy(
     return figure
 
 
-def plot_damping_function(
-    run: Trajectory,
-    *,
-    constant: float,
-    equivalent: float,
-    title: str = "",
-    size: tuple[float, float] = (7.0, 5.4),
-) -> Figure:
+def plot_damping_function(run: Trajectory, *, constant: float, equivalent: float, title: str = "") -> Figure:
     """C over time beside constants, and below it the angle, which says where the jumps are.
 
     Args:
@@ -176,9 +165,8 @@ def plot_damping_function(
         constant: a constant C (N m s/rad) to compare with
         equivalent: the one that takes as much energy (N m s/rad), see `equivalent_damping`
         title: a line above the figure
-        size: width and height (inch)
     """
-    figure = Figure(figsize=size, layout="constrained")
+    figure = Figure(figsize=(7.0, 5.4), layout="constrained")
     above, below = figure.subplots(2, 1, sharex=True, height_ratios=[3, 2])
     style = LAWS["power-law"] | {"linestyle": SOLID, "linewidth": 1.1}
     above.plot(run.time, run.C, label="damping function, eq. (11)", **style)

@@ -52,6 +52,7 @@ from .joystick_fmus import (
     FMU_WITH_FRICTION as FMU_WITH_FRICTION,
     fmu_of_joystick as fmu_of_joystick,
     fmu_with_parts as fmu_with_parts,
+    law_of_fmu as law_of_fmu,
     mounted_fmu as mounted_fmu,
 )
 from .release_report import (

@@ -20,7 +20,7 @@ from pyjoystick import model  # whose reference loads SciPy, which runs of FMUs 
 from pyjoystick.fmu import Fmu, FmuDescription, UnsupportedFmuError
 from pyjoystick.model import FRICTION_NAMES, NOMINAL, NOMINAL_POWER_LAW, STOP_NAMES, JoystickParameters
 from pyjoystick.motion import DisplayUnit, Quantity, make_table
-from pyjoystick.runs.joystick_fmus import fmu_of_joystick
+from pyjoystick.runs.joystick_fmus import fmu_of_joystick, law_of_fmu
 from pyjoystick.support import (
     DEFAULT_DURATION,
     DEFAULT_OUTPUT_INTERVAL,
@@ -153,8 +153,7 @@ def joystick_of_fmu(description: FmuDescription) -> JoystickParameters:
     Raises:
         UnsupportedFmuError: the FMU has not the parameters of a joystick, or values that none can have
     """
-    power_law = "damping.alpha" in description.variables
-    nominal = NOMINAL_POWER_LAW if power_law else NOMINAL
+    nominal = NOMINAL if law_of_fmu(description) == "constant" else NOMINAL_POWER_LAW
     stops = STOP_NAMES if set(STOP_NAMES) <= set(description.variables) else ()
     names = (*nominal.to_names(), *stops, *(FRICTION_NAMES if has_friction(description) else ()))
     missing = [name for name in names if name not in description.variables]

@@ -17,7 +17,8 @@ from pyjoystick.fmu import (
     find_fmu,
     read_description,
 )
-from pyjoystick.model import FRICTION_NAMES, STOP_NAMES, LawName, read_parameter_file, values_for
+from pyjoystick.model import FRICTION_NAMES, STOP_NAMES, read_parameter_file, values_for
+from pyjoystick.runs.joystick_fmus import law_of_fmu
 from pyjoystick.support import ParameterError, Table
 
 _HINTS: Final = {
@@ -54,8 +55,7 @@ def joystick_values(table: Table, fmu: FmuDescription) -> dict[str, Value]:
     if "parameters" not in table:
         return {}
     file = read_parameter_file(table.path.parent / table.text("parameters"))
-    law: LawName = "power-law" if "damping.alpha" in fmu.variables else "constant"
-    values: dict[str, Value] = dict(values_for(file.with_law(law), fmu.variables))
+    values: dict[str, Value] = dict(values_for(file.with_law(law_of_fmu(fmu)), fmu.variables))
     for name in values:
         if name not in fmu.variables:
             reason = f"is for joysticks, and {fmu.model_name} has no {name}"

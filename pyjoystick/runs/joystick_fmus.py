@@ -8,7 +8,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Final
 
-from pyjoystick.model import ConstantDamping, JoystickParameters, LawName
+from pyjoystick.fmu import FmuDescription
+from pyjoystick.model import JoystickParameters, LawName, law_name
 
 #: The FMUs of a joystick without dry friction and stops.
 FMU_OF_LAW: Final[Mapping[LawName, str]] = {"constant": "Joystick", "power-law": "JoystickPowerLaw"}
@@ -28,7 +29,7 @@ FMU_WITH_STOPS: Final[Mapping[str, str]] = {
 
 def fmu_of_joystick(joystick: JoystickParameters) -> str:
     """Name of the FMU that computes the motion of a joystick with its damping law, friction and stops."""
-    return fmu_with_parts(_fmu_of_law(joystick), joystick)
+    return fmu_with_parts(FMU_OF_LAW[law_name(joystick.damping)], joystick)
 
 
 def fmu_with_parts(fmu: str, joystick: JoystickParameters) -> str:
@@ -43,8 +44,9 @@ def fmu_with_parts(fmu: str, joystick: JoystickParameters) -> str:
 
 def mounted_fmu(joystick: JoystickParameters) -> str:
     """Name of the FMU of a joystick with its stops, in a hand, on a base that moves: by its damping law."""
-    return FMU_WITH_STOPS[_fmu_of_law(joystick)]
+    return FMU_WITH_STOPS[FMU_OF_LAW[law_name(joystick.damping)]]
 
 
-def _fmu_of_law(joystick: JoystickParameters) -> str:
-    return FMU_OF_LAW["constant" if isinstance(joystick.damping, ConstantDamping) else "power-law"]
+def law_of_fmu(description: FmuDescription) -> LawName:
+    """The damping law of a joystick's FMU, by its parameters."""
+    return "power-law" if "damping.alpha" in description.variables else "constant"

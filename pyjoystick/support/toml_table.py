@@ -85,17 +85,13 @@ class Table:
 
     def number(self, key: str, default: object = _ABSENT) -> float:
         """A finite number."""
-        try:
+        with self.at(key):
             return finite(key, self._given(key, default))
-        except ParameterError as error:
-            raise self.refused(key, error) from None
 
     def integer(self, key: str, least: int, default: object = _ABSENT) -> int:
         """A whole number, `least` or more."""
-        try:
+        with self.at(key):
             return whole_number(key, self._given(key, default), least)
-        except ParameterError as error:
-            raise self.refused(key, error) from None
 
     def text(self, key: str, default: object = _ABSENT) -> str:
         """Text."""
@@ -103,6 +99,10 @@ class Table:
         if not isinstance(value, str):
             raise self.error(key, "must be text")
         return value
+
+    def texts(self) -> dict[str, str]:
+        """Every key with its value, which must be text."""
+        return {key: self.text(key) for key in self.content}
 
     def flag(self, key: str, *, default: bool = False) -> bool:
         """True or false; the default where it is absent."""

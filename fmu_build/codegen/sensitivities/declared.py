@@ -33,38 +33,17 @@ def declare(
     n_more: int,
 ) -> LoweredModel:
     """Return the model with `n_more` states, and with names for all new slots of y and p."""
-    layout = model.solve["layout"]
-    bindings = {
-        name: _binding(shifted(_slot(binding), n_states, n_more))
-        for name, binding in layout["bindings"].items()
-    }
-    bindings |= {name: _binding(slot) for slot, name in names.items()}
-    bindings |= {one.name: _binding(one.slot) for one in declarations}
-    solve_layout = model.solve["solve_layout"]
-    old = solve_layout["solver_maps"]["names"]
+    slots = {name: shifted(slot, n_states, n_more) for name, slot in model.slots.items()}
+    slots |= {name: slot for slot, name in names.items()}
+    slots |= {one.name: one.slot for one in declarations}
+    old = model.y_names
     new = {slot[1]: name for slot, name in names.items() if slot[0] == "y"}
     texts = [*old[:n_states], *(new.pop(n_states + i) for i in range(n_more)), *old[n_states:]]
     texts += [new[index] for index in sorted(new)]
-    maps = {**solve_layout["solver_maps"], "names": texts}
     shown = {one.name for one in declarations}
     hidden = [_hidden(name) for slot, name in names.items() if slot[0] == "p" and name not in shown]
-    return replace(
-        model,
-        solve={
-            **model.solve,
-            "layout": {**layout, "bindings": bindings},
-            "solve_layout": {**solve_layout, "solver_maps": maps},
-        },
-        dae={**model.dae, "variables": [*model.dae["variables"], *map(_entry, declarations), *hidden]},
-    )
-
-
-def _slot(binding: Mapping[str, Any]) -> Slot:
-    return ("y", binding["Y"]["index"]) if "Y" in binding else ("p", binding["P"]["index"])
-
-
-def _binding(slot: Slot) -> dict[str, Any]:
-    return {slot[0].upper(): {"index": slot[1]}}
+    variables = [*model.dae["variables"], *map(_entry, declarations), *hidden]
+    return replace(model.with_slots(slots, texts), dae={**model.dae, "variables": variables})
 
 
 def _entry(one: Declaration) -> dict[str, Any]:

@@ -82,7 +82,7 @@ class _Extension:
         self.n_more = self.n * len(wanted.parameters)
         self.plain = with_room(equations, self.n_more)
         self.slots = NewSlots(self.plain.n_y, self.plain.n_p, self._texts(model))
-        self.state_names = model.solve["solve_layout"]["solver_maps"]["names"][: self.n]
+        self.state_names = model.y_names[: self.n]
         for number, name in enumerate(self._names_of_states()):
             self.slots.names["y", self.n + number] = name
         self.moves = [self.slots.named("p", f"move.{p.variable.name}")[1] for p in wanted.parameters]
@@ -96,12 +96,9 @@ class _Extension:
 
     def _texts(self, model: LoweredModel) -> dict[Slot, str]:
         texts: dict[Slot, str] = {}
-        for index, name in enumerate(model.solve["solve_layout"]["solver_maps"]["names"]):
+        for index, name in enumerate(model.y_names):
             texts[shifted(("y", index), self.n, self.n_more)] = name
-        for name, binding in model.solve["layout"]["bindings"].items():
-            if "P" in binding:
-                texts["p", binding["P"]["index"]] = name
-        return texts
+        return texts | {slot: name for name, slot in model.slots.items() if slot[0] == "p"}
 
     def _names_of_states(self) -> Iterator[str]:
         for parameter in self.wanted.parameters:
@@ -180,10 +177,8 @@ class _Extension:
 
     def _outputs(self, directions: Sequence[Direction]) -> Iterator[tuple[Declaration, Assignment]]:
         """Yield each requested sensitivity, unless it is a state, with its equation."""
-        bindings = self.model.solve["layout"]["bindings"]
         for variable in self.wanted.variables:
-            ((store, place),) = bindings[variable.variable.name].items()
-            slot = shifted(("y" if store == "Y" else "p", place["index"]), self.n, self.n_more)
+            slot = shifted(self.model.slots[variable.variable.name], self.n, self.n_more)
             if variable.variable.name in self.state_names:
                 continue
             for parameter, direction in zip(self.wanted.parameters, directions, strict=True):

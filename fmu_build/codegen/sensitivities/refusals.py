@@ -16,7 +16,7 @@ def reject_without_sensitivities(
 ) -> None:
     """Raise `UnsupportedModelError` for a model whose sensitivities would be wrong without notice."""
     for node in ex.walk(*acting_expressions(equations)):
-        if node.operator == "Sign" and any(e.operator in ("y", "time") for e in ex.leaves(node)):
+        if node.operator == "Sign" and ex.varies(node):
             raise model.unsupported(
                 "no sensitivities: sign() of a variable jumps without an event; write it with relations"
             )

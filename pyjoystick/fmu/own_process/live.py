@@ -6,8 +6,7 @@ import os
 from functools import partial
 from typing import Any
 
-from pyjoystick.fmu.own_process.pool import ProcessPool, run_error
-from pyjoystick.fmu.own_process.process import ProcessEndedError
+from pyjoystick.fmu.own_process.pool import ProcessPool
 
 
 class RemoteLiveInstance:
@@ -18,7 +17,7 @@ class RemoteLiveInstance:
         self._user = os.getpid()
         self._process = pool.take()
         try:
-            self._ask("start", time, time, *settings)
+            pool.ask(self._process, time, "start", time, *settings)
         except BaseException:
             self.abandon()
             raise
@@ -40,10 +39,4 @@ class RemoteLiveInstance:
         return partial(self._call, name)
 
     def _call(self, name: str, time: float, *arguments: Any) -> Any:
-        return self._ask("live", time, name, time, *arguments)
-
-    def _ask(self, request: str, time: float, *arguments: Any) -> Any:
-        try:
-            return self._process.ask(request, *arguments, time_limit=self._pool.time_limit)
-        except ProcessEndedError as ended:
-            raise run_error(ended, time, self._pool.description.path) from None
+        return self._pool.ask(self._process, time, "live", name, time, *arguments)

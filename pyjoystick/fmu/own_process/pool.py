@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import os
 from contextlib import ExitStack
 from pathlib import Path
 from typing import Any, Final
@@ -28,6 +27,9 @@ class ProcessPool(Pool[OwnProcess]):
         time_limit: what a run may take (s)
     """
 
+    #: The parent's processes are left alone.
+    survives_fork = False
+
     def __init__(self, description: FmuDescription, time_limit: float | None) -> None:
         """Start the first process, which shows that the FMU can be loaded.
 
@@ -41,11 +43,12 @@ class ProcessPool(Pool[OwnProcess]):
         self._folder = self._stack.enter_context(unpacked(description))
         super().__init__(description)
 
-    def take(self) -> OwnProcess:
-        """As of `Pool`; in a forked process the parent's are left alone."""
-        if os.getpid() != self._process:
-            self._idle.clear()
-        return super().take()
+    def ask(self, process: OwnProcess, time: float, request: str, *arguments: Any) -> Any:
+        """As `OwnProcess.ask`, within the time limit, of a run at `time` (s); raises FmuRunError too."""
+        try:
+            return process.ask(request, *arguments, time_limit=self.time_limit)
+        except ProcessEndedError as ended:
+            raise run_error(ended, time, self.description.path) from None
 
     def linearize(self, *arguments: Any) -> Any:
         """As `linearization.linearize` after its first argument."""

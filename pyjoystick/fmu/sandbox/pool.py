@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-
 from pyjoystick.fmu.description import FmuDescription
 from pyjoystick.fmu.errors import FmuFileError
 from pyjoystick.fmu.own_process.pool import TIME_LIMIT, checked_limit
@@ -19,6 +17,9 @@ class SandboxPool(Pool[Machine]):
         time_limit: what a run may take (s)
     """
 
+    #: There are no threads for the parent's machines.
+    survives_fork = False
+
     def __init__(self, description: FmuDescription, time_limit: float | None) -> None:
         """Compile the module and make the first machine, which shows that it can be run.
 
@@ -30,12 +31,6 @@ class SandboxPool(Pool[Machine]):
         self.time_limit = TIME_LIMIT if time_limit is None else checked_limit(time_limit)
         self._code = compiled(description)
         super().__init__(description)
-
-    def take(self) -> Machine:
-        """As of `Pool`; in a forked process there are no threads for the parent's machines."""
-        if os.getpid() != self._process:
-            self._idle.clear()
-        return super().take()
 
     def _make(self) -> Machine:
         try:

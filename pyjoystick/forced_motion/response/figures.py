@@ -60,14 +60,13 @@ def backbone(joystick: JoystickParameters, amplitudes: FloatArray) -> pd.DataFra
     return pd.DataFrame(rows, columns=["frequency", "amplitude"])
 
 
-def plot_response(response: Response, *, size: tuple[float, float] = (7.4, 4.8)) -> Figure:
+def plot_response(response: Response) -> Figure:
     """Amplitude over the free parameter, unstable motions dashed, with the backbone over the frequency.
 
     Args:
         response: the branches
-        size: width and height (inch)
     """
-    figure = Figure(figsize=size, layout="constrained")
+    figure = Figure(figsize=(7.4, 4.8), layout="constrained")
     axes = figure.subplots()
     free, (low, high) = response.shaken.free, response.limits
     table = branch_table(response)
@@ -113,17 +112,14 @@ def _draw_branch(axes: Axes, branch: pd.DataFrame, free: str) -> None:
         )
 
 
-def plot_attractors(
-    found: Basins, shaken: ShakenJoystick, *, size: tuple[float, float] = (7.4, 3.8)
-) -> Figure:
+def plot_attractors(found: Basins, shaken: ShakenJoystick) -> Figure:
     """Each attractor in the phase plane: a periodic one as a curve, the others as their Poincare section.
 
     Args:
         found: the attractors
         shaken: the joystick
-        size: width and height (inch)
     """
-    figure = Figure(figsize=size, layout="constrained")
+    figure = Figure(figsize=(7.4, 3.8), layout="constrained")
     panels = figure.subplots(1, len(found.attractors), squeeze=False)[0]
     for number, (panel, one) in enumerate(zip(panels, found.attractors, strict=True)):
         if isinstance(one, PeriodicAttractor):

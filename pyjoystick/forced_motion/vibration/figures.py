@@ -20,7 +20,6 @@ def plot_transmissibility(
     driven: Mapping[str, pd.DataFrame] | None = None,
     *,
     direction: Direction = Direction.HORIZONTAL,
-    size: tuple[float, float] = (7.4, 5.6),
 ) -> Figure:
     """Frequency responses of small vibrations as lines, those of large ones as points.
 
@@ -29,7 +28,6 @@ def plot_transmissibility(
             line styles
         driven: tables as `MountedHandle.driven` gives them, by label
         direction: how the base shakes, for the labels
-        size: width and height (inch)
 
     Raises:
         ParameterError: no line, or more lines or series of points than there are styles
@@ -38,7 +36,7 @@ def plot_transmissibility(
     most = min(len(SERIES), len(_MARKERS))
     if not 1 <= len(small) <= most or len(points) > most:
         raise ParameterError("small, driven", f"{len(small)} and {len(points)} tables", f"1 to {most} each")
-    figure = Figure(figsize=size, layout="constrained")
+    figure = Figure(figsize=(7.4, 5.6), layout="constrained")
     upper, lower = figure.subplots(2, 1, sharex=True)
     for panel, column, factor in ((upper, "gain", np.degrees(1.0)), (lower, "transmissibility", 1.0)):
         for style, (label, table) in zip(SERIES, small.items(), strict=False):

@@ -5,7 +5,6 @@ from __future__ import annotations
 import dataclasses
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from contextlib import ExitStack
 from dataclasses import dataclass
 
 import numpy as np
@@ -63,8 +62,7 @@ def compare_models(
         raise ParameterError("models", ", ".join(models), "on the trajectory of one output")
     found = []
     for name, settings in models.items():
-        with ExitStack() as stack:
-            fmu = stack.enter_context(Fmu(settings.fmu))
+        with Fmu(settings.fmu) as fmu:
             whole = fit(measured, settings, fmu=fmu)
             errors = []
             for left_out in range(len(measured) if len(measured) > 1 else 0):

@@ -40,7 +40,7 @@ def read_fit_settings(
         "fmu": name if name in MODELS else str(fmu.path),
         "fixed": _fixed(root.table("parameters"), measured),
         "free": _free(root.table("free", required=True), measured),
-        "ties": _texts(root.table("ties")),
+        "ties": root.table("ties").texts(),
         "noise": _noise(root.table("noise"), fmu),
         **compared,
     }
@@ -113,10 +113,6 @@ def _with_zero_offset(free: tuple[Free, ...]) -> tuple[Free, ...]:
     return free if named else (*free, Free(ZERO_OFFSET, per_record=True))
 
 
-def _texts(table: Table) -> dict[str, str]:
-    return {name: table.text(name) for name, _ in table.items()}
-
-
 def _noise(table: Table, fmu: FmuDescription) -> Noise:
     inner = table.table("sigma")
     sigma = {}
@@ -138,7 +134,7 @@ def _compared(table: Table) -> dict[str, Any]:
     if "peaks" in table:
         found["peaks"] = table.integer("peaks", 2)
     if "derivatives" in table:
-        found["derivatives"] = _texts(table.table("derivatives"))
+        found["derivatives"] = table.table("derivatives").texts()
     return found
 
 

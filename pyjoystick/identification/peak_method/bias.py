@@ -15,13 +15,14 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Final
 
+import numpy as np
 import pandas as pd
 from scipy.optimize import brentq
 
 from pyjoystick.identification.errors import DampingEstimateError
 from pyjoystick.identification.peak_method.estimate import CONSTANTS, LINES, DampingEstimate, estimate_damping
 from pyjoystick.model import ConstantDamping, JoystickParameters
-from pyjoystick.motion import ReleasePeaks
+from pyjoystick.motion import MeasuredPeaks, ReleasePeaks
 from pyjoystick.support import SimulationError
 
 #: The peaks of a joystick released at an angle (rad).
@@ -128,6 +129,17 @@ def line_bias(
             biases[coefficient] = Bias(ours.coefficient, theirs.coefficient, ours.coefficient * factor)
             biases[exponent] = Bias(ours.exponent, theirs.exponent, 2.0 * ours.exponent - theirs.exponent)
     return biases
+
+
+def biases(
+    estimate: DampingEstimate,
+    joystick: JoystickParameters,
+    releases: Iterable[MeasuredPeaks],
+    simulate: Simulate,
+) -> tuple[dict[str, Bias], dict[str, Bias]]:
+    """`constant_bias` and `line_bias` at the mean angle of the releases; raises as they do."""
+    angle = float(np.mean([release.release_angle for release in releases]))
+    return constant_bias(estimate, joystick, angle, simulate), line_bias(estimate, joystick, angle, simulate)
 
 
 def bias_table(

@@ -44,12 +44,7 @@ _ERRORS: Final = {
 
 
 def plot_damping_estimate(
-    estimate: DampingEstimate,
-    *,
-    constant: float | None = None,
-    confidence: float = 0.95,
-    title: str = "",
-    size: tuple[float, float] = (7.4, 3.8),
+    estimate: DampingEstimate, *, constant: float | None = None, confidence: float = 0.95, title: str = ""
 ) -> Figure:
     """C_exp over peak heights on logarithmic scales, with lines and confidence bands, as Fig. 9 (a) and (b).
 
@@ -58,9 +53,8 @@ def plot_damping_estimate(
         constant: a constant C (N m s/rad) to draw beside it, such as the one without the method's bias
         confidence: of the bands
         title: a line above the figure
-        size: width and height (inch)
     """
-    figure = Figure(figsize=size, layout="constrained")
+    figure = Figure(figsize=(7.4, 3.8), layout="constrained")
     angle, velocity = figure.subplots(1, 2, sharey=True)
     for name, (color, _) in _SIDES.items():
         points = estimate.displacement[_side(estimate.displacement, name)]
@@ -85,11 +79,7 @@ def plot_damping_estimate(
 
 
 def plot_peak_errors(
-    sweeps: Mapping[str, pd.DataFrame],
-    *,
-    largest: float = 100.0,
-    title: str = "",
-    size: tuple[float, float] = (7.4, 3.8),
+    sweeps: Mapping[str, pd.DataFrame], *, largest: float = 100.0, title: str = ""
 ) -> Figure:
     """The errors of eqs. (12a, b) over parameters, one panel each, with the minima marked, as Fig. 11.
 
@@ -97,14 +87,13 @@ def plot_peak_errors(
         sweeps: tables of `sweep_peak_errors` by the label of the horizontal axis
         largest: upper end of the vertical axis (percent); curves may leave it
         title: a line above the figure
-        size: width and height (inch)
 
     Raises:
         ParameterError: there is no sweep
     """
     if not sweeps:
         raise ParameterError("sweeps", "no sweep", "one or more")
-    figure = Figure(figsize=size, layout="constrained")
+    figure = Figure(figsize=(7.4, 3.8), layout="constrained")
     apart = {"wspace": 0.08}
     panels = figure.subplots(1, len(sweeps), sharey=True, squeeze=False, gridspec_kw=apart)[0]
     for axes, (label, sweep) in zip(panels, sweeps.items(), strict=True):

@@ -31,15 +31,14 @@ _MM: Final = 1e3
 _POINTS: Final = 2001
 
 
-def plot_load_curve(fit: LoadCurveFit, *, title: str = "", size: tuple[float, float] = (7.0, 6.4)) -> Figure:
+def plot_load_curve(fit: LoadCurveFit, *, title: str = "") -> Figure:
     """The whole curve with segments and cubic; below it the steep segments, enlarged.
 
     Args:
         fit: from `fit_load_curve`
         title: a line above the figure
-        size: width and height (inch)
     """
-    figure = Figure(figsize=size, layout="constrained")
+    figure = Figure(figsize=(7.0, 6.4), layout="constrained")
     steep = list(range(0, len(fit.table.x) - 1, 2))[:2]
     grid = figure.add_gridspec(2, max(len(steep), 1), height_ratios=(3, 2) if steep else (1, 0))
     whole = figure.add_subplot(grid[0, :])
@@ -125,17 +124,9 @@ def cubic_fits(parameters: JoystickParameters, largest_angle: float) -> dict[str
     return fits
 
 
-def plot_load_deflection(
-    fits: dict[str, CubicFit], *, title: str = "", size: tuple[float, float] = (7.0, 4.2)
-) -> Figure:
-    """Force over travel, the model solid and the cubics dashed.
-
-    Args:
-        fits: from `cubic_fits`
-        title: a line above the figure
-        size: width and height (inch)
-    """
-    figure = Figure(figsize=size, layout="constrained")
+def plot_load_deflection(fits: dict[str, CubicFit]) -> Figure:
+    """Force over travel, the model solid and the cubics of `cubic_fits` dashed."""
+    figure = Figure(figsize=(7.0, 4.2), layout="constrained")
     axes = figure.subplots()
     for (side, fit), color in zip(fits.items(), (FORWARD, BACKWARD), strict=True):
         corners = [0.0, *fit.assembly.kinks, fit.travel[-1]]
@@ -159,5 +150,5 @@ def plot_load_deflection(
     axes.set_xlim(left=0.0)
     axes.set_ylim(bottom=0.0)
     dress(axes)
-    legend_above(figure, axes, columns=2, title=title)
+    legend_above(figure, axes, columns=2)
     return figure

@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 
 from pyjoystick.model import SegmentTable, table_force
 from pyjoystick.support import FloatArray
+
+#: Where the machine turns (m).
+_TURN: Final = 3.6e-3
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,7 +38,6 @@ def synthetic_load_cycle(
     random: np.random.Generator,
     errors: MachineErrors | None = None,
     step: float = 3e-6,
-    end: float = 3.6e-3,
 ) -> tuple[FloatArray, FloatArray]:
     """Travel (m) and force (N) of loading and unloading, each of shape (n,), in the order of the record.
 
@@ -43,10 +46,9 @@ def synthetic_load_cycle(
         random: where the noise comes from
         errors: of the machine; the default of `MachineErrors` where not given
         step: between two samples (m)
-        end: where the machine turns (m)
     """
     machine = errors or MachineErrors()
-    up = np.arange(0.0, end, step)
+    up = np.arange(0.0, _TURN, step)
     down = up[::-1]
     at, by = machine.slack
     loading = table_force(table, up - np.where(up > at, by, 0.0))

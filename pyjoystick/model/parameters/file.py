@@ -13,7 +13,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
-from typing import Final, Literal, get_args
+from typing import Final, Literal, TypeVar, get_args
 
 from pyjoystick.model.parameters.joystick import (
     ConstantDamping,
@@ -41,11 +41,11 @@ PLAIN_TABLES: Final[Mapping[str, tuple[str, ...]]] = {
     "gravity": ("g",),
     "geometry": ("a", "b", "pivot_to_top"),
 }
-#: Keys of the table [friction], which may be left out, as may each of them.
-FRICTION: Final = tuple(field.name for field in dataclasses.fields(Friction))
-#: Keys of the table [stops], which may be left out, as may each of them.
-STOPS: Final = tuple(field.name for field in dataclasses.fields(Stops))
-_OPTIONAL: Final = ("pivot_to_top", "eps_theta", "eps_omega", *FRICTION, *STOPS)
+#: Keys that may be left out: all those of [friction] and [stops], as may these tables, and some others.
+_OPTIONAL: Final = (
+    *("pivot_to_top", "eps_theta", "eps_omega"),
+    *(field.name for part in (Friction, Stops) for field in dataclasses.fields(part)),
+)
 #: The key that has a file read whose numbers no joystick has.
 IMPLAUSIBLE: Final = "implausible"
 
@@ -121,11 +121,10 @@ def read_parameter_file(path: str | PathLike[str] | Table) -> ParameterFile:
     curves = {side: found.curve(root.table(side, required=True)) for side in SIDES}
     damping = root.table("damping", required=True)
     chosen = _known_law(damping.choice("law", tuple(LAWS)))
-    laws = {law: found.damping(damping.table(law), LAWS[law]) for law in LAWS if law in damping}
+    laws = {law: found.part(damping.table(law), LAWS[law]) for law in LAWS if law in damping}
     if chosen not in laws:
         raise SettingsError(root.path, damping.name, "law", chosen, f"needs a table [damping.{chosen}]")
-    friction = found.friction(root.table("friction"))
-    stops = found.stops(root.table("stops"))
+    friction, stops = found.part(root.table("friction"), Friction), found.part(root.table("stops"), Stops)
     title = root.text("title", "")
     root.finish()
     pivot_to_top = numbers["geometry"].pop("pivot_to_top", None)
@@ -154,6 +153,9 @@ def read_parameter_file(path: str | PathLike[str] | Table) -> ParameterFile:
         uncertainties=found.uncertainties,
         sources=found.sources,
     )
+
+
+_Part = TypeVar("_Part", bound=Damping | Friction | Stops)
 
 
 class _Found:
@@ -194,23 +196,11 @@ class _Found:
         with table.at():
             return SegmentTable(tuple(lists["x"]), tuple(lists["k"]))
 
-    def damping(self, table: Table, law: type[ConstantDamping] | type[PowerLawDamping]) -> Damping:
-        """A damping law."""
-        numbers = self.numbers(table, [field.name for field in dataclasses.fields(law)])
+    def part(self, table: Table, kind: type[_Part]) -> _Part:
+        """The damping law, friction or stops that a table says."""
+        numbers = self.numbers(table, [field.name for field in dataclasses.fields(kind)])
         with table.at():
-            return law(**numbers)
-
-    def friction(self, table: Table) -> Friction:
-        """The dry friction; none where the table is left out."""
-        numbers = self.numbers(table, FRICTION)
-        with table.at():
-            return Friction(**numbers)
-
-    def stops(self, table: Table) -> Stops:
-        """The stops; none where the table or the angle is left out."""
-        numbers = self.numbers(table, STOPS)
-        with table.at():
-            return Stops(**numbers)
+            return kind(**numbers)
 
     def _ask(self, table: Table, name: str, key: str, value: object) -> None:
         """Refuse a number that no joystick has."""

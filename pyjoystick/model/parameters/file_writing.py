@@ -80,9 +80,7 @@ def write_parameters(
         try:
             read_parameter_file(temporary)
         except SettingsError as error:
-            raise SettingsError(
-                target, error.table, error.key, error.value, error.allowed, error.hint
-            ) from None
+            raise dataclasses.replace(error, path=target) from None
 
 
 def updated_text(

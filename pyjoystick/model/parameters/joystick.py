@@ -246,12 +246,7 @@ def _from_names(
         except ParameterError as error:
             raise error.within(side) from None
     return JoystickParameters(
-        J=names["J"],
-        m=names["m"],
-        h=names["h"],
-        g=names["g"],
-        a=names["a"],
-        b=names["b"],
+        **{name: names[name] for name in _BODY},
         forward=actuators["forward"],
         backward=actuators["backward"],
         damping=_built(law, "damping", names),

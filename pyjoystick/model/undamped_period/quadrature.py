@@ -75,29 +75,6 @@ class CamGeometry:
         return 2.0 * math.sin(outer - 0.5 * gap) * math.sin(0.5 * gap)
 
 
-@dataclass(frozen=True, slots=True)
-class LinearGeometry:
-    """Lowest order in theta: x = a*theta, hence dx/dtheta = a, and cos(theta) = 1 - theta^2/2.
-
-    The contact moment is then a*f_x(a*theta) and that of the weight m*g*h*theta: straight lines between the
-    kinks.
-    """
-
-    joystick: JoystickParameters
-
-    def angle_of_travel(self, x: float) -> float:
-        """x/a."""
-        return x / self.joystick.a
-
-    def advance(self, outer: float, gap: float) -> float:
-        """a*gap."""
-        return self.joystick.a * gap
-
-    def lowering(self, outer: float, gap: float) -> float:
-        """(outer^2 - (outer - gap)^2)/2."""
-        return (outer - 0.5 * gap) * gap
-
-
 _RELATIVE_TOLERANCE: Final = 1e-12
 _MOST_INTERVALS: Final = 500
 #: The cam has no contact from here on (rad).
@@ -112,7 +89,7 @@ def undamped_oscillation(
     Args:
         joystick: the joystick, whose damping and dry friction do not count
         release_angle: angle of release (rad), positive forward, not 0
-        geometry: that of `joystick`: `CamGeometry`, eq. (3), where not given, or `LinearGeometry`
+        geometry: how its travel and its height depend on the angle; `CamGeometry`, eq. (3), where not given
 
     Raises:
         ParameterError: the angle is 0, or its magnitude pi/2 or more

@@ -92,11 +92,7 @@ _MARKERS: Final = ("o", "^", "s", "D")
 
 
 def plot_periods(
-    table: pd.DataFrame,
-    decaying: Mapping[str, tuple[pd.DataFrame, str]],
-    *,
-    title: str = "",
-    size: tuple[float, float] = (7.0, 6.6),
+    table: pd.DataFrame, decaying: Mapping[str, tuple[pd.DataFrame, str]], *, title: str = ""
 ) -> Figure:
     """Period over amplitude on logarithmic scales; below it the parts of the period in each kind of segment.
 
@@ -104,9 +100,8 @@ def plot_periods(
         table: from `period_table`, amplitudes rising
         decaying: by label, what `decaying_periods` gives and a color
         title: a line above the figure
-        size: width and height (inch)
     """
-    figure = Figure(figsize=size, layout="constrained")
+    figure = Figure(figsize=(7.0, 6.6), layout="constrained")
     above, below = figure.subplots(2, 1, sharex=True, height_ratios=[5, 3])
     amplitude = table["amplitude"] * _DEG
     above.plot(amplitude, table["period"] * _MS, color=BLACK, linewidth=1.2, label="undamped")

@@ -9,7 +9,7 @@ from typing import Final
 import numpy as np
 
 from pyjoystick.laboratory import Estimate
-from pyjoystick.model import SIDES, FmuValue, fmu_values
+from pyjoystick.model import SIDES, FmuValue, Side, fmu_values
 from pyjoystick.reports.html_report.known_digits import with_uncertainty
 from pyjoystick.reports.html_report.measurements import Measurements
 from pyjoystick.reports.html_report.page import Section, paragraph
@@ -82,32 +82,31 @@ def is_rounded(value: float, estimate: Estimate) -> bool:
     return abs(estimate.value - value) <= 0.02 * estimate.uncertainty
 
 
-def _curve_source(found: Measurements, side: str) -> str:
-    for own, name in found.curve_sources.items():
-        if own == side:
-            return f"load-deflection curve, {name}"
+def _curve_source(found: Measurements, side: Side) -> str:
+    if side in found.curve_sources:
+        return f"load-deflection curve, {found.curve_sources[side]}"
     return found.file.sources.get(side, "") or "the file names no source"
 
 
 def uncertainty_of(found: Measurements, one: FmuValue) -> float | None:
     """Standard uncertainty of a value; None where none is stated."""
-    if one.table not in SIDES:
+    side = next((side for side in SIDES if side == one.table), None)
+    if side is None:
         return one.uncertainty
-    side = next(side for side in SIDES if side == one.table)
     if side in found.curves:
         return found.curves[side].springs()[one.name.partition(".")[2]][1]
     return _largest(found, side, one.place)
 
 
-def _segment_rows(found: Measurements, side: str) -> Iterator[list[str]]:
-    curve = next(curve for own, curve in found.file.curves.items() if own == side)
+def _segment_rows(found: Measurements, side: Side) -> Iterator[list[str]]:
+    curve = found.file.curves[side]
     for key, values, factor, unit in (("x", curve.x, 1e3, "mm"), ("k", curve.k, 1.0, "N/m")):
         for i, value in enumerate(values):
             stated = found.file.uncertainties.get(f"{side}.{key}[{i}]")
             yield [f"{key}_{i}", *with_uncertainty(value, stated, factor), unit]
 
 
-def _spring_rows(found: Measurements, side: str) -> Iterator[list[str]]:
+def _spring_rows(found: Measurements, side: Side) -> Iterator[list[str]]:
     for one in fmu_values(found.file):
         if one.table == side:
             factor, unit = _SHOWN.get(one.unit, (1.0, one.unit))
@@ -115,7 +114,7 @@ def _spring_rows(found: Measurements, side: str) -> Iterator[list[str]]:
             yield [name, *with_uncertainty(one.value, uncertainty_of(found, one), factor), unit]
 
 
-def _largest(found: Measurements, side: str, place: str) -> float | None:
+def _largest(found: Measurements, side: Side, place: str) -> float | None:
     """The largest uncertainty of a spring by those of the curve, whose correlations are not known."""
     stated = {
         f"{key}[{i}]": found.file.uncertainties.get(f"{side}.{key}[{i}]") for key in "xk" for i in range(4)
@@ -123,7 +122,7 @@ def _largest(found: Measurements, side: str, place: str) -> float | None:
     used = {name: error for name, error in stated.items() if name in place}
     if any(error is None for error in used.values()):
         return None
-    curve = next(curve for own, curve in found.file.curves.items() if own == side)
+    curve = found.file.curves[side]
     values = {"x": np.array(curve.x), "k": np.array(curve.k)}
     total = 0.0
     for name, error in used.items():

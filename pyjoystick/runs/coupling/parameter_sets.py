@@ -16,7 +16,7 @@ from pyjoystick.runs.coupling.system import Component
 from pyjoystick.support import InputFileError
 
 SspVersion = Literal["1.0", "2.0"]
-#: The namespaces of both versions of the standard, and OMSimulator's; tools look for these very prefixes.
+#: The namespaces of both versions of the standard, and OMSimulator's.
 NAMESPACES: Final = {
     "ssc": "http://ssp-standard.org/SSP1/SystemStructureCommon",
     "ssd": "http://ssp-standard.org/SSP1/SystemStructureDescription",
@@ -56,17 +56,13 @@ def parameter_set_xml(
     The standard has no place for uncertainties: they stand in the description of a parameter, for people, and
     in an annotation, ``<pj:Measured standardUncertainty="..." source="..."/>``.
     """
-    for prefix, uri in NAMESPACES.items():
-        ElementTree.register_namespace(prefix, uri)
     root = parameter_set(component, description, version)
     for parameter in root.iter(tag("ssv:Parameter")):
         note = notes.get(parameter.get("name", ""))
         if note is not None:
             _annotate(parameter, note)
     add_units(root, "ssv:Units", [description])
-    ElementTree.indent(root)
-    content: bytes = ElementTree.tostring(root, encoding="UTF-8", xml_declaration=True)
-    return content + b"\n"
+    return xml_file(root)
 
 
 def _annotate(parameter: Element, note: ParameterNote) -> None:
@@ -177,6 +173,15 @@ def _value(path: Path, parameter: Element) -> Value:
     if kind == "String":
         return text
     raise InputFileError(path, f"parameter {parameter.get('name')!r}: a value of {kind} is not supported")
+
+
+def xml_file(root: Element) -> bytes:
+    """An element as the content of a file, with the prefixes that tools look for."""
+    for prefix, uri in NAMESPACES.items():
+        ElementTree.register_namespace(prefix, uri)
+    ElementTree.indent(root)
+    content: bytes = ElementTree.tostring(root, encoding="UTF-8", xml_declaration=True)
+    return content + b"\n"
 
 
 def tag(name: str) -> str:

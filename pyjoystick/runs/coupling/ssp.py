@@ -22,6 +22,7 @@ from pyjoystick.runs.coupling.parameter_sets import (
     parameter_set,
     parameter_set_xml,
     tag,
+    xml_file,
 )
 from pyjoystick.runs.coupling.system import Component, Connection, CoupledSystem
 from pyjoystick.runs.errors import CouplingError
@@ -136,8 +137,6 @@ def structure_xml(system: CoupledSystem, version: SspVersion, in_files: Collecti
         in_files: names of the components whose values are in files of their own
     """
     described = system.describe()
-    for prefix, uri in NAMESPACES.items():
-        ElementTree.register_namespace(prefix, uri)
     root = Element(
         tag("ssd:SystemStructureDescription"),
         version=version,
@@ -170,9 +169,7 @@ def structure_xml(system: CoupledSystem, version: SspVersion, in_files: Collecti
     for parent in list(root.iter()):
         for empty in [child for child in parent if child.tag in lists and not len(child)]:
             parent.remove(empty)
-    ElementTree.indent(root)
-    content: bytes = ElementTree.tostring(root, encoding="UTF-8", xml_declaration=True)
-    return content + b"\n"
+    return xml_file(root)
 
 
 def _add_omsimulator(top: Element) -> None:
@@ -234,13 +231,12 @@ def system_of(path: Path, root: Element, folder: Path, read: Callable[[str], byt
     if top is None:
         raise InputFileError(path, f"there is no system in its {root.tag.rpartition('}')[2]}")
     _refuse(path, top, "ssd:ParameterBindings", "ssd:SignalDictionaries")
-    elements = top.findall("ssd:Elements/*", NAMESPACES)
     experiment = root.find("ssd:DefaultExperiment", NAMESPACES)
     return CoupledSystem(
         name=top.get("name", root.get("name", path.stem)),
         description=top.get("description", ""),
         components=tuple(
-            _component(path, element, folder, read) for element in ([] if elements is None else elements)
+            _component(path, element, folder, read) for element in top.iterfind("ssd:Elements/*", NAMESPACES)
         ),
         connections=tuple(_connections(path, top)),
         stop_time=_stop_time(path, experiment),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 import pandas as pd
@@ -23,16 +23,14 @@ def coupling_errors(
     *,
     monolithic: Fmu,
     steps: Sequence[float] = (2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4),
-    schemes: Iterable[str] = tuple(SCHEMES),
 ) -> pd.DataFrame:
-    """The largest coupling error of a variable at the communication points.
+    """The largest coupling error of a variable at the communication points, by each of the `SCHEMES`.
 
     Args:
         system: as FMUs
         variable: what is compared, ``component.variable``
         monolithic: the FMU of the same system as one model, in which the variable has the same name
         steps: communication steps (s)
-        schemes: names in `SCHEMES`
 
     Returns:
         a row for each scheme and step with ``scheme``, ``step`` (s), ``error`` (unit of the variable) and
@@ -42,7 +40,7 @@ def coupling_errors(
         as `run_coupled` and `Fmu.run`
     """
     rows = []
-    for scheme in schemes:
+    for scheme in SCHEMES:
         for step in steps:
             run = run_coupled(system, step=step, scheme=scheme, outputs=[variable], tolerance=_TOLERANCE)
             exact = monolithic.run(np.asarray(run.index), outputs=[variable], tolerance=_TOLERANCE)

@@ -69,7 +69,7 @@ def read_sweep(path: str | PathLike[str]) -> pd.DataFrame:
     path = Path(path)
     check_target(path)
     try:
-        table = _read_parquet(path) if _is_parquet(path) else _read_csv(path)
+        table = pd.read_parquet(path, engine="pyarrow") if _is_parquet(path) else _read_csv(path)
     except FileNotFoundError as error:
         raise SweepFileError(path, "the file does not exist") from error
     except Exception as error:  # pandas and pyarrow raise whatever they stumble over
@@ -81,10 +81,6 @@ def read_sweep(path: str | PathLike[str]) -> pd.DataFrame:
 
 def _is_parquet(path: Path) -> bool:
     return path.suffix.lower() == ".parquet"
-
-
-def _read_parquet(path: Path) -> pd.DataFrame:
-    return pd.read_parquet(path, engine="pyarrow")
 
 
 def _read_csv(path: Path) -> pd.DataFrame:

@@ -7,14 +7,13 @@ import io
 import pytest
 from rich.console import Console
 
-from pyjoystick.cli import sweep_progress
 from pyjoystick.cli.sweep_progress import progress
 
 
 def test_the_bar_shows_what_is_done_the_rate_and_the_time_left(monkeypatch: pytest.MonkeyPatch) -> None:
     screen = io.StringIO()
     console = Console(file=screen, force_terminal=True, width=100)
-    monkeypatch.setattr(sweep_progress, "progress_console", lambda: console)
+    monkeypatch.setattr("pyjoystick.cli.console.progress_console", lambda: console)
     with progress(1000) as bar:
         bar.show(100)
         for done in (200, 300):

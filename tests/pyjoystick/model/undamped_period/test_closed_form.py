@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
 import pytest
 
 from pyjoystick.model import (
     NOMINAL,
-    LinearGeometry,
+    JoystickParameters,
     LineOscillator,
     LineSide,
     NoOscillationError,
@@ -17,6 +18,27 @@ from pyjoystick.model import (
     undamped_oscillation,
 )
 from pyjoystick.support import ParameterError
+
+
+@dataclass(frozen=True, slots=True)
+class LinearGeometry:
+    """Lowest order in theta: x = a*theta, hence dx/dtheta = a, and cos(theta) = 1 - theta^2/2.
+
+    The contact moment is then a*f_x(a*theta) and that of the weight m*g*h*theta: straight lines between the
+    kinks.
+    """
+
+    joystick: JoystickParameters
+
+    def angle_of_travel(self, x: float) -> float:
+        return x / self.joystick.a
+
+    def advance(self, outer: float, gap: float) -> float:
+        return self.joystick.a * gap
+
+    def lowering(self, outer: float, gap: float) -> float:
+        return (outer - 0.5 * gap) * gap
+
 
 AMPLITUDES = [0.2, 0.3, 0.45, 0.6, 1.0, 2.0, 5.0, 7.2, 7.5, 10.0, 15.0, 20.0]
 

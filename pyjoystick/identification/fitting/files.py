@@ -1,0 +1,51 @@
+"""The files of a fit: the records that it reads, and what it writes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from os import PathLike
+from pathlib import Path
+
+from pyjoystick.fmu import FmuDescription
+from pyjoystick.identification.fitting.figures import save_figures
+from pyjoystick.identification.fitting.json_report import as_json
+from pyjoystick.identification.fitting.problem.measurement import Measurement, read_table_record
+from pyjoystick.identification.fitting.problem.settings import FitSettings
+from pyjoystick.identification.fitting.result import Fit
+from pyjoystick.identification.fitting.settings_file import reads_releases
+from pyjoystick.identification.fitting.text_report import report
+from pyjoystick.motion import Record, read_repeats
+from pyjoystick.support import write_text
+
+
+def read_records(
+    paths: Sequence[Path],
+    settings: FitSettings,
+    fmu: FmuDescription,
+    *,
+    columns: Mapping[str, str] | None = None,
+    units: Mapping[str, str] | None = None,
+    both_sides: bool = False,
+) -> list[Record | Measurement]:
+    """The records that the settings compare with the FMU, one a file.
+
+    They are releases, as `pyjoystick.motion.read_repeats` reads them with these options, or tables of the
+    FMU's variables, as `pyjoystick.fmu.read_variables` does; both raise RecordError.
+    """
+    if reads_releases(settings):
+        counted = settings.comparison == "peaks"
+        return [*read_repeats(paths, columns=columns, units=units, both_sides=both_sides, counted=counted)]
+    names = (*settings.outputs, *settings.inputs)
+    return [read_table_record(path, names, fmu) for path in paths]
+
+
+def save_fit(fit: Fit, folder: str | PathLike[str], title: str, notes: Sequence[str] = ()) -> list[Path]:
+    """Write ``fit.md`` under this title, ``fit.json`` with these notes, and the figures; returns the files.
+
+    Raises:
+        OutputFileError: a file cannot be written
+    """
+    texts = {"fit.md": report(fit, title), "fit.json": as_json(fit, notes)}
+    for name, text in texts.items():
+        write_text(Path(folder) / name, text)
+    return [*(Path(folder) / name for name in texts), *save_figures(fit, folder)]
