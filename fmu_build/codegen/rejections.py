@@ -8,6 +8,7 @@ from typing import Any
 from fmu_build.codegen.compiled import Span
 from fmu_build.codegen.lost_modifiers import reject_lost_modifiers
 from fmu_build.codegen.lowered import LoweredModel, slot_of
+from fmu_build.codegen.member_slices import reject_member_slices
 from fmu_build.codegen.mistaken_names import reject_mistaken_names
 
 
@@ -18,6 +19,7 @@ def reject_unsupported(model: LoweredModel) -> None:
     _reject_surplus_initial_equations(model)
     _reject_undetermined_parameters(model)
     _reject_repeated_assignments(model)
+    reject_member_slices(model)
     reject_lost_modifiers(model)
     reject_mistaken_names(model)
 

@@ -84,4 +84,22 @@ package Arrays "Vectors, matrices and loops"
     s = sum(M[i, j] for i in 1:2, j in 1:3);
     slice = c[2:3];
   end Products;
+
+  model Members "Members of some elements of an array of components, whole and one by one"
+    model Part
+      parameter Real k = 1;
+      Real x[2];
+    equation
+      x = {k*time, k + 10};
+    end Part;
+    parameter Real k[3] = {1, 2, 5};
+    Part parts[3](k=k);
+    Real whole[2, 2];
+    Real first[3];
+    Real total;
+  equation
+    whole = parts[{3, 1}].x;
+    first = {parts[i].x[1] for i in 1:3};
+    total = sum(parts[2:3].k);
+  end Members;
 end Arrays;

@@ -140,6 +140,24 @@ def shapes_case(g: float) -> Case:
     return Case("Arrays.Shapes", 1.0, expected, 1e-12, 1e-12, parameters={"g": g}, label=f"{g}")
 
 
+def members_case(k: tuple[float, float, float]) -> Case:
+    def expected(t: Array) -> Values:
+        one = np.ones_like(t)
+        return {
+            "whole[1,1]": k[2] * t,
+            "whole[1,2]": (k[2] + 10) * one,
+            "whole[2,1]": k[0] * t,
+            "whole[2,2]": (k[0] + 10) * one,
+            "first[1]": k[0] * t,
+            "first[2]": k[1] * t,
+            "first[3]": k[2] * t,
+            "total": (k[1] + k[2]) * one,
+        }
+
+    parameters = {f"k[{i + 1}]": value for i, value in enumerate(k)}
+    return Case("Arrays.Members", 1.0, expected, 1e-12, 1e-12, parameters=parameters, label=f"{k[1]}")
+
+
 BREAKPOINTS = np.array([0.1, 0.3, 0.6, 0.8])
 
 
@@ -212,6 +230,8 @@ CASES = (
     table_case((1.0, 4.0, 0.0, 3.0), "other slopes"),
     Case("Arrays.MatrixVector", 4.0, matrix_vector),
     Case("Arrays.Heat", 1.0, heat),
+    members_case((1.0, 2.0, 5.0)),
+    members_case((1.5, -4.0, 0.25)),
     shapes_case(3.0),
     shapes_case(-0.7),
     Case("Arrays.Products", 1.0, products, accuracy=1e-12, me_accuracy=1e-12),
