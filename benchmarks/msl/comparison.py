@@ -45,6 +45,7 @@ def read_reference(folder: Path) -> Reference:
     table = folder / f"{folder.name}.csv"
     with table.open(encoding="utf-8", newline="") as lines:
         header, *rows = csv.reader(lines)
+    header[0] = header[0].lower()  # "Time" in some files
     columns = [header.index(name) for name in names if name in header and name != "time"]
     data = np.array([row for row in rows if row], dtype=np.float64)
     return Reference(data[:, header.index("time")], data[:, columns], tuple(header[c] for c in columns))

@@ -10,6 +10,7 @@ import re
 from collections.abc import Mapping
 from pathlib import Path
 
+from fmu_build.modelica_source.table_objects import without_table_objects
 from fmu_build.modelica_source.text import blanked
 
 _FUNCTIONS = Path(__file__).with_name("FmuBuildTables.mo")
@@ -145,4 +146,4 @@ def _own_tables(text: str) -> str:
         for one in reversed([*_FIXED.finditer(plain, body[0], end.start())]):
             fixed = "Evaluate = true, " if one["annotation"] else " annotation (Evaluate = true)"
             text = text[: one.end()] + fixed + text[one.end() :]
-    return text
+    return without_table_objects(text)

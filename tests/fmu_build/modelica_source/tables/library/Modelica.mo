@@ -68,7 +68,18 @@ package Modelica "Stands in for the table blocks of the Modelica Standard Librar
         end destructor;
       end ExternalCombiTable;
 
-      class ExternalCombiTable1D = ExternalCombiTable;
+      class ExternalCombiTable1D "Instead of one class for each kind of table"
+        extends ExternalObject;
+        function constructor
+          input Real table[:, :];
+          output ExternalCombiTable1D tableID;
+        external "C" tableID = tableInit(table, size(table, 1), size(table, 2));
+        end constructor;
+        function destructor
+          input ExternalCombiTable1D tableID;
+        external "C" tableClose(tableID);
+        end destructor;
+      end ExternalCombiTable1D;
       class ExternalCombiTable2D = ExternalCombiTable;
       class ExternalCombiTimeTable = ExternalCombiTable;
     end Types;
@@ -152,6 +163,20 @@ package Modelica "Stands in for the table blocks of the Modelica Standard Librar
           output Real y;
         external "C" y = tableValue(tableID, column, u);
         end getTable1DValue;
+        function getTable1DValueNoDer
+          input Types.ExternalCombiTable1D tableID;
+          input Integer column;
+          input Real u;
+          output Real y;
+        external "C" y = tableValue(tableID, column, u);
+        end getTable1DValueNoDer;
+        function getTable1DValueNoDer2
+          input Types.ExternalCombiTable1D tableID;
+          input Integer column;
+          input Real u;
+          output Real y;
+        external "C" y = tableValue(tableID, column, u);
+        end getTable1DValueNoDer2;
       end Internal;
     end Tables;
 
