@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import asyncio
+import concurrent.futures
 import logging
 import time
 import uuid
 import warnings
-from asyncio import CancelledError
 from collections.abc import Callable, Generator, Iterator
 from contextlib import contextmanager, suppress
 from typing import Any, Final
@@ -22,7 +23,6 @@ from pyjoystick.support import MissingPackageError, PyJoystickError
 try:
     from dask import config as dask_config
     from distributed import Client, Future, wait
-    from distributed.client import FuturesCancelledError
     from distributed.comm.addressing import get_address_host_port
     from distributed.comm.core import CommClosedError
     from distributed.scheduler import KilledWorker
@@ -73,7 +73,7 @@ def run_on_cluster(
             _despite_lost_workers(lambda: check_workers(client, address, on_note))
             with _shipped(client, sweep, content) as name:
                 yield from _carry_out(_Work(client, address, sweep, name, pending), on_progress, on_note)
-    except (OSError, CancelledError) as error:
+    except (OSError, asyncio.CancelledError) as error:
         raise ClusterError(address, f"{_LOST} ({error})" if str(error) else _LOST) from error
 
 
@@ -119,7 +119,7 @@ class _Work:
         if not slots:
             on_note("the cluster has no workers; waiting for one (Ctrl-C keeps what is done)")
         # A lost connection cancels the futures; `finished` then says so.
-        with self._client.as_current(), suppress(TimeoutError, FuturesCancelledError):
+        with self._client.as_current(), suppress(TimeoutError, concurrent.futures.CancelledError):
             wait(list(self._futures), timeout=1.0, return_when="FIRST_COMPLETED")
         return True
 
@@ -151,6 +151,9 @@ class _Work:
             raise ClusterError(self._address, reason) from error
         except PyJoystickError:
             raise
+        except (CommClosedError, concurrent.futures.CancelledError) as error:
+            # Lost after `cancelled` has been asked for.
+            raise ClusterError(self._address, _LOST) from error
         except Exception as error:  # whatever goes wrong on a worker
             raise ClusterError(self._address, f"a worker failed: {type(error).__name__}: {error}") from error
         return result

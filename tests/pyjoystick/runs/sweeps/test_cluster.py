@@ -15,7 +15,7 @@ from typing import Any, cast
 import numpy as np
 import pandas as pd
 import pytest
-from distributed import Client
+from distributed import Client, Future
 from distributed.scheduler import KilledWorker
 
 from benchmarks.dask_processes import DaskProcesses, kill
@@ -137,8 +137,14 @@ def test_a_worker_is_lost_while_the_fmu_is_sent(
     assert (outcome.done, outcome.failed) == (12, 0)
 
 
+@pytest.mark.parametrize("noticed", ["between two results", "by a result"])
 def test_ctrl_c_and_a_lost_scheduler_lose_nothing(
-    written: Write, tmp_path: Path, cluster: Cluster, long_table: pd.DataFrame
+    written: Write,
+    tmp_path: Path,
+    cluster: Cluster,
+    long_table: pd.DataFrame,
+    monkeypatch: pytest.MonkeyPatch,
+    noticed: str,
 ) -> None:
     sweep = Sweep(read_settings(written(LONG)))
     dask = cluster.of(1)
@@ -152,13 +158,30 @@ def test_ctrl_c_and_a_lost_scheduler_lose_nothing(
     assert stopped.interrupted
     assert 0 < stopped.done < 4096
 
-    def lose_the_scheduler(done: int) -> None:
+    reported: list[int] = []
+    result = Future.result
+
+    def lose_the_scheduler() -> None:
+        assert dask.scheduler is not None
+        kill(dask.scheduler)
+
+    def on_progress(done: int) -> None:
         if done > stopped.done:
-            assert dask.scheduler is not None
-            kill(dask.scheduler)
+            reported.append(done)
+            if noticed == "between two results":
+                lose_the_scheduler()
+
+    def result_that_is_lost(future: Future[Any]) -> object:
+        if reported and noticed == "by a result":
+            lose_the_scheduler()
+            while not future.cancelled():
+                time.sleep(0.01)
+        return result(future)
+
+    monkeypatch.setattr(Future, "result", result_that_is_lost)
 
     with pytest.raises(ClusterError, match="the connection was lost; what was finished is kept"):
-        run_sweep(sweep, target, scheduler=dask.address, on_progress=lose_the_scheduler)
+        run_sweep(sweep, target, scheduler=dask.address, on_progress=on_progress)
     # Begun on a cluster, finished on this machine.
     outcome = run_sweep(sweep, target)
     assert stopped.done < outcome.found < 4096
