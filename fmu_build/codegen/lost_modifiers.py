@@ -3,19 +3,20 @@
 Where a class is extended, only the outermost modifiers are merged: ``extends B(a(s(k = 9)))`` replaces the
 whole modifier ``s(...)`` that B gives to a, although Modelica merges the two (Modelica 3.6, section 7.2.3).
 Modifiers of redeclared and constraining classes can be lost, too, and so can those with dotted names; see
-also `redeclared_modifiers` and `changed_constants`.
+also `redeclared_modifiers`, `record_values` and `changed_constants`.
 """
 
 from __future__ import annotations
 
 import re
-from collections import defaultdict
 from collections.abc import Iterator
 from itertools import chain
 
 from fmu_build.codegen.changed_constants import changed_constants
+from fmu_build.codegen.comprehensions import miscounted_comprehensions
 from fmu_build.codegen.lowered import LoweredModel
-from fmu_build.codegen.redeclared_modifiers import changed_modifiers
+from fmu_build.codegen.record_values import values_over_members
+from fmu_build.codegen.redeclared_modifiers import PREFIXES, changed_modifiers
 from fmu_build.modelica_source.constructs import Construct, ModelText
 from fmu_build.modelica_source.modifiers import Path as NamePath, assigned, closing, dotted
 from fmu_build.modelica_source.text import inside_parentheses
@@ -38,15 +39,12 @@ _COMPONENT = rf"(?<![\w.])(?!{_KEYWORD})[\w.]+\s+(?!{_KEYWORD})\w+\s*(?:\[[^\]]*
 _EXTENSION = r"\bextends\s+[\w.]+\s*\("
 _SHORT_CLASS = rf"\b{_KINDS}\s+\w+\s*=\s*[\w.]+\s*\("
 _BASE = re.compile(r"(?:\bextends\s+|=\s*)([\w.]+)\s*(\()?")
-# Possessive, because most words of a library are not followed by a value.
-_RECORD_VALUE = (
-    r"(?<![\w.])(\w++)(?:\s*+\([^()]*+\))?+\s*+=(?!=)\s*+\{?+\s*+(?:\w++\s*+\.\s*+)*+(?:RECORDS)\s*\("
-)
-_MODIFIED_COMPONENT = r"(?<![\w.])(?!each\b|final\b)[\w.]+\s+(NAMES)\s*(?:\[[^\]]*\]\s*)?\("
 _REDECLARED = re.compile(
-    rf"\bredeclare\s+(?:replaceable\s+)?(?:(?:{_KINDS}|function|connector)\s+(\w+)|[\w.]+\s+(\w+))"
+    rf"\bredeclare\s+(?:replaceable\s+)?(?:(?:{_KINDS}|function|connector)\s+(\w+)|{PREFIXES}[\w.]+\s+(\w+))"
 )
-_REDECLARED_COMPONENT = re.compile(rf"\bredeclare\s+(?:replaceable\s+)?(?!{_KINDS}\b)[\w.]+\s+(\w+)")
+_REDECLARED_COMPONENT = re.compile(
+    rf"\bredeclare\s+(?:replaceable\s+)?{PREFIXES}(?!{_KINDS}\b)[\w.]+\s+(\w+)"
+)
 
 
 def reject_lost_modifiers(model: LoweredModel) -> None:
@@ -57,10 +55,11 @@ def reject_lost_modifiers(model: LoweredModel) -> None:
             raise model.unsupported_at(why, construct)
     found = (
         _nested_redeclarations,
-        _values_over_members,
+        values_over_members,
         _modifiers_of_base_functions,
         changed_modifiers,
         changed_constants,
+        miscounted_comprehensions,
     )
     for why, construct in chain.from_iterable(find(text) for find in found):
         raise model.unsupported_at(why, construct)
@@ -86,32 +85,6 @@ def _nested_redeclarations(text: ModelText) -> Iterator[tuple[str, Construct]]:
                     "lost; make it in a class that extends that of the component",
                     modified,
                 )
-
-
-def _values_over_members(text: ModelText) -> Iterator[tuple[str, Construct]]:
-    """Yield values of whole records whose declarations modify members: these would stay as they are."""
-    records = sorted({name.rpartition(".")[2] for name, kind, _ in text.named() if kind.endswith("record")})
-    if not records:
-        return
-    found = text.find([_RECORD_VALUE.replace("RECORDS", "|".join(records))])
-    values = [(re.split(r"[=(\s]", construct.plain)[0], construct) for construct in found]
-    if not values:
-        return
-    members: defaultdict[str, list[str]] = defaultdict(list)
-    pattern = _MODIFIED_COMPONENT.replace("NAMES", "|".join(sorted({name for name, _ in values})))
-    for declared in text.find([pattern]):
-        component = re.match(pattern, declared.plain)
-        assert component is not None  # by the pattern
-        given = sorted(path[0] for path in assigned(declared.plain[declared.plain.index("(") + 1 : -1]))
-        if given:
-            members[component[1]].append(", ".join(given))
-    for name, value in values:
-        for given_members in members[name]:
-            yield (
-                f"the declaration of {name} gives a value to {given_members}, which would "
-                "hold instead of the one in this record; leave it out there, or modify the members here",
-                value,
-            )
 
 
 def _modifiers_of_base_functions(text: ModelText) -> Iterator[tuple[str, Construct]]:

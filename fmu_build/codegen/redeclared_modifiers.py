@@ -17,15 +17,26 @@ from fmu_build.modelica_source.modifiers import Path, assigned, closing
 _KIND = r"(?:model|block|record|type|package|class|function|connector)"
 _ARRAY = r"(?:\[[^\]]*\]\s*)?"
 _CLASS = rf"{_KIND}\s+(?P<class>\w+)\s*=\s*[\w.]+\s*{_ARRAY}\(?"
-_COMPONENT = rf"(?!{_KIND}\b|replaceable\b)[\w.]+\s+(?P<component>\w+)\s*{_ARRAY}\(?"
+PREFIXES = r"(?:(?:final|inner|outer|parameter|constant|discrete|input|output|flow|stream)\s+)*"
+_NAMED = rf"{PREFIXES}(?!{_KIND}\b|replaceable\b)[\w.]+\s+(?P<component>\w+)\s*{_ARRAY}"
+_COMPONENT = rf"{_NAMED}\(?"
 _REDECLARE = rf"redeclare\s+(?:replaceable\s+)?(?:{_CLASS}|{_COMPONENT})"
 _DECLARATION = rf"(?:redeclare\s+)?(?:replaceable\s+)?(?:{_CLASS}|{_COMPONENT})"
-_IN_A_MODIFIER = rf"(?<=[(,])\s*(?:(?:each|final)\s+)*{_REDECLARE}"
+_ARGUMENT = r"(?<=[(,])\s*(?:(?:each|final)\s+)*"
+_IN_A_MODIFIER = rf"{_ARGUMENT}{_REDECLARE}"
+#: Its modifiers may have modifiers.
+_VALUE = rf"{_ARGUMENT}redeclare\s+(?:replaceable\s+)?{_NAMED}(?:\((?:[^()]|\([^()]*\))*\)\s*)?=(?!=)"
 _AS_AN_ELEMENT = rf"(?<![(,\s])(?<!\beach)(?<!\bfinal)\s+{_REDECLARE}"
 
 
 def changed_modifiers(text: ModelText) -> Iterator[tuple[str, Construct]]:
     """Yield what is wrong with redeclarations of components and short classes, and which."""
+    for construct in text.find([_VALUE]):
+        yield (
+            "the value of a component that is redeclared inside a modifier is lost; "
+            "redeclare it in a class that extends the component's, or modify it without a redeclaration",
+            construct,
+        )
     redeclarations = [
         (construct, in_a_modifier)
         for pattern, in_a_modifier in ((_IN_A_MODIFIER, True), (_AS_AN_ELEMENT, False))

@@ -35,6 +35,7 @@ from fmu_build.compilers.rumoca_errors import native_stderr, syntax_errors, tran
 from fmu_build.modelica_source.builtins import takes_index, with_known_functions
 from fmu_build.modelica_source.own_bases import with_bases_beside
 from fmu_build.modelica_source.reached import IN_MEMORY, ReachedSource
+from fmu_build.modelica_source.record_copies import with_records_in_parentheses
 from fmu_build.modelica_source.table_files import with_tables_from_files
 from fmu_build.modelica_source.tables import with_own_tables
 from fmu_build.packaging import check_request, package_fmu
@@ -98,6 +99,7 @@ def _generated(request: BuildRequest, libraries: Libraries) -> tuple[GeneratedMo
     if known is None or known.kind not in MODEL_KINDS:
         raise not_found(request.model, library, read_classes(library), syntax_errors(source_files(library)))
     alone = all(_is_read_with(library, used) for used in used_libraries(libraries, reached))
+    alone = alone and with_records_in_parentheses(reached.texts) == reached.texts
     files = readable_files(library) if alone else list(reached.texts)
     with native_stderr() as loading, translated_errors(request.model, known.file, files):
         if alone:
@@ -162,7 +164,8 @@ def _loaded_in_part(
     texts = {file: with_tables_from_files(file, text, folders) for file, text in reached.texts.items()}
     index = any(takes_index(text) for text in reached.texts.values())
     # Each text costs the more the more text there is before it.
-    for file, text in sorted(with_bases_beside(with_own_tables(texts)).items(), key=lambda one: len(one[1])):
+    texts = with_bases_beside(with_own_tables(with_records_in_parentheses(texts)))
+    for file, text in sorted(texts.items(), key=lambda one: len(one[1])):
         # The session keeps each text, then fails to compile a model that does not exist.
         with suppress(rumoca.CompileError):
             session.loads(with_known_functions(text, index=index), model=_NONE, filename=f"{IN_MEMORY}{file}")

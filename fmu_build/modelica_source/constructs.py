@@ -6,6 +6,7 @@ import re
 from collections import defaultdict
 from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 
 from fmu_build.modelica_source.modifiers import closing
@@ -73,6 +74,13 @@ class ModelText:
     def named(self) -> Iterator[tuple[str, str, str]]:
         """Yield qualified name, restriction and text, without comments and strings, of all classes."""
         return ((name, self._kinds[name], text) for name, text in self._classes.items())
+
+    @cached_property
+    def records(self) -> frozenset[str]:
+        """The simple names of the classes that are records."""
+        return frozenset(
+            name.rpartition(".")[2] for name, kind in self._kinds.items() if kind.endswith("record")
+        )
 
     def classes(self) -> list[str]:
         """Return the texts of all classes, without comments and strings."""
