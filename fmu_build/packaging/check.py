@@ -8,7 +8,7 @@ import zipfile
 from collections.abc import Sequence
 from pathlib import Path
 
-from fmpy.validation import validate_fmu
+from fmpy.model_description import ValidationError, read_model_description
 
 from fmu_build.packaging.scripts import run_script
 from fmu_build.support.errors import BuildError
@@ -25,9 +25,12 @@ def check_fmu(path: Path, *, fmi_types: Sequence[FmiType], load: bool) -> str:
     printed; raises `BuildError` for any finding.
     """
     check_archive(path)
-    problems = validate_fmu(str(path))
-    if problems:
-        raise BuildError("internal error: the FMU is not valid:\n" + "\n".join(f"- {p}" for p in problems))
+    try:
+        # The names were checked with the description (`consistency`).
+        read_model_description(str(path), validate_variable_names=False, validate_model_structure=True)
+    except ValidationError as error:
+        problems = "\n".join(f"- {problem}" for problem in error.problems)
+        raise BuildError(f"internal error: the FMU is not valid:\n{problems}") from error
     if not load:
         return "The FMU has no binary for this machine; it was validated but not loaded.\n"
     return check_loads(path, fmi_types)

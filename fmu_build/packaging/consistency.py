@@ -1,4 +1,4 @@
-"""Requirements of FMI 2.0.4 on a model description beyond the XML schema (sections 2.2.7 and 2.2.8).
+"""Requirements of FMI 2.0.4 on a model description beyond the XML schema (sections 2.2.7 to 2.2.9).
 
 A violation is either a fault of the model, reported as a `ModelicaError`, or one of the compiler backend,
 reported as a `BuildError` that calls itself an internal error.
@@ -7,6 +7,7 @@ reported as a `BuildError` that calls itself an internal error.
 from __future__ import annotations
 
 import math
+import re
 from collections import Counter
 
 from fmu_build.support.description import Initial, ModelDescription, Unknown, Variable
@@ -36,6 +37,14 @@ ALLOWED_INITIAL: dict[tuple[str, str], tuple[Initial, ...]] = {
 }
 _INT32 = 2**31
 
+_UNQUOTED = r"[A-Za-z_]\w*"
+_QUOTED = r"""'(?:[\w!#$%&()*+,\-./:;<>=?@\[\]^{}|~ ]|\\['"?\\abfnrtv])+'"""
+_PART = rf"(?:{_UNQUOTED}|{_QUOTED})(?:\[\d+(?:,\d+)*\])?"
+_IDENTIFIER = rf"{_PART}(?:\.{_PART})*"
+# Structured names (section 2.2.9). FMPy's validation parses them by a grammar, which takes half a second for
+# forty names; a pattern says the same, because the grammar is regular.
+STRUCTURED_NAME = re.compile(rf"{_IDENTIFIER}|der\({_IDENTIFIER}(?:,\d+)?\)", re.ASCII)
+
 
 def check_description(description: ModelDescription) -> None:
     """Raise `BuildError` or `ModelicaError`, which names the variable and the rule that it violates."""
@@ -49,6 +58,11 @@ def check_description(description: ModelDescription) -> None:
     if repeated:
         raise _internal(repeated[0], "the name is used more than once")
     for variable in description.variables:
+        if not STRUCTURED_NAME.fullmatch(variable.name):
+            raise ModelicaError(
+                f"variable {variable.name!r}: FMI does not allow this name; allowed are Modelica names, "
+                "also quoted ones, of ASCII characters"
+            )
         _check_combination(variable)
         _check_start(variable)
         _check_range(variable)

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from itertools import product
+from types import SimpleNamespace
 from typing import Any, get_args
 
 import pytest
+from fmpy.validation import _validate_variable_names
 
 from fmu_build.packaging.consistency import check_description
 from fmu_build.support.description import Causality, Initial, ModelDescription, Unknown, Variability, Variable
@@ -42,6 +45,41 @@ def _with(description: ModelDescription, name: str, /, **changes: Any) -> ModelD
 
 def _alone(variable: Variable) -> ModelDescription:
     return ModelDescription("Test.One", "", (variable,), (), (), (), ())
+
+
+_NAMES = (
+    *("x", "_x1", "der(x)", "der(a.x[1],2)", "a.b_c[1,2].d[3]", "'a b'", "'1/s'.x", r"'it\'s'", "a.'b'[1]"),
+    *(
+        "",
+        "1x",
+        "x.",
+        ".x",
+        "x[]",
+        "x[a]",
+        "x[1",
+        "x y",
+        "der(x",
+        "der(der(x))",
+        "''",
+        "'a",
+        "größe",
+        "'größe'",
+        "x\n",
+    ),
+)
+
+
+@pytest.mark.parametrize("name", _NAMES)
+def test_names_are_those_that_fmpy_finds_legal(name: str) -> None:
+    variable = SimpleNamespace(name=name, sourceline=1)
+    described = SimpleNamespace(variableNamingConvention="structured", modelVariables=[variable])
+    if not _validate_variable_names(described):
+        check_description(_alone(Variable(name, "Real", "local", "continuous", "calculated", None)))
+    else:
+        with pytest.raises(
+            ModelicaError, match=rf"^variable {re.escape(repr(name))}: .* of ASCII characters$"
+        ):
+            check_description(_alone(Variable(name, "Real", "local", "continuous", "calculated", None)))
 
 
 def test_the_oscillator_is_consistent(description: ModelDescription) -> None:
