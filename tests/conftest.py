@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import signal
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -137,9 +138,10 @@ def _made_or_new(fmi_version: FmiVersion, shared_fmus: SharedFmus, request: pyte
         if all(fmu.is_file() for fmu in _of_this_project(made)):
             return made
         pytest.skip(f"the FMUs are missing: make fmu FMI={fmi_version[0]}")
-    (folder,) = {shared_fmus.fmu(model, fmi_version=fmi_version).parent for model in MODELS.values()}
+    make = partial(shared_fmus.fmu, fmi_version=fmi_version, as_shipped=True)
+    (folder,) = {make(model).parent for model in MODELS.values()}
     for name, request_of in SENSITIVITIES.items():
-        shared_fmus.fmu(MODELS[name], fmi_version=fmi_version, sensitivity=request_of, beside=folder)
+        make(MODELS[name], sensitivity=request_of, beside=folder)
     return folder
 
 

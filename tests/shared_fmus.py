@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Iterator
+from contextlib import contextmanager, nullcontext
 from pathlib import Path
 
 import pytest
@@ -10,6 +12,20 @@ from filelock import FileLock
 from fmpy import extract
 
 from fmu_build import FmiVersion, build_fmu
+
+
+@contextmanager
+def plain_builds() -> Iterator[None]:
+    """Builds that leave out what the tests of an FMU do themselves: to load it, and to run it.
+
+    The two processes for that, the figure and link-time optimization take as long as all the rest. Libraries
+    are linked as for Windows and macOS. FMUs of `make fmu` and of the tests of `packaging` have all of it.
+    """
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("fmu_build.packaging.run_default_experiment", lambda *_: "the tests run it")
+        patch.setattr("fmu_build.packaging.check.check_loads", lambda *_: "")
+        patch.setattr("fmu_build.packaging.binaries.OPTIMIZED_WHEN_LINKED", ())
+        yield
 
 
 class SharedFmus:
@@ -27,16 +43,18 @@ class SharedFmus:
         platforms: tuple[str, ...] = (),
         sensitivity: str | None = None,
         beside: Path | None = None,
+        as_shipped: bool = False,
     ) -> Path:
         """The FMU of a model; those of one library with the same settings lie in one folder.
 
-        That is ``sensitivities`` in the folder `beside`, where one is given.
+        That is ``sensitivities`` in the folder `beside`, where one is given. Its build is a plain one, unless
+        the FMU has to be `as_shipped`.
         """
-        settings = (library, fmi_version, platforms, *([sensitivity] if sensitivity else []))
+        settings = (library, fmi_version, platforms, *([sensitivity] if sensitivity else []), as_shipped)
         file = self._file(model, *settings)
         if beside is not None:
             file = beside / "sensitivities" / file.name
-        with self._lock(file):
+        with self._lock(file), nullcontext() if as_shipped else plain_builds():
             if not file.exists():
                 build_fmu(
                     model,
@@ -49,19 +67,11 @@ class SharedFmus:
         return file
 
     def unpacked(self, model: str, library: Path) -> Path:
-        """The folder of the unpacked FMU of a model, for tests that load and run it.
-
-        Its build therefore leaves that out: the two processes for it take as long as all the rest. It is
-        linked as for Windows and macOS, without link-time optimization, in a fifth of the time. The FMUs of
-        `fmu` have that.
-        """
+        """The folder of the unpacked FMU of a model."""
         fmu = self._file(model, library, "unpacked")
         folder = fmu.with_suffix("")
-        with self._lock(folder), pytest.MonkeyPatch.context() as patch:
+        with self._lock(folder), plain_builds():
             if not folder.exists():
-                patch.setattr("fmu_build.packaging.run_default_experiment", lambda *_: "the tests run it")
-                patch.setattr("fmu_build.packaging.check.check_loads", lambda *_: "")
-                patch.setattr("fmu_build.packaging.binaries.OPTIMIZED_WHEN_LINKED", ())
                 build_fmu(model, fmu.parent, library=library)
                 part = fmu.with_suffix(".part")
                 extract(str(fmu), str(part))

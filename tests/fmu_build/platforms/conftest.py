@@ -22,4 +22,4 @@ def fmi_version(request: pytest.FixtureRequest) -> FmiVersion:
 @pytest.fixture(scope="session")
 def fmu(fmi_version: FmiVersion, shared_fmus: SharedFmus) -> Path:
     """The FMU with binaries for all platforms; tests only read it."""
-    return shared_fmus.fmu(MODEL, fmi_version=fmi_version, platforms=("all",))
+    return shared_fmus.fmu(MODEL, fmi_version=fmi_version, platforms=("all",), as_shipped=True)

@@ -129,7 +129,7 @@ def test_two_builds_in_different_places_give_the_same_bytes(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     fmi_version: FmiVersion = "2.0" if platforms else "3.0"  # the compilers are the same for both
-    fmu = shared_fmus.fmu(MODEL, fmi_version=fmi_version, platforms=platforms)
+    fmu = shared_fmus.fmu(MODEL, fmi_version=fmi_version, platforms=platforms, as_shipped=True)
     temporary = tmp_path / "elsewhere with a longer name"
     temporary.mkdir()
     monkeypatch.setattr(tempfile, "tempdir", str(temporary))
