@@ -90,8 +90,8 @@ def _report(page: Page, fmu: Path, rounds: int) -> str:
     result, waiting, picture = np.array(moves).T
     rows = [
         _row("slider to result", result),
-        _row("waiting for the next picture", waiting),
-        _row("picture", picture),
+        _row("waiting for the next frame", waiting),
+        _row("drawing", picture),
         _row("slider to drawn", result + waiting + picture),
         _row("the same without waiting", result + picture),
         ["a run in the page (ms)", f"{statistics.median(in_page):.2f}", ""],

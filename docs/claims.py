@@ -1,4 +1,4 @@
-"""Writes docs/claims.md: ``make claims``."""
+"""Write docs/claims.md, as ``make claims`` does."""
 
 from __future__ import annotations
 

@@ -81,7 +81,7 @@ def _in_a_process(model: str, library: Path, folder: Path, seconds: float) -> Ou
 def _table(outcomes: dict[str, Outcome]) -> str:
     counts = Counter(outcome.verdict for outcome in outcomes.values())
     lines = [", ".join(f"{number} {verdict}" for verdict, number in counts.most_common()), ""]
-    lines += ["| example | result | |", "|---|---|---|"]
+    lines += ["| example | result | largest error and its signal, or the reason |", "|---|---|---|"]
     lines += [f"| {name} | {outcome.verdict} | {_cell(outcome)} |" for name, outcome in outcomes.items()]
     return "\n".join(lines) + "\n"
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
@@ -100,13 +101,20 @@ class Finding:
 
     Attributes:
         verdict: how the statement fares, decided by `numbers`
-        here: what we get, numbers and words
-        remark: why it does not agree, or what is to be known besides
+        here: what we get, numbers and words; the first letter may be small
+        remark: why it does not agree, or what else to know; sentences without the last period
     """
 
     verdict: Verdict
     here: str
     remark: str = ""
+
+    @property
+    def text(self) -> str:
+        """The result, and the remark behind it as sentences."""
+        # A capital letter, except in symbols such as f_n.
+        first = re.sub(r"^[a-z](?=[a-z',]* )", lambda letter: letter[0].upper(), self.here)
+        return f"{first}. {self.remark}." if self.remark else first
 
 
 @dataclass(frozen=True, slots=True)

@@ -64,8 +64,8 @@ def viscous_or_dry(bench: Workbench) -> Finding:
         f"straight line fits them to {100.0 * linear:.0f} % and an exponential to {100.0 * curved:.0f} %"
     )
     remark = (
-        "the preload is nearly a constant force, under which dry friction takes the same part of the "
-        "amplitude in each swing and not the same amount, so that neither shape is clear"
+        "The preload is nearly a constant force, under which dry friction takes the same fraction of the "
+        "amplitude in each swing, not the same amount, so neither shape is clear"
     )
     return Finding(verdict(exponential < straight and linear < curved), here, remark)
 
@@ -99,9 +99,9 @@ def friction_in_the_exponents(bench: Workbench) -> Finding:
         f"{_PRINTED.m:+g}, {_C:g})"
     )
     remark = (
-        "a hypothesis: the printed slopes may be dry friction, which the paper leaves out. The positive side "
+        "A hypothesis: the printed slopes may be dry friction, which the paper leaves out. The positive side "
         f"does not fit ({positive.coefficient:.3f}, {positive.exponent:+.2f}; printed {_PRINTED.A_pos:g}, "
-        f"{_PRINTED.n_pos:+g}), and without the records neither can be refused"
+        f"{_PRINTED.n_pos:+g}), and without the records neither explanation can be ruled out"
     )
     return Finding(Verdict.OPEN, here, remark)
 
@@ -116,7 +116,7 @@ def peak_method(bench: Workbench) -> Finding:
         "displacement and "
         f"{ratios['velocity']:.2f} times C from the velocity"
     )
-    remark = "a bias of the method, not an effect of noise: docs/damping-from-peaks.md"
+    remark = "This is a bias of the method, not an effect of noise: docs/damping-from-peaks.md"
     off = [abs(ratio - 1.0) for ratio in ratios.values()]
     return Finding(verdict(max(off) < 0.1, max(off) < 0.5), here, remark)
 
@@ -132,7 +132,7 @@ def negative_slopes(bench: Workbench) -> Finding:
         "finds " + ", ".join(f"{value:+.2f}" for value in found.values()) + " in a motion made with them"
     )
     remark = (
-        "the printed n_pos contradicts the statement; its sign may have been lost (see the last line of "
+        "The printed n_pos contradicts the statement. Its sign may have been lost (see the last line of "
         "Torque), or the highest peaks may have tilted the line"
     )
     printed = (_PRINTED.n_pos, _PRINTED.n_neg, _PRINTED.m)
@@ -146,7 +146,7 @@ def more_damping_forward(bench: Workbench) -> Finding:
     angles = np.radians(np.geomspace(1.0, 20.0, 100))
     forward, backward = (_displacement_term(sign * angles) for sign in (1.0, -1.0))
     here = f"true above {math.degrees(equal):.1f} degrees, reversed below"
-    remark = "a consequence of the printed exponents"
+    remark = "This is a consequence of the printed exponents"
     return Finding(verdict(bool(np.all(forward > backward)), bool(forward[-1] > backward[-1])), here, remark)
 
 
@@ -161,7 +161,7 @@ def damping_rises(bench: Workbench) -> Finding:
         f"from 15 to 2 degrees the printed terms change by the factors {ratios[0]:.2f} (forward) and "
         f"{ratios[1]:.2f} (backward)"
     )
-    remark = "follows from the sign of n_pos"
+    remark = "This follows from the sign of n_pos"
     return Finding(verdict(min(ratios) > 1.0, max(ratios) > 1.0), here, remark)
 
 
@@ -172,7 +172,7 @@ def singular(bench: Workbench) -> Finding:
     far = float(_displacement_term(math.radians(-10.0)))
     here = f"backward, at zero angle: {near / far:.1f} times the value at 10 degrees, with |theta| smoothed"
     remark = (
-        "the paper does not say how it keeps C finite; here |theta| becomes sqrt(theta^2 + eps^2) with "
+        "The paper does not say how it keeps C finite. Here |theta| becomes sqrt(theta^2 + eps^2) with "
         f"eps = {_PRINTED.eps_theta:g} rad, likewise |omega| with {_PRINTED.eps_omega:g} rad/s"
     )
     return Finding(verdict(near > 2.0 * far), here, remark)
@@ -204,9 +204,9 @@ def where_it_jumps(bench: Workbench) -> Finding:
         f"velocity and by {largest['theta']:.3f} at zero displacement"
     )
     remark = (
-        "with the printed numbers the velocity term has the weight beta*B = "
+        "With the printed numbers the velocity term has the weight beta*B = "
         f"{_PRINTED.beta * _PRINTED.B:.4f}, and the two sides meet at theta = 0 with different coefficients "
-        "and a negative exponent; the sizes depend on the smoothing, their order does not: "
+        "and a negative exponent. The sizes depend on the smoothing, their order does not: "
         f"{found[10.0]['omega']:.3f} and {found[10.0]['theta']:.3f} with ten times as much, "
         f"{found[0.1]['omega']:.3f} and {found[0.1]['theta']:.3f} with a tenth of it"
     )
@@ -220,7 +220,7 @@ def mean_of_the_function(bench: Workbench) -> Finding:
     run = simulate(NOMINAL_POWER_LAW, time=time, theta_start=RELEASE)
     mean, equivalent = mean_damping(run), equivalent_damping(run)
     here = f"mean {mean:.3f}; a constant {equivalent:.3f} N m s/rad dissipates as much energy"
-    remark = "the printed A, n, B, m at alpha = 0.9 damp more than C = 0.045 does"
+    remark = "The printed A, n, B, m at alpha = 0.9 damp more than C = 0.045 does"
     return Finding(verdict(abs(mean / _C - 1.0) < 0.15, abs(equivalent / _C - 1.0) < 0.15), here, remark)
 
 
@@ -234,7 +234,7 @@ def both_match(bench: Workbench) -> Finding:
         "in their times"
     )
     remark = (
-        "with the printed numbers both therefore cannot lie within 12 to 14 % (5 % in time) of one record"
+        "With the printed numbers both therefore cannot lie within 12 to 14 % (5 % in time) of one record"
     )
     # Two simulations within these errors of one record lie within their sum of one another.
     near = errors.displacement < 11.9 + 13.6 and errors.displacement_time < 5.1 + 5.4
@@ -254,7 +254,7 @@ def constant_does(bench: Workbench) -> Finding:
         f"C = {values[best]:.3f} reproduces nine peaks of eq. (11) to {height:.1f} % and their times to "
         f"{time:.1f} %"
     )
-    remark = f"with the best constant, which is not {_C:g}"
+    remark = f"This is the best constant, which is not {_C:g}"
     return Finding(verdict(max(height, time) < 6.0), here, remark)
 
 
@@ -263,8 +263,8 @@ def least_errors(bench: Workbench) -> Finding:
     """There is nothing to compute without the records."""
     here = "the paper's records are not published"
     remark = (
-        "the same holds for 5.4 % at C = 0.045, 13.6 % at C = 0.050 and the errors of the velocity; in "
-        "synthetic records made with alpha = 0.9 scenarios/fig11_peak_errors.py recovers that value"
+        "The same holds for 5.4 % at C = 0.045, 13.6 % at C = 0.050 and the errors of the velocity. In "
+        "synthetic records made with alpha = 0.9, scenarios/fig11_peak_errors.py recovers that value"
     )
     return Finding(Verdict.OPEN, here, remark)
 

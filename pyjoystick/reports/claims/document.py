@@ -23,12 +23,13 @@ _INTRODUCTION: Final = """\
 
 <!-- Made by `make claims`; a test compares it with what the program gives today. Edit its source. -->
 
-Every statement of Rogers, Garland and Oliver (J. Sound Vib. 274 (2004) 73-89) that the model can check, in
-our words, with our result for the joystick of Tables 1 and 2. `make claims` generates this page from
-`pyjoystick/reports/claims/`, where a small function for each line computes the numbers and derives the
-verdict from them; a test keeps the page up to date.
-Unless stated otherwise, the release is from rest at -20 degrees, the damping function is eq. (11) at
-alpha = 0.9, and the constant is C = 0.045 N m s/rad.
+This page lists every statement of Rogers, Garland and Oliver (J. Sound Vib. 274 (2004) 73-89) that the model
+can check, in our words, beside our result for the joystick of Tables 1 and 2. Unless stated otherwise, the
+joystick is released from rest at -20 degrees, eq. (11) is taken at alpha = 0.9, and the constant is
+C = 0.045 N m s/rad.
+
+For each line, a small function in `pyjoystick/reports/claims/` computes the numbers and derives the verdict
+from them. `make claims` writes the page, and a test keeps it up to date.
 """
 
 
@@ -62,9 +63,8 @@ def claims_page(found: Mapping[str, Sequence[tuple[Claim, Finding]]]) -> str:
 
 
 def text_of(finding: Finding) -> str:
-    """The result, with the remark behind it."""
-    text = f"{finding.here}; {finding.remark}" if finding.remark else finding.here
-    return _cell(text)
+    """The result with its remark, for a cell."""
+    return _cell(finding.text)
 
 
 def _cell(text: str) -> str:

@@ -41,9 +41,9 @@ def energy_steps(bench: Workbench) -> Finding:
         f"{lost} of the loss in the swing before"
     )
     remark = (
-        f"level means at most {100.0 * REST:g} % of the largest power beside it, which the peak of eq. (11) "
-        f"at zero angle determines: {found[10.0][1]} and {found[10.0][2]} with ten times the smoothing, "
-        f"{found[0.1][1]} and {found[0.1][2]} with a tenth of it"
+        f"Level means at most {100.0 * REST:g} % of the largest power beside it, which the peak of eq. (11) "
+        f"at zero angle determines. With ten times the smoothing these are {found[10.0][1]} and "
+        f"{found[10.0][2]}, with a tenth of it {found[0.1][1]} and {found[0.1][2]}"
     )
     return Finding(verdict(part < 5.0), here, remark)
 
@@ -53,7 +53,10 @@ def measured_energy_rises(bench: Workbench) -> Finding:
     """The paper's chain on a simulated motion."""
     effect = _through(Chain())
     part = 100.0 * effect.energy_rise / effect.energy_start
-    here = f"after the paper's chain the energy of a simulation appears to rise by {part:.1f} % of its start"
+    here = (
+        f"after the paper's chain the energy of a simulation appears to rise by {part:.1f} % of its initial "
+        "value"
+    )
     return Finding(verdict(part > 1.0), here)
 
 
@@ -74,7 +77,7 @@ def cause_of_the_rise(bench: Workbench) -> Finding:
         "% of the largest"
     )
     remark = (
-        "the velocities are underestimated, but by the 13 Hz low-pass filter: at 100 Hz (and 240 "
+        "The velocities are underestimated, but by the 13 Hz low-pass filter: at 100 Hz (and 240 "
         "frames a second) the "
         f"energy rises by only {100.0 * wide.energy_rise / wide.energy_start:.1f} %"
     )
@@ -102,7 +105,7 @@ def cutoff(bench: Workbench) -> Finding:
         f"if 13 Hz refers to one run, both together have a gain of {response:.2f} there and -3 dB at "
         f"{half_power:.1f} Hz"
     )
-    remark = "the paper does not say which it refers to; one run is assumed here"
+    remark = "The paper does not say to which it refers; one run is assumed here"
     return Finding(Verdict.SILENT, here, remark)
 
 

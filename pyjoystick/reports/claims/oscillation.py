@@ -51,7 +51,7 @@ def falling_period(bench: Workbench) -> Finding:
     angles = np.abs(np.degrees(above["release"].to_numpy()))
     dents = [f"{angles[start]:.2f} to {angles[end]:.2f}" for start, end in ends.reshape(-1, 2)]
     remark = (
-        "there are exceptions that Fig. 4 does not show: with growing amplitude the period falls a little, "
+        "There are exceptions, which Fig. 4 does not show: with growing amplitude the period falls a little, "
         f"by less than {100.0 * _deepest(above['period'].to_numpy()):.1f} %, for releases from "
         f"{' and from '.join(dents)} degrees, where the balance springs engage, and below "
         f"{math.degrees(shortest['amplitude']):.2f} degrees the clearance makes the period grow again "
@@ -77,7 +77,7 @@ def preload_is_the_cause(bench: Workbench) -> Finding:
         f"from 20 to 2 degrees the period falls to {ratios[0]:.2f} of its value; without preload it would "
         f"rise to {ratios[1]:.2f}"
     )
-    remark = "both without weight, because without preload the joystick would fall over backward"
+    remark = "Both values are without weight, because without preload the joystick would fall over backward"
     return Finding(verdict(ratios[0] < 0.7 and ratios[1] >= 1.0), here, remark)
 
 
@@ -94,7 +94,7 @@ def clearance(bench: Workbench) -> Finding:
         changes[angle] = 100.0 * (ratio - 1.0)
     longer = ", ".join(f"{value:.1f} % at {angle:g}" for angle, value in changes.items())
     here = f"it lengthens the period by {longer} degrees of amplitude"
-    remark = "minor except for the last swings"
+    remark = "Minor except for the last swings"
     return Finding(verdict(changes[0.5] < 5.0, changes[5.0] < 5.0), here, remark)
 
 
@@ -105,10 +105,10 @@ def bouncing_ball(bench: Workbench) -> Finding:
     slopes = exponent(bench.periods)[between]
     here = (
         f"from 1 to 5 degrees the period is proportional to the power {slopes.min():.2f} to "
-        f"{slopes.max():.2f} of the amplitude; under a constant force, which the preload nearly is, it "
-        "would be 0.5, for a linear spring 0"
+        f"{slopes.max():.2f} of the amplitude"
     )
-    return Finding(verdict(bool(np.all(np.abs(slopes - 0.5) < 0.1))), here)
+    remark = "Under a constant force, which the preload nearly is, it would be 0.5, for a linear spring 0"
+    return Finding(verdict(bool(np.all(np.abs(slopes - 0.5) < 0.1))), here, remark)
 
 
 @claim("2", "the natural frequency depends highly on the amplitude")
@@ -146,7 +146,7 @@ def pairs_of_peaks(bench: Workbench) -> Finding:
         for law, (pair, rest) in found.items()
     )
     remark = (
-        "with the printed stiffnesses and dampings there are no such pairs: about the same fraction is lost "
+        "With the printed stiffnesses and dampings there are no such pairs: about the same fraction is lost "
         "from peak to peak on either side"
     )
     equal = all(np.all(pair > 0.9) for pair, _ in found.values())
@@ -163,7 +163,7 @@ def softer_side(bench: Workbench) -> Finding:
     }
     larger = ", ".join(f"{ratio:.3f} at {angle:g}" for angle, ratio in ratios.items())
     here = f"backward over forward amplitude at equal energy: {larger} degrees forward"
-    remark = "at small amplitudes the reverse is true, because the preload is larger backward"
+    remark = "At small amplitudes the reverse is true, because the preload is larger backward"
     values = np.array(list(ratios.values()))
     return Finding(verdict(bool(np.all(values > 1.0)), bool(values[0] > 1.0)), here, remark)
 
@@ -195,14 +195,14 @@ def spikes(bench: Workbench) -> Finding:
     step, largest = _passage(constant)
     with_law = {factor: _passage(bench.smoothed(factor))[1] for factor in (1.0, 10.0, 0.1)}
     here = (
-        f"a step of {step:.2f} of the acceleration at the release within 20 ms, and no spike: with the "
-        f"constant C the acceleration stays below {largest:.2f} of that at the release; eq. (11) adds a peak "
-        f"of {with_law[1.0]:.2f} at zero angle"
+        f"within 20 ms the acceleration steps by {step:.2f} times its value at the release, without a spike: "
+        f"with the constant C it stays below {largest:.2f} of that value; eq. (11) adds a peak of "
+        f"{with_law[1.0]:.2f} at zero angle"
     )
     remark = (
-        "the steps are confirmed; the peak is that of the damping function and depends on its smoothing "
-        f"({with_law[10.0]:.2f} with ten times as much, {with_law[0.1]:.2f} with a tenth); the model, "
-        "eq. (1), does not include impact and ringing of the parts"
+        "The steps are confirmed. The peak comes from the damping function and depends on its smoothing "
+        f"({with_law[10.0]:.2f} with ten times as much, {with_law[0.1]:.2f} with a tenth). The model, "
+        "eq. (1), includes neither impact nor ringing of the parts"
     )
     return Finding(verdict(largest > 1.0, step > 0.5), here, remark)
 
@@ -233,8 +233,8 @@ def integrated_signal(bench: Workbench) -> Finding:
     angle = np.degrees(np.abs(cumulative_simpson(velocity, x=time, initial=0.0)))
     errors = {end: float(np.interp(end, time, angle)) for end in (0.25, 0.5, 1.5)}
     drift = ", ".join(f"{error:.1f} degrees after {end:g} s" for end, error in errors.items())
-    here = f"gravity's part alone, at the top of the handle, puts the angle off by {drift}"
-    remark = "pyjoystick import accelerometer takes it out with the measured angle"
+    here = f"gravity's part alone, at the top of the handle, makes the angle wrong by {drift}"
+    remark = "The command pyjoystick import accelerometer removes it, using the measured angle"
     return Finding(verdict(errors[1.5] > 5.0), here, remark)
 
 
@@ -256,7 +256,7 @@ def preload_and_small_motions(bench: Workbench) -> Finding:
         f"about an angle at which a torque holds the handle, the preloads change the stiffness by {changes}; "
         "where the motion passes a preload, it changes everything (abstract, 3.1)"
     )
-    remark = "what is left comes from the geometry: the lever of the force changes with the angle"
+    remark = "The remaining change comes from the geometry: the lever of the force changes with the angle"
     return Finding(verdict(all(abs(change) < 0.25 for _, change in rows)), here, remark)
 
 

@@ -80,8 +80,8 @@ def contact_moment_as_printed(_: Workbench) -> Finding:
         f"at 20 degrees its value is off by {100.0 * (printed / right - 1.0):+.1f} %, and its units disagree"
     )
     remark = (
-        "misprint: the sum of moments, eq. (4), gives (a*sign(theta) + d*tan(theta))*f_x, used "
-        "here; it equals "
+        "Misprint: the sum of moments, eq. (4), gives (a*sign(theta) + d*tan(theta))*f_x, used "
+        "here. It equals "
         f"f_x*dx/dtheta to {_power_of_ten(off)}, so the contact moment conserves energy"
     )
     return Finding(verdict(abs(printed / right - 1.0) < 1e-12), here, remark)
@@ -134,7 +134,7 @@ def falling_stiffness(_: Workbench) -> Finding:
         rises.append(third / second - 1.0)
     here = f"force over travel falls to 1/{min(falls):.0f} or less between the first release and the stop"
     remark = (
-        "with one exception: over the second steep portion it rises again, by "
+        "With one exception: over the second steep portion it rises again, by "
         f"{100.0 * max(rises):.0f} % at most"
     )
     return Finding(verdict(max(rises) <= 0.0, min(falls) > 2.0), here, remark)
@@ -152,7 +152,7 @@ def cubic(_: Workbench) -> Finding:
     return Finding(
         Verdict.AGREES if missed < 10.0 else Verdict.IN_PART,
         here,
-        "it does not model the kinks, and is not meant to",
+        "It does not model the kinks, and is not meant to",
     )
 
 

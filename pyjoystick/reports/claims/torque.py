@@ -76,7 +76,7 @@ def inertia_and_stiffness(_: Workbench) -> Finding:
         f"{quick:.2f} of its peak in a minimum-jerk stroke of 18 degrees in {MOTION.rise:g} s, {slow:.2f} in "
         "one of 0.3 s"
     )
-    remark = "the motion of Fig. 14 is not printed as numbers; the lines below use the quick stroke"
+    remark = "The motion of Fig. 14 is not printed as numbers. The lines below use the quick stroke"
     return Finding(verdict(slow > 0.5, quick > 0.5), here, remark)
 
 
@@ -96,7 +96,7 @@ def damping_laws(_: Workbench) -> Finding:
     opposite = NOMINAL_POWER_LAW.replace({"damping.n_pos": -NOMINAL_POWER_LAW.to_names()["damping.n_pos"]})
     falling = section_5(power_law=opposite).damping_ratio
     here = f"{printed:.2f} times with the printed n_pos, {falling:.2f} times with its sign changed"
-    remark = "this suggests a sign lost in print, as do the negative slopes of section 3.3"
+    remark = "This suggests a sign lost in print, as do the negative slopes of section 3.3"
     return Finding(verdict(abs(printed - 2.0) < 0.3, abs(falling - 2.0) < 0.3), here, remark)
 
 

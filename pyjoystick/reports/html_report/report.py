@@ -111,7 +111,7 @@ def claims_section() -> Section:
                 [
                     claim.where,
                     claim.statement,
-                    "; ".join(filter(None, (finding.here, finding.remark))),
+                    finding.text,
                     finding.verdict,
                 ]
                 for claim, finding in rows

@@ -78,4 +78,4 @@ def test_the_verdict_follows_the_joystick(monkeypatch: pytest.MonkeyPatch, bench
 
 
 def test_a_bar_does_not_end_a_cell() -> None:
-    assert text_of(Finding(Verdict.AGREES, "|x|", "why")) == "\\|x\\|; why"
+    assert text_of(Finding(Verdict.AGREES, "|x|", "Why")) == "\\|x\\|. Why."
