@@ -6,8 +6,8 @@
 Every data set has four releases, sampled at 60 Hz with 0.1 degree of noise; the release angle differs from
 repeat to repeat and the release falls anywhere between two samples. C and what belongs to each record are
 fitted by the default settings, whatever the records were made with. Prints a Markdown table for
-docs/fitting.md: the bias of C, how often its 95 % interval holds the truth, how often the fit fails and by
-which checks, and how often it names what is wrong.
+docs/fitting-accuracy.md: the bias of C, how often its 95 % interval contains the truth, how often the fit
+fails and by which checks, and how often it names what is wrong.
 """
 
 from __future__ import annotations

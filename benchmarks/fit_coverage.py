@@ -5,7 +5,7 @@
 
 Every data set has four releases made by the pure-Python reference, sampled at 60 Hz with 0.1 degree of white
 noise. The release angle differs from repeat to repeat and the release falls anywhere between two samples, as
-in a laboratory. Prints a Markdown table for docs/fitting.md.
+in a laboratory. Prints a Markdown table for docs/fitting-accuracy.md.
 """
 
 from __future__ import annotations

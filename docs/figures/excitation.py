@@ -1,4 +1,4 @@
-"""What which excitation of a driven record identifies: the table of the page on fits, drawn."""
+"""What each excitation of a driven record identifies: the table of docs/fitting-accuracy.md, drawn."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from figures.axes import Axes
 from figures.svg import LIGHT, Drawing, Point
 from pyjoystick.support import BLACK, BLUE, GREEN, VERMILION
 
-_PAGE: Final = Path(__file__).parents[1] / "fitting.md"
+_PAGE: Final = Path(__file__).parents[1] / "fitting-accuracy.md"
 _TABLE: Final = re.compile(
     r"^\| excitation \|(?P<heads>.*)\|\n\|[-:| ]*\n(?P<rows>(?:\|.*\n)+)", re.MULTILINE
 )
