@@ -1,5 +1,6 @@
 # make run    environment, two FMUs, the paper's free oscillation compared with the reference
-# make test   everything that is tested
+# make test   the tests of the code
+# make test-release  the tests of what a release consists of: wheel, site, binaries for other platforms, sanitizers, benchmarks
 # make env    the whole environment, with Numba and the tools of tests and documentation (make run needs a third)
 # make test-quick  what takes less than a minute: no compiler, no site; with the FMUs that make fmu made
 # make fmu    the twelve FMUs in build/fmi2/, and two with sensitivities in build/fmi2/sensitivities/ (COMPILER=openmodelica makes them with an installed OpenModelica,
@@ -72,22 +73,29 @@ unexport PYTHONDONTWRITEBYTECODE
 
 # Each process of the tests has one core at most. More threads of the linear algebra would wait for it, busily:
 # a singular value decomposition for a fit then takes up to 40 times the processor time.
-test test-quick: export OPENBLAS_NUM_THREADS = 1
+test test-release test-quick: export OPENBLAS_NUM_THREADS = 1
 
 .DELETE_ON_ERROR:
-.PHONY: FORCE run env test test-quick fuzz fmu fmu-msl ssp lint lint-js try-rumoca bench figure figures claims docs docs-links wheel lock clean distclean
+.PHONY: FORCE run env test test-fmus test-release test-quick fuzz fmu fmu-msl ssp lint lint-js try-rumoca bench figure figures claims docs docs-links wheel lock clean distclean
 
 run: build/fmi2/.first
 	$(BIN)/python scenarios/free_oscillation.py
 
+PYTEST_ALL = $(BIN)/python -m pytest --numprocesses $(WORKERS) --dist loadgroup --no-loadscope-reorder
+
+test: $(READY) test-fmus
+	$(PYTEST_ALL) --part code
+
+test-release: $(READY) test-fmus
+	$(PYTEST_ALL) --part release
+
 # Where another compiler is asked for, the tests make the FMUs of FMI 3 themselves.
-test: $(READY)
+test-fmus: $(READY)
 	@$(MAKE) --no-print-directory --jobs 2 build/fmi2/.built \
 		$(if $(filter rumoca,$(COMPILER)),build/fmi3/.built)
-	$(BIN)/python -m pytest --numprocesses $(WORKERS) --dist loadgroup --no-loadscope-reorder
 
 test-quick: $(READY)
-	$(BIN)/python -m pytest --quick --numprocesses auto
+	$(BIN)/python -m pytest --part quick --numprocesses auto
 
 fuzz: $(READY) fmu
 	$(BIN)/python -m tests.fuzz --seconds $(SECONDS) $(FUZZ_OPTIONS)

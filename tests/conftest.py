@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import signal
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -20,32 +20,32 @@ from tests.omc import Omc, opened, why_not
 from tests.shared_fmus import SharedFmus
 
 ROOT = Path(__file__).parents[1]
-#: What ``--quick`` leaves out, besides tests that build FMUs of their own: those that compile, build the site
-#: or start other programs, and those that take more than some seconds for other reasons.
-SLOW = (
-    *("benchmarks", "docs", "fmu_build", "fuzz", "joystick_fmu", "modelica", "other_tools", "scenarios"),
-    *("test_wheel.py", "test_your_joystick.py", "pyjoystick/reports", "pyjoystick/fmu/test_interruption.py"),
-    *("pyjoystick/fmu/test_own_process.py", "pyjoystick/fmu/test_stepper.py", "pyjoystick/test_shown.py"),
-    *("pyjoystick/runs/sweeps/test_cluster.py", "pyjoystick/runs/sweeps/test_interruption.py"),
-    *("pyjoystick/cli", "pyjoystick/runs/coupling", "pyjoystick/runs/fmu_comparison"),
-    *("pyjoystick/identification/fitting", "pyjoystick/fmu/stepping", "pyjoystick/fmu/test_batch.py"),
-    *("pyjoystick/motion/test_record_peaks.py", "pyjoystick/laboratory/inertia/test_swing.py"),
-    *("pyjoystick/laboratory/load_curve/test_fit.py", "pyjoystick/model/reference/test_physics.py"),
-    *("pyjoystick/model/reference/test_accuracy.py", "pyjoystick/fmu/test_exact_values.py"),
-    *(
-        "pyjoystick/fmu/test_texts_and_arrays.py",
-        "pyjoystick/fmu/test_linearization.py",
-        "pyjoystick/forced_motion",
-    ),
-    *(
-        "pyjoystick/laboratory/measurements",
-        "pyjoystick/identification",
-        "pyjoystick/project",
-        "pyjoystick/runs/sweeps/test_parts.py",
-    ),
-    *("pyjoystick/support/test_plots.py", "pyjoystick/model/reference/test_integration.py"),
-    *("pyjoystick/fmu/test_own_fmi3.py", "pyjoystick/fmu/test_cosimulation.py", "test_signals.py"),
+#: What a release consists of, and what takes long to make: the wheel, the site, binaries for other platforms,
+#: the runtime under sanitizers, benchmarks. A change of the code alone seldom breaks these.
+RELEASE = (
+    *("benchmarks", "docs/test_site.py", "fmu_build/packaging/test_rebuild.py", "fmu_build/platforms"),
+    *("fmu_build/runtime/test_sanitizers.py", "test_wheel.py"),
 )
+#: What the quick part leaves out, besides tests that build FMUs: those that compile or start other
+#: programs, and those that take more than some seconds for other reasons.
+SLOW = (
+    *RELEASE,
+    *("docs", "fmu_build", "fuzz", "joystick_fmu", "modelica", "other_tools", "scenarios", "test_signals.py"),
+    *("test_your_joystick.py", "pyjoystick/cli", "pyjoystick/forced_motion", "pyjoystick/identification"),
+    *("pyjoystick/laboratory/inertia/test_swing.py", "pyjoystick/laboratory/load_curve/test_fit.py"),
+    *("pyjoystick/laboratory/measurements", "pyjoystick/motion/test_record_peaks.py", "pyjoystick/project"),
+    *("pyjoystick/reports", "pyjoystick/support/test_plots.py", "pyjoystick/test_shown.py"),
+    *("pyjoystick/fmu/stepping", "pyjoystick/fmu/test_batch.py", "pyjoystick/fmu/test_cosimulation.py"),
+    *("pyjoystick/fmu/test_exact_values.py", "pyjoystick/fmu/test_interruption.py"),
+    *("pyjoystick/fmu/test_linearization.py", "pyjoystick/fmu/test_own_fmi3.py"),
+    *("pyjoystick/fmu/test_own_process.py", "pyjoystick/fmu/test_stepper.py"),
+    *("pyjoystick/fmu/test_texts_and_arrays.py", "pyjoystick/model/reference/test_accuracy.py"),
+    *("pyjoystick/model/reference/test_integration.py", "pyjoystick/model/reference/test_physics.py"),
+    *("pyjoystick/runs/coupling", "pyjoystick/runs/fmu_comparison", "pyjoystick/runs/sweeps/test_cluster.py"),
+    *("pyjoystick/runs/sweeps/test_interruption.py", "pyjoystick/runs/sweeps/test_parts.py"),
+)
+#: Quick all the same.
+QUICK = ("fmu_build/modelica_source", "fmu_build/runtime/test_layers.py")
 #: What takes longest, one process each, while others go on with the rest.
 FIRST = (
     *("test_wheel.py", "test_your_joystick.py", "fmu_build/platforms/test_libraries.py", "docs/test_site.py"),
@@ -55,8 +55,28 @@ FIRST = (
     *("modelica/test_models.py", "joystick_fmu/test_flange.py", "fmu_build/runtime/test_sanitizers.py"),
     *("pyjoystick/reports/html_report/test_report.py", "pyjoystick/identification/fitting/test_selection.py"),
 )
-#: Quick all the same.
-QUICK = ("fmu_build/modelica_source", "fmu_build/runtime/test_layers.py")
+
+
+def _place(item: pytest.Item) -> str:
+    return item.path.relative_to(ROOT / "tests").as_posix()
+
+
+def _is_of_release(item: pytest.Item) -> bool:
+    return _place(item).startswith(RELEASE)
+
+
+def _is_quick(item: pytest.Item) -> bool:
+    fixtures = set(getattr(item, "fixturenames", ()))
+    builds = "shared_fmus" in fixtures and not fixtures & {"joystick_fmus", "joystick_fmus3"}
+    return not builds and (not _place(item).startswith(SLOW) or _place(item).startswith(QUICK))
+
+
+#: The parts of the tests that can be run alone.
+PARTS: dict[str, Callable[[pytest.Item], bool]] = {
+    "quick": _is_quick,
+    "code": lambda item: not _is_of_release(item),
+    "release": _is_of_release,
+}
 
 
 def pytest_configure() -> None:
@@ -69,18 +89,17 @@ def pytest_configure() -> None:
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    parser.addoption("--quick", action="store_true", help="leave out what needs a compiler or takes long")
+    parser.addoption("--part", choices=PARTS, help="only a part of the tests; all where it is not given")
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Begin with what takes longest; with ``--quick``, leave out the slow tests."""
+    """Begin with what takes longest, and leave out what is not of the part."""
     order = {ROOT / "tests" / file: number for number, file in enumerate(FIRST)}
     items.sort(key=lambda item: order.get(item.path, len(FIRST)))  # else in the order of collection
-    if not config.getoption("--quick"):
-        return
-    slow = [item for item in items if _is_slow(item)]
-    config.hook.pytest_deselected(items=slow)
-    items[:] = [item for item in items if item not in set(slow)]
+    is_of_part = PARTS.get(config.getoption("--part"))
+    if is_of_part is not None:
+        config.hook.pytest_deselected(items=[item for item in items if not is_of_part(item)])
+        items[:] = filter(is_of_part, items)
 
 
 @pytest.hookimpl(optionalhook=True)
@@ -94,13 +113,6 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
     group_of = scheduler._split_scope
     scheduler._split_scope = lambda nodeid: group_of(nodeid).partition("::")[0]
     return scheduler
-
-
-def _is_slow(item: pytest.Item) -> bool:
-    place = item.path.relative_to(ROOT / "tests").as_posix()
-    fixtures = set(getattr(item, "fixturenames", ()))
-    builds = "shared_fmus" in fixtures and not fixtures & {"joystick_fmus", "joystick_fmus3"}
-    return builds or (place.startswith(SLOW) and not place.startswith(QUICK))
 
 
 @pytest.fixture(scope="session")
@@ -118,8 +130,8 @@ def shared_fmus(tmp_path_factory: pytest.TempPathFactory) -> SharedFmus:
 def joystick_fmus(shared_fmus: SharedFmus, request: pytest.FixtureRequest) -> Path:
     """The folder with the FMUs of this project by the default compiler.
 
-    Those of ``make fmu`` where they are up to date and not another compiler's, else new ones. With
-    ``--quick`` those of ``make fmu`` as they are.
+    Those of ``make fmu`` where they are up to date and not another compiler's, else new ones. For the quick
+    part those of ``make fmu`` as they are.
     """
     return _made_or_new("2.0", shared_fmus, request)
 
@@ -134,7 +146,7 @@ def _made_or_new(fmi_version: FmiVersion, shared_fmus: SharedFmus, request: pyte
     made = ROOT / "build" / f"fmi{fmi_version[0]}"
     if _is_up_to_date(made):
         return made
-    if request.config.getoption("--quick"):
+    if request.config.getoption("--part") == "quick":
         if all(fmu.is_file() for fmu in _of_this_project(made)):
             return made
         pytest.skip(f"the FMUs are missing: make fmu FMI={fmi_version[0]}")
