@@ -12,6 +12,7 @@ from importlib import metadata
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from fmu_build.compilers.generated_once import generated_once
 from fmu_build.compilers.input_steps import input_steps_file, read_input_steps
 from fmu_build.compilers.library import (
     DEFAULT_LIBRARY,
@@ -21,6 +22,7 @@ from fmu_build.compilers.library import (
     mentions,
     not_found,
     read_classes,
+    read_text,
     readable_files,
     source_files,
 )
@@ -101,15 +103,19 @@ def _generated(request: BuildRequest, libraries: Libraries) -> tuple[GeneratedMo
     alone = all(_is_read_with(library, used) for used in used_libraries(libraries, reached))
     alone = alone and with_records_in_parentheses(reached.texts) == reached.texts
     files = readable_files(library) if alone else list(reached.texts)
-    with native_stderr() as loading, translated_errors(request.model, known.file, files):
-        if alone:
-            session, model = _loaded(library, request.model)
-        else:
-            session, model = _loaded_in_part(reached, libraries, request.model)
-    request.on_stage("generating C")
-    with native_stderr() as generating, translated_errors(request.model, known.file, files):
-        generated = generate(ModelSource(session, model), request.sensitivity)
-    return _with_input_steps(generated, library), loading() + generating() + generated.notes
+    with translated_errors(request.model, known.file, files):
+        texts = {file: read_text(file) for file in files} if alone else _texts(reached, libraries)
+
+    def make() -> tuple[GeneratedModel, str]:
+        with native_stderr() as loading, translated_errors(request.model, known.file, files):
+            made = _loaded(library, request.model) if alone else _loaded_from(texts, request.model)
+        request.on_stage("generating C")
+        with native_stderr() as generating, translated_errors(request.model, known.file, files):
+            generated = generate(ModelSource(*made), request.sensitivity)
+        return generated, loading() + generating() + generated.notes
+
+    generated, log = generated_once(texts, request.model, request.sensitivity, make)
+    return _with_input_steps(generated, library), log
 
 
 def _release_sessions(error: BaseException | None) -> None:
@@ -153,22 +159,25 @@ def _loaded(library: Path, model: str) -> tuple[rumoca.Session, rumoca.Model]:
     return session, session.load(str(entry_file(library)), model=model)
 
 
-def _loaded_in_part(
-    reached: ReachedSource, libraries: Libraries, model: str
-) -> tuple[rumoca.Session, rumoca.Model]:
-    """Compile a model from the part of its libraries that it reaches."""
-    import rumoca
-
-    session = rumoca.Session()
+def _texts(reached: ReachedSource, libraries: Libraries) -> dict[Path, str]:
+    """Return the part of its libraries that a model reaches, as rumoca is given it."""
     folders = {name: path if path.is_dir() else path.parent for name, path in libraries.roots.items()}
     texts = {file: with_tables_from_files(file, text, folders) for file, text in reached.texts.items()}
     index = any(takes_index(text) for text in reached.texts.values())
-    # Each text costs the more the more text there is before it.
     texts = with_bases_beside(with_own_tables(with_records_in_parentheses(texts)))
+    return {file: with_known_functions(text, index=index) for file, text in texts.items()}
+
+
+def _loaded_from(texts: Mapping[Path, str], model: str) -> tuple[rumoca.Session, rumoca.Model]:
+    """Compile a model from texts."""
+    import rumoca
+
+    session = rumoca.Session()
+    # Each text costs the more the more text there is before it.
     for file, text in sorted(texts.items(), key=lambda one: len(one[1])):
         # The session keeps each text, then fails to compile a model that does not exist.
         with suppress(rumoca.CompileError):
-            session.loads(with_known_functions(text, index=index), model=_NONE, filename=f"{IN_MEMORY}{file}")
+            session.loads(text, model=_NONE, filename=f"{IN_MEMORY}{file}")
     return session, session.loads(f"package {_NONE} end {_NONE};", model=model)
 
 

@@ -7,7 +7,6 @@ none is kept there as a whole.
 
 from __future__ import annotations
 
-import contextlib
 import hashlib
 import importlib.util
 import os
@@ -21,6 +20,7 @@ from pathlib import Path
 
 from fmu_build.packaging.platforms import PLATFORMS, WASM32, Platform
 from fmu_build.packaging.sources import MODEL_FILE, TOKEN_FILE, c_files
+from fmu_build.support.cache import Store, cache_folder
 from fmu_build.support.errors import ToolchainError
 from fmu_build.support.request import FmiVersion
 from fmu_build.support.temporary import temporary_folder
@@ -44,17 +44,10 @@ LINKER_FLAGS = ("-shared", "-fPIC", "-s")
 OPTIMIZED_WHEN_LINKED = (".so", ".wasm")
 # Search paths for the user's own compilers, which clang would use too.
 _FOREIGN_PATHS = ("CPATH", "C_INCLUDE_PATH", "LIBRARY_PATH", "SDKROOT")
-# Where zig looks for its cache folder, in this order: an environment variable, and a folder below its value.
-_CACHE_PLACES = {
-    "ZIG_GLOBAL_CACHE_DIR": "",
-    "XDG_CACHE_HOME": "zig",
-    "HOME": ".cache/zig",
-    "LOCALAPPDATA": "zig",
-}
 _RUNTIME = "runtime.a"
 # The runtimes of two versions for all platforms and both FMI versions, of up to 1 MB each, and some modules
 # of a tenth of that.
-_MOST_STORED = 64
+STORE = Store("runtimes", most=64)
 # Callers of the module need malloc and free to pass arrays. The deepest call formats a message, in some kB.
 _MODULE_LINKER_FLAGS = ("-Wl,--export=malloc", "-Wl,--export=free", "-Wl,-z,stack-size=65536")
 
@@ -87,22 +80,6 @@ def compile_library(
     return content, log + printed
 
 
-def cache_folder() -> Path | None:
-    """Return zig's cache folder for this user; None if it is not writable, as in many containers."""
-    for name, place in _CACHE_PLACES.items():
-        if os.environ.get(name):
-            folder = Path(os.environ[name], place).absolute()
-            existing = next(path for path in (folder, *folder.parents) if path.exists())
-            return folder if os.access(existing, os.W_OK) else None
-    return None
-
-
-def runtime_folder() -> Path | None:
-    """Return the folder that caches compiled runtimes and modules; None if there is no writable cache."""
-    folder = cache_folder()
-    return None if folder is None else folder / "fmu_build"
-
-
 def binary_entries(
     libraries: Mapping[Platform, bytes], identifier: str, fmi_version: FmiVersion
 ) -> dict[str, bytes]:
@@ -126,45 +103,12 @@ def _made_once(
 ) -> tuple[bytes, str]:
     """Return what `_compiled` does; if it was made of the same before, from the cache and without output."""
     digest = hashlib.sha256(repr([toolchain_version(), arguments, sorted(files.items())]).encode())
-    folder = runtime_folder()
-    stored = None if folder is None else folder / f"{digest.hexdigest()}{Path(result).suffix}"
-    if stored is not None and (content := _read_stored(stored)) is not None:
+    key = f"{digest.hexdigest()}{Path(result).suffix}"
+    if (content := STORE.read(key)) is not None:
         return content, ""
     content, log = _compiled(files, arguments, result, platform)
-    if stored is not None:
-        _store(stored, content)
+    STORE.write(key, content)
     return content, log
-
-
-def _read_stored(file: Path) -> bytes | None:
-    """Return the content that `_store` wrote, and note its use; None if the file is missing or damaged."""
-    try:
-        stored = file.read_bytes()
-    except OSError:
-        return None
-    with contextlib.suppress(OSError):
-        os.utime(file)
-    digest, content = stored[:32], stored[32:]
-    return content if hashlib.sha256(content).digest() == digest else None
-
-
-def _store(file: Path, content: bytes) -> None:
-    """Write digest and content to a file, atomically with respect to other writers and to being killed.
-
-    Of the files beside it, those that have not been used for longest are deleted, also what a killed process
-    left. Failure to write the cache is ignored.
-    """
-    with contextlib.suppress(OSError):
-        file.parent.mkdir(parents=True, exist_ok=True)
-        new = file.with_name(f"{file.name}-{os.getpid()}-{os.urandom(4).hex()}")
-        try:
-            new.write_bytes(hashlib.sha256(content).digest() + content)
-            new.replace(file)
-        finally:
-            new.unlink(missing_ok=True)
-        used = sorted(file.parent.iterdir(), key=lambda one: one.stat().st_mtime_ns)
-        for oldest in used[:-_MOST_STORED]:
-            oldest.unlink(missing_ok=True)
 
 
 def _compiled(

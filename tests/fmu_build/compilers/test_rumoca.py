@@ -15,6 +15,7 @@ import pytest
 from fmu_build.compilers import rumoca as backend
 from fmu_build.compilers.rumoca import RumocaCompiler, generate_model
 from fmu_build.compilers.rumoca_errors import native_stderr
+from fmu_build.support.cache import Store
 from fmu_build.support.errors import (
     BuildError,
     ModelicaError,
@@ -23,6 +24,11 @@ from fmu_build.support.errors import (
     UnsupportedModelError,
 )
 from fmu_build.support.request import BuildRequest
+
+
+@pytest.fixture(autouse=True)
+def _nothing_is_kept(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(Store, "folder", lambda _: None)
 
 
 @pytest.fixture

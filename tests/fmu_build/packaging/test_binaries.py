@@ -15,6 +15,7 @@ import pytest
 from fmu_build.packaging import binaries
 from fmu_build.packaging.binaries import compile_library, toolchain_version
 from fmu_build.packaging.platforms import PLATFORMS
+from fmu_build.support.cache import PLACES, Store
 from fmu_build.support.errors import ToolchainError
 
 _LINUX = PLATFORMS["x86_64-linux"]
@@ -46,9 +47,8 @@ def own_temporary_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Pat
 @pytest.fixture
 def stored(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """An empty cache of compiled runtimes; zig's own cache, with the C library, stays the user's."""
-    folder = tmp_path / "runtimes"
-    monkeypatch.setattr(binaries, "runtime_folder", lambda: folder)
-    return folder
+    monkeypatch.setattr(Store, "folder", lambda store: tmp_path / store.name)
+    return tmp_path / binaries.STORE.name
 
 
 @pytest.mark.parametrize("name", PLATFORMS)
@@ -105,7 +105,7 @@ def test_what_is_kept_is_made_once_of_the_same(stored: Path, monkeypatch: pytest
 def test_of_many_runtimes_those_that_were_used_last_are_kept(
     stored: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(binaries, "_MOST_STORED", 3)
+    monkeypatch.setattr(binaries, "STORE", Store(binaries.STORE.name, most=3))
     stored.mkdir()
     for number, name in enumerate(("left.a-123-ab", "unused.a", "other.a")):
         (stored / name).write_bytes(b"")
@@ -161,7 +161,7 @@ def test_a_library_path_of_the_user_is_not_read(monkeypatch: pytest.MonkeyPatch,
 def test_a_cache_folder_of_its_own_where_the_user_has_none(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, home: str | None
 ) -> None:
-    for name in binaries._CACHE_PLACES:
+    for name in PLACES:
         monkeypatch.delenv(name, raising=False)
     if home is not None:
         monkeypatch.setenv("HOME", home)

@@ -20,6 +20,7 @@ from fmu_manipulation_toolbox.operations import FMU
 from fmu_build.packaging import binaries, package_fmu, wasm_module
 from fmu_build.packaging.binaries import compile_library
 from fmu_build.packaging.platforms import PLATFORMS
+from fmu_build.support.cache import Store
 from fmu_build.support.description import GeneratedModel
 from fmu_build.support.errors import BuildError, ModelicaError, ToolchainError
 from fmu_build.support.request import BuildRequest
@@ -160,7 +161,7 @@ def test_a_webassembly_module_lies_beside_the_library(
 def test_a_module_is_compiled_once_for_all_pages(
     fmu: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(binaries, "runtime_folder", lambda: tmp_path / "stored")
+    monkeypatch.setattr(Store, "folder", lambda store: tmp_path / store.name)
     module = wasm_module(fmu)
     monkeypatch.setattr(binaries, "_compiled", lambda *_: pytest.fail("compiled again"))
     assert wasm_module(fmu) == module

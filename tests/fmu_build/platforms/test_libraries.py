@@ -15,8 +15,8 @@ from pathlib import Path
 import pytest
 
 from fmu_build import FmiVersion, build_fmu
-from fmu_build.packaging import binaries
 from fmu_build.packaging.platforms import PLATFORMS, Platform
+from fmu_build.support.cache import Store
 from tests.shared_fmus import SharedFmus
 
 from .conftest import MODEL
@@ -133,7 +133,7 @@ def test_two_builds_in_different_places_give_the_same_bytes(
     temporary = tmp_path / "elsewhere with a longer name"
     temporary.mkdir()
     monkeypatch.setattr(tempfile, "tempdir", str(temporary))
-    monkeypatch.setattr(binaries, "runtime_folder", lambda: None)  # the runtime is compiled anew as well
+    monkeypatch.setattr(Store, "folder", lambda _: None)  # model and runtime are made anew as well
     monkeypatch.chdir(tmp_path)
     again = build_fmu(MODEL, "out", fmi_version=fmi_version, platforms=platforms).path
     assert hashlib.sha256(again.read_bytes()).digest() == hashlib.sha256(fmu.read_bytes()).digest()

@@ -1,0 +1,79 @@
+"""What builds keep for later ones, in the cache folder that the C compiler has for this user."""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import os
+from dataclasses import dataclass
+from pathlib import Path
+
+# Where zig looks for its cache folder, in this order: an environment variable, and a folder below its value.
+PLACES = {
+    "ZIG_GLOBAL_CACHE_DIR": "",
+    "XDG_CACHE_HOME": "zig",
+    "HOME": ".cache/zig",
+    "LOCALAPPDATA": "zig",
+}
+
+
+def cache_folder() -> Path | None:
+    """Return zig's cache folder for this user; None if it is not writable, as in many containers."""
+    for name, place in PLACES.items():
+        if os.environ.get(name):
+            folder = Path(os.environ[name], place).absolute()
+            existing = next(path for path in (folder, *folder.parents) if path.exists())
+            return folder if os.access(existing, os.W_OK) else None
+    return None
+
+
+@dataclass(frozen=True, slots=True)
+class Store:
+    """Files in a folder of the cache, each under a key that says what it was made from.
+
+    Attributes:
+        name: of the folder
+        most: number of files to keep; those that have not been used for longest are deleted
+    """
+
+    name: str
+    most: int
+
+    def folder(self) -> Path | None:
+        """Return the folder, which may not exist yet; None if there is no writable cache."""
+        folder = cache_folder()
+        return None if folder is None else folder / "fmu_build" / self.name
+
+    def read(self, key: str) -> bytes | None:
+        """Return what was written under the key, and note its use; None if it is missing or damaged."""
+        folder = self.folder()
+        if folder is None:
+            return None
+        try:
+            stored = (folder / key).read_bytes()
+        except OSError:
+            return None
+        with contextlib.suppress(OSError):
+            os.utime(folder / key)
+        digest, content = stored[:32], stored[32:]
+        return content if hashlib.sha256(content).digest() == digest else None
+
+    def write(self, key: str, content: bytes) -> None:
+        """Keep the content, atomically with respect to other writers and to being killed.
+
+        Failure to write the cache is ignored. Surplus files are deleted, also what a killed process left.
+        """
+        folder = self.folder()
+        if folder is None:
+            return
+        with contextlib.suppress(OSError):
+            folder.mkdir(parents=True, exist_ok=True)
+            new = folder / f"{key}-{os.getpid()}-{os.urandom(4).hex()}"
+            try:
+                new.write_bytes(hashlib.sha256(content).digest() + content)
+                new.replace(folder / key)
+            finally:
+                new.unlink(missing_ok=True)
+            used = sorted(folder.iterdir(), key=lambda one: one.stat().st_mtime_ns)
+            for oldest in used[: -self.most]:
+                oldest.unlink(missing_ok=True)
