@@ -32,6 +32,17 @@ class Kink:
     partials: Array
 
 
+@dataclass(frozen=True)
+class Springs:
+    """What the springs are on one branch: linear in the travel x, and so are their derivatives."""
+
+    side: float
+    stiffness: float
+    force_at_zero: float
+    partials_at_zero: Array
+    partials_slope: Array
+
+
 def _excess(time: float, motion: Any, angle: float) -> float:
     return float(motion(time)[0] - angle)
 
@@ -52,7 +63,10 @@ class Joystick:
     def __init__(self, values: Values, parameters: Sequence[str]) -> None:
         self.values = values
         self.parameters = list(parameters)
+        self.places = {name: place for place, name in enumerate(parameters)}
+        self.law = {name.partition(".")[2]: value for name, value in values.items() if "damping." in name}
         self.kinks = sorted(self._kinks(), key=lambda kink: kink.theta)
+        self.springs = [self._springs(branch) for branch in range(len(self.kinks) + 1)]
 
     def motion(self, times: Array, theta_start: float, omega_start: float = 0.0) -> tuple[Array, int]:
         """Return the rows theta, omega, then both by each parameter, at `times`; and the number of events."""
@@ -132,63 +146,62 @@ class Joystick:
 
     def _acceleration(self, theta: float, omega: float, branch: int) -> tuple[float, float, float, Array]:
         """Return alpha and its partial derivatives by theta, omega and the parameters, within a branch."""
-        v = self.values
-        side = 1.0 if self._middle(branch) > 0.0 else -1.0
+        v, springs = self.values, self.springs[branch]
+        side = springs.side
         tangent, cosine = math.tan(theta), math.cos(theta)
         x = v["a"] * side * tangent + v["b"] * (1.0 - 1.0 / cosine)
         slope = (v["a"] * side - v["b"] * math.sin(theta)) / cosine**2
         bend = 2.0 * tangent * slope - v["b"] / cosine
-        force, stiffness, by_parameter = self._force(x, branch)
+        force = springs.force_at_zero + springs.stiffness * x
         damping, d_theta, d_omega, d_parameter = self._damping(theta, omega, side)
         weight = v["m"] * v["g"] * v["h"]
         moment = weight * math.sin(theta) - force * slope - damping * omega
         alpha, inertia = moment / v["J"], v["J"]
-        by_theta = weight * math.cos(theta) - stiffness * slope**2 - force * bend - d_theta * omega
-        partials = np.array(
-            [
-                -by_parameter.get(name, 0.0) * slope
-                - d_parameter.get(name, 0.0) * omega
-                - (alpha if name == "J" else 0.0)
-                for name in self.parameters
-            ]
-        )
+        by_theta = weight * math.cos(theta) - springs.stiffness * slope**2 - force * bend - d_theta * omega
+        partials = -slope * (springs.partials_at_zero + springs.partials_slope * x)
+        for name, derivative in d_parameter.items():
+            if name in self.places:
+                partials[self.places[name]] -= derivative * omega
+        if "J" in self.places:
+            partials[self.places["J"]] -= alpha
         return alpha, by_theta / inertia, -(damping + d_omega * omega) / inertia, partials / inertia
 
     def _middle(self, branch: int) -> float:
         ends = [-LARGEST_ANGLE, *(kink.theta for kink in self.kinks), LARGEST_ANGLE]
         return 0.5 * (ends[branch] + ends[branch + 1])
 
-    def _force(self, x: float, branch: int) -> tuple[float, float, dict[str, float]]:
-        """Return the springs' force of this branch, its slope and its derivatives by their parameters."""
+    def _springs(self, branch: int) -> Springs:
         middle = self._middle(branch)
         side = "forward" if middle > 0.0 else "backward"
         inside = self._travel(abs(middle))
-        force, stiffness, partials = 0.0, 0.0, {}
+        stiffness, force_at_zero = 0.0, 0.0
+        at_zero, slope = np.zeros(len(self.parameters)), np.zeros(len(self.parameters))
         for spring in (f"{side}.returnSpring", f"{side}.balanceSpring"):
             k_s, k_h, preload, start = (
                 self.values[f"{spring}.{name}"] for name in ("k_s", "k_h", "F_0", "x_0")
             )
             if inside <= start:
                 continue
-            if inside <= start + preload / k_h:
-                stiffness += k_s + k_h
-                force += (k_s + k_h) * (x - start)
-                partials |= {
-                    f"{spring}.x_0": -(k_s + k_h),
-                    f"{spring}.k_h": x - start,
-                    f"{spring}.k_s": x - start,
-                }
-            else:
-                stiffness += k_s
-                force += preload + k_s * (x - start)
-                partials |= {f"{spring}.x_0": -k_s, f"{spring}.F_0": 1.0, f"{spring}.k_s": x - start}
-        return force, stiffness, partials
+            if inside <= start + preload / k_h:  # (k_s + k_h) * (x - x_0)
+                of_spring, force, following = k_s + k_h, 0.0, ("k_s", "k_h")
+            else:  # F_0 + k_s * (x - x_0)
+                of_spring, force, following = k_s, preload, ("k_s",)
+            stiffness += of_spring
+            force_at_zero += force - of_spring * start
+            partials = {"x_0": (-of_spring, 0.0), **dict.fromkeys(following, (-start, 1.0))}
+            if force:
+                partials["F_0"] = (1.0, 0.0)
+            for name, (constant, factor) in partials.items():
+                if (place := self.places.get(f"{spring}.{name}")) is not None:
+                    at_zero[place] += constant
+                    slope[place] += factor
+        return Springs(math.copysign(1.0, middle), stiffness, force_at_zero, at_zero, slope)
 
     def _damping(
         self, theta: float, omega: float, side: float
     ) -> tuple[float, float, float, dict[str, float]]:
         """Return C and its derivatives by theta, omega and the law's parameters: constant, or eq. (11)."""
-        v = {name.partition(".")[2]: value for name, value in self.values.items() if "damping." in name}
+        v = self.law
         if "C" in v:
             return v["C"], 0.0, 0.0, {"damping.C": 1.0}
         sign = "pos" if side > 0.0 else "neg"
