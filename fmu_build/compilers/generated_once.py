@@ -25,6 +25,7 @@ def generated_once(
     model: str,
     sensitivity: SensitivityRequest | None,
     make: Callable[[], tuple[GeneratedModel, str]],
+    on_stage: Callable[[str], None],
 ) -> tuple[GeneratedModel, str]:
     """Return what `make` returns for a model of these texts, from the cache if it was made before.
 
@@ -34,6 +35,7 @@ def generated_once(
     made_from = [_generator(), model, sensitivity, sources]
     key = hashlib.sha256(repr(made_from).encode()).hexdigest()
     if (kept := _STORE.read(key)) is not None:
+        on_stage("taking the C code from the cache")
         found: tuple[GeneratedModel, str] = pickle.loads(kept)
         return found
     generated, log = make()

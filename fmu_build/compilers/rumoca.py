@@ -114,7 +114,7 @@ def _generated(request: BuildRequest, libraries: Libraries) -> tuple[GeneratedMo
             generated = generate(ModelSource(*made), request.sensitivity)
         return generated, loading() + generating() + generated.notes
 
-    generated, log = generated_once(texts, request.model, request.sensitivity, make)
+    generated, log = generated_once(texts, request.model, request.sensitivity, make, request.on_stage)
     return _with_input_steps(generated, library), log
 
 

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 
 import pytest
 import rumoca
 
-from fmu_build.codegen import ModelSource, generate
+from fmu_build.compilers.rumoca import generate_model
+from fmu_build.support.request import BuildRequest
 from tests.modelica.library import (
     MODELICA_PATH,
-    ROOT,
     compiled,
     concrete_models,
     examples,
@@ -94,8 +95,6 @@ def test_display_units_are_those_of_the_trade() -> None:
         ("PreloadedSprings.Examples.SwingTest", 1),
     ],
 )
-def test_each_kink_is_one_relation(name: str, relations: int) -> None:
-    session = rumoca.Session()
-    model = session.load(str(ROOT / "package.mo"), model=name)
-    description = generate(ModelSource(session, model)).description
-    assert len(description.event_indicators) == relations
+def test_each_kink_is_one_relation(name: str, relations: int, tmp_path: Path) -> None:
+    model, _ = generate_model(BuildRequest(name, tmp_path))
+    assert len(model.description.event_indicators) == relations

@@ -66,6 +66,14 @@ def test_the_second_build_takes_the_same_model(tmp_path: Path, generated: list[s
     assert generated == ["M"]
 
 
+def test_the_stages_say_so(tmp_path: Path) -> None:
+    stages: list[str] = []
+    file = _written(tmp_path)
+    for _ in range(2):
+        generate_model(BuildRequest("M", tmp_path, file, on_stage=stages.append))
+    assert stages == ["generating C", "taking the C code from the cache"]
+
+
 def test_whatever_the_model_is_made_from_makes_another(
     tmp_path: Path, generated: list[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -106,6 +114,6 @@ def test_a_log_that_names_a_file_is_not_kept(tmp_path: Path, stored: Path) -> No
     made, _ = generate_model(BuildRequest("M", tmp_path, file))
     texts = {file: "another text"}
     for log in (f"{file}:1:1: a remark", "a remark"):
-        found = generated_once.generated_once(texts, "M", None, lambda log=log: (made, log))  # type: ignore[misc]
+        found = generated_once.generated_once(texts, "M", None, lambda log=log: (made, log), print)  # type: ignore[misc]
         assert found == (made, log)
     assert len(list(stored.iterdir())) == 2
