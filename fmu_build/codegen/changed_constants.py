@@ -1,8 +1,12 @@
-"""Constants and functions of a class that rumoca changes because another class extends it with others.
+"""Constants and functions of packages to which rumoca gives the values of others.
 
 After ``package B extends A(c = 7)``, rumoca takes 7 for ``A.c`` too wherever the model uses both packages,
 and the functions that B redeclares for those of A. Components are not affected, only names like ``A.c``:
 those of the class from which B inherits, not those of its other heirs.
+
+Of the values that the heirs of a package give to one of its constants, rumoca takes one wherever the package
+itself uses the constant, in another constant or in a model, record or type. Where an heir of an heir gives
+another value, it takes the former one for everything.
 """
 
 from __future__ import annotations
@@ -26,7 +30,7 @@ def changed_constants(text: ModelText) -> Iterator[tuple[str, Construct]]:
         found = _BASE.search(clause.plain)
         assert found is not None  # by the patterns
         base = found["name"]
-        if _is_named(text, base):
+        if is_named(text, base):
             yield (
                 f"the model uses {base} beside a class that extends it with other constants or functions, "
                 f"and {base} would get these too; give both a common base class, which is partial",
@@ -59,7 +63,7 @@ def _redeclares(own: str) -> bool:
     return re.match(r"\s*package\b", own) is not None and re.search(r"\bredeclare\b", without) is not None
 
 
-def _is_named(text: ModelText, base: str) -> bool:
+def is_named(text: ModelText, base: str) -> bool:
     """Return whether the model uses names of the class other than by inheritance.
 
     A package is used wherever its name stands, because that may be an alias; another class where something in

@@ -2,8 +2,8 @@
 
 Where a class is extended, only the outermost modifiers are merged: ``extends B(a(s(k = 9)))`` replaces the
 whole modifier ``s(...)`` that B gives to a, although Modelica merges the two (Modelica 3.6, section 7.2.3).
-Modifiers of redeclared and constraining classes can be lost, too, and so can those with dotted names; see
-also `redeclared_modifiers`, `record_values` and `changed_constants`.
+Modifiers of redeclared, constraining and inner classes can be lost, too, and so can those with dotted names;
+see also `redeclared_modifiers`, `record_values`, `changed_constants` and `contradicted_constants`.
 """
 
 from __future__ import annotations
@@ -14,10 +14,12 @@ from itertools import chain
 
 from fmu_build.codegen.changed_constants import changed_constants
 from fmu_build.codegen.comprehensions import miscounted_comprehensions
+from fmu_build.codegen.contradicted_constants import contradicted_constants
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.record_values import values_over_members
 from fmu_build.codegen.redeclared_modifiers import PREFIXES, changed_modifiers
 from fmu_build.modelica_source.constructs import Construct, ModelText
+from fmu_build.modelica_source.inheritance import Inheritance, modified_classes
 from fmu_build.modelica_source.modifiers import Path as NamePath, assigned, closing, dotted
 from fmu_build.modelica_source.text import inside_parentheses
 
@@ -55,10 +57,12 @@ def reject_lost_modifiers(model: LoweredModel) -> None:
             raise model.unsupported_at(why, construct)
     found = (
         _nested_redeclarations,
+        _modifiers_of_classes,
         values_over_members,
         _modifiers_of_base_functions,
         changed_modifiers,
         changed_constants,
+        contradicted_constants,
         miscounted_comprehensions,
     )
     for why, construct in chain.from_iterable(find(text) for find in found):
@@ -85,6 +89,19 @@ def _nested_redeclarations(text: ModelText) -> Iterator[tuple[str, Construct]]:
                     "lost; make it in a class that extends that of the component",
                     modified,
                 )
+
+
+def _modifiers_of_classes(text: ModelText) -> Iterator[tuple[str, Construct]]:
+    """Yield clauses that modify inner classes, as in ``extends B(T(start = 1))`` with a type T of B."""
+    inheritance = Inheritance(text)
+    for name, modifiers, clause in modified_classes(text):
+        for path in assigned(modifiers):
+            for depth, part in enumerate(path[:-1]):
+                if any(
+                    inheritance.has_class(owner, part) and not any(inheritance.components(owner, part))
+                    for owner in inheritance.owners(name, path[:depth])
+                ):
+                    yield f"what is given to the class {part} is lost; modify its components", clause
 
 
 def _modifiers_of_base_functions(text: ModelText) -> Iterator[tuple[str, Construct]]:

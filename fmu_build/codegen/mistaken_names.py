@@ -1,26 +1,27 @@
 """Names that rumoca takes for other classes than Modelica does.
 
 rumoca keeps one function for each name as the source calls it: `own()` in two models with a function of their
-own, or `Medium.h()` where two components have different media, become one function. A function of a model is
-evaluated once for all its instances, a function with the name of a built-in one is not called, and an outer
-class stands for itself. What is called by its full name is right.
+own, or `Medium.h()` where two components have different media, become one function. A class that is declared
+in a model, such as a function, is evaluated once for all instances of the model. A function with the name of
+a built-in one is not called, and an outer class stands for itself. What is called by its full name is right.
 """
 
 from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 
 from fmu_build.codegen.compiled import expressions
 from fmu_build.codegen.lowered import LoweredModel
+from fmu_build.modelica_source.clauses import component_clauses
 from fmu_build.modelica_source.constructs import Construct, ModelText
+from fmu_build.modelica_source.inheritance import Inheritance, modified_classes
 from fmu_build.modelica_source.modifiers import assigned
 
 _KIND = r"(?:model|block|class|package|connector|record|function|type)"
 _OUTER_CLASS = rf"\bouter\s+(?:replaceable\s+)?(?:partial\s+)?(?={_KIND}\s+\w)"
 _ALIAS = re.compile(r"\b(?:package|import)\s+(?P<name>\w+)\s*=\s*(?P<meaning>[\w.]+\s*\(?)")
-_MODIFIED = r"(?<![\w.])[\w.]+\s+\w+\s*(?:\[[^\]]*\]\s*)?\(|\bextends\s+[\w.]+\s*\(|=\s*[\w.]+\s*\("
 _REDECLARED_FUNCTION = r"\bredeclare\s+(?:replaceable\s+)?function\s+(?:extends\s+)?(\w+)"
 _BUILT_IN = re.compile(
     r"abs|sign|sqrt|div|mod|rem|ceil|floor|integer|a?sin|a?cos|a?tan|atan2|sinh|cosh|tanh|exp|log|log10|min|max|"
@@ -32,7 +33,7 @@ _BUILT_IN = re.compile(
 def reject_mistaken_names(model: LoweredModel) -> None:
     """Raise `UnsupportedModelError` for the first name that would be taken for something else."""
     text = model.classes
-    for find in (_outer_classes, _functions_like_built_in_ones, _blind_functions):
+    for find in (_outer_classes, _functions_like_built_in_ones, _blind_classes):
         for why, construct in find(text):
             raise model.unsupported_at(why, construct)
     for why, construct in _ambiguous_aliases(text, model.flat["functions"]):
@@ -65,52 +66,68 @@ def _functions_like_built_in_ones(text: ModelText) -> Iterator[tuple[str, Constr
                 yield f"{simple}() would call the built-in function; give this one another name", construct
 
 
-def _blind_functions(text: ModelText) -> Iterator[tuple[str, Construct]]:
-    """Yield what is given to names that functions of models use: they see what the model declares."""
-    used = {name: user for user in _functions_of_models(text) for name in _outside(text, *user)}
+def _blind_classes(text: ModelText) -> Iterator[tuple[str, Construct]]:
+    """Yield what is given to names that inner classes of models use: they see what the model declares."""
+    used: defaultdict[str, list[tuple[str, str]]] = defaultdict(list)
+    for inner, kind, own in _classes_of_models(text):
+        for name in _outside(text, inner, own):
+            used[name].append((inner, kind))
     if not used:
         return
-    given = [
-        (path[-1], construct)
-        for construct in text.find([_MODIFIED])
-        for path in assigned(construct.plain[construct.plain.index("(") + 1 : -1])
-    ]
-    redeclared = text.find([_REDECLARED_FUNCTION])
-    given += [(construct.plain.rpartition(" ")[2], construct) for construct in redeclared]
-    for name, construct in given:
-        if name in used:
-            function = used[name][0].rpartition(".")[2]
-            yield (
-                f"the function {function} would not see what is given to {name}; hand {name} to it as an "
-                "argument",
-                construct,
-            )
+    for owners, name, construct in _given(text, used):
+        for inner, kind in used[name]:
+            if owners is None or inner.split(".")[-2] in owners:
+                yield (
+                    f"the {kind.rpartition(' ')[2]} {inner.rpartition('.')[2]} would not see what is given "
+                    f"to {name}; hand {name} to it as an argument or parameter",
+                    construct,
+                )
 
 
-def _functions_of_models(text: ModelText) -> Iterator[tuple[str, str]]:
-    """Yield names and texts of functions that are declared in a model or block."""
+def _given(text: ModelText, names: Container[str]) -> Iterator[tuple[set[str] | None, str, Construct]]:
+    """Yield what modifiers give to these names: the classes that own it, or None for any, name and place."""
+    inheritance = Inheritance(text)
+    for modified, modifiers, construct in modified_classes(text):
+        for *components, name in assigned(modifiers):
+            if name in names:
+                owners = inheritance.owners(modified, tuple(components))
+                yield set().union(*map(inheritance.ancestry, owners)), name, construct
+    for construct in text.find([_REDECLARED_FUNCTION]):
+        name = construct.plain.rpartition(" ")[2]
+        if name in names:
+            yield None, name, construct
+
+
+def _classes_of_models(text: ModelText) -> Iterator[tuple[str, str, str]]:
+    """Yield names, restrictions and texts of classes that are declared in a model or block."""
     kinds = {name: kind for name, kind, _ in text.named()}
     for name, kind, own in text.named():
-        scope = kinds.get(name.rpartition(".")[0], "")
-        if kind.endswith("function") and scope.endswith(("model", "block", "class")):
-            yield name, own
+        if kinds.get(name.rpartition(".")[0], "").endswith(("model", "block", "class")):
+            yield name, kind, own
 
 
-def _outside(text: ModelText, function: str, own: str) -> set[str]:
-    """Return the constants and functions of the enclosing model and its bases that a function names."""
-    scopes, waiting = set[str](), [function.split(".")[-2]]
-    declared: set[str] = set()
+def _outside(text: ModelText, inner: str, own: str) -> set[str]:
+    """Return the constants and functions of the enclosing model and its bases that an inner class names."""
+    scopes, waiting = set[str](), [inner.split(".")[-2]]
+    declared: dict[str, set[str]] = {}
     while waiting:
         scope = waiting.pop()
         if scope in scopes:
             continue
         scopes.add(scope)
         for body in text.of(scope):
-            declared.update(*(re.findall(r"\w+", one) for one in re.findall(r"\bconstant\b[^;]*", body)))
+            for clause in re.findall(r"\bconstant\b[^;]*", body):
+                declared |= {one.name: set(re.findall(r"\w+", clause)) for one in component_clauses(clause)}
             waiting += (base.rpartition(".")[2] for base in re.findall(r"\bextends\s+([\w.]+)", body))
     functions = (name.split(".") for name, kind, _ in text.named() if kind.endswith("function"))
-    declared.update(name[-1] for name in functions if len(name) > 1 and name[-2] in scopes)
-    return declared.intersection(re.findall(r"(?<![\w.])[A-Za-z_]\w*", own)) - {function.rpartition(".")[2]}
+    declared |= {name[-1]: set() for name in functions if len(name) > 1 and name[-2] in scopes}
+    of_its_own = {one.name for one in component_clauses(own)} | {inner.rpartition(".")[2]}
+    found = declared.keys() & set(re.findall(r"(?<![\w.])[A-Za-z_]\w*", own)) - of_its_own
+    while not found.issuperset(
+        further := declared.keys() & {word for name in found for word in declared[name]}
+    ):
+        found |= further
+    return found
 
 
 def _ambiguous_aliases(text: ModelText, functions: dict[str, object]) -> Iterator[tuple[str, Construct]]:

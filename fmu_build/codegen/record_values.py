@@ -6,12 +6,12 @@ In ``C c(r = d)``, where C declares ``R r(a = 3)``, Modelica takes ``d.a`` and r
 from __future__ import annotations
 
 import re
-from collections import defaultdict
 from collections.abc import Iterable, Iterator
 
-from fmu_build.modelica_source.clauses import COMPONENT_CLAUSE, EXTENSION_CLAUSE, Component, component_clauses
+from fmu_build.modelica_source.clauses import COMPONENT_CLAUSE, EXTENSION_CLAUSE, component_clauses
 from fmu_build.modelica_source.constructs import Construct, ModelText
-from fmu_build.modelica_source.modifiers import Path, assigned, closing
+from fmu_build.modelica_source.inheritance import Inheritance
+from fmu_build.modelica_source.modifiers import Path, assigned
 
 _ATTRIBUTES = frozenset(
     {"displayUnit", "fixed", "max", "min", "nominal", "quantity", "start", "stateSelect", "unit"}
@@ -20,12 +20,12 @@ _ATTRIBUTES = frozenset(
 
 def values_over_members(text: ModelText) -> Iterator[tuple[str, Construct]]:
     """Yield what is wrong with values of whole records, and the clauses that give them."""
-    classes = _Classes(text)
     if not text.records:
         return
+    classes = Inheritance(text)
     for clause in text.find([COMPONENT_CLAUSE]):
         for component in component_clauses(clause.plain):
-            for name, given in classes.overridden(component.type, component.modifiers):
+            for name, given in _overridden(text, classes, component.type, component.modifiers):
                 yield _explanation(name, given), clause
             own = _members(component.modifiers)
             if component.value and own and component.type in text.records:
@@ -33,7 +33,7 @@ def values_over_members(text: ModelText) -> Iterator[tuple[str, Construct]]:
     for clause in text.find([rf"{EXTENSION_CLAUSE}\("]):
         found = re.match(EXTENSION_CLAUSE, clause.plain)
         assert found is not None  # by the pattern
-        for name, given in classes.overridden(found["base"], clause.plain[found.end() + 1 : -1]):
+        for name, given in _overridden(text, classes, found["base"], clause.plain[found.end() + 1 : -1]):
             yield _explanation(name, given), clause
 
 
@@ -44,55 +44,26 @@ def _explanation(name: str, given: set[str]) -> str:
     )
 
 
-class _Classes:
-    """What the classes of a model declare and inherit, by their simple names."""
+def _overridden(
+    text: ModelText, classes: Inheritance, name: str, modifiers: str
+) -> Iterator[tuple[str, set[str]]]:
+    """Yield the components to which modifiers of a class give whole records, and the members lost."""
+    for path in assigned(modifiers):
+        for owner in classes.owners(name, path[:-1]):
+            is_record = any(one.type in text.records for one in classes.components(owner, path[-1]))
+            given = set(_given(classes, owner, path[-1])) if is_record else set()
+            if given:
+                yield path[-1], given
 
-    def __init__(self, text: ModelText) -> None:
-        self._records = text.records
-        self._own: defaultdict[str, list[Component]] = defaultdict(list)
-        self._bases: defaultdict[str, list[tuple[str, str]]] = defaultdict(list)
-        for name, _, plain in text.named() if text.records else ():
-            simple = name.rpartition(".")[2]
-            self._own[simple] += component_clauses(plain)
-            for found in re.finditer(EXTENSION_CLAUSE, plain):
-                end = closing(plain, found.end()) - 1 if found["open"] is not None else found.end()
-                self._bases[simple].append((found["base"], plain[found.end() + 1 : end]))
 
-    def overridden(self, name: str, modifiers: str) -> Iterator[tuple[str, set[str]]]:
-        """Yield the components to which modifiers of this class give whole records, and the members lost."""
-        for path in assigned(modifiers):
-            owners = {name}
-            for part in path[:-1]:
-                owners = {one.type for owner in owners for one in self._declared(owner, part)}
-            for owner in owners:
-                is_record = any(one.type in self._records for one in self._declared(owner, path[-1]))
-                given = set(self._given(owner, path[-1])) if is_record else set()
-                if given:
-                    yield path[-1], given
-
-    def _declared(self, name: str, component: str) -> Iterator[Component]:
-        """Yield the declarations of a component in the classes of this name and their bases."""
-        for one in self._inherited(name):
-            yield from (own for own in self._own[one] if own.name == component)
-
-    def _given(self, name: str, component: str) -> Iterator[str]:
-        """Yield the members to which these declarations, and clauses that inherit them, give values."""
-        for one in self._inherited(name):
-            for own in self._own[one]:
-                if own.name == component:
-                    yield from _members(own.modifiers)
-            for _, modifiers in self._bases[one]:
-                found = {path[1:] for path in assigned(modifiers) if path[0] == component and len(path) > 1}
-                yield from _values(found)
-
-    def _inherited(self, name: str) -> set[str]:
-        """Return the simple names of the classes of this name and of their bases."""
-        found: set[str] = set()
-        waiting = {name}
-        while waiting:
-            found |= waiting
-            waiting = {base for one in waiting for base, _ in self._bases[one]} - found
-        return found
+def _given(classes: Inheritance, name: str, component: str) -> Iterator[str]:
+    """Yield the members to which declarations of a component, and clauses that inherit them, give values."""
+    for one in classes.ancestry(name):
+        for own in classes.own_components(one, component):
+            yield from _members(own.modifiers)
+        for _, modifiers in classes.bases[one]:
+            found = {path[1:] for path in assigned(modifiers) if path[0] == component and len(path) > 1}
+            yield from _values(found)
 
 
 def _members(modifiers: str) -> set[str]:

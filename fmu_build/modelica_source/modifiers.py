@@ -30,20 +30,25 @@ def assigned(arguments: str) -> set[Path]:
         arguments: what stands between the parentheses, without comments and strings: ``a(s(k = 9)), b = 1``
             sets ``("a", "s", "k")`` and ``("b",)``. Redeclarations are left out.
     """
-    return {path for argument in _split(arguments) for path in _paths(argument)}
+    return set(values(arguments))
 
 
-def _paths(argument: str) -> Iterator[Path]:
+def values(arguments: str) -> dict[Path, str]:
+    """Return the values that a modifier, given as for `assigned`, gives to the paths that it sets."""
+    return dict(given for argument in _split(arguments) for given in _given(argument))
+
+
+def _given(argument: str) -> Iterator[tuple[Path, str]]:
     found = _ARGUMENT.match(argument)
     if found is None or found["name"] == "redeclare":
         return
     name, rest = tuple(found["name"].split(".")), found["rest"]
     if rest.startswith("("):
         end = closing(rest, 0)
-        yield from (name + path for path in assigned(rest[1 : end - 1]))
+        yield from ((name + path, value) for path, value in values(rest[1 : end - 1]).items())
         rest = rest[end:]
     if rest.lstrip().startswith("="):
-        yield name
+        yield name, rest.lstrip()[1:].strip()
 
 
 def dotted(arguments: str) -> Iterator[str]:

@@ -261,7 +261,8 @@ StepResult integrator_step(Integrator *integrator, double limit)
         return STEP_NOT_COMPUTABLE;
     StepRecord *record = &integrator->record;
     const double smallest = larger(16.0 * DBL_EPSILON * fabs(record->time), 16.0 * DBL_MIN);
-    double h = smaller(record->suggestion, integrator->largest_step);
+    /* An event right behind another one truncates a step to less than that, which suggests nothing about the next. */
+    double h = larger(smaller(record->suggestion, integrator->largest_step), smallest);
     bool rejected = false;
     for (;;) {
         /* A step that would leave a sliver before the limit is stretched to the limit. */

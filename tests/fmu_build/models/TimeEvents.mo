@@ -30,6 +30,22 @@ package TimeEvents "Events at times that are known beforehand"
     end when;
   end SelfScheduling;
 
+  model Neighbours "The ninth event of a chain comes a rounding error before a whole multiple of the period"
+    parameter Real step(unit="s") = 0.05;
+    parameter Real period(unit="s") = 0.25;
+    discrete Real t_next(start=0.1, fixed=true, unit="s");
+    discrete Integer n(start=0, fixed=true);
+    Real since(unit="s");
+    Real x(start=0, fixed=true);
+  equation
+    since = time - period*floor(time/period);
+    der(x) = n;
+    when time >= pre(t_next) then
+      t_next = pre(t_next) + step;
+      n = pre(n) + 1;
+    end when;
+  end Neighbours;
+
   model Ramp "A ramp between two times"
     parameter Real t_start(unit="s") = 0.3;
     parameter Real duration(unit="s", min=0) = 0.4;

@@ -53,6 +53,14 @@ def test_a_short_excursion_is_not_missed(case: Case, level: float, fmu_of: FmuOf
     assert list(result["hits"]) == [0, 1, 2, 3]
 
 
+@pytest.mark.parametrize("case", [case for case in CASES if case.model == "TimeEvents.Neighbours"])
+def test_an_event_a_rounding_error_after_another_at_a_communication_point(case: Case, fmu_of: FmuOf) -> None:
+    """The step between the two, the shortest that there is, does not set the size of the next."""
+    result = fmu_of(case).run(case, "CoSimulation", case.stop_time / 50)
+    difference, where = largest_difference(result["time"], result, case, case.margin)
+    assert difference <= case.accuracy, where
+
+
 def test_there_are_many_models() -> None:
     """The claim of generality is worth what it was tried on."""
     assert len({case.model for case in CASES}) >= 50

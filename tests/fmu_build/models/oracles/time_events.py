@@ -49,6 +49,12 @@ def self_scheduling(t: Array) -> Values:
     return {"n": n, "t_next": t_next, "x": ramps(t, SCHEDULED, range(6))}
 
 
+def neighbours(t: Array) -> Values:
+    ticks = 0.1 + 0.05 * np.arange(40)
+    n = count(t, ticks)
+    return {"n": n, "since": np.mod(t, 0.25), "x": ramps(t, ticks, range(41))}
+
+
 def ramp_case(t_start: float, duration: float, label: str) -> Case:
     def expected(t: Array) -> Values:
         since = np.clip(t - t_start, 0, duration)
@@ -117,6 +123,7 @@ CASES = (
     steps_case(0.65, 0.4, "other times"),
     steps_case(0.9, 0.3, "other order"),
     Case("TimeEvents.SelfScheduling", 4.0, self_scheduling, events=at(*SCHEDULED)),
+    Case("TimeEvents.Neighbours", 1.0, neighbours, events=at(*(0.05 * np.arange(2, 21)))),
     ramp_case(0.3, 0.4, "default"),
     ramp_case(0.55, 0.7, "other times"),
     Case("TimeEvents.InitialWhen", 2.0, initial_when, events=at(1.0)),

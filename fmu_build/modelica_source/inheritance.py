@@ -1,0 +1,80 @@
+"""What classes declare and inherit, by their simple names: those of one name count as one class."""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Iterator
+
+from fmu_build.modelica_source.clauses import COMPONENT_CLAUSE, EXTENSION_CLAUSE, Component, component_clauses
+from fmu_build.modelica_source.constructs import Construct, ModelText
+from fmu_build.modelica_source.modifiers import closing
+
+_REDECLARED = r"\bredeclare\s+(?:replaceable\s+)?(?:\w+\s*\.\s*)*(?P<type>\w+)\s+\w+\s*\("
+
+
+def extensions(plain: str) -> Iterator[tuple[str, str]]:
+    """Yield the simple names of the base classes in the text of a class, with the modifiers given to them."""
+    for found in re.finditer(EXTENSION_CLAUSE, plain):
+        end = closing(plain, found.end()) - 1 if found["open"] is not None else found.end()
+        yield found["base"], plain[found.end() + 1 : end]
+
+
+def modified_classes(text: ModelText) -> Iterator[tuple[str, str, Construct]]:
+    """Yield the simple names of classes that a clause modifies, with the modifiers and the clause."""
+    for clause in text.find([f"{COMPONENT_CLAUSE}|{EXTENSION_CLAUSE}\\("]):
+        for one in component_clauses(clause.plain):
+            yield one.type, one.modifiers, clause
+        for base, modifiers in extensions(clause.plain):
+            yield base, modifiers, clause
+        for found in re.finditer(_REDECLARED, clause.plain):
+            end = closing(clause.plain, found.end() - 1) - 1
+            yield found["type"], clause.plain[found.end() : end], clause
+
+
+class Inheritance:
+    """The components, inner classes and base classes of the classes of a model.
+
+    Attributes:
+        bases: the base classes of each class, with the text of the modifiers that it gives them
+    """
+
+    def __init__(self, text: ModelText) -> None:
+        self.bases: defaultdict[str, list[tuple[str, str]]] = defaultdict(list)
+        self._components: defaultdict[str, list[Component]] = defaultdict(list)
+        self._classes: defaultdict[str, set[str]] = defaultdict(set)
+        for name, _, plain in text.named():
+            *around, simple = name.split(".")
+            if around:
+                self._classes[around[-1]].add(simple)
+            self._components[simple] += component_clauses(plain)
+            self.bases[simple] += extensions(plain)
+
+    def own_components(self, name: str, component: str) -> Iterator[Component]:
+        """Yield the declarations of a component in the classes of this name themselves."""
+        return (own for own in self._components[name] if own.name == component)
+
+    def components(self, name: str, component: str) -> Iterator[Component]:
+        """Yield the declarations of a component in the classes of this name and their bases."""
+        for one in self.ancestry(name):
+            yield from self.own_components(one, component)
+
+    def has_class(self, name: str, inner: str) -> bool:
+        """Return whether the classes of this name or their bases declare a class of the other name."""
+        return any(inner in self._classes[one] for one in self.ancestry(name))
+
+    def owners(self, name: str, components: tuple[str, ...]) -> set[str]:
+        """Return the classes of a component of a component ... of the classes of this name."""
+        found = {name}
+        for component in components:
+            found = {one.type for owner in found for one in self.components(owner, component)}
+        return found
+
+    def ancestry(self, name: str) -> set[str]:
+        """Return the simple names of the classes of this name and of their bases."""
+        found: set[str] = set()
+        waiting = {name}
+        while waiting:
+            found |= waiting
+            waiting = {base for one in waiting for base, _ in self.bases[one]} - found
+        return found
