@@ -141,6 +141,7 @@ def run(
         )
         for record in records:
             print_warnings(record.name, record.notes if isinstance(record, motion.Record) else ())
+        settings = _begun(settings, joystick if settings_file is None else None, records)
         try:
             with _progress() as tell:
                 found = identification.fit(records, settings, fmu=opened, on_progress=tell)
@@ -158,6 +159,17 @@ def run(
             _update(parameters, found, joystick, given.uncertainties, names, doubts)
     if found.interrupted or not found.trusted:
         raise typer.Exit(INTERRUPTED if found.interrupted else DOUBTFUL)
+
+
+def _begun(
+    settings: identification.FitSettings,
+    joystick: model.JoystickParameters | None,
+    records: Sequence[motion.Record | identification.Measurement],
+) -> identification.FitSettings:
+    """The settings with starts as the records show them, where those of the file are far from that."""
+    if joystick is None:
+        return settings
+    return identification.with_estimated_starts(settings, joystick, records)
 
 
 def _known(

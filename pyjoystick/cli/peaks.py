@@ -40,6 +40,7 @@ def run(
     )
     for record in read:
         print_warnings(record.name, record.notes)
+    print_warnings("J", identification.inertia_doubts(joystick, read))
     releases = [motion.measured_peaks(record) for record in read]
     estimate = identification.estimate_damping(releases, joystick.J)
     for law in (model.NOMINAL, model.NOMINAL_POWER_LAW):

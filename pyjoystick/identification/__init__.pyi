@@ -125,3 +125,9 @@ from .peak_method.report import (
     peak_error_report as peak_error_report,
     releases_report as releases_report,
 )
+from .swing_estimate import (
+    SwingEstimate as SwingEstimate,
+    inertia_doubts as inertia_doubts,
+    swing_estimate as swing_estimate,
+    with_estimated_starts as with_estimated_starts,
+)

@@ -22,6 +22,7 @@ from pyjoystick.identification.fitting.problem.joystick_settings import RELEASE
 from pyjoystick.identification.fitting.problem.known_values import with_values
 from pyjoystick.identification.fitting.problem.settings import FitSettings, Free, Noise, Uncertainty
 from pyjoystick.identification.fitting.result import Fit
+from pyjoystick.identification.swing_estimate import with_estimated_starts
 from pyjoystick.laboratory import REST_TIME, LoadCurveFit, mean_period
 from pyjoystick.model import ActuatorAssembly, JoystickParameters, Side, simulate
 from pyjoystick.motion import Record
@@ -145,7 +146,8 @@ def fit_contributions(
         FitError: as `fit` does
         ParameterError, SimulationError: a quantity is so uncertain that there is no such joystick
     """
-    found = fit(records, settings_of_refit(bench.joystick, Noise()), fmu=fmu)
+    settings = with_estimated_starts(settings_of_refit(bench.joystick, Noise()), bench.joystick, records)
+    found = fit(records, settings, fmu=fmu)
     joystick = bench.joystick.replace(found.shared())
 
     def refit(moved: Sequence[Record], one: JoystickParameters) -> dict[str, float]:

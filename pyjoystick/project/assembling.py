@@ -153,6 +153,9 @@ class _Assembler:
                 Missing("geometry", f"{FILE} has no {' and no '.join(lengths)} in [geometry]")
             )
             self.notes.append(f"the geometry ({', '.join(lengths)}) is that of {self._base()}")
+        if "pivot_to_top" not in known and lab.base.pivot_to_top is not None:
+            handle = "the length of the handle (pivot_to_top), for which the report has forces,"
+            self.notes.append(f"{handle} is that of {self._base()}")
 
     def _base(self) -> str:
         return self.lab.base_file or "the paper's joystick"
@@ -222,7 +225,9 @@ class _Assembler:
         with_fit = bool(records)
         with_budget = with_fit and standard and lab.fit.law == "constant"
         if with_fit and standard:
-            self.steps.append(evaluating.peaks(lab, records, self.find))
+            known = {*self.sources, *lab.given.values}
+            inertia_known = "J" in known or bool(lab.base_file)
+            self.steps.append(evaluating.peaks(lab, records, self.find, inertia_known=inertia_known))
         if with_fit:
             self.steps.append(evaluating.fit(lab, records, self.sources, self.find))
         else:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Final
@@ -23,13 +23,17 @@ FIT_JSON: Final = f"{FIT}/fit.json"
 FITTED: Final = f"{FIT}/joystick.toml"
 
 
-def peaks(lab: Laboratory, records: tuple[str, ...], find: Find) -> Step:
-    """The damping from the peaks of the releases, with its bias."""
+def peaks(lab: Laboratory, records: tuple[str, ...], find: Find, *, inertia_known: bool) -> Step:
+    """The damping from the peaks of the releases, with its bias.
+
+    It is in proportion to J, which is that of the swings where it is not known.
+    """
     report, table, figure = (f"{PEAKS}/peaks{suffix}" for suffix in (".md", ".json", ".png"))
 
     def work(tell: Tell) -> Done:
         joystick = model.read_parameter_file(lab.root / MEASURED).joystick
         read = motion.read_repeats([lab.root / one for one in records])
+        joystick, notes = _swinging(joystick, read, inertia_known=inertia_known)
         releases = [motion.measured_peaks(record) for record in read]
         estimate = identification.estimate_damping(releases, joystick.J)
         with runs.SimulatedReleases() as simulate:
@@ -48,11 +52,23 @@ def peaks(lab: Laboratory, records: tuple[str, ...], find: Find) -> Step:
         support.save_figure(
             identification.plot_damping_estimate(estimate, constant=constant), lab.root / figure
         )
-        return Done(files=(report, table, figure), remark=f"C = {constant:.4g} N m s/rad")
+        return Done(files=(report, table, figure), remark=f"C = {constant:.4g} N m s/rad", notes=notes)
 
     # The bias of the method is that of simulated releases with either law.
     contents = {name: content_of(name, find) for name in standard_fmus(lab)}
-    return Step(name="peaks", inputs=(*records, MEASURED), outputs=(), settings={"FMUs": contents}, work=work)
+    settings = {"FMUs": contents, "inertia known": inertia_known}
+    return Step(name="peaks", inputs=(*records, MEASURED), outputs=(), settings=settings, work=work)
+
+
+def _swinging(
+    joystick: model.JoystickParameters, records: Sequence[motion.Record], *, inertia_known: bool
+) -> tuple[model.JoystickParameters, tuple[str, ...]]:
+    """The joystick with the J of the swings, where it is not known, and a note on it."""
+    found = None if inertia_known else identification.swing_estimate(joystick, records)
+    if found is None:
+        return joystick, identification.inertia_doubts(joystick, records)
+    note = f"J is not measured: C is for J = {found.J:.3g} kg m2, as the swings show it; the fit finds both"
+    return joystick.replace({"J": found.J}), (note,)
 
 
 def fit(lab: Laboratory, records: tuple[str, ...], sources: Mapping[str, str], find: Find) -> Step:
@@ -70,6 +86,8 @@ def fit(lab: Laboratory, records: tuple[str, ...], sources: Mapping[str, str], f
             identification.require_joystick_in(settings)
             paths = [lab.root / one for one in records]
             read = identification.read_records(paths, settings, opened.description)
+            if not choice.file:
+                settings = identification.with_estimated_starts(settings, joystick, read)
             found = _fitted(read, settings, opened, tell)
         return _saved_fit(lab, found, given, joystick, records, sources)
 

@@ -105,7 +105,7 @@ def line_bias(
         simulate: gives the peaks of a release
 
     Raises:
-        DampingEstimateError: the law of the lines cannot be simulated
+        DampingEstimateError: the law of the lines cannot be simulated, or its simulation has too few peaks
 
     Returns:
         bias by name: ``A_pos``, ``n_pos``, ``A_neg``, ``n_neg``, ``B``, ``m``
@@ -116,11 +116,13 @@ def line_bias(
         damped = dataclasses.replace(joystick, damping=estimate.law(alpha))
         try:
             found = estimate_damping([simulate(damped, release_angle)], damped.J)
-        except SimulationError as error:
+        except (SimulationError, DampingEstimateError) as error:
             exponents = ", ".join(f"{names[one][1]} = {estimate.lines[one].exponent:.3g}" for one in lines)
-            reason = (
-                f"a joystick with {exponents} cannot be simulated: have the records a zero offset? ({error})"
-            )
+            # The peaks of the records were enough for lines: the error is of the simulated ones.
+            failed, cause = "swings too little for its bias", "dry friction or a zero offset"
+            if isinstance(error, SimulationError):
+                failed, cause = "cannot be simulated", "a zero offset"
+            reason = f"a joystick with {exponents} {failed}: have the records {cause}? ({error})"
             raise DampingEstimateError(reason) from error
         for line in lines:
             ours, theirs = estimate.lines[line], found.lines[line]

@@ -91,3 +91,13 @@ def test_notes_are_told(command: Command, tmp_path: Path) -> None:
     outcome = command("peaks", "gap.csv")
     assert outcome.code == 0
     assert "gap: gaps: about 1 samples are missing between rows 30-31" in outcome.err
+
+
+def test_the_j_of_another_joystick_is_doubted(command: Command) -> None:
+    """C is in proportion to J, and nothing else shows that it is twice as large as it should be."""
+    doubled = command("peaks", *RECORDS, "--set", "J=0.0227")
+    assert doubled.code == 0
+    note = " ".join(doubled.err.split())
+    assert "and the joystick has 0.0227" in note
+    assert float(note.partition("with J = ")[2].split()[0]) == pytest.approx(0.01135, rel=0.05)
+    assert "the swings last" not in command("peaks", *RECORDS, "--set", "J=0.0125").err

@@ -150,6 +150,12 @@ def test_every_number_of_the_paper_is_named(text: str, names: list[str], tmp_pat
     (tmp_path / "r.csv").touch()
     notes = _assembly(tmp_path, text).notes
     base = "is that of the paper's joystick"
+    names = [*names, "length of the handle (pivot_to_top), for which the report has forces,"]
     assert [note for note in notes if "springs" not in note and "damping" not in note] == [
         f"the {name} {base}" for name in names
     ]
+
+
+def test_a_handle_that_was_measured_is_not_named(tmp_path: Path) -> None:
+    notes = _assembly(tmp_path, '[geometry]\na = 0.025\nb = 0.005\npivot_to_top = "42 cm"').notes
+    assert not [note for note in notes if "handle" in note]

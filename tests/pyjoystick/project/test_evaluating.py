@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from pyjoystick import reports
-from pyjoystick.model import NOMINAL, read_parameter_file
-from pyjoystick.project import StepState, run_project
+from pyjoystick.laboratory import synthetic_record
+from pyjoystick.model import NOMINAL, read_parameter_file, write_parameters
+from pyjoystick.project import StepState, read_laboratory, run_project
+from pyjoystick.project.evaluating import peaks
 from tests.docs.pages import ROOT
 
 #: Two synthetic releases, fitted with a moment of inertia that is known.
@@ -122,3 +126,30 @@ def test_a_fit_that_contradicts_a_measurement_is_doubted(
         assert "of the fit contradicts 0.01135 +- 5e-05 of the swing test" in notes[0]
         assert notes[0].endswith("Check the clock of the records, the scale of their angle and h")
         assert "combined standard uncertainties off the swing test" in body
+
+
+@pytest.mark.parametrize("known", [False, True])
+def test_peaks_of_a_joystick_whose_inertia_was_not_measured(
+    known: bool, joystick_fmus: Path, tmp_path: Path
+) -> None:
+    """C of peaks is in proportion to J: with the paper's it would be 1.6 times too large."""
+    joystick = NOMINAL.replace({"J": 0.0071, "damping.C": 0.03})
+    records = []
+    for k, angle in enumerate((-19.0, -18.0, -17.0)):
+        random = np.random.default_rng(k)
+        record = synthetic_record(joystick, release_angle=math.radians(angle), random=random, rate=200.0)
+        records.append(f"{k}.csv")
+        rows = "".join(f"{t:.6f},{one:.8f}\n" for t, one in zip(record.time, record.theta, strict=True))
+        (tmp_path / records[-1]).write_text(f"time (s),theta (rad)\n{rows}", encoding="utf-8")
+    (tmp_path / "laboratory.toml").write_text("", encoding="utf-8")
+    write_parameters(tmp_path / "results" / "measured.toml", NOMINAL)
+    lab = read_laboratory(tmp_path / "laboratory.toml")
+    step = peaks(lab, tuple(records), lambda name: joystick_fmus / f"{name}.fmu", inertia_known=known)
+    done = step.work(lambda _: None)
+    [note] = done.notes
+    found = json.loads((tmp_path / "results" / "peaks" / "peaks.json").read_text(encoding="utf-8"))
+    both = {one["name"]: one["corrected"] for one in found["constants"]}["both"]
+    begins = "the swings last as long" if known else "J is not measured: C is for"
+    assert note.startswith(begins)
+    assert float(note.partition("J = ")[2].split()[0]) == pytest.approx(0.0071, rel=0.05)
+    assert both == pytest.approx(0.03 * NOMINAL.J / 0.0071 if known else 0.03, rel=0.1)

@@ -18,14 +18,14 @@ def with_values(
         settings: what they fix or tie themselves stays
         values: parameters by name, in the units of the FMU: fixed where they are not fitted, and the start of
             the search where they are
-        replace_starts: whether they go before starts that the settings give
+        replace_starts: whether they go before starts that the settings give, and bounds give way to them
 
     Raises:
         ParameterError: a start is outside the bounds of the fit
     """
     fitted = {one.name for one in settings.free}
     free = tuple(
-        dataclasses.replace(one, start=float(values[one.name]))
+        _started(one, float(values[one.name]), replaced=replace_starts)
         if one.name in values and (replace_starts or one.start is None)
         else one
         for one in settings.free
@@ -34,6 +34,10 @@ def with_values(
         name: value for name, value in values.items() if name not in fitted and name not in settings.ties
     }
     return dataclasses.replace(settings, free=free, fixed=fixed | dict(settings.fixed))
+
+
+def _started(free: Free, start: float, *, replaced: bool) -> Free:
+    return free.starting_at(start) if replaced else dataclasses.replace(free, start=start)
 
 
 def with_known(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Set
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Final, Literal, get_args
 
 from pyjoystick.fmu import Value
@@ -64,6 +64,14 @@ class Free:
             if self.start is None or self.per_record:
                 allowed = "left out without a start that all records share"
                 raise ParameterError(f"{self.name}.uncertainty", self.uncertainty, allowed)
+
+    def starting_at(self, start: float) -> Free:
+        """The same with another start, and room above it where the maximum leaves little.
+
+        The bounds of the usual fits suit joysticks like the paper's; an excavator's lever has more damping.
+        """
+        cramped = self.maximum is not None and 2.0 * start > self.maximum
+        return replace(self, start=start, maximum=10.0 * start if cramped and start > 0.0 else self.maximum)
 
 
 @dataclass(frozen=True, slots=True)

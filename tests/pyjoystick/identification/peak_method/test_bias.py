@@ -99,3 +99,14 @@ def test_lines_that_no_joystick_can_follow_are_told() -> None:
 
     with pytest.raises(DampingEstimateError, match=r"n_pos = .*, n_neg = .* cannot be simulated.*too stiff"):
         line_bias(estimate, NOMINAL, angle, fails)
+
+
+def test_lines_of_which_no_peak_is_left_are_told_as_such() -> None:
+    """The peaks of the records were enough; those of a joystick that follows the lines are not."""
+    release = reference_release(NOMINAL, math.radians(-20.0))
+    estimate = estimate_damping([release], NOMINAL.J)
+    damped = NOMINAL.replace({"damping.C": 2.0})
+    with pytest.raises(
+        DampingEstimateError, match=r"a joystick with n_pos = .*, n_neg = .* swings too little.*dry friction"
+    ):
+        line_bias(estimate, damped, 0.0, lambda *_: reference_release(damped, math.radians(-20.0)))

@@ -1,0 +1,163 @@
+"""Moment of inertia and damping from the swings of releases: rough, but from wherever a search would begin.
+
+The springs and the weight say where the energy of the joystick is. With J alone unknown, the time from peak
+to peak says what it is: a period without damping goes with the square root of J. What the joystick has lost
+from the first peak to the last is C times the integral of omega^2, which the energy gives as well.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Final
+
+import numpy as np
+
+from pyjoystick.identification.fitting.problem.measurement import Measurement
+from pyjoystick.identification.fitting.problem.settings import FitSettings
+from pyjoystick.model import (
+    JoystickParameters,
+    NoOscillationError,
+    contact_travel,
+    energy,
+    undamped_oscillation,
+)
+from pyjoystick.motion import Record, find_swings
+from pyjoystick.support import FloatArray, ParameterError
+
+#: Peaks count down to this part of the largest: those below are short beside the samples, and shifted by a
+#: zero that is off.
+_SMALLEST: Final = 0.2
+_MOST_PEAKS: Final = 9
+#: C is at least this part of what would explain the loss of energy without dry friction.
+_VISCOUS: Final = 0.05
+#: A start that is off by less than this factor leads to the same minimum, and is left alone.
+_NEAR: Final = 3.0
+#: Part by which the J of a joystick may differ from what swings show of it before that is worth a note.
+_DOUBTFUL: Final = 0.25
+_POINTS: Final = 400
+
+
+@dataclass(frozen=True, slots=True)
+class SwingEstimate:
+    """What swings show, to a tenth or so: J (kg m2) and C (N m s/rad)."""
+
+    J: float
+    C: float
+
+
+def swing_estimate(
+    joystick: JoystickParameters, records: Sequence[Record | Measurement], *, inertia: float | None = None
+) -> SwingEstimate | None:
+    """J and C of releases, by the springs, the weight and the dry friction of a joystick.
+
+    Args:
+        joystick: its J and its damping do not count
+        records: releases; other records have no swings, and are left out
+        inertia: J (kg m2) where it is known, and C is found with it
+
+    Returns:
+        None where no record shows two swings of this joystick after its release
+    """
+    seen = [found for found in map(_peaks, records) if found is not None]
+    try:
+        times = [_times(joystick, heights) for _, heights in seen]
+    except (NoOscillationError, ParameterError):
+        return None
+    if not seen:
+        return None
+    lasted = sum(float(np.sum(time[2:] - time[:-2])) for time, _ in seen)
+    if inertia is None:
+        inertia = joystick.J * (lasted / sum(times)) ** 2
+    swung = dataclasses.replace(joystick, J=inertia)
+    lost = sum(float(np.diff(energy(swung, heights[[-1, 0]], 0.0))[0]) for _, heights in seen)
+    squares = sum(_squares(swung, heights) for _, heights in seen)
+    rubbed = sum(_rubbed(joystick, heights) for _, heights in seen)
+    if not (lost > 0.0 and squares > 0.0):
+        return None
+    return SwingEstimate(inertia, max(lost - rubbed, _VISCOUS * lost) / squares)
+
+
+def inertia_doubts(joystick: JoystickParameters, records: Sequence[Record]) -> tuple[str, ...]:
+    """A note where releases do not swing with the J of a joystick; the C of peaks is in proportion to it."""
+    found = swing_estimate(joystick, records)
+    if found is None or abs(joystick.J / found.J - 1.0) < _DOUBTFUL:
+        return ()
+    return (
+        f"the swings last as long as with J = {found.J:.3g} kg m2 on these springs, and the joystick has "
+        f"{joystick.J:.3g}; the C of peaks is in proportion to J: are these the joystick's J and springs?",
+    )
+
+
+def with_estimated_starts(
+    settings: FitSettings, joystick: JoystickParameters, records: Sequence[Record | Measurement]
+) -> FitSettings:
+    """The settings with starts of J and C as the swings show them, where a joystick's are far from that.
+
+    A search that begins with the J or C of another joystick, of which the motion has another number of swings
+    or none, may end in a minimum where nothing fits.
+
+    Args:
+        settings: whose starts are those of the joystick; what they count as measured stays
+        joystick: everything that is not fitted
+        records: releases; with others, the settings stay as they are
+    """
+    names = [one.name for one in settings.free if one.uncertainty is None and not one.per_record]
+    if settings.inputs or not {"J", "damping.C"} & set(names):
+        return settings
+    known = None if "J" in names else joystick.J
+    found = swing_estimate(joystick, records, inertia=known)
+    if found is None:
+        return settings
+    values = joystick.to_names()
+    far = {
+        name: value
+        for name, value in (("J", found.J), ("damping.C", found.C))
+        if name in names and name in values and not 1.0 / _NEAR < values[name] / value < _NEAR
+    }
+    free = tuple(one.starting_at(far[one.name]) if one.name in far else one for one in settings.free)
+    return dataclasses.replace(settings, free=free)
+
+
+def _peaks(record: Record | Measurement) -> tuple[FloatArray, FloatArray] | None:
+    """Times (s) and heights (rad) of the peaks after the release; None for fewer than three."""
+    theta = record.theta if isinstance(record, Record) else None
+    largest = 0.0 if theta is None else float(np.max(np.abs(theta)))
+    if theta is None or largest == 0.0:
+        return None
+    swings = find_swings(theta, _SMALLEST * largest)[1 : _MOST_PEAKS + 1]
+    # The record may end, or begin to hold still, within the last of them.
+    places = [one.extreme for one in swings if one.last + 1 < len(theta)]
+    if len(places) < 3:
+        return None
+    return record.time[places], theta[places]
+
+
+def _times(joystick: JoystickParameters, heights: FloatArray) -> float:
+    """The time (s) from each peak to the one after next, without damping: the period of that between."""
+    return sum(undamped_oscillation(joystick, float(height)).period for height in heights[1:-1])
+
+
+def _squares(joystick: JoystickParameters, heights: FloatArray) -> float:
+    """The integral of omega^2 (rad^2/s) from the first peak to the last."""
+    total = 0.0
+    for start, end in pairwise(heights):
+        # The loss is spread evenly over the path; close enough for a start.
+        theta = np.linspace(start, end, _POINTS)
+        ends = energy(joystick, np.array([start, end]), 0.0)
+        whole = np.linspace(ends[0], ends[1], _POINTS)
+        kinetic = np.maximum(whole - energy(joystick, theta, 0.0), 0.0)
+        total += float(np.trapezoid(np.sqrt(2.0 * kinetic / joystick.J), dx=abs(end - start) / (_POINTS - 1)))
+    return total
+
+
+def _rubbed(joystick: JoystickParameters, heights: FloatArray) -> float:
+    """What dry friction takes (J) from the first peak to the last."""
+    friction = joystick.to_names()
+    angle = float(np.sum(np.abs(np.diff(heights))))
+    travel = float(np.sum([contact_travel(joystick, one) for one in heights]))
+    ends = float(np.sum([contact_travel(joystick, one) for one in heights[[0, -1]]]))
+    pivot, plunger = friction.get("friction.T_c", 0.0), friction.get("friction.F_c", 0.0)
+    return pivot * angle + plunger * max(2.0 * travel - ends, 0.0)
