@@ -45,12 +45,10 @@ MODELS := $(addprefix PreloadedSprings.,Joystick.Joystick Joystick.JoystickPower
 	Joystick.JoystickInversePowerLaw Operator.Operator Operator.HeldJoystick \
 	Operator.HeldJoystickPowerLaw Operator.MountedJoystick Operator.MountedJoystickPowerLaw \
 	Examples.OperatedJoystick)
-# Beside some of them, in sensitivities/: the same with derivatives by what fits ask for, which rumoca can.
-SENSITIVE := Joystick JoystickPowerLaw
-SENSITIVITY_Joystick := theta,omega:theta_start,damping.C,J
-SENSITIVITY_JoystickPowerLaw := theta,omega:theta_start,damping.A_pos,damping.n_pos,damping.A_neg,damping.n_neg,damping.B,damping.m
+# Beside some of them, in sensitivities/: the same with derivatives of their runs, which rumoca can.
+SENSITIVE := pyjoystick/fmu/shipped.py
 FMU_SOURCES := $(shell find modelica fmu_build -name '*.mo' -o -name 'package.order' -o -name '*.[ch]' \
-	-o -name '*.py' -o -name '*.toml' -o -name '*.jinja' -o -name '*.csv')
+	-o -name '*.py' -o -name '*.toml' -o -name '*.jinja' -o -name '*.csv') $(SENSITIVE)
 
 # Processes of tests: one more than there are cores, because many wait for other programs.
 WORKERS ?= $(shell expr $$(getconf _NPROCESSORS_ONLN) + 1)
@@ -105,9 +103,9 @@ fmu: $(FMI:%=build/fmi%/.built)
 build/fmi%/.built: $(FMU_SOURCES) $(RUN_READY) build/fmi%/.settings
 	$(BIN)/python -m fmu_build $(MODELS) --fmi $* --output build/fmi$* $(FMU_SETTINGS)
 	rm -rf build/fmi$*/sensitivities
-	$(if $(filter rumoca,$(COMPILER)),$(foreach name,$(SENSITIVE),$(BIN)/python -m fmu_build \
-		PreloadedSprings.Joystick.$(name) --fmi $* --output build/fmi$*/sensitivities $(FMU_SETTINGS) \
-		--sensitivity $(SENSITIVITY_$(name)) &&) true)
+	$(if $(filter rumoca,$(COMPILER)),requests=$$($(BIN)/python -I $(SENSITIVE)) && for one in $$requests; do \
+		$(BIN)/python -m fmu_build PreloadedSprings.Joystick.$${one%%=*} --fmi $* \
+		--output build/fmi$*/sensitivities $(FMU_SETTINGS) --sensitivity $${one#*=} || exit 1; done)
 	touch $(@D)/.first $@
 
 # What a first run needs.

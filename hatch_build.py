@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import runpy
 import sys
 import tempfile
 from pathlib import Path
@@ -24,11 +25,9 @@ MODELS = (
     "Examples.OperatedJoystick",
 )
 #: What those in ``sensitivities/`` compute besides, by name.
-SENSITIVITIES = {
-    "Joystick": "theta,omega:theta_start,damping.C,J",
-    "JoystickPowerLaw": "theta,omega:theta_start,damping.A_pos,damping.n_pos,damping.A_neg,damping.n_neg,"
-    "damping.B,damping.m",
-}
+SENSITIVITIES = runpy.run_path(str(Path(__file__).with_name("pyjoystick") / "fmu" / "shipped.py"))[
+    "SENSITIVITIES"
+]
 #: With the WebAssembly module, live pages and sandboxes need no compiler either.
 PLATFORMS = ("all", "wasm32")
 

@@ -177,6 +177,7 @@ def _tool(fmu: Path) -> str:
 
 
 def _sources() -> Iterator[Path]:
+    yield ROOT / "pyjoystick" / "fmu" / "shipped.py"
     for folder in ("fmu_build", "modelica"):
         for file in (ROOT / folder).rglob("*"):
             if file.is_file() and file.suffix not in (".pyc", ".js", ".css", ".html"):  # pages are in no FMU

@@ -28,6 +28,8 @@ Examples:
 
     pyjoystick response --torque 0.6 --frequency 4
 
+    pyjoystick response --torque 0.6 --speed -6 --speed 0 --speed 6 --json basins.json
+
     pyjoystick response --torque 0.6 --vary frequency 3 5 --plot response.png --csv response.csv
 
     pyjoystick response --frequency 4 --vary torque 0.4 0.8 --periods 2 --json response.json
@@ -44,6 +46,14 @@ def run(
         float, typer.Option("--torque", metavar="N.M", help="Amplitude of the sinusoidal torque (N m).")
     ] = 0.6,
     frequency: Annotated[float, typer.Option("--frequency", metavar="HZ", help="Its frequency (Hz).")] = 4.0,
+    speeds: Annotated[
+        list[float] | None,
+        typer.Option(
+            "--speed",
+            metavar="RAD/S",
+            help="Release with this angular velocity from every angle; repeatable; 0 if not given.",
+        ),
+    ] = None,
     vary: Annotated[
         tuple[str, float, float] | None,
         typer.Option(
@@ -74,8 +84,9 @@ def run(
 ) -> None:
     """Find what the joystick does under a sinusoidal torque: periodic motions, jumps, chaos.
 
-    Releases from rest at 16 angles show where the joystick ends up. With --vary, periodic motions are
-    followed over a parameter, unstable ones too, with folds (jumps), period doublings and grazings.
+    Releases at 16 angles, from rest or at --speed, show where the joystick ends up. With --vary, periodic
+    motions are followed over a parameter, unstable ones too, with folds (jumps), period doublings and
+    grazings.
     """
     check_outputs(csv, json, plot)
     if vary is None:
@@ -94,7 +105,7 @@ def run(
                 shaken, vary[1:], most_periods=periods, on_progress=status.update
             )
         releases = np.radians([sign * angle for sign in (-1.0, 1.0) for angle in _RELEASES])
-        found = forced_motion.basins(once, releases, on_progress=status.update)
+        found = forced_motion.basins(once, releases, speeds or (0.0,), on_progress=status.update)
         if response is not None:
             response.search()
         note_stops(max(one.largest for one in found.attractors), joystick)

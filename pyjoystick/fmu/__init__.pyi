@@ -21,12 +21,7 @@ from .errors import (
     StepperEndedError as StepperEndedError,
     UnsupportedFmuError as UnsupportedFmuError,
 )
-from .files import (
-    MODELS as MODELS,
-    SENSITIVITIES as SENSITIVITIES,
-    build_folder as build_folder,
-    find_fmu as find_fmu,
-)
+from .files import MODELS as MODELS, build_folder as build_folder, find_fmu as find_fmu
 from .inputs import Inputs as Inputs, checked_inputs as checked_inputs
 from .linearization import Linearization as Linearization
 from .model_exchange import run_model_exchange as run_model_exchange
@@ -40,6 +35,7 @@ from .reductions import (
     Reduction as Reduction,
 )
 from .sensitivities import sensitivity_name as sensitivity_name
+from .shipped import SENSITIVITIES as SENSITIVITIES
 from .stepper import SavedState as SavedState, Stepper as Stepper
 from .stepwise import stepped as stepped
 from .values import (

@@ -30,15 +30,6 @@ MODELS = MappingProxyType(
     }
 )
 
-#: What the FMUs of the same names in the folder ``sensitivities`` beside some of them compute, for fits.
-SENSITIVITIES = MappingProxyType(
-    {
-        "Joystick": "theta,omega:theta_start,damping.C,J",
-        "JoystickPowerLaw": "theta,omega:theta_start,damping.A_pos,damping.n_pos,damping.A_neg,damping.n_neg,"
-        "damping.B,damping.m",
-    }
-)
-
 
 def find_fmu(fmu: str | PathLike[str]) -> Path:
     """The path of an FMU.

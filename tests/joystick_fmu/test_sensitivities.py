@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+import zipfile
 from pathlib import Path
 
 import numpy as np
@@ -25,6 +27,36 @@ CASES = [("Joystick", case) for case in random_cases(NOMINAL, 25)] + [
 ]
 TIMES = np.linspace(0.0, 1.5, 151)
 STATES = ("theta", "omega")
+
+
+@pytest.mark.parametrize("model", PARAMETERS)
+def test_the_model_itself_stays_as_it_is(model: str, joystick_fmus: Path) -> None:
+    """Without sensitivities there is no trace of them; with them all variables keep their bits."""
+    paths = (joystick_fmus / f"{model}.fmu", joystick_fmus / "sensitivities" / f"{model}.fmu")
+    plain, extended = (_generated(path) for path in paths)
+    assert "sensitivity" not in plain
+    assert "sensitivity" in extended
+    for kind in "YP":
+        numbered = re.compile(rf"^    ({kind}_\w+),", re.MULTILINE)
+        more = iter(numbered.findall(extended))
+        assert all(name in more for name in numbered.findall(plain))  # in the same order
+    random = np.random.default_rng(1)
+    starts = random.uniform([-1.2, -9.0, -3.0], [1.2, 9.0, 3.0], (40, 3))
+    with Fmu(paths[0]) as without, Fmu(paths[1]) as with_them:
+        shared = [one.name for one in without.description.variables.values() if one.name != "time"]
+        points = [
+            fmu.plan(
+                [0.0, 1e-9], varied=["theta_start", "omega_start"], inputs={"T": torque}, outputs=shared
+            ).run([theta, omega])[0]
+            for theta, omega, torque in starts
+            for fmu in (without, with_them)
+        ]
+    np.testing.assert_array_equal(points[::2], points[1::2])
+
+
+def _generated(path: Path) -> str:
+    with zipfile.ZipFile(path) as archive:
+        return archive.read("sources/model.c").decode()
 
 
 def _fmu(model: str, fmus: SharedFmus) -> Path:

@@ -8,7 +8,7 @@ from typing import Final
 
 import numpy as np
 
-from pyjoystick.forced_motion.periodic.maps import Images
+from pyjoystick.forced_motion.periodic.maps import Images, Tangents
 from pyjoystick.support import FloatArray, ParameterError, whole_number
 
 #: Distance of two neighbors, in scales: far above the noise of a run, far below the bends of a map.
@@ -26,7 +26,7 @@ class LargestExponent:
     Attributes:
         value: 1/s
         error: its standard error, from the scatter among the motions (1/s)
-        settled: motions that are left out because neighbors came together in the last quarter of the time:
+        settled: motions that are left out because neighbors come together in the last quarter of the time:
             their chaos was a transient
     """
 
@@ -49,11 +49,12 @@ def largest_exponent(
     *,
     iterations: int = 300,
     precision: float = math.inf,
+    tangents: Tangents | None = None,
 ) -> LargestExponent:
-    """The largest exponent over several motions at a time, each with a neighbor that is brought back.
+    """The largest exponent over several motions at a time, each with a tangent that is brought back.
 
-    After each period the distance to the neighbor is set to its first size again, in the direction that it
-    has (Benettin and others, Meccanica 15 (1980) 9-30).
+    After each period the tangent is set to its first length again, in the direction that it has (Benettin and
+    others, Meccanica 15 (1980) 9-30). Without derivatives of the map, a neighbor of the motion shows it.
 
     Args:
         images: the map over one period
@@ -64,6 +65,7 @@ def largest_exponent(
         iterations: periods; a tenth more is spent before, in which the distance finds its direction
         precision: the standard error that is wanted, as a part of the exponent; up to eight times as many
             periods are spent for it
+        tangents: the map with its derivatives, in the place of `images`
 
     Raises:
         ParameterError: fewer than two motions, or one of them fails
@@ -71,19 +73,23 @@ def largest_exponent(
     count = whole_number("iterations", iterations, 1)
     whole_number("states", len(states), 2)
     now = states.copy()
-    apart = np.full(now.shape, _APART / math.sqrt(now.shape[1]))
+    directions = np.full(now.shape, 1.0 / math.sqrt(now.shape[1]))
     growth: list[FloatArray] = []
     before = max(1, count // 10)
     for i in range(before + _MOST_ROUNDS * count):
-        both = images(np.concatenate((now, now + apart * scales)), parameter)
-        now, beside = both[: len(now)], both[len(now) :]
-        difference = (beside - now) / scales
-        distance = np.linalg.norm(difference, axis=1)
-        if not np.all(np.isfinite(distance) & (distance > 0.0)):
+        if tangents is None:
+            both = images(np.concatenate((now, now + _APART * directions * scales)), parameter)
+            now, beside = both[: len(now)], both[len(now) :]
+            grown = (beside - now) / (_APART * scales)
+        else:
+            now, slopes = tangents(now, parameter)
+            grown = np.einsum("rij,rj->ri", slopes, directions * scales) / scales
+        length = np.linalg.norm(grown, axis=1)
+        if not np.all(np.isfinite(length) & (length > 0.0)):
             raise ParameterError("states", states.tolist(), "motions that do not fail or become one")
-        apart = _APART * difference / distance[:, None]
+        directions = grown / length[:, None]
         if i >= before:
-            growth.append(np.log(distance / _APART) / period)
+            growth.append(np.log(length) / period)
         if growth and len(growth) % count == 0:
             found = _of_growth(np.array(growth))
             if found.error <= precision * abs(found.value):

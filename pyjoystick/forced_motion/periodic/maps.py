@@ -12,6 +12,8 @@ from pyjoystick.support import FloatArray
 
 #: States (runs, n) and the value of a parameter -> the states one period later (runs, n).
 Images = Callable[[FloatArray, float], FloatArray]
+#: The same -> these states, and their derivatives by the states before (runs, n, n).
+Tangents = Callable[[FloatArray, float], tuple[FloatArray, FloatArray]]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -23,13 +25,13 @@ class Linearization:
         monodromy: dF/dx, shape (n, n)
         by_parameter: gives dF/dp, shape (n,), when it is asked for
         error: largest error of the elements of `monodromy` as estimated, in units in which the scales of all
-            states are 1
+            states are 1; None where they are no differences but as exact as the map
     """
 
     image: FloatArray
     monodromy: FloatArray
     by_parameter: Callable[[], FloatArray]
-    error: float
+    error: float | None
 
 
 #: A state (n,) and the value of a parameter -> the map there.
@@ -72,11 +74,11 @@ class CentralDifferences:
         return Linearization(
             image=images[0],
             monodromy=(4.0 * narrow - wide) / 3.0,
-            by_parameter=partial(self._by_parameter, state, parameter, images[0]),
+            by_parameter=partial(self.by_parameter, state, parameter, images[0]),
             error=float(np.max(np.abs(difference))) / 3.0,
         )
 
-    def _by_parameter(self, state: FloatArray, parameter: float, image: FloatArray) -> FloatArray:
+    def by_parameter(self, state: FloatArray, parameter: float, image: FloatArray) -> FloatArray:
         """A one-sided difference: it points the way along a branch, and no result contains it."""
         beside = self._images(state[None, :], parameter + self._parameter_step)[0]
         slope: FloatArray = (beside - image) / self._parameter_step

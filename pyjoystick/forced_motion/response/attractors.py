@@ -194,6 +194,7 @@ def _unsettled(
         period,
         iterations=iterations,
         precision=_PRECISION,
+        tangents=shaken.tangents(),
     )
     section = [chosen]
     for _ in range(max(1, iterations // 4)):

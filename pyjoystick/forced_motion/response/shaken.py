@@ -4,31 +4,42 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from enum import Enum, auto
+from functools import cached_property, lru_cache, partial
 from typing import Final
 
 import numpy as np
 from scipy.interpolate import CubicHermiteSpline
 
 from pyjoystick.fmu import Fmu, FmuRunError, Plan, Value
-from pyjoystick.forced_motion.periodic.maps import CentralDifferences
+from pyjoystick.forced_motion.periodic.maps import CentralDifferences, Linearization, SmoothMap, Tangents
 from pyjoystick.forced_motion.predictability import trusted_until
+from pyjoystick.forced_motion.response.derivatives import MOTION, STARTS, MapSensitivities
 from pyjoystick.forced_motion.sine import sine_table
 from pyjoystick.model import JoystickParameters, angle_of_travel, values_for
 from pyjoystick.support import FloatArray, ParameterError, UnknownParameterError, positive, whole_number
 
 #: Of the FMU's integrator.
 TOLERANCE: Final = 1e-12
+#: The same for how fast motions part: their tangents are exact at any tolerance, differences are not.
+_ROUGH: Final = 1e-9
 #: Steps of differences, as a part of the scales: 5e-7 rad, small beside the steep segments of Table 1.
 _DIFFERENCE: Final = 1e-5
 #: So many runs take less time one after the other than a batch takes to start its threads.
 _FEW: Final = 12
 _THETA_SCALE: Final = 0.05
-_OUTPUTS: Final = ("theta", "omega")
-_STATES: Final = ("theta_start", "omega_start")
 #: Parameters of the shaking; any other is one of the joystick.
 FREQUENCY: Final = "frequency"
 TORQUE: Final = "torque"
+
+
+class _Run(Enum):
+    """What a run records: its last state, the motion, or its last state and the derivatives."""
+
+    END = auto()
+    MOTION = auto()
+    DERIVATIVES = auto()
+    ROUGH_DERIVATIVES = auto()
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,6 +91,10 @@ class ShakenJoystick:
     """A joystick's FMU under A sin(2 pi f t), one parameter of which is free.
 
     The state is (theta, omega) at the instants 0, kT, 2kT ... where the torque passes zero upward.
+
+    Attributes:
+        fmu, joystick, shaking, free, periods: as given
+        value: of the free parameter
     """
 
     def __init__(
@@ -118,6 +133,10 @@ class ShakenJoystick:
         if free not in values:
             raise UnknownParameterError(free, values)
         self.value = float(values[free])
+        if free == FREQUENCY and not joystick.stops:
+            self._sensitivities = MapSensitivities.over_frequency(fmu)
+        else:
+            self._sensitivities = MapSensitivities.of(fmu, () if free in (FREQUENCY, TORQUE) else (free,))
 
     def with_periods(self, periods: int) -> ShakenJoystick:
         """The same, seen every k-th period."""
@@ -140,9 +159,50 @@ class ShakenJoystick:
     def _parameter_scale(self) -> float:
         return abs(self.value) or 1.0
 
-    def smooth(self) -> CentralDifferences:
-        """The map with its derivatives, by differences of runs."""
+    @property
+    def is_exact(self) -> bool:
+        """Derivatives of the map are those of `Fmu.sensitive`, otherwise differences of runs."""
+        return self._sensitivities is not None
+
+    def smooth(self) -> SmoothMap:
+        """The map with its derivatives."""
+        return self._differences if self._sensitivities is None else partial(self._exact, self._sensitivities)
+
+    @property
+    def _differences(self) -> CentralDifferences:
         return CentralDifferences(self.images, self.scales[:2], self._parameter_scale, step=_DIFFERENCE)
+
+    def _exact(self, slopes: MapSensitivities, state: FloatArray, value: float) -> Linearization:
+        """By differences where the FMU has no sensitivities: a motion that touches a kink ends its run."""
+        ends = self._ends(state[None, :], value, _Run.DERIVATIVES)
+        if not np.all(np.isfinite(ends)):
+            return self._differences(state, value)
+        by_parameter = partial(self._by_parameter, slopes, state, value, ends[0])
+        return Linearization(ends[0, :2], slopes.monodromies(ends)[0], by_parameter, error=None)
+
+    def _by_parameter(
+        self, slopes: MapSensitivities, state: FloatArray, value: float, end: FloatArray
+    ) -> FloatArray:
+        if not slopes.by:
+            return self._differences.by_parameter(state, value, end[:2])
+        if self.free != FREQUENCY:
+            return slopes.by_parameter(end)
+        inertia, damping = (float(self.joystick.to_names()[name]) for name in slopes.by)
+        return slopes.by_frequency(end, state, value, inertia, damping)
+
+    def tangents(self) -> Tangents | None:
+        """The map of many states with exact derivatives, at a larger tolerance; None if not `is_exact`."""
+        return None if self._sensitivities is None else partial(self._tangents, self._sensitivities)
+
+    def _tangents(
+        self, slopes: MapSensitivities, states: FloatArray, value: float
+    ) -> tuple[FloatArray, FloatArray]:
+        ends = self._ends(states, value, _Run.ROUGH_DERIVATIVES)
+        images, monodromies = ends[:, :2].copy(), slopes.monodromies(ends).copy()
+        for i in np.flatnonzero(~np.all(np.isfinite(ends), axis=1)):
+            here = self._differences(states[i], value)
+            images[i], monodromies[i] = here.image, here.monodromy
+        return images, monodromies
 
     def period(self, value: float) -> float:
         """K T (s) at a value of the free parameter."""
@@ -158,12 +218,16 @@ class ShakenJoystick:
         Returns:
             shape (runs, 2); NaN where a run fails, an angle is not below pi/2, or the value is not allowed
         """
+        return self._ends(states, value, _Run.END)
+
+    def _ends(self, states: FloatArray, value: float, kind: _Run) -> FloatArray:
+        """What runs of a kind record at their end, a row each, as `images` has it."""
+        found = np.full((len(states), len(self._recorded(kind)[1])), np.nan)
         try:
-            plan = self._plan(value, False)
+            plan = self._plan(value, kind)
         except ParameterError:
-            return np.full(states.shape, np.nan)
+            return found
         allowed = np.all(np.isfinite(states), axis=1) & (np.abs(states[:, 0]) < 0.5 * math.pi)
-        found = np.full(states.shape, np.nan)
         if not np.any(allowed):
             return found
         if len(states) <= _FEW:
@@ -178,7 +242,7 @@ class ShakenJoystick:
 
     def orbit(self, state: FloatArray, value: float) -> Orbit:
         """The motion over the k periods from a state on; raises FmuRunError if the run fails."""
-        plan = self._plan(value, True)
+        plan = self._plan(value, _Run.MOTION)
         theta, omega = plan.run(state).T
         return Orbit(plan.time, theta, omega)
 
@@ -217,24 +281,32 @@ class ShakenJoystick:
             self.fmu, torque.index, theta_start=float(state[0]), inputs=torque, parameters=parameters
         )
 
-    def _new_plan(self, value: float, is_recorded: bool) -> Plan:
+    def _new_plan(self, value: float, kind: _Run) -> Plan:
         shaking, joystick = self._at(value)
         torque = sine_table("T", shaking.torque, shaking.frequency, self.periods)
         time = torque.index.to_numpy()
-        return self.fmu.plan(
-            time if is_recorded else time[[0, -1]],
-            varied=_STATES,
+        fmu, outputs = self._recorded(kind)
+        return fmu.plan(
+            time if kind is _Run.MOTION else time[[0, -1]],
+            varied=STARTS,
             parameters=values_for(joystick, self.fmu.description.variables),
             inputs=torque,
-            outputs=_OUTPUTS,
-            tolerance=self._tolerance,
+            outputs=outputs,
+            tolerance=max(self._tolerance, _ROUGH) if kind is _Run.ROUGH_DERIVATIVES else self._tolerance,
         )
+
+    def _recorded(self, kind: _Run) -> tuple[Fmu, tuple[str, ...]]:
+        """The FMU that carries out runs of a kind, and what they record."""
+        if kind in (_Run.DERIVATIVES, _Run.ROUGH_DERIVATIVES):
+            assert self._sensitivities is not None
+            return self._sensitivities.fmu, self._sensitivities.outputs
+        return self.fmu, MOTION
 
 
 def _end(plan: Plan, state: FloatArray) -> FloatArray:
     try:
         samples = plan.run(state)
     except FmuRunError:
-        return np.full(len(state), np.nan)
+        return np.full(len(plan.outputs), np.nan)
     end: FloatArray = samples[-1]
     return end

@@ -30,8 +30,9 @@ def branch_table(response: Response) -> pd.DataFrame:
         the columns ``branch`` (from 1 on), ``periods`` (of the torque), the free parameter by its name,
         ``theta`` and ``omega`` at the beginning of the period, ``theta_max``, ``theta_min``, ``amplitude``
         (half of their distance), real and imaginary parts of the two Floquet multipliers
-        (``multiplier1``, ``multiplier1_imag`` ...), ``stable``, and ``error`` of the monodromy matrix as
-        estimated, in units of the scales of the states
+        (``multiplier1``, ``multiplier1_imag`` ...), ``stable``; ``derivatives``, which are ``exact`` or
+        ``differences``; and of these the ``error`` of the monodromy matrix as estimated, in units of the
+        scales of the states
     """
     rows = [
         {"branch": number, **_row(response.shaken.with_periods(branch.periods), branch, one)}
@@ -57,8 +58,13 @@ def _row(shaken: ShakenJoystick, branch: ResponseBranch, solution: PeriodicSolut
         "multiplier2": second.real,
         "multiplier2_imag": second.imag,
         "stable": solution.is_stable,
+        "derivatives": _derivatives(solution),
         "error": solution.map.error,
     }
+
+
+def _derivatives(solution: PeriodicSolution) -> str:
+    return "exact" if solution.map.error is None else "differences"
 
 
 def special_table(response: Response) -> pd.DataFrame:
@@ -183,5 +189,6 @@ def _attractor(one: PeriodicAttractor | UnsettledMotion, shaken: ShakenJoystick)
         "state": one.solution.state,
         "multipliers": [[value.real, value.imag] for value in one.solution.multipliers],
         "exponents": [[value.real, value.imag] for value in exponents],
+        "derivatives": _derivatives(one.solution),
         "error": one.solution.map.error,
     }

@@ -57,6 +57,7 @@ TORQUE: Final[dict[str, Schema]] = {
         difference_to_plain_python=about(NUMBER, "of the FMU, relative to the largest value"),
     ),
 }
+_DERIVATIVES: Final = about({"enum": ["exact", "differences"]}, "of the state after a period")
 _COMPLEX: Final = about(array(array(NUMBER, 2, 2), 0), "real and imaginary part")
 _PERIODIC: Final = entry(
     kind={"const": "periodic"},
@@ -65,7 +66,8 @@ _PERIODIC: Final = entry(
     state=array(NUMBER, 2, 2),
     multipliers=_COMPLEX,
     exponents=about(_COMPLEX, "in 1/s"),
-    error=about(NUMBER, "of the monodromy matrix, in scales of the states"),
+    derivatives=_DERIVATIVES,
+    error=about(NUMBER, "of the monodromy matrix, in scales of the states; null: exact"),
 )
 _UNSETTLED: Final = entry(
     kind={"enum": ["not settled", "chaotic for a while", "chaotic"]},
@@ -110,6 +112,7 @@ RESPONSE: Final[dict[str, Schema]] = {
         amplitude=si("rad"),
         **{f"multiplier{i}{part}": NUMBER for i in (1, 2) for part in ("", "_imag")},
         stable=FLAG,
+        derivatives=_DERIVATIVES,
         error=NUMBER,
     ),
     "special": _varied(branch=COUNT, kind=TEXT, amplitude=si("rad")),

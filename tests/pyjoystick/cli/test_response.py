@@ -26,6 +26,15 @@ def test_the_motions_at_one_frequency(command: Command, tmp_path: Path) -> None:
     assert (tmp_path / "r.png").stat().st_size > 1e4
 
 
+def test_releases_at_several_speeds(command: Command, tmp_path: Path) -> None:
+    outcome = command(
+        "response", "--torque", "12", "--frequency", "6", "--speed=-6", "--speed", "0", "--json", "r.json"
+    )
+    assert outcome.code == 0, outcome.err
+    releases = pd.DataFrame(json.loads((tmp_path / "r.json").read_text())["releases"])
+    assert releases.groupby("omega")["theta"].nunique().to_dict() == {-6.0: 16, 0.0: 16}
+
+
 def test_branches_over_a_parameter(command: Command, tmp_path: Path) -> None:
     options = ("--torque", "12", "--frequency", "6", "--vary", "torque", "11.9", "12")
     outcome = command("response", *options, "--csv", "r.csv", "--plot", "r.svg")

@@ -39,6 +39,23 @@ def test_henon() -> None:
     assert found.value == pytest.approx(0.41922, rel=0.01)
 
 
+def test_tangents_take_the_place_of_neighbors() -> None:
+    """The same motions with exact derivatives: the exponents differ by what neighbors 1e-7 apart bend."""
+
+    def tangents(states: FloatArray, parameter: float) -> tuple[FloatArray, FloatArray]:
+        x = states[:, 0]
+        by_x = np.column_stack((-2.0 * parameter * x, np.full_like(x, 0.3)))
+        by_y = np.column_stack((np.ones_like(x), np.zeros_like(x)))
+        return henon(states, parameter), np.stack((by_x, by_y), axis=2)
+
+    by_neighbors, by_tangents = (
+        largest_exponent(henon, spread(40, 2), 1.4, np.ones(2), 1.0, iterations=50, tangents=one)
+        for one in (None, tangents)
+    )
+    assert by_tangents.value == pytest.approx(by_neighbors.value, rel=1e-5)
+    assert by_tangents.error == pytest.approx(by_neighbors.error, rel=1e-4)
+
+
 def test_a_precision_is_reached_by_more_iterations() -> None:
     """The error of a mean falls with the root of the number."""
     rough = largest_exponent(logistic, spread(8, 1), 3.9, np.ones(1), 1.0, iterations=60)

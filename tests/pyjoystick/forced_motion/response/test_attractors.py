@@ -45,6 +45,26 @@ def test_both_attractors_at_4_hz_are_found(found: Basins) -> None:
     assert found.share(0) + found.share(1) == 1.0
 
 
+def test_the_speed_of_release_decides_as_well(shaken: ShakenJoystick) -> None:
+    """A run of its own from each release, which ends on the attractor that its label names."""
+    theta, omega = np.radians([-5.0, 8.0]), np.array([-6.0, 0.0, 9.0])
+    found = basins(shaken, theta, omega, settling=60, iterations=20)
+    assert found.labels.shape == (3, 2)
+    assert found.theta.tolist() == theta.tolist()
+    assert found.omega.tolist() == omega.tolist()
+    seen = set()
+    for i, speed in enumerate(omega):
+        for j, angle in enumerate(theta):
+            settled = shaken.with_periods(60).images(np.array([[angle, speed]]), 4.0)[0]
+            high, low = shaken.orbit(settled, 4.0).extremes
+            is_large = max(high, -low) > math.radians(20.0)
+            one = found.attractors[found.labels[i, j]]
+            assert is_large == isinstance(one, PeriodicAttractor)
+            seen.add((j, is_large))
+    # The same angle leads to either.
+    assert any({(j, True), (j, False)} <= seen for j in range(len(theta)))
+
+
 def test_the_exponent_is_that_of_the_tangents(shaken: ShakenJoystick, found: Basins) -> None:
     """The same by another method: the growth of a tangent under the monodromy matrices along the motion."""
     small = found.attractors[1]

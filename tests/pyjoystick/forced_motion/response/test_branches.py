@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterator
 
 import numpy as np
+import pandas as pd
 import pytest
 
 from pyjoystick import NOMINAL, Fmu
@@ -23,6 +24,12 @@ from pyjoystick.model import undamped_oscillation
 from pyjoystick.support import ParameterError
 
 C_OVER_J = 0.045 / 0.01135
+
+
+@pytest.fixture(scope="module")
+def fmu() -> Iterator[Fmu]:
+    with Fmu("Joystick") as opened:
+        yield opened
 
 
 @pytest.fixture(scope="module")
@@ -47,7 +54,7 @@ def test_the_large_motion_is_lost_at_a_fold(response: Response) -> None:
 def test_every_monodromy_has_the_determinant_of_the_damping(response: Response) -> None:
     for one in response.branches[0].solutions:
         expected = math.exp(-C_OVER_J / one.parameter)
-        assert np.linalg.det(one.map.monodromy) == pytest.approx(expected, rel=1e-6)
+        assert np.linalg.det(one.map.monodromy) == pytest.approx(expected, rel=1e-9)
 
 
 def test_stability_changes_at_the_fold_only(response: Response) -> None:
@@ -79,6 +86,35 @@ def test_the_backbone_passes_through_known_points() -> None:
     amplitude = 0.5 * (released.forward + released.backward)
     frequency = np.interp(amplitude, found["amplitude"], found["frequency"])
     assert frequency == pytest.approx(1.0 / 250.6e-3, rel=2e-4)
+
+
+@pytest.mark.parametrize("degrees", [0.3, 1.0, 5.0, 10.0, 20.0, 35.0])
+def test_the_backbone_is_what_shooting_finds(fmu: Fmu, degrees: float) -> None:
+    """Undamped runs of the FMU against the quadrature of docs/period.md: both turns, to 1e-9."""
+    release = math.radians(degrees)
+    found = backbone(NOMINAL, np.array([release])).iloc[0]
+    turn, back = 0.5 / found["frequency"], 1.0 / found["frequency"]
+    for _ in range(3):
+        half = _undamped(fmu, release, turn)
+        turn -= half["omega"] / half["alpha"]
+        whole = _undamped(fmu, release, back)
+        back -= whole["omega"] / whole["alpha"]
+    assert abs(half["omega"]) < 1e-9
+    assert abs(whole["omega"]) < 1e-9
+    assert whole["theta"] == pytest.approx(release, rel=1e-9)
+    assert 1.0 / back == pytest.approx(found["frequency"], rel=1e-9)
+    assert 0.5 * (whole["theta"] - half["theta"]) == pytest.approx(found["amplitude"], rel=1e-9)
+
+
+def _undamped(fmu: Fmu, release: float, time: float) -> pd.Series:
+    parameters = {"theta_start": release, "damping.C": 0.0}
+    return fmu.run([0.0, time], parameters=parameters, tolerance=1e-13).iloc[-1]
+
+
+@pytest.mark.parametrize(("degrees", "hertz"), [(20.0, 3.99), (1.0, 13.8)])
+def test_the_backbone_at_releases_that_the_pages_name(degrees: float, hertz: float) -> None:
+    found = undamped_oscillation(NOMINAL, math.radians(-degrees))
+    assert 1.0 / found.period == pytest.approx(hertz, abs=0.05 if hertz > 10.0 else 0.005)
 
 
 def test_folds_close_together_at_grazings_are_not_stepped_over() -> None:

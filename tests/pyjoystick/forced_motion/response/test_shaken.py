@@ -1,15 +1,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+import shutil
+from collections.abc import Callable, Iterator
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from pyjoystick import NOMINAL, NOMINAL_POWER_LAW, Fmu
+from pyjoystick.fmu import FmuRunError, Plan
 from pyjoystick.forced_motion import NoSolutionError, ShakenJoystick, Shaking, solve
 from pyjoystick.model import simulate
-from pyjoystick.support import ParameterError, UnknownParameterError
+from pyjoystick.support import FloatArray, ParameterError, UnknownParameterError
 
 C_OVER_J = 0.045 / 0.01135
 
@@ -47,7 +50,7 @@ def test_the_large_motion_at_4_hz(shaken: ShakenJoystick) -> None:
     assert found.is_stable
     first, second = found.exponents(0.25)
     # Constant damping: phase areas shrink by exp(-C T/J), and a complex pair shares that evenly.
-    assert first.real == pytest.approx(-0.5 * C_OVER_J, rel=1e-6)
+    assert first.real == pytest.approx(-0.5 * C_OVER_J, rel=1e-9)
     assert second == pytest.approx(first.conjugate())
     assert abs(first.imag) == pytest.approx(3.0274, abs=1e-4)
     high, low = shaken.orbit(found.state, 4.0).extremes
@@ -81,6 +84,75 @@ def test_the_power_law() -> None:
     exponent = found.exponents(0.25)[0]
     assert exponent.real == pytest.approx(-2.52172, abs=2e-5)
     assert abs(exponent.imag) == pytest.approx(2.52785, abs=2e-5)
+
+
+@pytest.fixture
+def differences(joystick_fmus: Path, tmp_path: Path) -> Iterator[Fmu]:
+    """The joystick with no FMU beside it that has sensitivities."""
+    shutil.copy(joystick_fmus / "Joystick.fmu", tmp_path)
+    with Fmu(tmp_path / "Joystick.fmu") as opened:
+        yield opened
+
+
+@pytest.mark.parametrize("state", [(-0.38, -5.5), (0.0005, 0.23)])
+def test_derivatives_are_exact_by_sensitivities(
+    shaken: ShakenJoystick, differences: Fmu, state: tuple[float, float]
+) -> None:
+    start, scales = np.array(state), shaken.scales[:2]
+    exact = shaken.smooth()(start, 4.0)
+    assert shaken.is_exact
+    assert exact.error is None
+    # Phase areas shrink by exp(-C T/J), whatever the springs do.
+    assert np.linalg.det(exact.monodromy) == pytest.approx(math.exp(-0.25 * C_OVER_J), rel=1e-11)
+    other = ShakenJoystick(differences, NOMINAL, Shaking(0.6, 4.0))
+    assert not other.is_exact
+    assert other.tangents() is None
+    near = other.smooth()(start, 4.0)
+    assert near.error is not None
+    apart = np.abs(exact.monodromy - near.monodromy) * scales[None, :] / scales[:, None]
+    assert np.max(apart) < 2e-8  # the noise of runs at 1e-12 over steps of 1e-5
+    images, monodromies = shaken.tangents()(start[None, :], 4.0)  # type: ignore[misc]
+    assert images[0] == pytest.approx(exact.image, abs=1e-7)
+    assert np.max(np.abs(monodromies[0] - exact.monodromy) * scales[None, :] / scales[:, None]) < 1e-6
+
+
+@pytest.mark.parametrize("free", ["frequency", "J", "damping.C", "torque"])
+def test_derivatives_by_the_free_parameter(fmu: Fmu, free: str) -> None:
+    """By a parameter, or in the time f t from those by J and C; the torque has none. Against differences."""
+    shaken = ShakenJoystick(fmu, NOMINAL, Shaking(0.6, 4.0), free=free)
+    start, value, step = np.array([-0.38, -5.5]), shaken.value, 1e-4
+    up, down, half_up, half_down = (
+        shaken.images(start[None, :], value * (1.0 + part * step))[0] for part in (1.0, -1.0, 0.5, -0.5)
+    )
+    wide, narrow = (up - down) / (2.0 * step * value), (half_up - half_down) / (step * value)
+    expected = (4.0 * narrow - wide) / 3.0
+    # The torque's own difference is one-sided, with a step of 1e-5.
+    accuracy = 1e-6 if free == "torque" else 1e-7
+    assert shaken.smooth()(start, value).by_parameter() == pytest.approx(expected, rel=accuracy)
+
+
+def test_where_a_motion_touches_a_kink_derivatives_are_differences(
+    shaken: ShakenJoystick, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The FMU has no sensitivities beyond such an event, and ends the run."""
+    state = np.array([-0.38, -5.5])
+    exact = shaken.smooth()(state, 4.0)
+    monkeypatch.setattr(Plan, "run", _failing_with_sensitivities(Plan.run))
+    found = shaken.smooth()(state, 4.0)
+    assert found.error is not None
+    assert found.monodromy == pytest.approx(exact.monodromy, rel=1e-6)
+    images, monodromies = shaken.tangents()(state[None, :], 4.0)  # type: ignore[misc]
+    assert images[0] == pytest.approx(exact.image, abs=1e-12)
+    assert monodromies[0] == pytest.approx(found.monodromy, rel=1e-12)
+
+
+def _failing_with_sensitivities(run: Callable[..., FloatArray]) -> Callable[..., FloatArray]:
+    def failing(plan: Plan, values: FloatArray) -> FloatArray:
+        if any(name.startswith("sensitivity.") for name in plan.outputs):
+            raise FmuRunError(0.1, "fmi2DoStep: error", Path("Joystick.fmu"))
+        return run(plan, values)
+
+    return failing
 
 
 def test_kinks_lie_where_the_contact_force_has_them(shaken: ShakenJoystick) -> None:
