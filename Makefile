@@ -12,7 +12,8 @@
 # make ssp    operator and joystick as one system: build/joystick.ssp
 # make fuzz  random FMI calls (with clang), damaged files, random models, SECONDS=60 in all; corpora in build/fuzz/
 # make lint   ruff, mypy, the C compilers with every warning an error, the Modelica checks
-# make lint-js  the JavaScript of the pages by Biome, which npm gets; skipped where it cannot
+# make lint-js  the JavaScript of the pages by Biome, which npm gets; skipped where it cannot, which with CI=true is
+#             an error
 # make try-rumoca  what another release of rumoca changes: its intermediate forms, and the tests that fail with it
 #             (RUMOCA=0.10.1; by default the newest)
 # make bench  speed as ratios within one run
@@ -140,8 +141,8 @@ lint: $(READY)
 BIOME := npx --yes @biomejs/biome@2.6.8
 
 lint-js:
-	@if ! command -v npm > /dev/null; then echo "lint-js: skipped, npm is not installed"; \
-	elif ! $(BIOME) --version > /dev/null 2>&1; then echo "lint-js: skipped, npm cannot get Biome"; \
+	@if ! command -v npm > /dev/null; then echo "lint-js: skipped, npm is not installed"; test -z "$(CI)"; \
+	elif ! $(BIOME) --version > /dev/null 2>&1; then echo "lint-js: skipped, npm cannot get Biome"; test -z "$(CI)"; \
 	else $(BIOME) ci fmu_build/explore/assets pyjoystick/reports/live_page/assets docs/_static; fi
 
 try-rumoca: $(READY)

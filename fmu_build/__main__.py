@@ -27,6 +27,9 @@ Example:
 `python -m fmu_build explore --help`: a page in which a model runs live.
 """
 _FMI_VERSIONS: dict[str, FmiVersion] = {"2": "2.0", "3": "3.0", "2.0": "2.0", "3.0": "3.0"}
+#: Exit codes after Ctrl-C and after SIGTERM, as of a program that the signal ended.
+_INTERRUPTED = 130
+_TERMINATED = 143
 _messages = Console(stderr=True, highlight=False, soft_wrap=True)
 
 
@@ -191,10 +194,32 @@ def _fail(message: str) -> NoReturn:
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode="markdown")
 app.command(cls=PlainCommand, epilog=_EXAMPLE)(main)
 
+
+def _run() -> int:
+    """Run the command line and return its exit code.
+
+    SIGTERM does what Ctrl-C does, also where that is ignored: temporary folders are deleted, and tools that
+    were started are ended.
+    """
+    terminated = False
+
+    def terminate(*_: object) -> None:
+        nonlocal terminated
+        terminated = True
+        raise KeyboardInterrupt
+
+    signal.signal(signal.SIGTERM, terminate)
+    try:
+        if sys.argv[1:2] == ["explore"]:
+            explore.app(sys.argv[2:], prog_name="python -m fmu_build explore")
+        else:
+            app(prog_name="python -m fmu_build")
+    except SystemExit as end:
+        if terminated and end.code == _INTERRUPTED:
+            return _TERMINATED
+        raise
+    return 0
+
+
 if __name__ == "__main__":
-    # As Ctrl-C, also where that is ignored: temporary folders are deleted, started tools are ended.
-    signal.signal(signal.SIGTERM, signal.default_int_handler)
-    if sys.argv[1:2] == ["explore"]:
-        explore.app(sys.argv[2:], prog_name="python -m fmu_build explore")
-    else:
-        app(prog_name="python -m fmu_build")
+    sys.exit(_run())

@@ -243,6 +243,6 @@ def test_sigterm_leaves_no_temporary_folder(tmp_path: Path) -> None:
             _, said = process.communicate(timeout=120.0)
         finally:
             process.kill()
-    assert process.returncode == 130, said
+    assert process.returncode == 143, said
     assert list(place.glob("fmu_build-*")) == []
     assert "Traceback" not in said

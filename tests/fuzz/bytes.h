@@ -12,6 +12,11 @@
 
 enum { MAX_CALLS = 60, MAX_REFERENCES = 4, MAX_NUMBERS = 32, MAX_STATES = 4, STATE_HEADER = 96, STATE_CHECKSUM = 24 };
 
+/* Most references are below this. A generated model is compiled with the number of its variables. */
+#ifndef MAX_REFERENCE
+#define MAX_REFERENCE 20
+#endif
+
 /* Of tests/fmu_build/runtime/allocations.c. */
 long test_live(void);
 void test_fail_after(long number);
@@ -66,7 +71,7 @@ static inline size_t take_references(Bytes *bytes, unsigned references[MAX_REFER
     const size_t n = below(bytes, MAX_REFERENCES + 1);
     for (size_t i = 0; i < n; ++i)
         if ((references[i] = take(bytes)) < 250)
-            references[i] %= 20;
+            references[i] %= MAX_REFERENCE;
         else
             take_raw(bytes, &references[i], sizeof *references);
     return n;

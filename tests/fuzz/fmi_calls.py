@@ -1,7 +1,7 @@
 """libFuzzer over random FMI calls of both versions, with AddressSanitizer and UndefinedBehaviorSanitizer.
 
-A target is one hand-written model with the runtime of one version of FMI. The corpus of a target stays in its
-folder, so that the next run goes on from there.
+A target is one model, written by hand or generated, with the runtime of one version of FMI. The corpus of a
+target stays in its folder, so that the next run goes on from there.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ from pathlib import Path
 from fmu_build.packaging.sources import FMI_HEADERS, include_arguments, runtime_files
 from fmu_build.support.request import FmiVersion
 from tests.fmu_build.runtime.library import MODELS, TOKEN
+from tests.fuzz.generated import generated
 from tests.fuzz.outcome import Outcome
 
 HERE = Path(__file__).parent
@@ -23,6 +24,8 @@ ALLOCATIONS = MODELS.parent / "allocations.c"
 VERSIONS: tuple[FmiVersion, ...] = ("2.0", "3.0")
 # Events of state and time, inputs of all types, clocks, algebraic loops, crowds of events, dry friction.
 NAMES = ("joystick", "ball", "lag", "loop", "sampler", "slide", "windows")
+# Generated C: derivatives that jump at events, modes of friction, a sampled controller.
+GENERATED_NAMES = ("sensitivities", "friction", "sampled")
 FLAGS = (
     *("-std=c11", "-O1", "-g", "-Wall", "-Wextra", "-Wpedantic", "-Werror"),
     *("-fsanitize=fuzzer,address,undefined", "-fno-sanitize-recover=undefined"),
@@ -60,10 +63,15 @@ def build(folder: Path, model: str, version: FmiVersion) -> Path:
     for name in FMI_HEADERS[version]:
         (standard / name).write_bytes((resources.files("fmpy") / "c-code" / name).read_bytes())
     runtime = [file for file in runtime_files(version) if file.suffix == ".c"]
-    sources = [*runtime, MODELS / f"{model}.c", ALLOCATIONS, HERE / f"fmi{version[0]}_calls.c"]
+    source, flags = MODELS / f"{model}.c", [*FLAGS]
+    if model in GENERATED_NAMES:
+        source = work / f"{model}.c"
+        source.write_text(generated(model).c_source, "utf-8")
+        flags += [f"-DMAX_REFERENCE={len(generated(model).description.variables)}"]
+    sources = [*runtime, source, ALLOCATIONS, HERE / f"fmi{version[0]}_calls.c"]
     headers = [*include_arguments(), f"-I{work}", f"-I{MODELS}", "-isystem", str(standard)]
     counted = ["-include", str(ALLOCATIONS.with_suffix(".h"))]
-    command = [compiler(), *FLAGS, *headers, *counted, *map(str, sources), "-lm", "-o", str(target)]
+    command = [compiler(), *flags, *headers, *counted, *map(str, sources), "-lm", "-o", str(target)]
     subprocess.run(command, check=True)
     return target
 
@@ -88,7 +96,9 @@ def fuzz(target: Path, limits: list[str], seed: int) -> Outcome:
 
 def fuzz_all(folder: Path, seconds: float, calls: int | None, seed: int, processes: int) -> list[Outcome]:
     """Share the seconds of so many processes among all targets, or try so many inputs of each."""
-    names = [(model, version) for model in NAMES for version in VERSIONS]
+    for model in GENERATED_NAMES:
+        generated(model)  # here, for rumoca's sessions belong to the thread that made them
+    names = [(model, version) for model in (*NAMES, *GENERATED_NAMES) for version in VERSIONS]
     each = max(1, round(seconds * processes / len(names)))
     limit = f"-max_total_time={each}" if calls is None else f"-runs={calls}"
     with ThreadPoolExecutor(processes) as pool:

@@ -5,14 +5,18 @@ Status call_set_logging(Instance *instance, bool on, size_t n, const char *const
 {
     if (!call_has(instance, n, categories))
         return STATUS_ERROR;
-    Log *log = &instance->log;
+    Log log = instance->log;
     if (n == 0)
-        log->enabled = on ? LOG_EVERYTHING : instance->face->told_always;
-    bool known = true;
-    for (size_t i = 0; i < n; ++i)
-        known = categories[i] != NULL && log_switch(log, categories[i], on) && known;
-    log->enabled |= instance->face->told_always & LOG_FAILURES;
-    return known ? STATUS_OK : call_refuse(instance, "a log category does not exist.");
+        log.enabled = on ? LOG_EVERYTHING : instance->face->told_always;
+    for (size_t i = 0; i < n; ++i) {
+        if (categories[i] == NULL)
+            return call_refuse(instance, "a log category is a null pointer.");
+        if (!log_switch(&log, categories[i], on))
+            return call_refuse(instance, "the log category \"%s\" does not exist.", categories[i]);
+    }
+    /* Only now, so that a call that is refused changes nothing. */
+    instance->log.enabled = log.enabled | (instance->face->told_always & LOG_FAILURES);
+    return STATUS_OK;
 }
 
 Status call_enter_initialization(Instance *instance)

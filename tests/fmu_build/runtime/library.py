@@ -12,7 +12,7 @@ from importlib import resources
 from pathlib import Path
 
 from fmu_build.packaging.binaries import COMPILER_FLAGS
-from fmu_build.packaging.sources import FMI_HEADERS, RUNTIME, include_arguments, runtime_files
+from fmu_build.packaging.sources import FMI_HEADERS, MODULE_FACE, RUNTIME, include_arguments, runtime_files
 from fmu_build.support.request import FmiVersion
 
 HERE = Path(__file__).parent
@@ -106,6 +106,18 @@ class Workshop:
         if name not in self._libraries:
             self._libraries[name] = c.CDLL(str(self.path(name)))
         return self._libraries[name]
+
+    def program(self, name: str, *files: Path) -> Path:
+        """The runtime with these files, which define a model and ``main``; each of them is compiled once."""
+        folder = self._folder / "programs"
+        folder.mkdir(exist_ok=True)
+        objects = {file: folder / f"{file.stem}.o" for file in files}
+        for file, one in objects.items():
+            if not one.is_file():
+                self._compile("-I", RUNTIME / MODULE_FACE, "-c", "-o", one, file)
+        path = folder / name
+        self._compile("-o", path, *objects.values(), *self._folder.glob("*.o"), "-lm")
+        return path
 
     def units(self) -> c.CDLL:
         """`UNITS` with ``units.c`` in place of the rest, all their functions to be called."""
