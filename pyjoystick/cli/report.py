@@ -66,7 +66,7 @@ def run(
     check_outputs(target, live)
     file = joystick_choice.parameter_file(parameters_file)
     measurements = _measurements(file, parameters_file, fit, curves, swing, parts, budget)
-    found_or_built("Joystick")  # for the table of the paper's statements
+    found_or_built("Joystick")  # needed for the table of the paper's statements
     with (
         opened(damping, None, assignments, parameters_file) as (fmu, joystick),
         progress_console().status("report") as status,
@@ -85,7 +85,7 @@ def run(
 
 
 def _address(live: Path | None, target: Path) -> str:
-    """The address of the live page as the report links to it; empty without one."""
+    """Link from the report to the live page; empty without one."""
     if live is None:
         return ""
     try:
@@ -103,7 +103,7 @@ def _measurements(
     parts: Path | None,
     budget: Path | None,
 ) -> reports.Measurements | None:
-    """The measurements that the parameter file came from."""
+    """Measurements from which the parameter file was made."""
     if parameters_file is None:
         given = {"--fit": fit, "--curve": curves, "--swing": swing, "--parts": parts, "--budget": budget}
         parsing.refuse_given("needs --parameters, the file that was measured", given)

@@ -1,4 +1,4 @@
-"""Options that say what form a laboratory's table has."""
+"""Options for the layout of a laboratory's table."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ Encoding = Annotated[
 
 
 def layout(delimiter: str, decimal: str, encoding: str, sheet: str) -> motion.Layout:
-    """The form that these options say."""
+    """Layout given by these options."""
     if decimal not in ("", ".", ","):
         raise typer.BadParameter(f"{decimal!r} must be . or ,", param_hint="--decimal")
     return motion.Layout(delimiter, decimal, encoding, sheet)

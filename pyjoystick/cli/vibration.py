@@ -25,7 +25,7 @@ Examples:
 
 Lines of the figure are small vibrations, points those of --acceleration.
 """
-#: Frequencies of the table and of the points, and those of the lines.
+#: Numbers of frequencies for the table and the points, and for the lines.
 _FEW: Final = 9
 _MANY: Final = 300
 
