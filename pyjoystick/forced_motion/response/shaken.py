@@ -1,4 +1,4 @@
-"""A joystick under a sinusoidal torque, seen once a period: fixed points of that map are periodic motions."""
+"""A joystick under a sinusoidal torque, sampled once per period; its fixed points are periodic motions."""
 
 from __future__ import annotations
 
@@ -17,16 +17,16 @@ from pyjoystick.forced_motion.sine import sine_table
 from pyjoystick.model import JoystickParameters, angle_of_travel, values_for
 from pyjoystick.support import FloatArray, ParameterError, UnknownParameterError, positive, whole_number
 
-#: Of the FMU's integrator.
+#: Tolerance of the FMU's integrator.
 TOLERANCE: Final = 1e-12
-#: Steps of differences, as a part of the scales: 5e-7 rad, small beside the steep segments of Table 1.
+#: Difference steps relative to the scales: 5e-7 rad, small compared with the steep segments of Table 1.
 _DIFFERENCE: Final = 1e-5
-#: So many runs take less time one after the other than a batch takes to start its threads.
+#: Up to this many runs, running one after the other is faster than starting the threads of a batch.
 _FEW: Final = 12
 _THETA_SCALE: Final = 0.05
 _OUTPUTS: Final = ("theta", "omega")
 _STATES: Final = ("theta_start", "omega_start")
-#: Parameters of the shaking; any other is one of the joystick.
+#: Parameters of the shaking; all others are the joystick's.
 FREQUENCY: Final = "frequency"
 TORQUE: Final = "torque"
 
@@ -64,22 +64,22 @@ class Orbit:
 
     @cached_property
     def extremes(self) -> tuple[float, float]:
-        """Largest and smallest angle (rad), between the samples too, by cubic Hermite interpolation."""
+        """Largest and smallest angle (rad), also between samples, by cubic Hermite interpolation."""
         path = CubicHermiteSpline(self.time, self.theta, self.omega)
         values = np.append(path(path.derivative().roots(extrapolate=False)), self.theta)
         return float(np.nanmax(values)), float(np.nanmin(values))
 
     @property
     def amplitude(self) -> float:
-        """Half of the distance between largest and smallest angle (rad)."""
+        """Half of the peak-to-peak angle (rad)."""
         high, low = self.extremes
         return 0.5 * (high - low)
 
 
 class ShakenJoystick:
-    """A joystick's FMU under A sin(2 pi f t), one parameter of which is free.
+    """A joystick's FMU under A sin(2 pi f t), with one free parameter.
 
-    The state is (theta, omega) at the instants 0, kT, 2kT ... where the torque passes zero upward.
+    The state is (theta, omega) at the times 0, kT, 2kT ... where the torque passes zero upward.
     """
 
     def __init__(
@@ -92,19 +92,19 @@ class ShakenJoystick:
         periods: int = 1,
         tolerance: float = TOLERANCE,
     ) -> None:
-        """Set what stays.
+        """Set what is constant.
 
         Args:
-            fmu: of the joystick, with its damping law
+            fmu: FMU of the joystick, with its damping law
             joystick: the parameters
             shaking: the torque
-            free: ``frequency``, ``torque``, or the FMU's name of a parameter of the joystick
-            periods: k, periods of the torque from one state to the next
-            tolerance: of the FMU's integrator
+            free: ``frequency``, ``torque``, or the FMU's name of a joystick parameter
+            periods: k, number of periods of the torque from one state to the next
+            tolerance: tolerance of the FMU's integrator
 
         Raises:
-            ParameterError: the joystick has dry friction, by which motions from different states become one
-                and the same, so that there are no derivatives to search by; or a value is not allowed
+            ParameterError: the joystick has dry friction, which merges motions from different states, so that
+                the derivatives for the search do not exist; or a value is not allowed
             UnknownParameterError: the joystick has no parameter of that name
         """
         if joystick.friction:
@@ -120,7 +120,7 @@ class ShakenJoystick:
         self.value = float(values[free])
 
     def with_periods(self, periods: int) -> ShakenJoystick:
-        """The same, seen every k-th period."""
+        """The same joystick, sampled every k-th period."""
         return ShakenJoystick(
             self.fmu,
             self.joystick,
@@ -141,22 +141,22 @@ class ShakenJoystick:
         return abs(self.value) or 1.0
 
     def smooth(self) -> CentralDifferences:
-        """The map with its derivatives, by differences of runs."""
+        """The map and its derivatives, by differences of runs."""
         return CentralDifferences(self.images, self.scales[:2], self._parameter_scale, step=_DIFFERENCE)
 
     def period(self, value: float) -> float:
-        """K T (s) at a value of the free parameter."""
+        """k T (s) at a value of the free parameter."""
         return self.periods / self._at(value)[0].frequency
 
     def images(self, states: FloatArray, value: float) -> FloatArray:
-        """The states k periods later, one run each in one batch.
+        """States k periods later, from a batch with one run each.
 
         Args:
             states: shape (runs, 2)
-            value: of the free parameter
+            value: value of the free parameter
 
         Returns:
-            shape (runs, 2); NaN where a run fails, an angle is not below pi/2, or the value is not allowed
+            shape (runs, 2); NaN if a run fails, an angle is not below pi/2, or the value is not allowed
         """
         try:
             plan = self._plan(value, False)
@@ -177,13 +177,13 @@ class ShakenJoystick:
         return found
 
     def orbit(self, state: FloatArray, value: float) -> Orbit:
-        """The motion over the k periods from a state on; raises FmuRunError if the run fails."""
+        """The motion over the k periods from a state; raises FmuRunError if the run fails."""
         plan = self._plan(value, True)
         theta, omega = plan.run(state).T
         return Orbit(plan.time, theta, omega)
 
     def kinks(self, value: float) -> dict[str, float]:
-        """The angles (rad) at which the moment has a kink: ``forward x_0`` and so on, ``forward stop``."""
+        """Angles (rad) at which the moment has a kink: ``forward x_0`` and so on, ``forward stop``."""
         joystick = self._at(value)[1]
         sides = (("forward", joystick.forward, 1.0), ("backward", joystick.backward, -1.0))
         found = {
@@ -203,10 +203,10 @@ class ShakenJoystick:
         return self.shaking, self.joystick.replace({self.free: value})
 
     def trusted_until(self, state: FloatArray, periods: int) -> float:
-        """When the error of a run from a state has grown to 1 % of its largest angle (s).
+        """Time at which the error of a run from a state has grown to 1 % of its largest angle (s).
 
-        As `pyjoystick.forced_motion.trusted_until`, at its tolerance; infinite if it has not after `periods`
-        periods of the torque.
+        As `pyjoystick.forced_motion.trusted_until`, at its tolerance; infinite if the error is smaller after
+        `periods` periods of the torque.
         """
         torque = sine_table("T", self.shaking.torque, self.shaking.frequency, periods)
         parameters: dict[str, Value] = {
