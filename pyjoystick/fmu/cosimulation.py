@@ -56,7 +56,7 @@ class Fmu(Shown):
     For many runs see `plan`.
 
     Attributes:
-            description: contents of the FMU's modelDescription.xml
+        description: contents of the FMU's modelDescription.xml
     """
 
     _shown_by = "pyjoystick.fmu.notebook"

@@ -145,7 +145,7 @@ class ShakenJoystick:
         return CentralDifferences(self.images, self.scales[:2], self._parameter_scale, step=_DIFFERENCE)
 
     def period(self, value: float) -> float:
-        """k T (s) at a value of the free parameter."""
+        """Duration k T (s) at a value of the free parameter."""
         return self.periods / self._at(value)[0].frequency
 
     def images(self, states: FloatArray, value: float) -> FloatArray:
