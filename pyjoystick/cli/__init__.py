@@ -27,7 +27,7 @@ __all__ = ["app", "main"]
 #: The commands in the order of the work: project, measurements, simulation, output.
 _COMMANDS: Final = {
     "new": "Start a project: a folder for a laboratory's files.",
-    "run": "Make the joystick of a project from its files.",
+    "run": "Build the joystick of a project from its files.",
     "info": "Show the interfaces, platforms and variables of an FMU.",
     "parameters": "Check, change and print a parameter file.",
     "check": "List everything wrong in TOML files.",
@@ -35,17 +35,17 @@ _COMMANDS: Final = {
     "peaks": "Estimate the damping from the peaks of free oscillations.",
     "fit": "Fit parameters to measured motion, with uncertainties.",
     "design": "Find the measurements that determine parameters best.",
-    "budget": "Show what each measured quantity adds to the errors.",
+    "budget": "Show how much each measured quantity adds to the errors.",
     "free-oscillation": "Release the joystick from rest and print its peaks.",
     "torque": "Compute the torque that a motion requires (eq. 13).",
-    "response": "Find what the joystick does when it is shaken.",
+    "response": "Find the response to a sinusoidal torque.",
     "vibration": "Find how far the handle moves when its base shakes.",
     "sweep": "Run an FMU for many values of its parameters.",
     "compare": "Compare an FMU with the reference or another FMU.",
     "fmu": "Copy FMUs of this package for other tools.",
     "export": "Write a joystick as FMUs of its own.",
     "ssp": "Write a system of coupled FMUs as one SSP file.",
-    "explore": "Write a page in which the joystick runs live.",
+    "explore": "Write a web page in which the joystick runs live.",
     "report": "Write a report on a joystick as one HTML file.",
 }
 _IMPORTS: Final = {
@@ -125,7 +125,7 @@ def _list(program: typer.Typer, commands: Mapping[str, str], kind: type[LazyComm
 app = _program(
     cls=_InOrder,
     completion=True,
-    help="Simulate joysticks with opposing restrained preloaded springs by means of their FMUs.",
+    help="Simulate, fit and compare joysticks with opposing restrained preloaded springs, using FMUs.",
     epilog="`pyjoystick COMMAND --help` shows the options of a command, with examples.",
 )
 _list(app, _COMMANDS, LazyCommand)
@@ -178,13 +178,11 @@ def _options(
     debug: Annotated[bool, typer.Option("--debug", help="Show a traceback when an error occurs.")] = False,
     implausible: Annotated[
         bool,
-        typer.Option("--implausible", help="Take values that no joystick has."),
+        typer.Option("--implausible", help="Accept implausible parameter values."),
     ] = False,
     quiet: Annotated[
         bool,
-        typer.Option(
-            "--quiet", "-q", help="No progress and no notes: only results, errors and what is doubtful."
-        ),
+        typer.Option("--quiet", "-q", help="Show only results, warnings and errors: no progress, no notes."),
     ] = False,
     verbose: Annotated[
         int,
@@ -193,7 +191,7 @@ def _options(
             "-v",
             count=True,
             show_default=False,
-            help="Log to standard error which files and values are used, and how; -vv logs all runs.",
+            help="Log the files and values used, and how, to standard error; -vv logs all runs.",
         ),
     ] = 0,
 ) -> None:

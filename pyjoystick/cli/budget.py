@@ -50,7 +50,7 @@ def run(
         list[str] | None,
         options.uncertainty(
             "m, h, J, g, a, b, friction.T_c, friction.F_c, friction.T_s or friction.omega_s (SI units), or "
-            "scale and time_base, the relative ones of angle and clock"
+            "scale or time_base (relative, of the angle and the clock)"
         ),
     ] = None,
     release_angle: options.ReleaseAngle = options.DEFAULT_RELEASE_ANGLE,

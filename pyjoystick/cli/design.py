@@ -38,20 +38,22 @@ def run(
     parameters: options.Parameters = None,
     settings_file: Annotated[
         Path | None,
-        typer.Option("--settings", metavar="FILE", help="Settings of the fit to come, a TOML file."),
+        typer.Option("--settings", metavar="FILE", help="TOML file with the settings of the planned fit."),
     ] = None,
     damping: options.Law = None,
     assignments: options.Set = None,
     free: Annotated[
         list[str] | None,
-        typer.Option("--free", metavar="NAME", help="A parameter to fit beside the damping; repeatable."),
+        typer.Option(
+            "--free", metavar="NAME", help="Parameter to fit in addition to the damping; repeatable."
+        ),
     ] = None,
     determine: Annotated[
         str | None,
         typer.Option(
             "--determine",
             metavar="NAME",
-            help="Parameter to determine best. Default: all of them together (D-optimal).",
+            help="Parameter to determine best. Default: all parameters together (D-optimal).",
         ),
     ] = None,
     records: Annotated[
@@ -70,7 +72,7 @@ def run(
         list[Path] | None,
         typer.Option("--torque", metavar="FILE.csv", help="Driving torque to choose from; repeatable."),
     ] = None,
-    rate: Annotated[float, typer.Option("--rate", metavar="HZ", help="Samples a second.")] = 60.0,
+    rate: Annotated[float, typer.Option("--rate", metavar="HZ", help="Sampling rate.")] = 60.0,
     duration: Annotated[
         float, typer.Option("--duration", "-d", metavar="SECONDS", help="Length of a release.")
     ] = 1.5,
@@ -80,7 +82,10 @@ def run(
     check: Annotated[
         int | None,
         typer.Option(
-            "--check", metavar="SETS", min=2, help="Fit so many sets of synthetic records of the best choice."
+            "--check",
+            metavar="SETS",
+            min=2,
+            help="Check the best choice with fits of this many sets of synthetic records.",
         ),
     ] = None,
     json: Annotated[Path | None, options.json("the designs and their standard errors")] = None,
@@ -99,7 +104,7 @@ def run(
     with fmu.Fmu(found_or_built(settings.fmu)) as opened:
         experiments = _experiments(angles, torques, rate, duration, settings, opened.description)
         planned = identification.PlannedFit(settings, joystick.to_names(), sigma, opened)
-        with progress_console().status("looking at what each experiment tells"):
+        with progress_console().status("computing the information of each experiment"):
             found = [planned.information(one) for one in experiments]
         # The settings override the file and are not merged with it: both may contain the same measurement.
         known = _known(file, found[0].names, joystick) | planned.uncertainties

@@ -68,7 +68,10 @@ def run(
         ),
     ] = False,
     json: Annotated[
-        bool, typer.Option("--json", help="Write the parameters by FMU name, with units and uncertainties.")
+        bool,
+        typer.Option(
+            "--json", help="Write the parameters as JSON, by FMU name, with units and uncertainties."
+        ),
     ] = False,
 ) -> None:
     """Write a joystick as FMUs with its parameters as start values, for use in other tools.

@@ -57,7 +57,8 @@ def run(
         typer.Option(
             "--settings",
             metavar="FILE",
-            help="Settings of the fit, a TOML file. Default: fit the damping and the release of each record.",
+            help="TOML file with the settings of the fit. "
+            "Default: fit the damping and the release of each record.",
         ),
     ] = None,
     damping: Annotated[
@@ -68,13 +69,13 @@ def run(
         bool,
         typer.Option(
             "--driven",
-            help="The records have a column T, the torque that drove the joystick: fit J, the damping and "
+            help="The records have a column T with the driving torque: fit J, the damping and "
             "the delay between the channels.",
         ),
     ] = False,
     friction: Annotated[
         bool,
-        typer.Option("--friction", help="Fit dry friction at the pivot too (T_c), beside the damping."),
+        typer.Option("--friction", help="Also fit dry friction at the pivot (T_c)."),
     ] = False,
     parameters: options.Parameters = None,
     known: Annotated[
@@ -106,7 +107,7 @@ def run(
     ] = None,
     json: Annotated[Path | None, options.json("what --output writes to fit.json")] = None,
     both_sides: Annotated[
-        bool, typer.Option("--both-sides", help="Take records that are released from either side.")
+        bool, typer.Option("--both-sides", help="Accept records with releases from both sides.")
     ] = False,
     columns: options.Columns = None,
     units: options.Units = None,

@@ -42,7 +42,7 @@ def run(
     units: Annotated[
         list[str] | None,
         typer.Option(
-            "--unit", metavar="NAME=UNIT", help="Unit of a column, instead of its heading's; repeatable."
+            "--unit", metavar="NAME=UNIT", help="Unit of a column, overriding its heading; repeatable."
         ),
     ] = None,
     scales: Annotated[
@@ -58,10 +58,10 @@ def run(
         typer.Option("--zero", metavar="NAME=NUMBER", help="Reading at zero, in the unit of --scale."),
     ] = None,
     start: Annotated[
-        float | None, typer.Option("--from", metavar="SECONDS", help="Leave out what is before this time.")
+        float | None, typer.Option("--from", metavar="SECONDS", help="Discard samples before this time.")
     ] = None,
     end: Annotated[
-        float | None, typer.Option("--to", metavar="SECONDS", help="Leave out what is after this time.")
+        float | None, typer.Option("--to", metavar="SECONDS", help="Discard samples after this time.")
     ] = None,
     samples_per_second: Annotated[
         float | None,

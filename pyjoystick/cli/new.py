@@ -21,7 +21,7 @@ Examples:
 def run(
     folder: Annotated[Path, typer.Argument(metavar="FOLDER", help="Folder of the project.")],
     example: Annotated[
-        bool, typer.Option("--example", help="With the files of a synthetic laboratory, to try it out.")
+        bool, typer.Option("--example", help="Include the files of a synthetic laboratory, to try it out.")
     ] = False,
 ) -> None:
     """Start a project: a folder with a commented laboratory.toml, a README and a place for data.

@@ -36,7 +36,7 @@ def run(
     release_angle: options.ReleaseAngle = options.DEFAULT_RELEASE_ANGLE,
     fit: Annotated[
         Path | None,
-        typer.Option("--fit", metavar="fit.json", help="The fit, and the records that it was made to."),
+        typer.Option("--fit", metavar="fit.json", help="The fit, with its records."),
     ] = None,
     curves: Annotated[
         list[str] | None,
@@ -53,7 +53,9 @@ def run(
     live: Annotated[
         Path | None,
         options.file(
-            "--live", text="Live page of the joystick to write too; linked to.", suffixes=(".html", ".htm")
+            "--live",
+            text="Also write a live page of the joystick, and link to it.",
+            suffixes=(".html", ".htm"),
         ),
     ] = None,
     title: options.Title = "",

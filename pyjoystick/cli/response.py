@@ -100,7 +100,7 @@ def run(
         note_stops(max(one.largest for one in found.attractors), joystick)
         output().print(forced_motion.attractor_report(found, once), markup=False)
         if any(isinstance(one, forced_motion.UnsettledMotion) for one in found.attractors):
-            print_warning("no period is claimed for motions that have not become periodic")
+            print_warning("motions that did not become periodic are listed without a period")
         if response is None:
             write_plot(plot, lambda: forced_motion.plot_attractors(found, once))
         else:

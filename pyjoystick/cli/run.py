@@ -43,9 +43,7 @@ _COLORS: Final = {
 
 def run(
     folder: Annotated[Path, typer.Argument(metavar="FOLDER", help="Folder of the project.")] = Path(),
-    plan: Annotated[
-        bool, typer.Option("--plan", help="Print what would be done, and why, and do nothing.")
-    ] = False,
+    plan: Annotated[bool, typer.Option("--plan", help="Only print what would be done, and why.")] = False,
 ) -> None:
     """Build the joystick of a project from its files: springs, inertia, fit, error budget, FMUs and report.
 
@@ -68,7 +66,7 @@ def run(
     for note in done.notes:
         print_warning(f"note: {note}")
     if done.interrupted:
-        print_error("stopped; the next `pyjoystick run` goes on from here")
+        print_error("stopped; the next `pyjoystick run` continues from here")
         raise typer.Exit(INTERRUPTED)
     if not done.count("done", "unchanged", "failed"):
         print_error(f"nothing can be done yet: put the missing files into place, or edit {project.FILE}")

@@ -44,7 +44,9 @@ _MESSAGES_SHOWN: Final = 5
 
 
 def run(
-    settings: Annotated[Path, typer.Argument(metavar="SETTINGS", help="Settings of the sweep, a TOML file.")],
+    settings: Annotated[
+        Path, typer.Argument(metavar="SETTINGS", help="TOML file with the settings of the sweep.")
+    ],
     target: Annotated[
         Path | None,
         typer.Option(

@@ -14,7 +14,9 @@ Sheet = Annotated[
 Delimiter = Annotated[
     str,
     typer.Option(
-        "--delimiter", metavar="NAME", help="comma, semicolon, tab, bar, space, or another character."
+        "--delimiter",
+        metavar="NAME",
+        help="Separator: comma, semicolon, tab, bar, space, or another character.",
     ),
 ]
 Decimal = Annotated[str, typer.Option("--decimal", metavar="MARK", help="Decimal mark: . or ,")]
