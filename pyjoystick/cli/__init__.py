@@ -1,9 +1,9 @@
 """The command line: ``pyjoystick`` or ``python -m pyjoystick``.
 
-Each command is a module of the same name with the function `run` and the text `EXAMPLES`. It is imported when
-the command is invoked or its help requested, so that the list of commands appears at once. Commands import
+Each command is a module of the same name with the function `run` and the text `EXAMPLES`. It is imported only
+when the command is invoked or its help requested, which keeps the list of commands fast. Commands import
 rooms rather than names (``from pyjoystick import runs``, then ``runs.free_oscillation``): a room loads a name
-when it is used, so that the help of a command needs no numerical packages either.
+on first use, so that the help of a command needs no numerical packages.
 """
 
 from __future__ import annotations
@@ -24,10 +24,10 @@ from pyjoystick.support import PyJoystickError
 
 __all__ = ["app", "main"]
 
-#: The commands in the order of work: the joystick, what was measured, what is simulated, what is judged.
+#: The commands in the order of the work: project, measurements, simulation, output.
 _COMMANDS: Final = {
     "new": "Start a project: a folder for a laboratory's files.",
-    "run": "Make the joystick of a project from its files.",
+    "run": "Build the joystick of a project from its files.",
     "info": "Show the interfaces, platforms and variables of an FMU.",
     "parameters": "Check, change and print a parameter file.",
     "check": "List everything wrong in TOML files.",
@@ -35,17 +35,17 @@ _COMMANDS: Final = {
     "peaks": "Estimate the damping from the peaks of free oscillations.",
     "fit": "Fit parameters to measured motion, with uncertainties.",
     "design": "Find the measurements that determine parameters best.",
-    "budget": "Show what each measured quantity adds to the errors.",
+    "budget": "Show how much each measured quantity adds to the errors.",
     "free-oscillation": "Release the joystick from rest and print its peaks.",
     "torque": "Compute the torque that a motion requires (eq. 13).",
-    "response": "Find what the joystick does when it is shaken.",
+    "response": "Find the response to a sinusoidal torque.",
     "vibration": "Find how far the handle moves when its base shakes.",
     "sweep": "Run an FMU for many values of its parameters.",
     "compare": "Compare an FMU with the reference or another FMU.",
     "fmu": "Copy FMUs of this package for other tools.",
     "export": "Write a joystick as FMUs of its own.",
     "ssp": "Write a system of coupled FMUs as one SSP file.",
-    "explore": "Write a page in which the joystick runs live.",
+    "explore": "Write a web page in which the joystick runs live.",
     "report": "Write a report on a joystick as one HTML file.",
 }
 _IMPORTS: Final = {
@@ -59,17 +59,17 @@ _IMPORTS: Final = {
 
 
 class _InOrder(PlainGroup):
-    """The commands in the order above; Typer would list groups last."""
+    """Lists the commands in the order above; Typer would list groups last."""
 
     def list_commands(self, ctx: object) -> list[str]:
         return list(_COMMANDS)
 
 
 class _Command(PlainCommand):
-    """A command whose options do not take the name of another option for their value."""
+    """A command whose options do not accept the name of another option as a value."""
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
-        """Refuse ``--base B1 -o x``, of which Click makes the values B1 and -o, and a missing --output."""
+        """Reject ``--base B1 -o x``, which Click reads as the values B1 and -o, and a missing --output."""
         taken = {
             name: one.nargs for one in self.params if not getattr(one, "is_flag", True) for name in one.opts
         }
@@ -83,12 +83,12 @@ class _Command(PlainCommand):
 
 
 class LazyCommand(TyperCommand):
-    """A command in the list of a group, which loads its module when something is asked of it."""
+    """A command in the list of a group; its module is loaded on demand."""
 
     prefix = ""
 
     def load(self) -> Any:
-        """The command itself."""
+        """Load the command."""
         assert self.name is not None
         module = import_module(f"pyjoystick.cli.{self.prefix}{self.name.replace('-', '_')}")
         program = _program()
@@ -96,7 +96,7 @@ class LazyCommand(TyperCommand):
         return typer.main.get_command(program)
 
     def make_context(self, info_name: str | None, args: list[str], parent: Any = None, **extra: Any) -> Any:
-        """The context of the command itself, with its arguments read."""
+        """Context of the loaded command, with its arguments parsed."""
         return self.load().make_context(info_name, args, parent, **extra)
 
 
@@ -125,7 +125,7 @@ def _list(program: typer.Typer, commands: Mapping[str, str], kind: type[LazyComm
 app = _program(
     cls=_InOrder,
     completion=True,
-    help="Simulate joysticks with opposing restrained preloaded springs by means of their FMUs.",
+    help="Simulate, fit and compare joysticks with opposing restrained preloaded springs, using FMUs.",
     epilog="`pyjoystick COMMAND --help` shows the options of a command, with examples.",
 )
 _list(app, _COMMANDS, LazyCommand)
@@ -138,7 +138,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line and return its exit code: 0 done, 1 failed or a limit exceeded, 2 wrong usage.
 
     Args:
-        arguments: without the name of the program; those of this process by default
+        arguments: without the program name; by default those of this process
     """
     invocation.begin()
     try:
@@ -147,7 +147,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return stop.code if isinstance(stop.code, int) else int(stop.code is not None)
     except PyJoystickError as error:
         return _failed(str(error))
-    except Exception as error:  # a fault of this program must not end in a traceback
+    except Exception as error:  # a bug must not end in a traceback
         if isinstance(error, OSError) and error.errno in (errno.ENOSPC, errno.EDQUOT):
             where = error.filename or "standard output or a temporary file"
             return _failed(f"cannot write {where}: {error.strerror}")
@@ -178,13 +178,11 @@ def _options(
     debug: Annotated[bool, typer.Option("--debug", help="Show a traceback when an error occurs.")] = False,
     implausible: Annotated[
         bool,
-        typer.Option("--implausible", help="Take values that no joystick has."),
+        typer.Option("--implausible", help="Accept implausible parameter values."),
     ] = False,
     quiet: Annotated[
         bool,
-        typer.Option(
-            "--quiet", "-q", help="No progress and no notes: only results, errors and what is doubtful."
-        ),
+        typer.Option("--quiet", "-q", help="Show only results, warnings and errors: no progress, no notes."),
     ] = False,
     verbose: Annotated[
         int,
@@ -193,7 +191,7 @@ def _options(
             "-v",
             count=True,
             show_default=False,
-            help="Log to standard error which files and values are used, and how; -vv logs all runs.",
+            help="Log the files and values used, and how, to standard error; -vv logs all runs.",
         ),
     ] = 0,
 ) -> None:
@@ -201,7 +199,7 @@ def _options(
         raise typer.BadParameter("give --quiet or --verbose")
     invocation.debug, invocation.implausible, invocation.quiet = debug, implausible, quiet
     if verbose:
-        from pyjoystick.cli.logs import log_shown  # without --verbose nothing is to be loaded for it
+        from pyjoystick.cli.logs import log_shown  # load it for --verbose only
 
         invocation.verbose = True
         context.with_resource(log_shown(everything=verbose > 1))

@@ -50,7 +50,7 @@ def run(
         list[str] | None,
         options.uncertainty(
             "m, h, J, g, a, b, friction.T_c, friction.F_c, friction.T_s or friction.omega_s (SI units), or "
-            "scale and time_base, the relative ones of angle and clock"
+            "scale or time_base (relative, of the angle and the clock)"
         ),
     ] = None,
     release_angle: options.ReleaseAngle = options.DEFAULT_RELEASE_ANGLE,
@@ -61,7 +61,7 @@ def run(
     csv: Annotated[Path | None, options.csv("the table")] = None,
     json: Annotated[Path | None, options.json("the table and the fitted values")] = None,
 ) -> None:
-    """Show what each measured quantity adds to the errors of a run, and of J and C fitted to releases.
+    """Show how much each measured quantity adds to the errors of a run, and of J and C fitted to releases.
 
     The standard errors of `pyjoystick fit` cover only the noise of the records. This command repeats the fit
     with each quantity shifted by its standard uncertainty; those of a load-deflection curve are correlated.
@@ -105,7 +105,7 @@ def run(
 def _bench(
     file: model.ParameterFile, curves: dict[model.Side, Path], errors: dict[str, float]
 ) -> identification.Bench:
-    """The measurements of the file and the options; quantities without an uncertainty are reported."""
+    """Bench measurements from the file and the options; reports quantities without an uncertainty."""
     allowed = (*identification.UNCERTAIN, *identification.OF_RECORDS)
     for name, value in errors.items():
         if name not in allowed:
@@ -129,7 +129,7 @@ def _bench(
 def _fitted(
     file: model.ParameterFile, curves: dict[model.Side, Path]
 ) -> dict[model.Side, laboratory.LoadCurveFit]:
-    """Fits of the curves, which must be those that the file was made from."""
+    """Fits of the curves; they must be those that the file was made from."""
     found: dict[model.Side, laboratory.LoadCurveFit] = {}
     for side, path in curves.items():
         found[side] = fit = laboratory.fit_load_curve(laboratory.read_load_curve(path))

@@ -29,9 +29,9 @@ class _Kind:
     """A kind of file.
 
     Attributes:
-        name: what it is called
-        tables: by which it is known
-        example: what is put in the place of mistakes, so that the rest can be read
+        name: name of the kind
+        tables: tables that identify it
+        example: replacement for mistakes, so that reading can continue
         read: its reader
     """
 
@@ -90,10 +90,10 @@ def run(
         ),
     ] = None,
 ) -> None:
-    """List everything that is wrong in projects, parameter files and settings of sweeps and fits.
+    """List all mistakes in projects, parameter files and settings of sweeps and fits.
 
-    The exit code is 1 if anything is wrong. Editors that know JSON schemas find the same while you type, by a
-    first line such as `#:schema schemas/joystick.schema.json`.
+    The exit code is 1 if there are any. Editors that support JSON schemas show them while you type, if the
+    first line is, for example, `#:schema schemas/joystick.schema.json`.
     """
     if not files and schemas is None:
         raise typer.BadParameter("give a FILE, or --schemas")
@@ -115,7 +115,7 @@ def run(
 
 
 def _checked(file: Path) -> tuple[str, list[PyJoystickError]]:
-    """What a file is, and its mistakes."""
+    """Kind of a file, and its mistakes."""
     keys, kinds = support.read_toml(file).content.keys(), _kinds()
     kind = max(kinds, key=lambda one: len(keys & set(one.tables)))
     if not keys & set(kind.tables):

@@ -36,13 +36,13 @@ class _Request:
     """Options of both forms of the command; None stands for a default that depends on the FMUs.
 
     Attributes:
-        angles: of release (rad)
+        angles: release angles (rad)
         duration, output_interval: of each run (s)
-        interface: how the FMUs are run
-        limits: by name of the variable
-        tolerances: of the integrators
+        interface: interface for running the FMUs
+        limits: limits by name of the variable
+        tolerances: tolerances of the integrators
         json: file for all results
-        every_run: show all runs instead of the worst one of each variable
+        every_run: show all runs, not only the worst one of each variable
     """
 
     angles: Sequence[float] | None
@@ -61,10 +61,10 @@ class _BetweenFmus:
 
     Attributes:
         parameters: a parameter file for both
-        settings: parameters and inputs of both by name, which take precedence over the file
-        relative_limit: of the variables without a limit of their own; None for the default
+        settings: parameters and inputs of both by name; they override the file
+        relative_limit: limit of variables without their own; None for the default
         cs_limits: limits in Co-Simulation, by name of the variable
-        variables: the variables to compare; None for the outputs
+        variables: variables to compare; None for the outputs
         inputs: a CSV file
     """
 
@@ -287,7 +287,7 @@ def _of_two(first: str, second: str, between: _BetweenFmus, request: _Request) -
 
 
 def _joystick(between: _BetweenFmus, description: fmu.FmuDescription) -> Mapping[str, float]:
-    """The values of the parameter file, with the damping law of the FMU."""
+    """Values of the parameter file, with the damping law of the FMU."""
     if between.parameters is None:
         return {}
     joystick = joystick_choice.parameter_file(between.parameters).with_law(runs.law_of_fmu(description))

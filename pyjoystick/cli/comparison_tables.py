@@ -1,4 +1,4 @@
-"""How ``pyjoystick compare`` shows what it found."""
+"""Tables of ``pyjoystick compare``."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _TITLES: Final[Mapping[fmu.Interface, str]] = {
 
 
 def print_comparison(console: Console, comparison: runs.FmuComparison, every_run: bool) -> None:
-    """Print a comparison of two FMUs: what they are, what they declare, and how their runs differ."""
+    """Print a comparison of two FMUs: their identities, declarations, and differences of runs."""
     facts = Table.grid(padding=(0, 2))
     for label, one in (("first", comparison.first), ("second", comparison.second)):
         facts.add_row(f"[dim]{label}[/dim]", escape(str(one.path)), escape(one.model_name), _made_by(one))
@@ -40,7 +40,7 @@ def print_comparison(console: Console, comparison: runs.FmuComparison, every_run
 def print_differences(
     console: Console, found: Sequence[runs.RunComparison], *, every_run: bool = False
 ) -> None:
-    """A table of the variables, each with its worst run, or with every run."""
+    """Table of the variables, each with its worst run or with all runs."""
     for run in found:
         for failure in run.failures:
             console.print(f"{escape(run.experiment)}: [bold red]failed[/bold red]: {escape(failure)}")
@@ -79,7 +79,7 @@ def _all(found: Iterable[runs.RunComparison]) -> Iterator[tuple[runs.RunComparis
 
 
 def _worst(found: Iterable[runs.RunComparison]) -> Iterator[tuple[runs.RunComparison, motion.Difference]]:
-    """For each variable the run in which it is largest, in parts of the limit where it is judged."""
+    """For each variable, the run with the largest difference, relative to the limit if there is one."""
     by_name: dict[str, list[tuple[runs.RunComparison, motion.Difference]]] = {}
     for run, one in _all(found):
         by_name.setdefault(one.variable, []).append((run, one))

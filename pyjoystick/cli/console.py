@@ -1,4 +1,4 @@
-"""What the command line prints and writes: results to standard output, everything else to standard error."""
+"""Output of the command line: results to standard output, everything else to standard error."""
 
 from __future__ import annotations
 
@@ -19,18 +19,18 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from rich.progress import Progress, ProgressColumn
 
-#: Width of tables that are not shown on a terminal: more than any of them takes.
+#: Width of tables outside terminals, wider than any table.
 _UNBOUNDED: Final = 10_000
-#: Part of the paper's stop angle, "about" 20 degrees, from which on an angle is beyond the stops.
+#: Fraction of the paper's stop angle ("about" 20 degrees) above which an angle is beyond the stops.
 _ABOUT: Final = 1.05
 
 
 def output() -> Console:
-    """Standard output, or standard error beside a document that is piped.
+    """Standard output, or standard error if a document is piped.
 
-    Unless it is a terminal, nothing is wrapped or truncated, so that it can be piped.
+    Outside terminals nothing is wrapped or truncated, so that it can be piped.
     """
-    from pyjoystick.cli.narrow_tables import NarrowConsole  # the lists of commands need no tables
+    from pyjoystick.cli.narrow_tables import NarrowConsole  # not needed for lists of commands
 
     is_piped = invocation.is_piped
     console = NarrowConsole(highlight=False, stderr=is_piped, quiet=is_piped and invocation.quiet)
@@ -41,56 +41,56 @@ def output() -> Console:
 
 
 def progress_console() -> Console:
-    """Standard error, for what moves: a status, a bar, a table of steps; nothing with --quiet.
+    """Standard error for moving output: a status, a bar, a table of steps; nothing with --quiet.
 
-    With --verbose nothing either: the lines of the log would tear it apart.
+    Nothing with --verbose either, because lines of the log would break it up.
     """
     return _messages(quiet=invocation.quiet or invocation.verbose)
 
 
 def progress_bar(*columns: str | ProgressColumn) -> Progress:
-    """A bar on standard error, gone at its end; nothing is drawn unless that is a terminal."""
-    from rich.progress import Progress  # the lists of commands need no bars
+    """Progress bar on standard error that vanishes at its end; drawn only on a terminal."""
+    from rich.progress import Progress  # not needed for lists of commands
 
     console = progress_console()
     return Progress(*columns, console=console, transient=True, disable=not console.is_terminal)
 
 
 def print_error(message: str) -> None:
-    """A message that reports an error."""
+    """Print an error."""
     _messages().print(f"[bold red]error:[/bold red] {escape(message)}")
 
 
 def print_warning(message: str) -> None:
-    """What the reader must know to rely on the result; --quiet does not hide it, documents repeat it."""
+    """Print what a reader must know to rely on the result; shown with --quiet and repeated in documents."""
     invocation.notes.append(message)
     _messages().print(f"[yellow]{escape(message)}[/yellow]")
 
 
 def print_warnings(source: object, messages: Iterable[str]) -> None:
-    """What is doubtful in a file or a record."""
+    """Print warnings about a file or a record."""
     for message in messages:
         print_warning(f"{source}: {message}")
 
 
 def print_note(message: str) -> None:
-    """How the options were understood; documents repeat it."""
+    """Print how the options were understood; repeated in documents."""
     invocation.notes.append(message)
     print_progress(message)
 
 
 def print_progress(message: str) -> None:
-    """A line about what is being done or was written."""
+    """Print what is being done or was written."""
     _messages(quiet=invocation.quiet).print(f"[dim]{escape(message)}[/dim]")
 
 
 def print_log(name: str, message: str) -> None:
-    """A record of the log, with the name of its logger."""
+    """Print a log record with the name of its logger."""
     _messages().print(f"[dim]{escape(name)}:[/dim] {escape(message)}")
 
 
 def print_traceback() -> None:
-    """The traceback of the current exception."""
+    """Print the traceback of the current exception."""
     _messages().print_exception()
 
 
@@ -98,9 +98,9 @@ def write(path: Path | None, writer: Callable[[Path], object], remark: str = "")
     """Write a result if its file was given, and report it.
 
     Args:
-        path: the file, None if its option was not given
+        path: the file; None if its option was not given
         writer: writes the result to a path
-        remark: is added to the report
+        remark: text to add to the report
     """
     if path is not None:
         writer(path)
@@ -113,12 +113,12 @@ def write_plot(path: Path | None, draw: Callable[[], Figure]) -> None:
 
 
 def write_json(path: Path | None, text: Callable[[Sequence[str]], str]) -> None:
-    """Write the document of --json if one was wanted.
+    """Write the document of --json if it was requested.
 
-    All notes must have been printed before: they are in the document.
+    Print all notes before, because the document contains them.
 
     Args:
-        path: the file; None without the option, and where standard output takes the document
+        path: the file; None without the option, or if the document goes to standard output
         text: makes the document from the notes
     """
     if invocation.is_piped:
@@ -136,7 +136,7 @@ def note_stops(largest: float, joystick: model.JoystickParameters) -> None:
 
 
 def _messages(*, quiet: bool = False) -> Console:
-    """Standard error."""
+    """Console for standard error."""
     console = Console(stderr=True, highlight=False, quiet=quiet)
     console.soft_wrap = not console.is_terminal
     return console

@@ -18,7 +18,7 @@ from pyjoystick.cli.fit import settings_of
 from pyjoystick.cli.fmus import found_or_built
 from pyjoystick.support import check_outputs
 
-#: Release angles to choose from (deg), on both sides.
+#: Candidate release angles (deg), on both sides.
 _ANGLES: Final = (1.0, 2.0, 3.0, 5.0, 7.0, 10.0, 15.0, 20.0)
 EXAMPLES: Final = """
 Examples:
@@ -38,20 +38,22 @@ def run(
     parameters: options.Parameters = None,
     settings_file: Annotated[
         Path | None,
-        typer.Option("--settings", metavar="FILE", help="Settings of the fit to come, a TOML file."),
+        typer.Option("--settings", metavar="FILE", help="TOML file with the settings of the planned fit."),
     ] = None,
     damping: options.Law = None,
     assignments: options.Set = None,
     free: Annotated[
         list[str] | None,
-        typer.Option("--free", metavar="NAME", help="A parameter to fit beside the damping; repeatable."),
+        typer.Option(
+            "--free", metavar="NAME", help="Parameter to fit in addition to the damping; repeatable."
+        ),
     ] = None,
     determine: Annotated[
         str | None,
         typer.Option(
             "--determine",
             metavar="NAME",
-            help="Parameter to determine best. Default: all of them together (D-optimal).",
+            help="Parameter to determine best. Default: all parameters together (D-optimal).",
         ),
     ] = None,
     records: Annotated[
@@ -70,7 +72,7 @@ def run(
         list[Path] | None,
         typer.Option("--torque", metavar="FILE.csv", help="Driving torque to choose from; repeatable."),
     ] = None,
-    rate: Annotated[float, typer.Option("--rate", metavar="HZ", help="Samples a second.")] = 60.0,
+    rate: Annotated[float, typer.Option("--rate", metavar="HZ", help="Sampling rate.")] = 60.0,
     duration: Annotated[
         float, typer.Option("--duration", "-d", metavar="SECONDS", help="Length of a release.")
     ] = 1.5,
@@ -80,7 +82,10 @@ def run(
     check: Annotated[
         int | None,
         typer.Option(
-            "--check", metavar="SETS", min=2, help="Fit so many sets of synthetic records of the best choice."
+            "--check",
+            metavar="SETS",
+            min=2,
+            help="Check the best choice with fits of this many sets of synthetic records.",
         ),
     ] = None,
     json: Annotated[Path | None, options.json("the designs and their standard errors")] = None,
@@ -89,7 +94,7 @@ def run(
     """Find the releases or torques that determine the parameters best, before they are measured.
 
     The standard errors follow from the derivatives of the FMU's motion (Fisher information). Uncertainties in
-    the parameter file count as knowledge of the parameters that are fitted.
+    the parameter file count as prior knowledge of the fitted parameters.
     """
     check_outputs(json, plot)
     file = joystick_choice.parameter_file(parameters)
@@ -99,9 +104,9 @@ def run(
     with fmu.Fmu(found_or_built(settings.fmu)) as opened:
         experiments = _experiments(angles, torques, rate, duration, settings, opened.description)
         planned = identification.PlannedFit(settings, joystick.to_names(), sigma, opened)
-        with progress_console().status("looking at what each experiment tells"):
+        with progress_console().status("computing the information of each experiment"):
             found = [planned.information(one) for one in experiments]
-        # Settings go before the file and are not added to it: both may have the same measurement.
+        # The settings override the file and are not merged with it: both may contain the same measurement.
         known = _known(file, found[0].names, joystick) | planned.uncertainties
         best = identification.best_design(found, records, determine=determine, uncertainties=known)
         rows = {f"the best {records}": best} | _others(best, planned, rate, duration)
@@ -124,7 +129,7 @@ def _settings(
     more = tuple(identification.Free(name) for name in free)
     settings = dataclasses.replace(settings, free=(*more, *settings.free))
     if driven and not settings.inputs:
-        # As in `fit --driven`; the start is known, and J is fitted where --free says so.
+        # As in `fit --driven`; the start is known, and J is fitted if --free names it.
         delay = identification.Free(identification.DELAY, start=0.0, minimum=-0.05, maximum=0.05)
         zero = identification.Free(identification.ZERO_OFFSET, per_record=True)
         shared = tuple(one for one in settings.free if not one.per_record)
@@ -146,7 +151,7 @@ def _experiments(
     settings: identification.FitSettings,
     description: fmu.FmuDescription,
 ) -> list[identification.Experiment]:
-    """The releases to choose from, or the torques, which act from rest in the middle."""
+    """Candidate releases or torques; torques act on the joystick at rest in the middle."""
     support.positive("--rate", rate, "Hz"), support.positive("--duration", duration, "s")
     if not torques:
         given = [parsing.parse_angle(text, "--angle") for text in angles or ()]
@@ -156,7 +161,7 @@ def _experiments(
     found = []
     for path in torques:
         table = fmu.read_inputs(path, description)
-        # The joystick is at rest when the file begins, whatever its clock says then.
+        # The joystick is at rest when the file starts, at any clock time.
         since = table.index.to_numpy(dtype=np.float64) - float(table.index[0])
         time = np.arange(math.floor(since[-1] * rate) + 1) / rate
         series = {name: np.interp(time, since, table[name]) for name in settings.inputs}
@@ -167,7 +172,7 @@ def _experiments(
 def _known(
     file: model.ParameterFile, names: Sequence[str], joystick: model.JoystickParameters
 ) -> dict[str, float]:
-    """Standard uncertainties of the fitted parameters in the file, by their names in the FMU."""
+    """Standard uncertainties of the fitted parameters from the file, by FMU name."""
     law = model.law_name(joystick.damping)
     places = {one.name: one.uncertainty or 0.0 for one in model.fmu_values(file, law)}
     known = {name: places[name] for name in names if places.get(name, 0.0) > 0.0}
@@ -179,7 +184,7 @@ def _known(
 def _others(
     best: identification.Design, planned: identification.PlannedFit, rate: float, duration: float
 ) -> dict[str, identification.Design]:
-    """What else could be done with the same experiments."""
+    """Alternatives with the same experiments."""
     total = int(np.sum(best.counts))
     found = {f"the same {total}, each twice": best.with_counts(2 * best.counts)}
     chosen = [one.experiment for one, count in zip(best.informations, best.counts, strict=True) if count]

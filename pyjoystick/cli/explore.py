@@ -33,9 +33,9 @@ def run(
     ] = None,
     title: options.Title = "",
 ) -> None:
-    """Write a page in which the joystick runs live: sliders, plots, the mechanism in motion, records.
+    """Write a page in which the joystick runs live: sliders, plots, the moving mechanism, records.
 
-    The page is one HTML file that needs no network. Its values can be saved as a parameter file.
+    The page is a single HTML file that needs no network. Its values can be saved as a parameter file.
     """
     start = parsing.parse_angle(release_angle)
     check_outputs(target)

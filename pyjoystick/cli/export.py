@@ -68,10 +68,13 @@ def run(
         ),
     ] = False,
     json: Annotated[
-        bool, typer.Option("--json", help="Write the parameters by FMU name, with units and uncertainties.")
+        bool,
+        typer.Option(
+            "--json", help="Write the parameters as JSON, by FMU name, with units and uncertainties."
+        ),
     ] = False,
 ) -> None:
-    """Write a joystick as FMUs whose start values are its own, for use in other tools.
+    """Write a joystick as FMUs with its parameters as start values, for use in other tools.
 
     FMU NAME computes the motion from the torque, NAMEInverse the torque from the motion.
     """

@@ -57,7 +57,8 @@ def run(
         typer.Option(
             "--settings",
             metavar="FILE",
-            help="Settings of the fit, a TOML file. Default: fit the damping and the release of each record.",
+            help="TOML file with the settings of the fit. "
+            "Default: fit the damping and the release of each record.",
         ),
     ] = None,
     damping: Annotated[
@@ -68,13 +69,13 @@ def run(
         bool,
         typer.Option(
             "--driven",
-            help="The records have a column T, the torque that drove the joystick: fit J, the damping and "
+            help="The records have a column T with the driving torque: fit J, the damping and "
             "the delay between the channels.",
         ),
     ] = False,
     friction: Annotated[
         bool,
-        typer.Option("--friction", help="Fit dry friction at the pivot too (T_c), beside the damping."),
+        typer.Option("--friction", help="Also fit dry friction at the pivot (T_c)."),
     ] = False,
     parameters: options.Parameters = None,
     known: Annotated[
@@ -106,15 +107,15 @@ def run(
     ] = None,
     json: Annotated[Path | None, options.json("what --output writes to fit.json")] = None,
     both_sides: Annotated[
-        bool, typer.Option("--both-sides", help="Take records that are released from either side.")
+        bool, typer.Option("--both-sides", help="Accept records with releases from both sides.")
     ] = False,
     columns: options.Columns = None,
     units: options.Units = None,
 ) -> None:
     """Fit parameters to measured motion and report how certain they are.
 
-    The exit code is 3 if the result failed a check; the reasons are printed. It is 130 after Ctrl-C, 143
-    after SIGTERM; what was found by then is printed and written.
+    The exit code is 3 if the result failed a check; the reasons are printed. It is 130 after Ctrl-C and 143
+    after SIGTERM; results found by then are printed and written.
     """
     _check_choice(settings_file, damping, is_driven=is_driven, friction=friction)
     _check_file(parameters, known, update=update, even_if_doubtful=even_if_doubtful)
@@ -193,7 +194,7 @@ def _known(
 
 
 def _check_choice(file: Path | None, law: model.LawName | None, *, is_driven: bool, friction: bool) -> None:
-    """The file of the settings says itself what the options choose."""
+    """Reject options that the settings file decides."""
     if file is not None and law is not None:
         raise typer.BadParameter("give --settings or --damping: the settings name the FMU")
     if file is not None and is_driven:
@@ -205,7 +206,7 @@ def _check_choice(file: Path | None, law: model.LawName | None, *, is_driven: bo
 def _check_file(
     parameters: Path | None, known: Sequence[str] | None, *, update: bool, even_if_doubtful: bool
 ) -> None:
-    """What is read from the file of --parameters or saved there needs one."""
+    """Reject options that need a file when --parameters is missing."""
     if parameters is None:
         parsing.refuse_given("needs --parameters", {"--update": update or None, "--known": known})
     if even_if_doubtful and not update:
@@ -215,7 +216,7 @@ def _check_file(
 def settings_of(
     file: Path | None, law: model.LawName, *, is_driven: bool = False, friction: bool = False
 ) -> identification.FitSettings:
-    """The settings of a file, or without one those of a damping law."""
+    """Settings of a file or, without one, of a damping law."""
     if file is not None:
         return identification.read_fit_settings(file, found_or_built)
     power_law = law == "power-law"
@@ -225,7 +226,7 @@ def settings_of(
 
 
 def _refuse_for_tables(settings: identification.FitSettings, given: Mapping[str, object]) -> None:
-    """Records that are no releases have the names of the FMU for headings, and no side."""
+    """Reject options for releases if records are tables, which have headings from the FMU and no side."""
     names = ", ".join(("time", *settings.outputs, *settings.inputs))
     parsing.refuse_given(f"is for releases; these records are tables of {names}", given)
 
@@ -251,7 +252,7 @@ def _update(
     names: str,
     doubts: str,
 ) -> None:
-    """Write the fitted joystick into its file."""
+    """Save the fitted joystick in its file."""
     fitted = identification.fitted_joystick(found, before, uncertainties)
     source = f"fit to {names}" + (f"; doubtful: {doubts}" if doubts else "")
     sources = dict.fromkeys(fitted.tables, source)
@@ -261,7 +262,7 @@ def _update(
 
 @contextmanager
 def _progress() -> Iterator[identification.OnProgress]:
-    """A bar for each stage, which pulses where it has only one part; drawn on a terminal only."""
+    """Progress bar for each stage, pulsing if the stage has one part; drawn only on a terminal."""
     with progress_bar(TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn()) as bar:
         task = bar.add_task("searching", total=None)
 
@@ -269,6 +270,6 @@ def _progress() -> Iterator[identification.OnProgress]:
             several = total > 1
             text = f"{stage} {done}/{total}" if several else stage
             bar.update(task, description=text, completed=done)
-            bar.tasks[0].total = total if several else None  # None is "as it was" to update
+            bar.tasks[0].total = total if several else None  # for `update`, None means unchanged
 
         yield tell

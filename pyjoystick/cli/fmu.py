@@ -33,8 +33,8 @@ def run(
 ) -> None:
     """Copy FMUs of this package to a folder, for other tools.
 
-    Those of an installed package have the binaries for Linux, Windows and macOS. `pyjoystick export` builds
-    FMUs with other start values.
+    The FMUs of an installed package contain binaries for Linux, Windows and macOS. Use `pyjoystick export`
+    for FMUs with other start values.
     """
     for name in names:
         if name not in fmu.MODELS:

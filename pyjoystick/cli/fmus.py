@@ -1,4 +1,4 @@
-"""The FMUs that commands run: found, or built where the tools for it are installed."""
+"""Finding the FMUs that commands run, or building them if the tools are installed."""
 
 from __future__ import annotations
 
@@ -27,13 +27,13 @@ class FmuBuildError(PyJoystickError):
 def opened(
     law: model.LawName | None, name: str | None, assignments: list[str] | None, parameters: Path | None = None
 ) -> Iterator[tuple[fmu.Fmu, model.JoystickParameters]]:
-    """The FMU of --damping or --fmu, and the joystick of --parameters and --set.
+    """Open the FMU of --damping or --fmu with the joystick of --parameters and --set.
 
-    Without --parameters, --fmu brings its own joystick: its start values.
+    Without --parameters, the joystick of --fmu is given by the FMU's start values.
 
     Raises:
         BadParameter: both --damping and --fmu are given
-        UnsupportedFmuError: the FMU of --fmu is no joystick
+        UnsupportedFmuError: the FMU of --fmu is not a joystick
         PyJoystickError: the FMU or a parameter cannot be used
     """
     file = parameter_file(parameters)
@@ -52,7 +52,7 @@ def opened(
 
 
 def found_or_built(name: str) -> Path:
-    """The path of an FMU given by name or path; a missing one of this project is built.
+    """Path of an FMU given by name or path; a missing one of this project is built.
 
     Raises:
         FmuNotFoundError: there is no such file, and it cannot be built here

@@ -45,7 +45,7 @@ def run(
         bool,
         typer.Option(
             "--trusted",
-            help="Also say until when the run can be trusted, by a second run from an angle that differs by "
+            help="Also report until when the run can be trusted, from a second run whose angle differs by "
             "the tolerance.",
         ),
     ] = False,

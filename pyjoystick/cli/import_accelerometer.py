@@ -91,7 +91,7 @@ def run(
         ),
     ] = 0.0,
     backward: Annotated[
-        bool, typer.Option("--backward", help="The positive direction of the accelerometer is backward.")
+        bool, typer.Option("--backward", help="The accelerometer's positive direction is backward.")
     ] = False,
     rest: options.Rest = None,
     rate: options.Rate = _PAPER.rate,

@@ -99,7 +99,7 @@ def run(
 
 
 def _tell_of_replaced(before: model.ParameterFile, found: laboratory.MeasuredValues) -> None:
-    """Both sides have one F_c: that of the other side is replaced."""
+    """Note that F_c is replaced: both sides share it."""
     old, place = before.joystick.friction.F_c, "friction.F_c"
     if old:
         origin = before.sources.get("friction") or "an unknown source"

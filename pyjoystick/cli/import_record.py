@@ -42,7 +42,7 @@ def run(
     units: Annotated[
         list[str] | None,
         typer.Option(
-            "--unit", metavar="NAME=UNIT", help="Unit of a column, instead of its heading's; repeatable."
+            "--unit", metavar="NAME=UNIT", help="Unit of a column, overriding its heading; repeatable."
         ),
     ] = None,
     scales: Annotated[
@@ -58,10 +58,10 @@ def run(
         typer.Option("--zero", metavar="NAME=NUMBER", help="Reading at zero, in the unit of --scale."),
     ] = None,
     start: Annotated[
-        float | None, typer.Option("--from", metavar="SECONDS", help="Leave out what is before this time.")
+        float | None, typer.Option("--from", metavar="SECONDS", help="Discard samples before this time.")
     ] = None,
     end: Annotated[
-        float | None, typer.Option("--to", metavar="SECONDS", help="Leave out what is after this time.")
+        float | None, typer.Option("--to", metavar="SECONDS", help="Discard samples after this time.")
     ] = None,
     samples_per_second: Annotated[
         float | None,
@@ -76,7 +76,7 @@ def run(
 ) -> None:
     """Make a record from a laboratory's table of time, angle, torque and force.
 
-    Whatever can be understood in more than one way is an error, which names the option that decides.
+    Anything ambiguous is an error, which names the option that resolves it.
     """
     if record_file is None and preview is None:
         raise typer.BadParameter("give --output, --preview or both")
@@ -103,10 +103,10 @@ def run(
 
 
 def _scales(texts: Sequence[str] | None, zeros: Sequence[str] | None) -> dict[str, motion.Scale]:
-    """The calibrations of --scale and --zero by quantity.
+    """Calibrations of --scale and --zero by quantity.
 
     Raises:
-        BadParameter: a text is no calibration, or a zero has no scale
+        BadParameter: a text is not a calibration, or a zero has no scale
     """
     at_zero, found = parsing.parse_assignments(zeros, "--zero"), {}
     for name, text in parsing.parse_names(texts, "--scale").items():

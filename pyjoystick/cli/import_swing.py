@@ -26,7 +26,7 @@ Examples:
 
 Hang the joystick upside down, clear of its springs, and let it swing about its pivot.
 """
-#: Quantities that the moment of inertia depends on, and their places in a parameter file.
+#: Quantities on which the moment of inertia depends, with their places in a parameter file.
 _PLACES: Final = {"m": "body.m", "h": "body.h", "g": "gravity.g"}
 
 
@@ -58,7 +58,7 @@ def run(
     uncertainties: Annotated[list[str] | None, options.uncertainty("m, h or g (SI units)")] = None,
     json: Annotated[Path | None, options.json("the values and their uncertainties")] = None,
 ) -> None:
-    """Find the moment of inertia from the period as a pendulum, upside down without contact (section 3.2)."""
+    """Find the moment of inertia from the pendulum period, upside down without contact (section 3.2)."""
     check_outputs(parameters, json)
     before = file_to_update(parameters)
     values = _known(before, assignments, uncertainties)
@@ -90,7 +90,7 @@ def run(
 def _known(
     file: model.ParameterFile, assignments: list[str] | None, uncertainties: list[str] | None
 ) -> Mapping[str, laboratory.Measured]:
-    """Mass, center of mass and gravity: from the options, else from the file."""
+    """Mass, center of mass and gravity, from the options or else from the file."""
     values = parse_assignments(assignments, "--set")
     errors = parse_assignments(uncertainties, "--uncertainty")
     for name, value in {**values, **errors}.items():

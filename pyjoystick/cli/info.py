@@ -42,7 +42,7 @@ def run(
             "JoystickFrictionPowerLaw, JoystickInverse or JoystickInversePowerLaw.",
         ),
     ],
-    everything: Annotated[bool, typer.Option("--all", help="Show local variables too.")] = False,
+    everything: Annotated[bool, typer.Option("--all", help="Also show local variables.")] = False,
     json: Annotated[Path | None, options.json("the description and all variables")] = None,
 ) -> None:
     """Show the model, interfaces, platforms and variables of an FMU, without running it."""
@@ -84,8 +84,8 @@ def _way_to_run(description: fmu.FmuDescription) -> str:
     if description.is_ours:
         return "in this process; an instance is reset between runs"
     if description.one_instance:
-        return "each in a new process of its own, as the FMU takes one instance a process"
-    return "in a process of its own, as another tool made it; each on a new instance"
+        return "each in a new process, as the FMU allows one instance per process"
+    return "in a separate process, as another tool made it; each on a new instance"
 
 
 def _experiment(experiment: fmu.DefaultExperiment) -> str:

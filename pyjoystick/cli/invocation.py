@@ -1,4 +1,4 @@
-"""One call of the command line: the options before the command, and what it has noted so far."""
+"""State of one call of the command line: global options and notes."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ INTERRUPTED: Final = 130
 
 @dataclass
 class Invocation:
-    """What holds from the options to the exit code.
+    """State from the global options to the exit code.
 
     Attributes:
-        debug: show the traceback of an error
-        implausible: take values that no joystick has
+        debug: show tracebacks of errors
+        implausible: accept implausible values
         quiet: no progress and no notes on standard error
-        verbose: a log on standard error
-        is_piped: ``--json -``: standard output is for the document alone
-        notes: what was noted on the result, which documents repeat
+        verbose: log to standard error
+        is_piped: ``--json -``: only the document goes to standard output
+        notes: notes on the result, which documents repeat
     """
 
     debug: bool = False
@@ -31,7 +31,7 @@ class Invocation:
     notes: list[str] = field(default_factory=list)
 
     def begin(self) -> None:
-        """As at the start of the program, also for a second call in one process."""
+        """Reset to the initial state, also for a second call in one process."""
         for name, value in dataclasses.asdict(Invocation()).items():
             setattr(self, name, value)
 

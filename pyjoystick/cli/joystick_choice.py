@@ -25,18 +25,18 @@ def joystick_of(
     file: model.ParameterFile | None = None,
     own: model.JoystickParameters | None = None,
 ) -> model.JoystickParameters:
-    """The joystick of a parameter file, the paper's by default, with some parameters changed.
+    """Joystick of a parameter file, by default the paper's, with changes.
 
     Args:
-        law: damping law; that of the file by default
+        law: damping law; by default that of the file
         changes: values by name (SI units)
         file: the parameter file
-        own: the joystick to change instead of that of the file
+        own: joystick to change instead of that of the file
 
     Raises:
         UnknownParameterError, ParameterError: a name or value is not allowed
-        ImplausibleError: a value is one that no joystick has
-        SettingsError: the file has no parameters of that damping law
+        ImplausibleError: a value is implausible
+        SettingsError: the file has no parameters for the damping law
     """
     for name in ("theta_start", "omega_start"):
         if name in changes:

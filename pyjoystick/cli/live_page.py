@@ -1,4 +1,4 @@
-"""The live page of a joystick, which more than one command writes."""
+"""Writing the live page of a joystick, for several commands."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def write_live_page(
     records: Sequence[motion.Record] = (),
     title: str = "",
 ) -> None:
-    """Write the page and report it; raises FmuBuildError where the FMU or its module is missing."""
+    """Write the page and report it; raises FmuBuildError if the FMU or its module is missing."""
     fmu = found_or_built(reports.held_fmu(joystick))
     from fmu_build import BuildError  # takes long to load
 

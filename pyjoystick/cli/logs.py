@@ -20,10 +20,10 @@ class _Printed(logging.Handler):
 
 @contextmanager
 def log_shown(*, everything: bool = False) -> Iterator[None]:
-    """Show the log until the body ends.
+    """Show the log while the context is active.
 
     Args:
-        everything: what is of interest in a search for faults alone, too
+        everything: include details that are only useful for debugging
     """
     handler, before = _Printed(), _PACKAGE.level
     _PACKAGE.addHandler(handler)

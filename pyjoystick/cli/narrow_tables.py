@@ -1,4 +1,4 @@
-"""Tables that fit a terminal: columns give way between words, and within a word only where all else fails."""
+"""Tables that fit a terminal: columns wrap between words, and within a word only as a last resort."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from rich.measure import Measurement
 from rich.table import Table
 from rich.text import Text
 
-#: More than any table takes.
+#: Wider than any table.
 _UNLIMITED: Final = 100_000
 
 
@@ -37,7 +37,7 @@ def _is_wide(printed: object, width: int) -> bool:
 
 
 def _parts(text: str, width: int) -> Iterator[str | Table]:
-    """The paragraphs of a text, with its Markdown tables that are too wide as tables."""
+    """Split a text into paragraphs and Markdown tables that are too wide."""
     for in_table, group in groupby(text.splitlines(), key=lambda line: line.startswith("|")):
         lines = list(group)
         yield _table(lines) if in_table and _is_wide("\n".join(lines), width) else "\n".join(lines)
@@ -54,7 +54,7 @@ def _table(lines: list[str]) -> Table:
 
 
 def _fit(table: Table, console: Console) -> None:
-    """Give the columns widths; the widest gives way first, down to its longest word."""
+    """Set column widths; the widest column shrinks first, down to its longest word."""
     needs = []
     for column in table.columns:
         cells = [Measurement.get(console, console.options, one) for one in (column.header, *column.cells)]

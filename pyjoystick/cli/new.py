@@ -21,13 +21,13 @@ Examples:
 def run(
     folder: Annotated[Path, typer.Argument(metavar="FOLDER", help="Folder of the project.")],
     example: Annotated[
-        bool, typer.Option("--example", help="With the files of a synthetic laboratory, to try it out.")
+        bool, typer.Option("--example", help="Include the files of a synthetic laboratory, to try it out.")
     ] = False,
 ) -> None:
     """Start a project: a folder with a commented laboratory.toml, a README and a place for data.
 
-    Put the files into `data`, say in laboratory.toml what they are, and type `pyjoystick run`. Nothing that
-    is in the folder is replaced.
+    Put the files into `data`, describe them in laboratory.toml, and type `pyjoystick run`. Existing files are
+    not replaced.
     """
     project.new_project(folder, example=example)
     print_progress(f"wrote {folder / project.FILE}")

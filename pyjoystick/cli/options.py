@@ -15,7 +15,7 @@ DEFAULT_RELEASE_ANGLE: Final = "-20deg"
 
 
 def quantity(kind: str, *names: str, metavar: str, text: str) -> Any:
-    """An option for a number in the SI unit, or with another unit of that kind in `motion.UNITS`."""
+    """An option for a number in the SI unit, or with another unit of its kind in `motion.UNITS`."""
 
     def read(given: str) -> float:
         try:
@@ -42,12 +42,12 @@ def chain_of(
 
 
 def column(names: str) -> Any:
-    """--column of a file with these columns."""
+    """--column for a file with these columns."""
     return typer.Option("--column", metavar="NAME=HEADING", help=f"Heading of {names}; repeatable.")
 
 
 def ending_in(*suffixes: str) -> Any:
-    """The callback of a file to write, or of several: another suffix is an OutputFileError at once."""
+    """Callback for one or several files to write; a wrong suffix is an immediate OutputFileError."""
 
     def checked(given: Path | list[Path] | None) -> Path | list[Path] | None:
         for path in [given] if isinstance(given, Path) else given or []:

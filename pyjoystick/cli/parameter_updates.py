@@ -1,4 +1,4 @@
-"""Writing what was measured into a parameter file."""
+"""Saving of measured values in a parameter file."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from pyjoystick.cli.plausibility import require_plausible
 
 
 def file_to_update(path: Path | None) -> model.ParameterFile:
-    """The parameter file; the paper's if none was given or it does not exist yet.
+    """The parameter file; the paper's if none is given or it does not exist yet.
 
     Raises:
         InputFileError, SettingsError: the file cannot be used
@@ -28,8 +28,8 @@ def write_update(
     """Update or create the file, and report what was written.
 
     Raises:
-        ImplausibleError: a number that changes is one that no joystick has
-        SettingsError, OutputFileError: it cannot be written; an existing file is left as it was
+        ImplausibleError: a changed number is implausible
+        SettingsError, OutputFileError: it cannot be written; an existing file is left unchanged
     """
     before = file_to_update(path).joystick.to_names()
     require_plausible({name: one for name, one in joystick.to_names().items() if one != before.get(name)})
@@ -43,5 +43,5 @@ def write_update(
 
 
 def write_measured(path: Path, before: model.ParameterFile, found: laboratory.MeasuredValues) -> None:
-    """As `write_update`, what a measurement says; `before` is what `file_to_update` gave."""
+    """Call `write_update` for a measurement; `before` is the result of `file_to_update`."""
     write_update(path, before.joystick.replace(found.values), found.uncertainties, found.sources)

@@ -54,7 +54,7 @@ def run(
         write_json(json, lambda notes: model.values_json(file, damping, notes))
         return
     changes = parsing.parse_assignments(assignments, "--set")
-    # A changed joystick is no longer the one that the title names.
+    # The title does not describe a changed joystick.
     title = target.stem if target is not None and changes else None
     text = model.updated_text(file, joystick_choice.joystick_of(damping, changes, file), title=title)
     if target is None:

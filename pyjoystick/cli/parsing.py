@@ -1,4 +1,4 @@
-"""Values of options: angles, assignments and names."""
+"""Parsing of option values: angles, assignments and names."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _ANGLE: Final = re.compile(r"(?P<number>[-+0-9.eE]+)\s*(?P<unit>\D*)")
 
 
 def parse_angle(text: str, option: str = "--release-angle") -> float:
-    """An angle in rad from text such as ``-20``, ``-20deg`` or ``-0.35rad``; a bare number is in degrees.
+    """Parse an angle in rad: ``-20``, ``-20deg`` or ``-0.35rad``; a bare number is in degrees.
 
     Raises:
         BadParameter: the text is not an angle, or 90 degrees or more
@@ -42,11 +42,11 @@ def parse_angle(text: str, option: str = "--release-angle") -> float:
 
 
 def parse_assignments(texts: Sequence[str] | None, option: str) -> dict[str, float]:
-    """Numbers in SI units by name, from texts such as ``damping.C=0.05`` or ``a=24.1mm``; each name once.
+    """Parse numbers in SI units by name, such as ``damping.C=0.05`` or ``a=24.1mm``; names must be unique.
 
     Raises:
-        BadParameter: a text does not have that form, or a name is given twice
-        ParameterError: a unit is not one of the parameter's
+        BadParameter: a text does not have this form, or a name is given twice
+        ParameterError: a unit does not fit the parameter
     """
     values: dict[str, float] = {}
     for text in texts or []:
@@ -55,7 +55,7 @@ def parse_assignments(texts: Sequence[str] | None, option: str) -> dict[str, flo
         try:
             number = _with_unit(name, value)
             if math.isfinite(number) and abs(number) >= 2.0**53 and value.lstrip("+-").isdecimal():
-                number = int(value)  # beyond 2^53 the float may be another
+                number = int(value)  # floats are not exact beyond 2^53
         except ParameterError:
             raise
         except ValueError:
@@ -71,7 +71,7 @@ def parse_assignments(texts: Sequence[str] | None, option: str) -> dict[str, flo
 
 
 def _with_unit(name: str, text: str) -> float:
-    """A number, with or without a unit of the parameter; raises ValueError where there is no number."""
+    """A number with an optional unit of the parameter; raises ValueError if there is no number."""
     with suppress(ValueError):
         return float(text)
     units = model.units_of(name)
@@ -84,10 +84,10 @@ def _with_unit(name: str, text: str) -> float:
 
 
 def parse_names(texts: Sequence[str] | None, option: str) -> dict[str, str]:
-    """Texts by name from texts such as ``theta=Angle``.
+    """Parse texts by name, such as ``theta=Angle``.
 
     Raises:
-        BadParameter: a text does not have that form
+        BadParameter: a text does not have this form
     """
     found = {}
     for text in texts or []:
@@ -99,12 +99,12 @@ def parse_names(texts: Sequence[str] | None, option: str) -> dict[str, str]:
 
 
 def parse_headings(columns: Sequence[str] | None, units: Sequence[str] | None) -> dict[str, dict[str, str]]:
-    """The keyword arguments ``columns`` and ``units`` of a reader from --column and --unit."""
+    """Arguments ``columns`` and ``units`` of a reader, from --column and --unit."""
     return {"columns": parse_names(columns, "--column"), "units": parse_names(units, "--unit")}
 
 
 def parse_curves(texts: Sequence[str] | None) -> dict[model.Side, Path]:
-    """The files of --curve by side; raises BadParameter as `parse_names`, or for another side."""
+    """Files of --curve by side; raises BadParameter as `parse_names` does, or for another side."""
     found: dict[model.Side, Path] = {}
     for name, file in parse_names(texts, "--curve").items():
         side = next((one for one in model.SIDES if one == name), None)

@@ -1,4 +1,4 @@
-"""Asking about values that no joystick has, unless ``pyjoystick --implausible`` was said."""
+"""Plausibility checks, which ``pyjoystick --implausible`` disables."""
 
 from __future__ import annotations
 
@@ -14,27 +14,27 @@ _INSIST: Final = "pyjoystick --implausible COMMAND takes it as it is."
 
 
 def require_plausible(values: Mapping[str, float], *, options: Mapping[str, str] | None = None) -> None:
-    """Refuse numbers of a joystick that were most likely meant in another unit.
+    """Reject values that were most likely meant in another unit.
 
     Args:
         values: in SI units, by name, see `model.require_plausible`
-        options: the option that gave a value, by name, for the message
+        options: options that gave the values, by name, for the message
 
     Raises:
-        ImplausibleError: a value is far outside what joysticks have, and --implausible was not given
+        ImplausibleError: a value is far outside the range of joysticks, and --implausible was not given
     """
     for name, value in values.items() if not invocation.implausible else ():
         model.require_plausible(name, value, field=(options or {}).get(name, ""), insist=_INSIST)
 
 
 def require_length(option: str, length: float | None) -> None:
-    """As `require_plausible`, for a distance (m) from the pivot to something on the handle, if given."""
+    """Call `require_plausible` for a distance (m) from the pivot to a point on the handle, if given."""
     if length is not None:
         require_plausible({"pivot_to_top": length}, options={"pivot_to_top": option})
 
 
 def require_uncertainties(errors: Mapping[str, float], values: Mapping[str, float]) -> None:
-    """Refuse standard uncertainties of --uncertainty above a third of the value itself.
+    """Reject standard uncertainties of --uncertainty above a third of the value.
 
     Args:
         errors: by name
@@ -51,7 +51,7 @@ def require_uncertainties(errors: Mapping[str, float], values: Mapping[str, floa
 
 
 def note_small_angle(option: str, text: str, degrees: float) -> None:
-    """Say that a bare number is in degrees where it could be in radians; small angles are studied too."""
+    """Note that a bare number is in degrees if it could be meant in radians, as small angles are allowed."""
     if 0.0 < abs(degrees) < math.pi / 2.0:
         print_note(
             f"note: {option} {text} is in degrees; in radians it is written {text}rad, "

@@ -36,7 +36,7 @@ def run(
     release_angle: options.ReleaseAngle = options.DEFAULT_RELEASE_ANGLE,
     fit: Annotated[
         Path | None,
-        typer.Option("--fit", metavar="fit.json", help="The fit, and the records that it was made to."),
+        typer.Option("--fit", metavar="fit.json", help="The fit, with its records."),
     ] = None,
     curves: Annotated[
         list[str] | None,
@@ -53,7 +53,9 @@ def run(
     live: Annotated[
         Path | None,
         options.file(
-            "--live", text="Live page of the joystick to write too; linked to.", suffixes=(".html", ".htm")
+            "--live",
+            text="Also write a live page of the joystick, and link to it.",
+            suffixes=(".html", ".htm"),
         ),
     ] = None,
     title: options.Title = "",
@@ -66,7 +68,7 @@ def run(
     check_outputs(target, live)
     file = joystick_choice.parameter_file(parameters_file)
     measurements = _measurements(file, parameters_file, fit, curves, swing, parts, budget)
-    found_or_built("Joystick")  # for the table of the paper's statements
+    found_or_built("Joystick")  # needed for the table of the paper's statements
     with (
         opened(damping, None, assignments, parameters_file) as (fmu, joystick),
         progress_console().status("report") as status,
@@ -85,7 +87,7 @@ def run(
 
 
 def _address(live: Path | None, target: Path) -> str:
-    """The address of the live page as the report links to it; empty without one."""
+    """Link from the report to the live page; empty without one."""
     if live is None:
         return ""
     try:
@@ -103,7 +105,7 @@ def _measurements(
     parts: Path | None,
     budget: Path | None,
 ) -> reports.Measurements | None:
-    """The measurements that the parameter file came from."""
+    """Measurements from which the parameter file was made."""
     if parameters_file is None:
         given = {"--fit": fit, "--curve": curves, "--swing": swing, "--parts": parts, "--budget": budget}
         parsing.refuse_given("needs --parameters, the file that was measured", given)

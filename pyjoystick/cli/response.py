@@ -37,7 +37,7 @@ Examples:
 Where a motion is chaotic, no period is given: its exponent says how fast errors grow, and for how long a run
 can be trusted.
 """
-#: Angles of release (deg), on both sides of the middle.
+#: Release angles (deg), on both sides of the middle.
 _RELEASES: Final = (0.1, 0.3, 1.0, 2.0, 5.0, 10.0, 15.0, 20.0)
 
 
@@ -82,7 +82,7 @@ def run(
         Path | None, options.plot("the branches of --vary; without it, the motions in the phase plane")
     ] = None,
 ) -> None:
-    """Find what the joystick does under a sinusoidal torque: periodic motions, jumps, chaos.
+    """Find the response to a sinusoidal torque: periodic motions, jumps, chaos.
 
     Releases at 16 angles, from rest or at --speed, show where the joystick ends up. With --vary, periodic
     motions are followed over a parameter, unstable ones too, with folds (jumps), period doublings and
@@ -98,7 +98,7 @@ def run(
         progress_console().status("releasing") as status,
     ):
         once = forced_motion.ShakenJoystick(joystick_fmu, joystick, shaking)
-        # Made first, because it refuses what cannot be varied before anything takes long.
+        # First, to reject parameters that cannot be varied before the long computation.
         if vary is not None:
             shaken = forced_motion.ShakenJoystick(joystick_fmu, joystick, shaking, free=vary[0])
             response = forced_motion.Response(
@@ -111,7 +111,7 @@ def run(
         note_stops(max(one.largest for one in found.attractors), joystick)
         output().print(forced_motion.attractor_report(found, once), markup=False)
         if any(isinstance(one, forced_motion.UnsettledMotion) for one in found.attractors):
-            print_warning("no period is claimed for motions that have not become periodic")
+            print_warning("motions that did not become periodic are listed without a period")
         if response is None:
             write_plot(plot, lambda: forced_motion.plot_attractors(found, once))
         else:

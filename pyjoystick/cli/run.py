@@ -43,14 +43,12 @@ _COLORS: Final = {
 
 def run(
     folder: Annotated[Path, typer.Argument(metavar="FOLDER", help="Folder of the project.")] = Path(),
-    plan: Annotated[
-        bool, typer.Option("--plan", help="Print what would be done, and why, and do nothing.")
-    ] = False,
+    plan: Annotated[bool, typer.Option("--plan", help="Only print what would be done, and why.")] = False,
 ) -> None:
-    """Make the joystick of a project from its files: springs, inertia, fit, error budget, FMUs and report.
+    """Build the joystick of a project from its files: springs, inertia, fit, error budget, FMUs and report.
 
-    Only what has changed since the last run (contents of files, settings, versions) is done, and what depends
-    on it. After Ctrl-C the next run continues. Results that no longer hold are moved to `results/outdated`.
+    Repeats only what has changed since the last run (contents of files, settings, versions) and what depends
+    on it. After Ctrl-C, the next run continues. Outdated results are moved to `results/outdated`.
     The exit code is 1 if a step failed or could not be done.
     """
     if plan:
@@ -68,7 +66,7 @@ def run(
     for note in done.notes:
         print_warning(f"note: {note}")
     if done.interrupted:
-        print_error("stopped; the next `pyjoystick run` goes on from here")
+        print_error("stopped; the next `pyjoystick run` continues from here")
         raise typer.Exit(INTERRUPTED)
     if not done.count("done", "unchanged", "failed"):
         print_error(f"nothing can be done yet: put the missing files into place, or edit {project.FILE}")
@@ -79,7 +77,7 @@ def run(
 
 @contextmanager
 def _shown() -> Iterator[project.OnChange]:
-    """A table of the steps as they go on; on anything but a terminal a line for each that has ended."""
+    """Table of the steps in progress; outside terminals, one line for each finished step."""
     console = progress_console()
     told: set[str] = set()
 

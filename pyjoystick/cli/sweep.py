@@ -44,7 +44,9 @@ _MESSAGES_SHOWN: Final = 5
 
 
 def run(
-    settings: Annotated[Path, typer.Argument(metavar="SETTINGS", help="Settings of the sweep, a TOML file.")],
+    settings: Annotated[
+        Path, typer.Argument(metavar="SETTINGS", help="TOML file with the settings of the sweep.")
+    ],
     target: Annotated[
         Path | None,
         typer.Option(
@@ -133,7 +135,7 @@ def run(
 
 
 def _check(sweep: runs.Sweep, names: Sequence[str], indices: Path | None) -> None:
-    """Reject options before the sweep that could not be fulfilled after it."""
+    """Reject options before the sweep that would fail after it."""
     method = sweep.settings.sampling.method
     if indices is not None and method != "saltelli":
         raise runs.SensitivityError(
@@ -169,7 +171,7 @@ def _failures(failures: dict[int, str]) -> list[str]:
 
 
 def _print_sensitivity(table: pd.DataFrame, results: Sequence[str]) -> pd.DataFrame | None:
-    """Print the indices; without any, print why and return None."""
+    """Print the indices; if there are none, print why and return None."""
     console = output()
     try:
         found = runs.sensitivity(table, results)
@@ -209,7 +211,7 @@ def _draw(
     plots: Sequence[Path],
     scatters: Sequence[Path],
 ) -> None:
-    """Plot the Sobol indices or, for other sampling methods, the results; the results again in `scatters`."""
+    """Plot the Sobol indices or, for other sampling methods, the results; `scatters` plot results too."""
     title = sweep.settings.title
     if sweep.settings.sampling.method != "saltelli":
         scatters = (*plots, *scatters)

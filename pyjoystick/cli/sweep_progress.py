@@ -28,7 +28,7 @@ class _Rate(ProgressColumn):
 
 
 class SweepProgress:
-    """A bar with the rate and the time left, and notes above it, each once."""
+    """Progress bar with rate and remaining time, and notes above it, each printed once."""
 
     def __init__(self, bar: Progress, total: int) -> None:
         self._bar = bar
@@ -39,7 +39,7 @@ class SweepProgress:
     def show(self, done: int) -> None:
         """Set the number of finished runs."""
         if not self._begun:
-            # Runs of an earlier session count as done, but not for the rate.
+            # Runs of an earlier session count as done, but not towards the rate.
             self._bar.reset(self._task, completed=done)
             self._begun = True
         self._bar.update(self._task, completed=done)
@@ -57,7 +57,7 @@ class SweepProgress:
 
 @contextmanager
 def progress(total: int) -> Iterator[SweepProgress]:
-    """The progress of `total` runs, see `progress_bar`."""
+    """Progress of `total` runs, see `progress_bar`."""
     columns = (
         TextColumn("{task.description}"),
         BarColumn(),

@@ -1,4 +1,4 @@
-"""Options that say what form a laboratory's table has."""
+"""Options for the layout of a laboratory's table."""
 
 from __future__ import annotations
 
@@ -14,7 +14,9 @@ Sheet = Annotated[
 Delimiter = Annotated[
     str,
     typer.Option(
-        "--delimiter", metavar="NAME", help="comma, semicolon, tab, bar, space, or another character."
+        "--delimiter",
+        metavar="NAME",
+        help="Separator: comma, semicolon, tab, bar, space, or another character.",
     ),
 ]
 Decimal = Annotated[str, typer.Option("--decimal", metavar="MARK", help="Decimal mark: . or ,")]
@@ -24,7 +26,7 @@ Encoding = Annotated[
 
 
 def layout(delimiter: str, decimal: str, encoding: str, sheet: str) -> motion.Layout:
-    """The form that these options say."""
+    """Layout given by these options."""
     if decimal not in ("", ".", ","):
         raise typer.BadParameter(f"{decimal!r} must be . or ,", param_hint="--decimal")
     return motion.Layout(delimiter, decimal, encoding, sheet)

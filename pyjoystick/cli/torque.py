@@ -24,7 +24,7 @@ from pyjoystick.support import ParameterError, check_outputs
 
 _PAPER: Final = laboratory.Chain()
 _DEFAULTS: Final[Mapping[str, Any]] = {"amplitude": "15deg", "rise": 0.15, "shape": "minimum-jerk"}
-#: Options of a motion in closed form, by the attributes of `ForwardAndReturn`.
+#: Options of a motion in closed form, by attribute of `ForwardAndReturn`.
 _OPTIONS: Final = {
     "amplitude": "--angle",
     "rise": "--stroke-time",
@@ -123,7 +123,7 @@ def run(
 ) -> None:
     """Compute the torque that a motion requires (eq. 13) with the inverse FMUs: parts, force, work, shares.
 
-    The table of --csv is for the damping law of --damping, else for that of the parameter file.
+    The table of --csv is for the damping law of --damping, or else of the parameter file.
     """
     require_length("--pivot-to-handle", arm)
     check_outputs(csv, json, plot)
@@ -153,7 +153,7 @@ def run(
 
 
 def _motion(given: Mapping[str, Any]) -> forced_motion.ForwardAndReturn:
-    """The motion in closed form of these options; None stands for the default.
+    """Motion in closed form from these options; None stands for the default.
 
     Raises:
         BadParameter: a value is not allowed

@@ -26,7 +26,7 @@ class Motion:
         title: description for the report
         description: description for the JSON file
         shown: samples for the table and the figure
-        measured_by: samples for the numbers, for a joystick
+        measured_by: returns the samples for the numbers, given a joystick
         notes: remarks on a measured motion
     """
 
@@ -42,8 +42,8 @@ class Result:
     """The torque with one damping law.
 
     Attributes:
-        measures: its peaks, work, shares and so on
-        table: the torque over time
+        measures: peaks, work, shares and so on
+        table: torque over time
         difference: largest difference between FMU and plain Python, relative to the largest value of the
             torque or part
     """
@@ -54,7 +54,7 @@ class Result:
 
 
 def in_closed_form(motion: forced_motion.ForwardAndReturn, interval: float) -> Motion:
-    """A motion in closed form; raises ParameterError for the interval."""
+    """Make a motion in closed form; raises ParameterError for the interval."""
     degrees = math.degrees(motion.amplitude)
     title = (
         f"{degrees:.6g} deg in {motion.rise:g} s, {motion.dwell:g} s there, "
@@ -68,7 +68,7 @@ def in_closed_form(motion: forced_motion.ForwardAndReturn, interval: float) -> M
 def from_file(
     path: Path, chain: laboratory.Chain, columns: Mapping[str, str], units: Mapping[str, str]
 ) -> Motion:
-    """A measured motion; raises RecordError, SeriesError."""
+    """Read a measured motion; raises RecordError, SeriesError."""
     found = forced_motion.read_motion(path, chain=chain, columns=columns, units=units)
     samples = found.samples
     how = f"angle filtered at {chain.low_pass.cutoff:g} Hz and differentiated" if found.differentiated else ""
@@ -80,7 +80,7 @@ def from_file(
 def joysticks_of(
     file: model.ParameterFile, damping: model.LawName | None, changes: Mapping[str, float]
 ) -> dict[model.LawName, model.JoystickParameters]:
-    """The joysticks by damping law, that of the chosen law first.
+    """Joysticks by damping law, that of the chosen law first.
 
     Without a choice these are all laws of the file or, if a parameter of the damping is changed, only the law
     chosen in the file.
@@ -93,7 +93,7 @@ def joysticks_of(
 
 
 def arm_of(file: model.ParameterFile, given: float | None) -> float:
-    """Distance from the pivot to the hand (m): as given, else that of the file, else that of Table 2."""
+    """Distance from the pivot to the hand (m): the given one, or else that of the file, or of Table 2."""
     if given is not None:
         return given
     return model.PIVOT_TO_TOP if file.pivot_to_top is None else file.pivot_to_top
@@ -102,7 +102,7 @@ def arm_of(file: model.ParameterFile, given: float | None) -> float:
 def compute(
     motion: Motion, joysticks: Mapping[model.LawName, model.JoystickParameters], arm: float
 ) -> dict[model.LawName, Result]:
-    """The torque from the inverse FMUs, for every law.
+    """Compute the torque for every law with the inverse FMUs.
 
     Raises:
         ParameterError, FmuRunError: a value is not allowed
@@ -136,7 +136,7 @@ def as_json(
     results: Mapping[model.LawName, Result],
     notes: Sequence[str],
 ) -> str:
-    """Everything in full, SI units."""
+    """All results as JSON, in SI units."""
     return forced_motion.torque_json(
         motion.description,
         joysticks,

@@ -25,7 +25,7 @@ Examples:
 
 Lines of the figure are small vibrations, points those of --acceleration.
 """
-#: Frequencies of the table and of the points, and those of the lines.
+#: Numbers of frequencies for the table and the points, and for the lines.
 _FEW: Final = 9
 _MANY: Final = 300
 
@@ -42,23 +42,28 @@ def run(
         typer.Option(
             "--acceleration",
             metavar="M/S2",
-            help="Shake the base with this amplitude too, in runs of the FMU; with pitch rad/s2; repeatable.",
+            help="Also run the FMU with this amplitude of the base (rad/s2 for pitch); repeatable.",
         ),
     ] = None,
     direction: Annotated[
         forced_motion.Direction,
-        typer.Option("--direction", help="How the base shakes; with pitch it turns about the pivot."),
+        typer.Option(
+            "--direction", help="Direction of the base's motion; pitch is rotation about the pivot."
+        ),
     ] = forced_motion.Direction.HORIZONTAL,
     stiffness: Annotated[
         float | None,
-        typer.Option("--hand-stiffness", metavar="N.M/RAD", help="Of hand and arm about the pivot."),
+        typer.Option(
+            "--hand-stiffness", metavar="N.M/RAD", help="Stiffness of hand and arm about the pivot."
+        ),
     ] = None,
     hand_damping: Annotated[
         float | None,
-        typer.Option("--hand-damping", metavar="N.M.S/RAD", help="Of hand and arm about the pivot."),
+        typer.Option("--hand-damping", metavar="N.M.S/RAD", help="Damping of hand and arm about the pivot."),
     ] = None,
     mass: Annotated[
-        float, typer.Option("--hand-mass", metavar="KG", help="What of hand and arm moves with the handle.")
+        float,
+        typer.Option("--hand-mass", metavar="KG", help="Mass of hand and arm that moves with the handle."),
     ] = 0.0,
     damping: options.Law = None,
     parameters: options.Parameters = None,

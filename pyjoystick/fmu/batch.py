@@ -1,4 +1,4 @@
-"""Many runs of one plan, on several threads."""
+"""Multi-threaded execution of many runs of one plan."""
 
 from __future__ import annotations
 
@@ -22,33 +22,33 @@ from pyjoystick.support import FloatArray, PyJoystickError, Shown, whole_number
 if TYPE_CHECKING:
     import pandas as pd
 
-#: Called in the calling thread with the number of runs that are done and the number of all runs.
+#: Called in the calling thread with the number of finished runs and the number of all runs.
 OnProgress = Callable[[int, int], None]
 
 AnyRunner = Runner | RemoteRunner | SandboxRunner
 NewRunner = Callable[[], AnyRunner]
 
 _LARGEST_PIECE: Final = 64
-#: Time between two looks at how far the threads are (s).
+#: Interval at which the progress of the threads is checked (s).
 _INTERVAL: Final = 0.1
-#: Time to wait for threads that have been asked to stop (s); the step they are in may never end. On a busy
-#: machine even a short one can take a second, and what is not back by then leaves its temporary folder.
+#: Time to wait for threads that have been asked to stop (s); their current step may never end. On a busy
+#: machine even a short one can take a second. Threads that miss it leave their temporary folder behind.
 _GRACE: Final = 5.0
 
 
 @dataclass(frozen=True, slots=True)
 class BatchResult(Shown):
-    """Many runs of one plan, one row per run in the order of the given table.
+    """Results of many runs, one row per run in the order of the given table.
 
     Attributes:
-        parameters: what was varied, one column per name; its index is that of the given table
-        values: samples, shape (runs, samples, variables), NaN in runs that failed or were not done, and from
-            the end on in runs that the FMU ended by itself; None where the runs were reduced
-        reduced: what the reductions kept, one column each, indexed as `parameters`, NaN as in `values`; its
-            ``attrs["units"]`` has the unit of each column. None where there are no reductions.
-        messages: empty for a successful run, else why and when it failed, with the FMU's messages
+        parameters: the varied parameters, one column per name, with the index of the given table
+        values: samples, shape (runs, samples, variables); NaN in runs that failed or were not done, and after
+            the end of runs that the FMU terminated; None if the runs were reduced
+        reduced: results of the reductions, one column each, indexed as `parameters`, NaN as in `values`; its
+            ``attrs["units"]`` has the unit of each column. None if there are no reductions.
+        messages: empty for a successful run, else when and why it failed, with the FMU's messages
         failed: shape (runs,), True for runs that started and did not reach their end
-        done: shape (runs,), True for runs that are over, failed ones included
+        done: shape (runs,), True for finished runs, including failed ones
         interrupted: the batch was stopped by Ctrl-C or `Plan.stop`; runs may be missing
     """
 
@@ -64,7 +64,7 @@ class BatchResult(Shown):
 
 
 def number_of_threads(threads: int | None, runs: int, *, one_instance: bool) -> int:
-    """How many threads a batch is given; raises ParameterError for what is no number above zero."""
+    """Number of threads for a batch; raises ParameterError unless it is a whole number above zero."""
     if threads is None:
         threads = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
     threads = whole_number("threads", threads, 1)
@@ -72,22 +72,22 @@ def number_of_threads(threads: int | None, runs: int, *, one_instance: bool) -> 
 
 
 class Batch:
-    """The runs of a job, handed out to threads piece by piece.
+    """The runs of a job, handed out to threads in pieces.
 
     Attributes:
         messages: empty, or why the run failed, by run
         failed: shape (runs,)
-        done: shape (runs,), set by the loop while it works
+        done: shape (runs,), set by the loop during its work
     """
 
     def __init__(self, new_runner: NewRunner, job: Job, values: FloatArray) -> None:
         """Prepare the batch.
 
         Args:
-            new_runner: makes what carries out runs of the job, one for each thread
+            new_runner: makes a runner for the job; called once per thread
             job: the runs
-            values: samples of all runs, shape (runs, samples, variables); of shape (0, samples, variables)
-                where each thread is to have room for one run only
+            values: samples of all runs, shape (runs, samples, variables), or shape (0, samples, variables) if
+                each thread needs room for one run only
         """
         self._new_runner = new_runner
         self._job = job
@@ -105,20 +105,20 @@ class Batch:
         self._error: BaseException | None = None
 
     def stop(self) -> None:
-        """Have the threads end their work after the step that they are in."""
+        """Ask the threads to stop after their current step."""
         self._job.stop[0] = True
 
     def carry_out(self, threads: int, on_progress: OnProgress | None) -> bool:
-        """Work until all is done or stopped; returns whether it was stopped.
+        """Work until everything is done or stopped; returns whether it was stopped.
 
         Raises:
-            FmuFileError: the FMU refuses to be instantiated, even once
+            FmuFileError: the FMU cannot be instantiated even once
         """
         runners = self._runners(threads)
         self._working = self._threads = len(runners)
         try:
             for runner in runners:
-                # A step that never ends must not keep the process alive.
+                # Daemon threads: a step that never ends must not keep the process alive.
                 threading.Thread(target=self._work, args=(runner,), daemon=True).start()
             self._watch(on_progress)
         except BaseException as error:
@@ -139,7 +139,7 @@ class Batch:
             try:
                 runners.append(self._new_runner())
             except PyJoystickError:
-                break  # an FMU that cannot be instantiated more often runs on fewer threads
+                break  # an FMU that allows fewer instances runs on fewer threads
         return runners
 
     def _watch(self, on_progress: OnProgress | None) -> None:
@@ -162,7 +162,7 @@ class Batch:
             values = self._values if len(self._values) else np.empty((1, *self._values.shape[1:]))
             while (piece := self._piece()) is not None:
                 self._run_piece(runner, *piece, values)
-        except FmuFileError as error:  # no instance in place of a broken one
+        except FmuFileError as error:  # a broken instance could not be replaced
             self._refusal = str(error)
         except BaseException as error:  # handed over to the calling thread
             self._error = error
@@ -175,7 +175,7 @@ class Batch:
                     self._finished.set()
 
     def _piece(self) -> tuple[int, int] | None:
-        """The next runs for a thread: many at first, few at the end, so that all end together."""
+        """The next runs for a thread: many at first, few at the end, so that all threads end together."""
         with self._lock:
             if self._job.stop[0]:
                 return None
@@ -207,7 +207,7 @@ class Batch:
         if len(self._values):
             self._values[run] = np.nan
         if len(self._values) and samples is not None:
-            # A sample between two points of the table has no row there.
+            # A sample between two points of the table has no row.
             kept = np.isin(samples.instants, self._job.instants)
             self._values[run, : np.count_nonzero(kept)] = samples.numbers[kept]
         self.messages[run] = message

@@ -1,4 +1,4 @@
-"""Co-Simulation runs of one loaded FMU."""
+"""Co-Simulation of an FMU."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     import pandas as pd
 
 _LOG = logging.getLogger(__name__)
-#: Where the instances of a pool run.
+#: Kinds of pools in which instances can run.
 _PLACES: Final = {
     InstancePool: "in this process",
     ProcessPool: "in a process of its own",
@@ -49,14 +49,14 @@ class Fmu(Shown):
     >>> with Fmu("Joystick") as joystick:  # doctest: +SKIP
     ...     table = joystick.run([0.0, 0.5, 1.0], parameters={"theta_start": -0.35})
 
-    Close it when done, best with a `with` statement; the unpacked files are then deleted. Several threads may
-    use it at once: each run has its own instance of the FMU, which is kept for later runs. Pickling stores
+    Use it in a `with` statement or close it; the unpacked files are then deleted. It is thread-safe:
+    each run has its own instance of the FMU, which is kept for later runs. Pickling stores
     the path of the file; unpickling opens that file again (FmuNotFoundError if it is missing).
 
     For many runs see `plan`.
 
     Attributes:
-        description: the FMU's own description
+        description: contents of the FMU's modelDescription.xml
     """
 
     _shown_by = "pyjoystick.fmu.notebook"
@@ -73,20 +73,21 @@ class Fmu(Shown):
 
         Args:
             fmu: a name such as ``Joystick``, or the path of any .fmu file (see `find_fmu`)
-            own_process: run the FMU in a process of its own (one a thread of a batch), where it can neither
-                crash, end nor hang the caller, nor mix its output with the caller's. Where not given, FMUs
-                that this project made (their ``generationTool`` says so) run in the caller's process and all
-                others in their own.
-            time_limit: what a run may take by the clock, s, or ``math.inf``. Where not given: any time in the
-                caller's process, where a run is ended between two communication points; 300 s in a process
-                of its own, which is ended, and in a sandbox.
-            sandbox: run the WebAssembly module of an FMU of FMI 2.0 (``fmu_build --platform wasm32``) in
-                place of its binary. It reaches no file, network or process; memory and instructions are
-                bounded. For FMUs from strangers; `run` and `plan` work, `start` and `linearize` do not.
+            own_process: run the FMU in a separate process (one per thread of a batch), where it can neither
+                crash, exit nor hang the caller, nor mix its output with the caller's. By default, FMUs
+                made by this project (according to their ``generationTool``) run in the caller's process and
+                all others in their own.
+            time_limit: wall-clock limit of a run (s), or ``math.inf``. By default, there is no limit in the
+                caller's process, where a run can only be stopped between two communication points, and
+                300 s in a separate process, which is killed, and in a sandbox.
+            sandbox: run the WebAssembly module of an FMI 2.0 FMU (``fmu_build --platform wasm32``)
+                instead of its binary. It has no access to files, network or processes; memory and
+                instructions are limited. For untrusted FMUs; supports `run` and `plan`, but not `start` and
+                `linearize`.
 
         Raises:
             FmuNotFoundError: there is no such file
-            FmuFileError: it is no FMU, or a broken one, or it crashes when it is loaded
+            FmuFileError: the file is not an FMU, is broken, or crashes when it is loaded
             UnsupportedFmuError: it has no Co-Simulation, no binary for this machine, no module for a sandbox,
                 or another FMI version
             MissingPackageError: `sandbox` needs wasmtime (``pip install 'pyjoystick[sandbox]'``)
@@ -124,7 +125,7 @@ class Fmu(Shown):
         self.close()
 
     def close(self) -> None:
-        """Free the instances and delete what was unpacked; closing twice does no harm."""
+        """Free the instances and delete the unpacked files; may be called more than once."""
         self._close()
         if self._sensitive is not None:
             self._sensitive._close()
@@ -141,31 +142,31 @@ class Fmu(Shown):
         """Run the FMU from its start values and record it, independently of earlier runs.
 
         Args:
-            time: instants to record (s), shape (n,), n >= 2, increasing; they are the communication points,
-                and the kinks and jumps of the inputs with them
-            parameters: values of parameters and start values by name, in the units of the FMU; those not
-                given keep the FMU's own
-            inputs: inputs by name, constant or changing in time, see `Inputs`; those not given keep the
-                FMU's own. Where the FMU follows input derivatives the straight pieces are exact, else each
-                communication step holds the value at its beginning.
-            outputs: names of the variables to record, of an array element by element (``x[1]``,
-                ``grid[2,3]``); every output where not given, arrays as their elements
-            tolerance: of the FMU's integrator
+            time: times to record (s), shape (n,), n >= 2, increasing; together with the kinks and jumps of
+                the inputs they are the communication points
+            parameters: parameters and start values by name, in the units of the FMU; others keep the FMU's
+                own values
+            inputs: inputs by name, constant or over time, see `Inputs`; others keep the FMU's own values. If
+                the FMU uses input derivatives, inputs are linear between samples; otherwise each is constant
+                during a communication step, at its value at the start of the step.
+            outputs: names of the variables to record, arrays by element (``x[1]``, ``grid[2,3]``); by default
+                every output, with arrays as their elements
+            tolerance: tolerance of the FMU's integrator
 
         Returns:
-            a table indexed by ``time`` (s), one column a variable in the unit of the FMU; at a jump of an
-            input the row is the one after it. Whole numbers of any size are exact; text is text. `make_table`
-            says where the units are; ``attrs["left_out"]`` names outputs without such a value (binary data,
-            clocks) where `outputs` is not given.
+            a table indexed by ``time`` (s), with one column per variable in the unit of the FMU; at a jump of
+            an input, the row holds the values after it. Integers of any size are exact; text is text.
+            `make_table` describes where the units are; ``attrs["left_out"]`` names outputs that a table
+            cannot hold (binary data, clocks) and that were therefore omitted by default.
 
         Raises:
-            UnknownParameterError, UnknownInputError, UnknownVariableError: a name is not one of the FMU's
+            UnknownParameterError, UnknownInputError, UnknownVariableError: the FMU has no such name
             ParameterError, SeriesError: a value or series is not allowed
-            FmuEndedError: the FMU ended the simulation by itself; its `samples` is the table up to there
+            FmuEndedError: the FMU terminated the simulation; the error's `samples` is the table so far
             FmuTimeLimitError: the run takes longer than `time_limit`
             FmuCrashError: the FMU's process ended
             FmuFuelError, FmuMemoryError, FmuTrapError: the FMU breaks a limit or a rule of its sandbox
-            FmuRunError: the FMU refuses its settings or fails during the run; it carries the FMU's messages
+            FmuRunError: the FMU rejects its settings or fails during the run; it carries the FMU's messages
         """
         left_out: tuple[str, ...] = ()
         if outputs is None:
@@ -195,14 +196,14 @@ class Fmu(Shown):
 
         Args:
             time: as in `run`
-            varied: names of the parameters and start values that each run gives
-            parameters: values that all runs share, as in `run`
+            varied: names of the parameters and start values that differ between runs
+            parameters: values common to all runs, as in `run`
             inputs: as in `run`
-            outputs: as in `run`, but without texts where not given; `Plan.left_out` names those
+            outputs: as in `run`, but without text variables by default; `Plan.left_out` names those
             tolerance: as in `run`
 
         Raises:
-            UnknownParameterError, UnknownInputError, UnknownVariableError: a name is not one of the FMU's
+            UnknownParameterError, UnknownInputError, UnknownVariableError: the FMU has no such name
             ParameterError, SeriesError: a value or series is not allowed, or a name is given twice
         """
         return Plan(self, self._pool, time, varied, _without_none(parameters), inputs, outputs, tolerance)
@@ -217,25 +218,25 @@ class Fmu(Shown):
         stop_time: float | None = None,
         tolerance: float = DEFAULT_TOLERANCE,
     ) -> Stepper:
-        """Begin a simulation that goes on step by step, as its user says; close it when done.
+        """Start a simulation that the caller steps; close it when done.
 
-        With the same communication points, and `stop_time` at the last of them, the results are those of
-        `run`, bit for bit.
+        With the same communication points, and `stop_time` at the last of them, results are bitwise those of
+        `run`.
 
         Args:
-            time: of the start (s)
+            time: start time (s)
             parameters: as in `run`
-            inputs: values at the start by name; those not given keep the FMU's own
-            outputs: as in `run`; what a step returns
-            stop_time: the end (s) where it is known: the FMU may choose its own steps by it, as ours do
+            inputs: initial values by name; others keep the FMU's own values
+            outputs: variables that a step returns, as in `run`
+            stop_time: the end (s), if known; an FMU may adapt its own steps to it, as ours do
             tolerance: as in `run`
 
         Raises:
-            UnknownParameterError, UnknownInputError, UnknownVariableError: a name is not one of the FMU's
+            UnknownParameterError, UnknownInputError, UnknownVariableError: the FMU has no such name
             ParameterError: a value is not allowed
-            UnsupportedFmuError: the FMU can be instantiated only once in a process, and would be in this one;
+            UnsupportedFmuError: the FMU can be instantiated only once per process and would run in this one,
                 or it is in a sandbox
-            FmuRunError: the FMU refuses its settings
+            FmuRunError: the FMU rejects its settings
         """
         settings = _without_none(parameters), _without_none(inputs), outputs, tolerance
         return Stepper(self, self._steppable(), time, stop_time, *settings)
@@ -249,21 +250,21 @@ class Fmu(Shown):
         outputs: Iterable[str] | None = None,
         tolerance: float = DEFAULT_TOLERANCE,
     ) -> Linearization:
-        """The linear system that the FMU is near one point of a motion, from its own derivatives.
+        """Linearize the FMU at a point of a motion, with the FMU's own derivatives.
 
         Args:
-            time: where on the motion from the start values, s; 0 is the start
-            parameters: as in `run`; start values choose the point
-            inputs: constant inputs by name; those not given keep the FMU's own
-            outputs: names of real variables, the rows of C and D; every continuous output where not given
+            time: time of the point on the motion from the start values (s); 0 is the start
+            parameters: as in `run`; start values determine the point
+            inputs: constant inputs by name; others keep the FMU's own values
+            outputs: names of real variables, the rows of C and D; by default every continuous output
             tolerance: as in `run`
 
         Raises:
-            UnknownParameterError, UnknownInputError, UnknownVariableError: a name is not one of the FMU's
+            UnknownParameterError, UnknownInputError, UnknownVariableError: the FMU has no such name
             ParameterError: a value is not allowed, or the time is negative
             UnsupportedFmuError: the FMU provides neither directional nor adjoint derivatives, or is in a
                 sandbox
-            FmuRunError: the FMU refuses its settings, fails on the way or has no derivatives there
+            FmuRunError: the FMU rejects its settings, fails before the point or has no derivatives there
         """
         arguments = time, _without_none(parameters), _without_none(inputs), outputs, tolerance
         pool = self._steppable()
@@ -275,11 +276,11 @@ class Fmu(Shown):
 
     @property
     def sensitive(self) -> Fmu | None:
-        """The FMU of this model that has sensitivities as outputs; None where there is none.
+        """FMU of this model whose outputs include sensitivities; None if there is none.
 
-        This one, if it was built for them; else the one of the same name in the folder ``sensitivities``
-        beside it, opened when it is first asked for and closed with this one. Its plans and batches give
-        sensitivities for many runs: their names are ``sensitivity.theta.J`` and so on.
+        This one, if it was built with sensitivities; otherwise the one of the same name in the
+        ``sensitivities`` folder next to it, opened on first use and closed with this one. Its plans and
+        batches compute sensitivities for many runs, under names such as ``sensitivity.theta.J``.
 
         Raises:
             UnsupportedFmuError: the FMU there is of another model
@@ -301,24 +302,23 @@ class Fmu(Shown):
         inputs: Inputs | None = None,
         tolerance: float = DEFAULT_TOLERANCE,
     ) -> pd.DataFrame:
-        """Derivatives of a run by parameters and start values, exact through events.
+        """Derivatives of a run with respect to parameters and start values, exact through events.
 
         Args:
             time: as in `run`
             by: names of parameters
-            outputs: names of the variables that are differentiated
+            outputs: names of the variables to differentiate
             parameters: as in `run`
             inputs: as in `run`
-            tolerance: as in `run`; sensitivities keep it too
+            tolerance: as in `run`; it also applies to sensitivities
 
         Returns:
-            a table as that of `run`, with the columns ``sensitivity.OUTPUT.PARAMETER``, those of one output
-            together
+            a table as from `run`, with columns ``sensitivity.OUTPUT.PARAMETER``, grouped by output
 
         Raises:
             UnknownParameterError, UnknownVariableError: the FMU has no parameter or variable of that name
-            UnsupportedFmuError: neither this FMU nor the one in ``sensitivities`` beside it was built for
-                them
+            UnsupportedFmuError: neither this FMU nor the one in the ``sensitivities`` folder next to it was
+                built with them
             As `run`
         """
         sensitive = self.sensitive
@@ -330,14 +330,14 @@ class Fmu(Shown):
         return sensitive.run(time, parameters=parameters, inputs=inputs, outputs=names, tolerance=tolerance)
 
     def _steppable(self) -> InstancePool | ProcessPool:
-        """The pool, for what a sandbox does not do."""
+        """The pool, for operations that a sandbox does not support."""
         if isinstance(self._pool, SandboxPool):
             raise UnsupportedFmuError(self.description.path, "is in a sandbox, which does whole runs only")
         return self._pool
 
 
 def _without_none(values: Mapping[str, _V] | None) -> Mapping[str, _V]:
-    return {} if values is None else values  # `or` would ask a table whether it is true
+    return {} if values is None else values  # a table has no truth value for `or`
 
 
 def _table(plan: Plan, time: FloatArray, samples: NDArray[np.void]) -> pd.DataFrame:

@@ -1,4 +1,4 @@
-"""The description of an FMU: what its modelDescription.xml says."""
+"""Description of an FMU, from its modelDescription.xml."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ import numpy as np
 
 from pyjoystick.motion import DisplayUnit, Quantity
 
-#: What a minimum means that is no larger; Modelica.Constants.small is 1e-60.
+#: A minimum up to this means "above zero"; Modelica.Constants.small is 1e-60.
 _SMALL: Final = 1e-50
 
 Interface = Literal["CoSimulation", "ModelExchange"]
@@ -23,7 +23,7 @@ def _read_only(table: dict[str, Any]) -> MappingProxyType[str, Any]:
     return MappingProxyType(table)
 
 
-# A description goes to other processes, read-only tables and all.
+# A description is sent to other processes, including read-only tables.
 copyreg.pickle(MappingProxyType, lambda table: (_read_only, (dict(table),)))
 
 
@@ -31,9 +31,10 @@ copyreg.pickle(MappingProxyType, lambda table: (_read_only, (dict(table),)))
 class Variable:
     """A variable of an FMU; absent attributes are None or an empty string.
 
-    `start` is as written in the file; `minimum`, `maximum` and `nominal` are in `unit`, large whole numbers
-    exact; `initial` is ``exact``, ``approx`` or ``calculated``. `shape` is that of an array (FMI 3), of an
-    element too; `element` is the element's number, from 0. `is_fmi3` says how wide an enumeration is.
+    `start` is as written in the file; `minimum`, `maximum` and `nominal` are in `unit`, with large integers
+    exact; `initial` is ``exact``, ``approx`` or ``calculated``. `shape` is that of the array (FMI 3), also
+    for its elements; `element` is the element's index, from 0. `is_fmi3` determines the width of an
+    enumeration.
     """
 
     name: str
@@ -56,7 +57,7 @@ class Variable:
 
     @property
     def settable_at_start(self) -> bool:
-        """A parameter, or a variable whose start value may be chosen (inputs are set as inputs)."""
+        """Whether it is a parameter or has a settable start value (inputs are set as inputs)."""
         if (
             self.causality in ("input", "independent", "structuralParameter")
             or self.variability == "constant"
@@ -65,7 +66,7 @@ class Variable:
         return self.initial in ("exact", "approx")
 
     def elements(self) -> tuple[Variable, ...]:
-        """Those of an array, ``x[1,1]``, ``x[1,2]`` and so on, the last index first; else the variable."""
+        """Elements of an array, ``x[1,1]``, ``x[1,2]`` and so on, last index fastest; else the variable."""
         if not self.is_array:
             return (self,)
         return tuple(
@@ -77,23 +78,23 @@ class Variable:
 
     @property
     def whole(self) -> str:
-        """Name of the array that the variable is an element of, else its own."""
+        """Name of the array that the variable is an element of, else its own name."""
         return self.name if self.element is None else self.name.rpartition("[")[0]
 
     @property
     def must_be_positive(self) -> bool:
-        """Whether the minimum means "above zero", which Modelica and FMI cannot express otherwise."""
+        """Whether the minimum stands for "above zero", which Modelica and FMI cannot express otherwise."""
         return self.minimum is not None and 0.0 < self.minimum <= _SMALL
 
     @property
     def quantity(self) -> Quantity:
-        """What a table says of it."""
+        """Name, unit and description for tables."""
         return Quantity(self.name, self.unit, self.display_unit, self.description)
 
 
 @dataclass(frozen=True, slots=True)
 class DefaultExperiment:
-    """Settings that the FMU proposes; times in s, None where it does not say."""
+    """Settings that the FMU proposes; times in s, None if not given."""
 
     start_time: float | None
     stop_time: float | None
@@ -103,25 +104,25 @@ class DefaultExperiment:
 
 @dataclass(frozen=True, slots=True)
 class FmuDescription:
-    """An FMU as its modelDescription.xml describes it.
+    """An FMU as described by its modelDescription.xml.
 
     Attributes:
         path: the .fmu file
         model_name: qualified name of the model
-        description: one line on the model
+        description: one-line description of the model
         fmi_version: such as ``2.0``
-        guid: what ties binary and description together
+        guid: identifier that ties binary and description together
         generation_tool, generation_date: as written, else empty
         interfaces: model identifier by interface (``CoSimulation``, ``ModelExchange``)
-        binaries: files under ``binaries/``, as ``linux64/Joystick.so``
-        has_sources: the C sources are inside
+        binaries: files under ``binaries/``, such as ``linux64/Joystick.so``
+        has_sources: the C sources are included
         variables: by name, in the order of the file
         experiment: proposed settings
-        interpolates_inputs: Co-Simulation follows input derivatives within a step (FMI 2)
-        asks_for_inputs: Co-Simulation asks for inputs within a step (FMI 3, intermediate update)
-        variable_steps: Co-Simulation takes communication steps of different lengths
-        saves_states: Co-Simulation can save its state and restore it
-        one_instance: Co-Simulation can be instantiated only once in a process
+        interpolates_inputs: Co-Simulation uses input derivatives within a step (FMI 2)
+        asks_for_inputs: Co-Simulation requests inputs within a step (FMI 3, intermediate update)
+        variable_steps: Co-Simulation supports communication steps of different lengths
+        saves_states: Co-Simulation can save and restore its state
+        one_instance: Co-Simulation can be instantiated only once per process
         directional_derivatives, adjoint_derivatives: Co-Simulation provides them
         log_categories: names of the FMU's log categories
     """
@@ -149,7 +150,7 @@ class FmuDescription:
 
     @property
     def identity(self) -> dict[str, str]:
-        """Which FMU it is, for documents and logs; what it does not say is empty."""
+        """Identification of the FMU for documents and logs; missing items are empty."""
         return {
             "path": str(self.path),
             "model": self.model_name,
@@ -160,22 +161,22 @@ class FmuDescription:
 
     @property
     def platforms(self) -> tuple[str, ...]:
-        """Names of the platforms that there are binaries for, such as ``linux64``."""
+        """Names of the platforms with binaries, such as ``linux64``."""
         return tuple(sorted({file.split("/")[0] for file in self.binaries if "/" in file}))
 
     @property
     def takes_stop_time(self) -> bool:
-        """Co-Simulation may be given a stop time; OpenModelica up to 1.14 goes there in its first step."""
+        """Whether a stop time may be set; FMUs by OpenModelica up to 1.14 step to it at once."""
         return not self.generation_tool.startswith("OpenModelica")
 
     def find(self, name: str) -> Variable | None:
-        """A variable or an element of an array; None where there is none of that name."""
+        """Return a variable or an element of an array; None if there is none of that name."""
         whole = self.variables.get(name) or self.variables.get(name.rpartition("[")[0])
         return next((one for one in (whole, *whole.elements()) if one.name == name), None) if whole else None
 
     @property
     def is_ours(self) -> bool:
-        """This project made the FMU, as it says; its instances reset, and it runs in the caller's process."""
+        """Whether this project made the FMU; such instances are reset and run in the caller's process."""
         return self.generation_tool.split(" ")[0] == "pyjoystick"
 
     def names(self, causality: str) -> tuple[str, ...]:
@@ -183,5 +184,5 @@ class FmuDescription:
         return tuple(name for name, variable in self.variables.items() if variable.causality == causality)
 
     def settable_names(self) -> tuple[str, ...]:
-        """Names that a run takes as parameters or start values."""
+        """Names that a run accepts as parameters or start values."""
         return tuple(name for name, variable in self.variables.items() if variable.settable_at_start)

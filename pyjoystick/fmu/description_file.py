@@ -18,7 +18,7 @@ from pyjoystick.fmu.limits import MOST_VARIABLES, require_at_most, require_modes
 from pyjoystick.motion import DisplayUnit
 from pyjoystick.support import ARCHIVE_ERRORS, PyJoystickError, archive_problem
 
-#: Value references are unsigned numbers of 32 bits in both versions of FMI.
+#: Value references are unsigned 32-bit integers in both FMI versions.
 _LARGEST_REFERENCE: Final = 0xFFFF_FFFF
 
 
@@ -28,7 +28,7 @@ def read_description(path: Path) -> FmuDescription:
     Raises:
         FmuFileError: the file is not a ZIP archive, its modelDescription.xml is missing or unreadable, or it
             is larger than `limits` allows
-        UnsupportedFmuError: the FMU is of another FMI version
+        UnsupportedFmuError: the FMU has another FMI version
     """
     try:
         with zipfile.ZipFile(path) as archive:
@@ -45,16 +45,16 @@ def read_description(path: Path) -> FmuDescription:
         return _description(path, files, read_model_description(str(path), validate=False), declared)
     except FmuFileError:
         raise
-    except Exception as error:  # FMPy raises whatever its parser stumbles over
+    except Exception as error:  # FMPy passes on any error of its parser
         reason = f"its modelDescription.xml cannot be read: {type(error).__name__}: {error}"
         raise FmuFileError(path, reason) from error
 
 
 def _co_simulation(path: Path) -> Mapping[str, str]:
-    """The attributes of the element CoSimulation, empty where there is none.
+    """Attributes of the element CoSimulation, empty if there is none.
 
-    FMPy reads the whole description, which takes minutes if it is huge. This function therefore checks it
-    first, and raises FmuFileError for an unknown version of FMI or too many variables.
+    FMPy reads the whole description, which takes minutes for a huge one. This function therefore checks it
+    first, and raises FmuFileError for an unknown FMI version or too many variables.
     """
     is_known, variables, found = False, 0, {}
 
@@ -122,11 +122,11 @@ def _description(path: Path, files: list[str], model: Any, declared: Mapping[str
         ),
         interpolates_inputs=bool(getattr(model.coSimulation, "canInterpolateInputs", False)),
         variable_steps=bool(getattr(model.coSimulation, "canHandleVariableCommunicationStepSize", False)),
-        # FMPy has the name of FMI 2 for both versions.
+        # FMPy uses the FMI 2 name for both versions.
         saves_states=bool(getattr(model.coSimulation, "canGetAndSetFMUstate", False)),
         one_instance=bool(getattr(model.coSimulation, "canBeInstantiatedOnlyOncePerProcess", False)),
         asks_for_inputs=bool(getattr(model.coSimulation, "providesIntermediateUpdate", False)),
-        # FMPy has the names of FMI 2 alone.
+        # FMPy only knows the FMI 2 names.
         directional_derivatives=_provides(declared, "providesDirectionalDerivative"),
         adjoint_derivatives=_provides(declared, "providesAdjointDerivative"),
         log_categories=tuple(category.name for category in model.logCategories or ()),
@@ -134,12 +134,12 @@ def _description(path: Path, files: list[str], model: Any, declared: Mapping[str
 
 
 def _provides(declared: Mapping[str, str], capability: str) -> bool:
-    """Whether Co-Simulation declares a capability; its name ends in s in FMI 3."""
+    """Whether Co-Simulation declares a capability, whose name ends in s in FMI 3."""
     return any(declared.get(name) in ("true", "1") for name in (capability, f"{capability}s"))
 
 
 def _variable(variable: Any, units: Mapping[str, Any], is_fmi3: bool) -> Variable:
-    """Attributes that a variable leaves out are those of its declared type."""
+    """Make a variable; attributes that it omits are taken from its declared type."""
 
     def attribute(name: str) -> Any:
         own = getattr(variable, name)
@@ -174,7 +174,7 @@ def _display_unit(unit: Any, name: str | None) -> DisplayUnit | None:
 
 
 def _bound(text: object) -> float | None:
-    """As `_number`, a whole number beyond the digits of a float exactly."""
+    """As `_number`, but exact for integers beyond the digits of a float."""
     number = _number(text)
     return int(str(text)) if number is not None and abs(number) >= 2.0**53 and _is_whole(text) else number
 

@@ -1,4 +1,4 @@
-"""What an FMU says of itself, as JSON."""
+"""The description of an FMU as JSON."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def _variable(variable: Variable) -> dict[str, Any]:
 
 
 def _start(variable: Variable) -> float | str | None:
-    """A number where the file has one, whole ones exact; texts, switches and arrays as written there."""
+    """A number if possible, with integers exact; text, Booleans and arrays as written in the file."""
     if variable.start is None or variable.type in ("String", "Boolean"):
         return variable.start
     for kind in (int, float):

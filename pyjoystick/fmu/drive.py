@@ -1,4 +1,4 @@
-"""Inputs that an FMU of FMI 3 asks for within a step (intermediate update), where FMI 2 takes derivatives."""
+"""Inputs requested by FMI 3 FMUs within a step (intermediate update); FMI 2 uses derivatives instead."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from pyjoystick.support import FloatArray
 
 
 def inputs_asked_for(description: FmuDescription) -> list[Variable]:
-    """The inputs that may move within a step: continuous numbers of an FMU that asks for them; else none."""
+    """Inputs that may change within a step: continuous numbers, if the FMU requests inputs; else none."""
     if not description.asks_for_inputs:
         return []
     variables = [description.variables[name] for name in description.names("input")]
@@ -26,20 +26,20 @@ def inputs_asked_for(description: FmuDescription) -> list[Variable]:
 
 
 class Drive:
-    """Inputs over the time of a run, straight from one communication point to the next."""
+    """Inputs over the time of a run, linear between communication points."""
 
     def __init__(self, points: FloatArray, series: Sequence[InputSeries]) -> None:
-        """Keep them.
+        """Store the inputs.
 
         Args:
             points: communication points (s), shape (n,)
-            series: the inputs that move
+            series: the changing inputs
         """
         self._points = points
         self._series = tuple(series)
 
     def set_at(self, fmi: Any, time: float) -> None:
-        """Give an instance its inputs at a time (s) within a step, or at the end of one."""
+        """Set an instance's inputs for a time (s) within a step, or at its end."""
         last = min(max(int(np.searchsorted(self._points, time)) - 1, 0), len(self._points) - 2)
         since = time - float(self._points[last])
         for one in self._series:
@@ -48,11 +48,11 @@ class Drive:
 
 
 class IntermediateUpdate:
-    """What answers the questions of one instance.
+    """Answers the input requests of one instance.
 
     Attributes:
-        drive: of the run that is under way
-        failure: an answer failed, or Ctrl-C fell into it: no exception finds its way out of the FMU
+        drive: inputs of the current run
+        failure: an exception or Ctrl-C during an answer, since exceptions cannot pass through the FMU
     """
 
     def __init__(self, fmi: Any) -> None:
@@ -64,7 +64,7 @@ class IntermediateUpdate:
         self, _environment: object, time: float, is_asked: bool, _gets: bool, _done: bool, _may: bool,
         early: Any, _early_time: Any,
     ) -> None:  # fmt: skip
-        """`fmi3IntermediateUpdateCallback`."""
+        """Implements `fmi3IntermediateUpdateCallback`."""
         try:
             if early:
                 early[0] = False

@@ -1,4 +1,4 @@
-"""What can be wrong with an FMU or with a run of it."""
+"""Errors of FMUs and of their runs."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ class FmuNotFoundError(PyJoystickError):
 
     Attributes:
         fmu: requested name or path
-        advice: how to get it
+        advice: how to obtain it
     """
 
     fmu: str
@@ -24,11 +24,11 @@ class FmuNotFoundError(PyJoystickError):
 
 
 class FmuFileError(InputFileError):
-    """The file is not an FMU, or a broken one."""
+    """The file is not an FMU, or is a broken one."""
 
 
 class UnsupportedFmuError(FmuFileError):
-    """The FMU is sound, but cannot be run here: another FMI version, interface or platform."""
+    """The FMU is valid, but cannot run here: FMI version, interface or platform is not supported."""
 
 
 @dataclass(eq=False)
@@ -39,7 +39,7 @@ class FmuRunError(SimulationError):
         time: the last communication point (s) that was reached
         reason: the FMI function that failed, and how
         path: the FMU
-        messages: what the FMU itself reported, oldest first
+        messages: messages of the FMU, oldest first
     """
 
     path: Path
@@ -50,17 +50,17 @@ class FmuRunError(SimulationError):
         return f"{self.path.name} at t = {self.time:.9g} s: {said or 'no message'} ({self.reason})"
 
 
-#: The reason of an `FmuEndedError`.
+#: Reason of an `FmuEndedError`.
 THE_END: Final = "the FMU ended the simulation"
 
 
 @dataclass(eq=False)
 class FmuEndedError(FmuRunError):
-    """The FMU ended the simulation by itself, before the requested end.
+    """The FMU terminated the simulation before the requested end.
 
     Attributes:
-        time: when it did so (s)
-        samples: what was recorded up to there, in the form that the run would have returned
+        time: time of termination (s)
+        samples: samples up to there, in the form that the run would have returned
     """
 
     samples: Any = field(default=None, repr=False)
@@ -71,27 +71,27 @@ class FmuEndedError(FmuRunError):
 
 
 class StepperEndedError(FmuRunError):
-    """A simulation was to go on after its end; the reason says how it ended."""
+    """A simulation that has ended was used again; the reason describes how it ended."""
 
     def __str__(self) -> str:
         return f"{self.path.name}: the simulation ended at t = {self.time:.9g} s: {self.reason}"
 
 
 class FmuCrashError(FmuRunError):
-    """The process of the FMU ended in a run; the reason has its signal or exit code, and what it printed."""
+    """The FMU's process ended during a run; the reason has its signal or exit code, and its output."""
 
 
 class FmuTrapError(FmuRunError):
-    """The WebAssembly module of an FMU in a sandbox trapped or broke a rule; the reason says which."""
+    """The WebAssembly module of a sandboxed FMU trapped or broke a rule, which the reason describes."""
 
 
 class FmuFuelError(FmuTrapError):
-    """A run in a sandbox took more instructions than it may, and was ended."""
+    """A sandboxed run exceeded its limit of instructions and was stopped."""
 
 
 class FmuMemoryError(FmuTrapError):
-    """The module of an FMU in a sandbox found no memory for a run within its limit."""
+    """The module of a sandboxed FMU exceeded its memory limit."""
 
 
 class FmuTimeLimitError(FmuRunError):
-    """A run took longer than it may, and was ended."""
+    """A run exceeded its time limit and was stopped."""

@@ -1,4 +1,4 @@
-"""The error of a call that did not go well."""
+"""Conversion of a failed call to an error."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ _LABELS: Final = ("ok", "warning", "discard", "error", "fatal", "pending")
 def failure(
     instance: Instance, workspace: Workspace, interface: CInterface, status: int, reached: float
 ) -> FmuRunError:
-    """What a bad status of the function called last means.
+    """Make the error for a bad status of the last function called.
 
     Args:
-        instance: that was called
-        workspace: its own
-        interface: the functions
-        status: of `stepping.program`
+        instance: the instance
+        workspace: its workspace
+        interface: the FMI functions
+        status: status from `stepping.program`
         reached: the last communication point (s)
     """
     function = interface.functions[workspace.place[FUNCTION]]
@@ -38,7 +38,7 @@ def failure(
 
 
 def _end_of_run(instance: Instance, workspace: Workspace, status: int, begin: float) -> float | None:
-    """When the FMU ended the run in the step from `begin` (s); None where it did not."""
+    """Time at which the FMU terminated the run in the step from `begin` (s); None if it did not."""
     if status == ENDED:
         return max(begin, float(workspace.flags.view(np.float64)[REACHED // 8]))
     is_discarded = status == DISCARD and workspace.place[FUNCTION] == STEP

@@ -1,4 +1,4 @@
-"""Where the FMUs are: by name inside the installed package or the checkout, else by path."""
+"""Locating FMUs: by name in the installed package or the checkout, or by path."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from types import MappingProxyType
 
 from pyjoystick.fmu.errors import FmuNotFoundError
 
-#: Modelica class by the name of each FMU of this project.
+#: Modelica class of each FMU of this project, by name.
 MODELS = MappingProxyType(
     {
         name: f"PreloadedSprings.{package}.{name}"
@@ -32,14 +32,14 @@ MODELS = MappingProxyType(
 
 
 def find_fmu(fmu: str | PathLike[str]) -> Path:
-    """The path of an FMU.
+    """Find the file of an FMU.
 
     Args:
         fmu: one of the names in `MODELS`, or the path of any .fmu file. A name is looked up in the installed
             package, then in the checkout's ``build/fmi2``.
 
     Raises:
-        FmuNotFoundError: there is no such file; the message says how to build it
+        FmuNotFoundError: there is no such file; the message explains how to build it
     """
     if fmu in MODELS:
         return _find_by_name(str(fmu))
@@ -51,7 +51,7 @@ def find_fmu(fmu: str | PathLike[str]) -> Path:
 
 
 def build_folder() -> Path | None:
-    """``build/fmi2`` of the checkout that this package runs from, or None where it is installed for good."""
+    """``build/fmi2`` of the checkout that this package runs from; None if it is installed as a wheel."""
     root = Path(__file__).resolve().parents[2]
     is_checkout = (root / "modelica" / "PreloadedSprings" / "package.mo").is_file()
     return root / "build" / "fmi2" if is_checkout else None

@@ -1,4 +1,4 @@
-"""Inputs of a run: constants, or series that are straight between their samples and may jump."""
+"""Inputs of a run: constants, or series that are piecewise linear and may jump."""
 
 from __future__ import annotations
 
@@ -16,21 +16,21 @@ from pyjoystick.support import FloatArray, ParameterError, SeriesError, UnknownI
 if TYPE_CHECKING:
     import pandas as pd
 
-#: A constant by name of the input, or a table indexed by time (s) with one column an input. Between rows a
-#: continuous input is straight and any other keeps its value; before the first and after the last row both
-#: stay. Two rows of one time are a jump: the second holds from there on. Where `attrs["units"]` of the table
-#: gives a column a unit, it must be that of the input, and s for the index.
-Inputs = Union[Mapping[str, Value], "pd.DataFrame"]  # `|` takes no name that is to come
+#: Constants by name of the input, or a table indexed by time (s) with one column per input. Between rows,
+#: continuous inputs are linear and others keep their value; before the first and after the last row, all
+#: are constant. Two rows with the same time are a jump to the second. If `attrs["units"]` of the table gives
+#: a column a unit, it must be that of the input, and s for the index.
+Inputs = Union[Mapping[str, Value], "pd.DataFrame"]  # `|` does not accept forward references
 _INDEX: Final = "index of the inputs"
 
 
 @dataclass(frozen=True, slots=True)
 class InputSeries:
-    """One input over the communication points t[0] .. t[n-1].
+    """One input at the communication points t[0] .. t[n-1].
 
     Attributes:
         variable: the input
-        values: its value at t[k] and just after, shape (n,), whole numbers and texts as they were given
+        values: its value at t[k] and just after, shape (n,), integers and text as given
         slopes: its derivative from t[k] to t[k+1], shape (n - 1,)
     """
 
@@ -41,11 +41,11 @@ class InputSeries:
 
 @dataclass(frozen=True, slots=True)
 class InputTable:
-    """Inputs that have been checked.
+    """Checked inputs.
 
     Attributes:
-        time: s, shape (n,); it does not fall
-        columns: the values over the time by name of the input, shape (n,), as they were given
+        time: s, shape (n,), nondecreasing
+        columns: values over time by name of the input, shape (n,), as given
     """
 
     time: FloatArray
@@ -53,14 +53,14 @@ class InputTable:
 
 
 def checked_inputs(description: FmuDescription, inputs: Inputs) -> InputTable:
-    """The inputs as columns of finite values with increasing time.
+    """Check inputs and return them as columns of finite values.
 
     Raises:
         UnknownInputError: the FMU has no input of that name
         ParameterError: the inputs are neither a mapping nor a table; the table is empty, or has an input
             twice or in another unit, or its time is not in s; a value is of the wrong type, NaN or out of
             range
-        SeriesError: the index of the table is not a time in s, not finite or falls
+        SeriesError: the index of the table is not a time in s, not finite or decreases
     """
     if isinstance(inputs, Mapping):
         _require_known(description, inputs)
@@ -86,7 +86,7 @@ def checked_inputs(description: FmuDescription, inputs: Inputs) -> InputTable:
 
 
 def checked_constants(description: FmuDescription, inputs: Mapping[str, Value]) -> dict[str, Value]:
-    """Inputs that hold, each in the type of its variable.
+    """Constant inputs, each in the type of its variable.
 
     Raises:
         UnknownInputError: the FMU has no input of that name
@@ -106,7 +106,7 @@ def _require_known(description: FmuDescription, names: Iterable[object]) -> None
 
 
 def _require_table(inputs: object) -> None:
-    """Refuse what is no table, and a table without rows or with a column twice."""
+    """Reject anything but a table, and tables without rows or with duplicate columns."""
     import pandas as pd
 
     if not isinstance(inputs, pd.DataFrame):
@@ -119,7 +119,7 @@ def _require_table(inputs: object) -> None:
 
 
 def _require_units(description: FmuDescription, inputs: pd.DataFrame) -> None:
-    """Refuse a column that says it is in another unit than its input, and an index that is not in s."""
+    """Reject columns in another unit than their input's, and an index that is not in s."""
     units = inputs.attrs.get("units", {})
     time = inputs.index.name or "time"
     if units.get(time, "s") != "s":
@@ -131,10 +131,10 @@ def _require_units(description: FmuDescription, inputs: pd.DataFrame) -> None:
 
 
 def _seconds(index: pd.Index[Any]) -> pd.Index[Any]:
-    """The index, unless it may count rows, or has dates or durations: as seconds these are another time."""
+    """The index as seconds; rejects row counts, dates and durations, which would be different times."""
     import pandas as pd
 
-    # Row numbers stay whole numbers where rows were left out.
+    # Row numbers stay integers even if rows were dropped.
     if index.inferred_type == "integer" and index.name is None and len(index) > 1:
         problem = "has whole numbers and no name, as one that counts the rows; must be time in s"
         raise SeriesError(
@@ -152,7 +152,7 @@ def _seconds(index: pd.Index[Any]) -> pd.Index[Any]:
 
 
 def _doubtful(variable: Variable, column: pd.Series[Any] | NDArray[Any]) -> Iterable[object]:
-    """The values that may not be allowed: of floats for a real input those out of range, else all of them."""
+    """Values that may not be allowed: for floats of a real input, those out of range; otherwise all."""
     if variable.type not in REALS or column.dtype != np.float64:
         return column.tolist()
     low, high = limits(variable)
@@ -161,7 +161,7 @@ def _doubtful(variable: Variable, column: pd.Series[Any] | NDArray[Any]) -> Iter
 
 
 def _constant(name: str, value: object) -> NDArray[Any]:
-    """The one row of an input that holds for the whole run."""
+    """A single row, for an input that is constant during the run."""
     if not np.isscalar(value):
         allowed = "a number; a table (pandas DataFrame indexed by time in s) gives values that change"
         raise ParameterError(name, type_text(value), allowed)
@@ -169,13 +169,13 @@ def _constant(name: str, value: object) -> NDArray[Any]:
 
 
 def communication_points(instants: FloatArray, table: InputTable) -> FloatArray:
-    """The output instants and, between them, the times at which the inputs have a kink or a jump."""
+    """The output times and, between them, the times at which the inputs have a kink or a jump."""
     inner = table.time[(table.time > instants[0]) & (table.time < instants[-1])]
     return np.union1d(instants, inner)
 
 
 def input_series(description: FmuDescription, table: InputTable, points: FloatArray) -> list[InputSeries]:
-    """Every input of the table at the communication points, shape (n,), n >= 2."""
+    """All inputs of the table at the communication points, shape (n,), n >= 2."""
     time = table.time
     series = []
     for name, column in table.columns.items():
@@ -199,7 +199,7 @@ def _limit(
     points: FloatArray,
     following: NDArray[np.intp],
 ) -> FloatArray:
-    """The straight line from the row before `following` to that row, held beyond both ends of the table."""
+    """Linear interpolation between `following` and the row before it, constant beyond both ends."""
     right = np.clip(following, 0, len(time) - 1)
     left = np.clip(following - 1, 0, len(time) - 1)
     span = time[right] - time[left]

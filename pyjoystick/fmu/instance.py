@@ -1,7 +1,7 @@
-"""One instance of an FMU: its memory for the compiled loop, and its functions called one by one.
+"""One instance of an FMU: its memory for the compiled loop, and direct calls of its functions.
 
-The methods are the same for FMI 2 and FMI 3 and take and return Python values. They serve what is not a run
-from start to end: linearizing at a point, or steps that a master repeats. Runs go through `stepping`.
+The methods are the same for FMI 2 and FMI 3 and use Python values. They serve linearization and steps that
+a co-simulation master may repeat; whole runs go through `stepping`.
 """
 
 from __future__ import annotations
@@ -31,12 +31,12 @@ class Instance:
 
     Attributes:
         description: the FMU
-        fmi: FMPy's object, one method an FMI function
+        fmi: FMPy's object, with one method per FMI function
         log: messages of the instance
         is_new: no run has started yet
-        is_broken: a run failed or ended before its time, and another one needs another instance
-        is_lost: it must not even be freed; the standard forbids every call after a fatal error
-        intermediate_update: gives it the inputs that it asks for within its steps; None where it does not ask
+        is_broken: a run failed or ended early; further runs need another instance
+        is_lost: it must not even be freed; the standard forbids all calls after a fatal error
+        intermediate_update: answers its requests for inputs within a step; None if it makes none
     """
 
     description: FmuDescription
@@ -49,7 +49,7 @@ class Instance:
     _workspace: Workspace | None = field(default=None, init=False)
 
     def workspace(self, raw_size: int) -> Workspace:
-        """Memory for the compiled loop, with room for `raw_size` bytes of samples."""
+        """Memory for the compiled loop, with `raw_size` bytes for samples."""
         if self._workspace is None or self._workspace.raw.size != raw_size:
             raw, flags = np.zeros(raw_size, np.uint8), np.zeros(FLAGS_SIZE, np.uint8)
             address = int(self.fmi.component)
@@ -60,7 +60,7 @@ class Instance:
 
     @contextmanager
     def reporting(self, time: float) -> Iterator[None]:
-        """Turn a failing call of FMPy into an `FmuRunError` at `time` (s) with the messages of the FMU."""
+        """Convert a failing call of FMPy to an `FmuRunError` at `time` (s) with the messages of the FMU."""
         self.log.attach()
         self.log.clear()
         try:
@@ -77,10 +77,10 @@ class Instance:
             raise
 
     def end_of_run(self, time: float) -> float | None:
-        """When the FMU (FMI 2) ended the run (s), asked after it discarded a step; None where it did not.
+        """Time at which the FMU (FMI 2) terminated the run (s), after a discarded step; None if it did not.
 
         Args:
-            time: where the step began (s), for an FMU that does not tell
+            time: start of the step (s), used if the FMU does not report the time
         """
         with suppress(FMICallException, AttributeError, KeyError):
             if not self._is_fmi2 or not self.fmi.getBooleanStatus(fmi2Terminated):
@@ -91,7 +91,7 @@ class Instance:
         return None
 
     def initialize(self, time: float, tolerance: float, values: Mapping[str, Value]) -> None:
-        """Go from any state to the first communication point, at `time` (s), with these values by name."""
+        """Initialize at the first communication point, `time` (s), from any state, with values by name."""
         if not self.is_new:
             self.fmi.reset()
         self.is_new = False
@@ -104,10 +104,10 @@ class Instance:
         self.fmi.exitInitializationMode()
 
     def set(self, variables: Sequence[Variable], values: Sequence[Value]) -> None:
-        """Give variables their values, those of one type in one call.
+        """Set variables, with one call per type.
 
         Raises:
-            ParameterError: a float stands for no whole number of the variable's type, or for several
+            ParameterError: a float represents no integer of the variable's type, or several
         """
         for name, places in self._by_type(variables).items():
             given = [self._given(variables[i], values[i]) for i in places]
@@ -120,7 +120,7 @@ class Instance:
         return int(value) if variable.type == "Boolean" else value
 
     def get(self, variables: Sequence[Variable]) -> list[float]:
-        """Values of numbers and Booleans."""
+        """Get the values of numbers and Booleans."""
         found = [0.0] * len(variables)
         for name, places in self._by_type(variables).items():
             values = getattr(self.fmi, f"get{name}")([variables[i].value_reference for i in places])
@@ -129,17 +129,17 @@ class Instance:
         return found
 
     def set_input_derivatives(self, variables: Sequence[Variable], rates: Sequence[float]) -> None:
-        """Let real inputs change at these rates (unit per s) in the next step; FMI 2 only."""
+        """Set the rates of real inputs (unit per s) for the next step; FMI 2 only."""
         if variables:
             references = [variable.value_reference for variable in variables]
             self.fmi.setRealInputDerivatives(references, [1] * len(references), list(rates))
 
     def step(self, time: float, length: float) -> None:
-        """From the communication point `time` (s) to the next, `length` (s) later.
+        """Step from the communication point `time` (s) to the next, `length` (s) later.
 
         Raises:
-            FmuEndedError: the FMU ended the run
-            FmuRunError: it came back early
+            FmuEndedError: the FMU terminated the run
+            FmuRunError: it returned early
         """
         flags = self.fmi.doStep(time, length)
         if flags is None:  # FMI 2
@@ -152,15 +152,15 @@ class Instance:
             raise FmuRunError(time, "fmi3DoStep came back before the end of the step", path, messages)
 
     def save(self) -> int:
-        """Address of a copy of its state, for `restore`; to be given to `forget`."""
+        """Save the state; returns its address for `restore`, to be freed by `forget`."""
         return int(self.fmi.getFMUState().value)
 
     def restore(self, state: int) -> None:
-        """Be again as when `save` was called."""
+        """Restore a saved state."""
         self.fmi.setFMUState(c_void_p(state))
 
     def forget(self, state: int) -> None:
-        """Free what `save` made."""
+        """Free a saved state."""
         self.fmi.freeFMUState(c_void_p(state))
 
     @property
@@ -168,7 +168,7 @@ class Instance:
         return self.description.fmi_version.startswith("2.")
 
     def _by_type(self, variables: Sequence[Variable]) -> dict[str, list[int]]:
-        """Places of the variables by the name that setters and getters have for their type."""
+        """Indices of the variables by type, named as in setters and getters."""
         types = c_interface(self.description.fmi_version).types
         places: dict[str, list[int]] = {}
         for i, variable in enumerate(variables):
@@ -176,7 +176,7 @@ class Instance:
         return places
 
     def free(self) -> None:
-        """Free it for good, unless it is lost."""
+        """Free the instance, unless it is lost."""
         if not self.is_lost:
             free = getattr(self.fmi, f"fmi{self.description.fmi_version[0]}FreeInstance")
             free(self.fmi.component)

@@ -1,4 +1,4 @@
-"""What the loop over the steps must know of a version of FMI: its functions and how it stores values."""
+"""What the stepping loop needs to know about an FMI version: functions and storage of values."""
 
 from __future__ import annotations
 
@@ -24,9 +24,9 @@ class StoredType:
     """How values of a type are stored and passed.
 
     Attributes:
-        name: of the type in the names of the setter and the getter
-        kind: for `stepping.decoding`
-        dtype: of one value
+        name: name of the type in its setter and getter
+        kind: kind for `stepping.decoding`
+        dtype: dtype of one value
     """
 
     name: str
@@ -36,12 +36,12 @@ class StoredType:
 
 @dataclass(frozen=True, slots=True)
 class CInterface:
-    """The Co-Simulation functions of a version of FMI.
+    """Co-Simulation functions of an FMI version.
 
     Attributes:
         version: 2 or 3
-        fixed: names of the functions in the order of `stepping.program`; empty where there is none
-        types: by the type of a variable in the model description
+        fixed: names of the functions in the order of `stepping.program`; empty if there is none
+        types: stored types by the type of a variable in the model description
     """
 
     version: int
@@ -56,16 +56,16 @@ class CInterface:
         return (*self.fixed, *(f"{prefix}{verb}{name}" for verb in ("Set", "Get") for name in names))
 
     def place(self, verb: str, stored: StoredType) -> int:
-        """Place in `functions` of the setter (``Set``) or getter (``Get``)."""
+        """Index in `functions` of the setter (``Set``) or getter (``Get``)."""
         return self.functions.index(f"fmi{self.version}{verb}{stored.name}")
 
     def addresses(self, fmi: Any) -> list[int]:
-        """Addresses of `functions` in a library that FMPy has loaded."""
+        """Addresses of `functions` in a library loaded by FMPy."""
         return [cast(fmi._functions[name], c_void_p).value or 0 if name else 0 for name in self.functions]
 
 
 def _types(table: dict[str, tuple[str, type[Any], int | None]]) -> MappingProxyType[str, StoredType]:
-    """The stored types from names, dtypes and, where the dtype does not say it, kinds."""
+    """Stored types from names, dtypes and, where the dtype does not determine it, kinds."""
     return MappingProxyType(
         {
             name: StoredType(stored, _kind(np.dtype(dtype)) if kind is None else kind, np.dtype(dtype))
@@ -132,26 +132,26 @@ _FMI3: Final = CInterface(
 
 
 def c_interface(fmi_version: str) -> CInterface:
-    """The functions of ``2.0``, ``3.0`` and what comes after it."""
+    """The functions of ``2.0``, ``3.0`` and later versions."""
     return _FMI2 if fmi_version.startswith("2.") else _FMI3
 
 
 class RowFormat:
-    """How the values of some variables lie in a row, those of one type side by side, arrays whole.
+    """Layout of values in a row: grouped by type, arrays contiguous.
 
     Attributes:
-        dtype: of a row, a structure with the names of the variables in the order given
-        groups: what the kernel needs for setting or getting a row
-        columns: place of each value among the variables given, in the order of the groups; -1 for none
+        dtype: structured dtype of a row, with the names of the variables in the given order
+        groups: what the kernel needs to set or get a row
+        columns: index of each value among the given variables, in the order of the groups; -1 for none
     """
 
     def __init__(self, interface: CInterface, verb: str, variables: Sequence[Variable]) -> None:
-        """Lay out the variables for being set or got.
+        """Lay out the variables for setting or getting.
 
         Args:
-            interface: the version of FMI
+            interface: the FMI version
             verb: ``Set`` or ``Get``
-            variables: each once
+            variables: variables, without repeats
         """
         by_type: dict[str, list[int]] = {}
         for i, variable in enumerate(variables):
@@ -163,7 +163,7 @@ class RowFormat:
         for members in by_type.values():
             stored = interface.types[variables[members[0]].type]
             references: list[int] = []
-            begins: dict[int, int] = {}  # of arrays, by value reference
+            begins: dict[int, int] = {}  # first index of arrays, by value reference
             count = 0
             for i in members:
                 one = variables[i]
@@ -175,7 +175,7 @@ class RowFormat:
                 place = begins[one.value_reference] + (one.element or 0)
                 offsets[i] = size + place * stored.dtype.itemsize
                 self.columns[place - count] = i
-            self._references.append(np.array(references, dtype=np.uint32))  # the group has but their address
+            self._references.append(np.array(references, dtype=np.uint32))  # kept alive for their address
             address = self._references[-1].ctypes.data
             function = interface.place(verb, stored)
             surplus = count - len(references)
@@ -195,11 +195,11 @@ class RowFormat:
         self._texts: dict[bytes, c_char_p] = {}
 
     def rows(self, count: int) -> NDArray[Any]:
-        """That many rows of zeros, to be filled by name."""
+        """This many rows of zeros, to be filled by name."""
         return np.zeros(count, self.dtype)
 
     def text(self, value: bytes) -> int:
-        """Address of a text, which stays where it is as long as this object."""
+        """Address of a text, valid for the lifetime of this object."""
         return cast(self._texts.setdefault(value, c_char_p(value)), c_void_p).value or 0
 
     def readable(self, rows: NDArray[np.void]) -> NDArray[np.void]:
@@ -220,14 +220,14 @@ def _decoded(address: int) -> str:
 
 
 class TextGetter:
-    """The getter of texts of an FMU, but with copies: its own last until it is called again.
+    """An FMU's getter of texts that returns copies; the FMU's own are valid only until its next call.
 
     Attributes:
-        address: of the C function
+        address: address of the C function
     """
 
     def __init__(self, interface: CInterface, address: int, form: RowFormat) -> None:
-        """Stand for the function at `address` where rows of `form` are got."""
+        """Wrap the function at `address`, for rows laid out as `form`."""
         self._error: BaseException | None = None
         words: list[Any] = [c_void_p, c_void_p, c_size_t, POINTER(c_void_p)]
         kind = CFUNCTYPE(c_int, *words, *[c_size_t] * (interface.version - 2))
@@ -238,7 +238,7 @@ class TextGetter:
                 status: int = get(instance, references, count, values, *size)
                 for i in range(size[0] if size else count) if status in (program.OK, program.WARNING) else ():
                     values[i] = form.text(string_at(values[i]) if values[i] else b"")
-            except BaseException as error:  # out of a callback no exception finds its way
+            except BaseException as error:  # exceptions cannot leave a callback
                 self._error = error
                 return program.ERROR
             return status
@@ -247,7 +247,7 @@ class TextGetter:
         self.address = cast(self._function, c_void_p).value or 0
 
     def check(self) -> None:
-        """Raise what went wrong in Python while the function was called, which then returned an error."""
+        """Raise any Python exception that occurred during the call, which then returned an error."""
         error, self._error = self._error, None
         if error is not None:
             raise error

@@ -1,4 +1,4 @@
-"""An FMU unpacked and loaded, its instances made when needed and kept, and everything put away again."""
+"""An unpacked and loaded FMU, with its pool of instances and its cleanup."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from pyjoystick.fmu.log import FmuLog
 from pyjoystick.fmu.pool import Pool
 from pyjoystick.support import ARCHIVE_ERRORS, PyJoystickError, archive_problem, temporary_folder
 
-#: FMPy's classes by interface and first digit of the version of FMI: what can be run.
+#: FMPy's classes by interface and major FMI version: what can be run.
 _CLASSES: Final[dict[tuple[Interface, str], Any]] = {
     ("CoSimulation", "2"): FMU2Slave,
     ("CoSimulation", "3"): FMU3Slave,
@@ -34,7 +34,7 @@ _CLASSES: Final[dict[tuple[Interface, str], Any]] = {
 
 
 def require_runnable(description: FmuDescription, interface: Interface) -> None:
-    """Raise `UnsupportedFmuError` unless this machine can run the FMU through `interface`."""
+    """Raise `UnsupportedFmuError` unless this machine can run the FMU with `interface`."""
     path, version = description.path, description.fmi_version
     if interface not in description.interfaces:
         has = " and ".join(description.interfaces) or "neither"
@@ -58,7 +58,7 @@ class FmuLibrary:
 
     Attributes:
         description: the FMU
-        folder: where it is unpacked
+        folder: folder where it is unpacked
         fmi: FMPy's object, which itself is never instantiated
     """
 
@@ -67,8 +67,8 @@ class FmuLibrary:
 
         Args:
             description: the FMU
-            interface: which of its interfaces
-            folder: where it is unpacked already; a temporary folder where not given
+            interface: the interface to use
+            folder: folder where it is already unpacked; if None, it is unpacked to a temporary folder
 
         Raises:
             UnsupportedFmuError: as `require_runnable`
@@ -83,14 +83,14 @@ class FmuLibrary:
             self._stack = stack.pop_all()
 
     def instantiate(self, place: NDArray[np.intp] | None = None, *, asks: bool = False) -> Instance:
-        """A new instance; free it before `close`.
+        """Make an instance; free it before `close`.
 
         Args:
-            place: where it is, as of `FmuLog`
-            asks: it is to ask for its inputs within its steps, where it can
+            place: progress array of the instance, as in `FmuLog`
+            asks: request inputs within steps, if the FMU supports it
 
         Raises:
-            FmuFileError: the FMU refuses
+            FmuFileError: the FMU cannot be instantiated
         """
         fmi = copy.copy(self.fmi)
         log = FmuLog(place)
@@ -102,14 +102,14 @@ class FmuLibrary:
             else:
                 categories = self.description.log_categories
                 _instantiate_with_log(fmi, log, categories, intermediate_update, asked)
-        except Exception as error:  # FMPy has no type of its own for it
+        except Exception as error:  # FMPy raises plain exceptions
             log.close()
             said = "; ".join(log.messages()) or "no message"
             raise FmuFileError(self.description.path, f"cannot be instantiated: {said}") from error
         return Instance(self.description, fmi, log, intermediate_update=intermediate_update)
 
     def close(self) -> None:
-        """Unload the binary and delete what was unpacked."""
+        """Unload the binary and delete the unpacked files."""
         self._stack.close()
 
 
@@ -120,7 +120,7 @@ def _instantiate_with_log(
     intermediate_update: IntermediateUpdate | None,
     asked: Sequence[Variable],
 ) -> None:
-    """Of FMI 3: logging is on, which else would be off, but for problems alone where they have categories."""
+    """FMI 3: enable logging, off by default; only of problems if there are categories for them."""
 
     def receive(_environment: object, _status: int, _category: bytes, text: bytes) -> None:
         log.add(text.replace(b"##", b"#"))
@@ -140,10 +140,10 @@ def _instantiate_with_log(
 
 
 def _platform(description: FmuDescription) -> str:
-    """The folder of the binaries for this machine.
+    """Folder of the binaries for this machine.
 
     FMI 2 has names for x86 and refers to those of FMI 3 for the rest, but FMPy takes linux64 for any Linux.
-    On macOS darwin64 serves both processors.
+    On macOS, darwin64 serves both processors.
     """
     named_by_fmi_2 = description.fmi_version.startswith("2") and fmpy.platform_tuple != "aarch64-linux"
     name: str = fmpy.platform if named_by_fmi_2 else fmpy.platform_tuple
@@ -152,7 +152,7 @@ def _platform(description: FmuDescription) -> str:
 
 @contextmanager
 def unpacked(description: FmuDescription) -> Iterator[Path]:
-    """A temporary folder with what this machine needs of the FMU; raises FmuFileError where it is damaged."""
+    """Unpack what this machine needs to a temporary folder; raises FmuFileError if the FMU is damaged."""
     wanted = (f"binaries/{_platform(description)}/", "resources/", "modelDescription.xml")
     with temporary_folder() as folder:
         try:
@@ -179,7 +179,7 @@ def _load(description: FmuDescription, interface: Interface, folder: Path) -> An
         reason = str(error).replace(f"{folder}{os.sep}", "")
         raise FmuFileError(description.path, f"its binary cannot be loaded: {reason}") from error
     finally:
-        # FMPy changes the working directory while loading, and stays there when that fails.
+        # FMPy changes the working directory while loading, and does not restore it on failure.
         with suppress(FileNotFoundError):
             os.chdir(before)
 
@@ -189,7 +189,7 @@ class InstancePool(Pool[Instance]):
 
     Attributes:
         library: unpacked and loaded
-        resets: an instance serves many runs, with a reset in between; else each run has a new one
+        resets: instances are reset between runs and reused; otherwise each run gets a new one
     """
 
     def __init__(
@@ -200,17 +200,17 @@ class InstancePool(Pool[Instance]):
         time_limit: float | None = None,
         first: InstancePool | None = None,
     ) -> None:
-        """Load the FMU and make the first instance, which shows that it can be run.
+        """Load the FMU and make the first instance, to verify that it can be run.
 
         Args:
             description: the FMU
-            folder: as of `FmuLibrary`
-            place: where its instances say where they are, see `FmuLog`; each has its own where not given
-            time_limit: what a run may take (s); None for any time
-            first: the pool whose library this one uses, for instances that ask for their inputs
+            folder: as in `FmuLibrary`
+            place: progress array of its instances, see `FmuLog`; if None, each has its own
+            time_limit: time limit of a run (s); None for no limit
+            first: pool whose library this one shares, for instances that request inputs
 
         Raises:
-            UnsupportedFmuError, FmuFileError: as `FmuLibrary`, or the FMU refuses to be instantiated
+            UnsupportedFmuError, FmuFileError: as `FmuLibrary`, or the FMU cannot be instantiated
         """
         self._first = first
         self._second: InstancePool | None = None
@@ -222,26 +222,26 @@ class InstancePool(Pool[Instance]):
         self.has_one = description.one_instance
         self.place = place
         self.time_limit = time_limit
-        # FMUs may be made for one thread that makes and frees their instances.
+        # FMUs may require that one thread makes and frees all instances.
         self._lock: threading.Lock = threading.Lock() if first is None else first._lock
         super().__init__(description)
 
     def updating(self) -> InstancePool:
-        """Instances that ask for their inputs within their steps, which takes time: a pool of their own."""
+        """A separate pool of instances that request inputs within their steps, which takes time."""
         if self._asks:
             return self
         with self._state:
             if self._closed:
                 raise PyJoystickError(f"{self.description.path} has been closed")
             if self._second is None:
-                self._taken += 1  # the library stays until the second pool is put away
+                self._taken += 1  # the library must outlive the second pool
                 self._second = InstancePool(
                     self.description, place=self.place, time_limit=self.time_limit, first=self
                 )
             return self._second
 
     def close(self) -> None:
-        """As of `Pool`."""
+        """See `Pool`."""
         if self._second is not None:
             self._second.close()
         super().close()
@@ -251,7 +251,7 @@ class InstancePool(Pool[Instance]):
             return self.library.instantiate(self.place, asks=self._asks)
 
     def is_reusable(self, one: Instance) -> bool:
-        """As of `Pool`."""
+        """See `Pool`."""
         return not one.is_broken and (self.resets or one.is_new)
 
     def _free(self, one: Instance) -> None:

@@ -1,4 +1,4 @@
-"""What an archive may unpack to and declare before it is taken for a bomb, or for a mistake."""
+"""Limits on the unpacked size and the contents of archives, against ZIP bombs and mistakes."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Final
 from pyjoystick.fmu.errors import FmuFileError
 from pyjoystick.support import ParameterError
 
-#: The limits are multiplied with what this environment variable says.
+#: Environment variable with a factor for all limits.
 LIMITS_VARIABLE: Final = "PYJOYSTICK_FMU_LIMITS"
 MOST_FILES: Final = 20_000
 LARGEST_UNPACKED: Final = 2**30
@@ -19,7 +19,7 @@ MOST_VARIABLES: Final = 100_000
 
 
 def require_modest(path: Path, archive: zipfile.ZipFile) -> None:
-    """Raise FmuFileError for an archive of too many files, or too much in them."""
+    """Raise FmuFileError for an archive with too many files or too much data."""
     files = archive.infolist()
     require_at_most(path, "contains {} files", len(files), MOST_FILES)
     size = sum(file.file_size for file in files)
@@ -33,9 +33,9 @@ def require_at_most(path: Path, what: str, number: int, limit: int) -> None:
 
     Args:
         path: the FMU
-        what: what there is so much of, with a place for the number
-        number: how much
-        limit: how much is taken unless the environment says otherwise
+        what: text with a placeholder for the number
+        number: the number
+        limit: the limit, before the factor from the environment
     """
     most = int(allowed(limit))
     if number > most:
@@ -44,7 +44,7 @@ def require_at_most(path: Path, what: str, number: int, limit: int) -> None:
 
 
 def allowed(limit: float) -> float:
-    """The limit, multiplied with what the environment says; raises ParameterError where it says nonsense."""
+    """The limit times the factor from the environment; raises ParameterError if that is not a number."""
     return limit * _factor()
 
 

@@ -1,4 +1,4 @@
-"""A motion's neighborhood as a linear system, from the directional derivatives of an FMU."""
+"""Linearization of an FMU about a motion, from its directional derivatives."""
 
 from __future__ import annotations
 
@@ -23,17 +23,17 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Linearization:
-    """d/dt dx = A dx + B du and dy = C dx + D du around one point, in the branch that holds there.
+    """d/dt dx = A dx + B du and dy = C dx + D du about one point, for the branch active there.
 
-    The tables have the names of states, inputs and outputs as rows and columns, and the units of the FMU.
+    Rows and columns of the tables are named after states, inputs and outputs, in the units of the FMU.
 
     Attributes:
         time: s
         point: values of states, inputs and outputs by name
-        A: derivatives of the states' rates by the states, shape (states, states)
-        B: by the inputs, shape (states, inputs)
-        C: derivatives of the outputs by the states, shape (outputs, states)
-        D: by the inputs, shape (outputs, inputs)
+        A: derivatives of the states' rates with respect to the states, shape (states, states)
+        B: the same with respect to the inputs, shape (states, inputs)
+        C: derivatives of the outputs with respect to the states, shape (outputs, states)
+        D: the same with respect to the inputs, shape (outputs, inputs)
     """
 
     time: float
@@ -44,11 +44,11 @@ class Linearization:
     D: pd.DataFrame
 
     def poles(self) -> pd.DataFrame:
-        """The eigenvalues of A: what each motion near the point does.
+        """Eigenvalues of A, the modes of small motions about the point.
 
         Returns:
-            one row an eigenvalue, with the columns ``real`` and ``imaginary`` (1/s), ``frequency`` (rad/s,
-            undamped) and ``damping`` (of the critical one; negative where the motion grows)
+            one row per eigenvalue, with the columns ``real`` and ``imaginary`` (1/s), ``frequency`` (rad/s,
+            undamped) and ``damping`` (damping ratio, negative for growing motions)
         """
         import pandas as pd
 
@@ -68,7 +68,7 @@ def linearize(
     outputs: Iterable[str] | None,
     tolerance: float,
 ) -> Linearization:
-    """What `Fmu.linearize` gives, on an instance that is the caller's alone."""
+    """Implements `Fmu.linearize` on an instance that is not used elsewhere."""
     import pandas as pd  # see `motion.make_table`
 
     description = instance.description
@@ -91,7 +91,7 @@ def linearize(
         values = [_value(instance, variable) for variable in (*states, *drives, *recorded)]
     x, u, y = ([variable.name for variable in variables] for variables in (states, drives, recorded))
     n = len(x)
-    # An output that is a state is there once.
+    # An output that is also a state appears once.
     point = pd.Series(values, [*x, *u, *y])
     return Linearization(
         instant,
@@ -108,7 +108,7 @@ def _is_continuous(variable: Variable) -> bool:
 
 
 def _outputs(description: FmuDescription, names: Iterable[str] | None) -> list[Variable]:
-    """The outputs to differentiate; those that were not chosen are left out where they have no derivative."""
+    """The outputs to differentiate; outputs included by default are omitted if they have no derivative."""
     outputs = checked_outputs(description, names)
     for one in outputs if names is not None else ():
         if one.type not in REALS:
@@ -117,7 +117,7 @@ def _outputs(description: FmuDescription, names: Iterable[str] | None) -> list[V
 
 
 def _rates_and_states(description: FmuDescription) -> tuple[list[Variable], list[Variable]]:
-    """The derivatives of the states and the states, element by element."""
+    """Derivatives of the states, and the states, by element."""
     model = fmpy.read_model_description(str(description.path), validate=False)
     rates: list[Variable] = []
     states: list[Variable] = []
@@ -141,10 +141,11 @@ def _value(instance: Instance, variable: Variable) -> float:
 def _jacobian(
     fmi: Any, description: FmuDescription, unknowns: Sequence[Variable], knowns: Sequence[Variable]
 ) -> FloatArray:
-    """The derivatives of the unknowns by the knowns, shape (unknowns, knowns).
+    """Derivatives of the unknowns with respect to the knowns, shape (unknowns, knowns).
 
-    A variable that is both, such as an output that is a state, is left out: its derivatives are 1 and 0 by
-    definition, and many FMUs answer 0 alone.
+    Variables that are both, such as an output that is also a state, are not requested: their derivatives are
+        1
+    and 0 by definition, and many FMUs return only 0.
     """
     places = [_place(one) for one in unknowns]
     columns = {_place(one): j for j, one in enumerate(knowns)}
@@ -174,9 +175,9 @@ def _derivatives(
     *,
     along_knowns: bool,
 ) -> FloatArray:
-    """A row for each known with all unknowns or, from adjoint derivatives, the other way round."""
+    """Derivatives: one row per known with all unknowns or, for adjoint derivatives, the reverse."""
     seeded, answered = (knowns, unknowns) if along_knowns else (unknowns, knowns)
-    # Arrays are named once, and answered whole.
+    # Arrays are requested once, as a whole.
     sizes = {one.value_reference: math.prod(one.shape) for one in answered}
     begins = dict(zip(sizes, np.cumsum([0, *sizes.values()]).tolist(), strict=False))
     total, rows = sum(sizes.values()), []

@@ -1,4 +1,4 @@
-"""One instance between two communication points, driven call by call."""
+"""One simulation in progress, driven call by call."""
 
 from __future__ import annotations
 
@@ -36,15 +36,15 @@ from pyjoystick.fmu.stepping.program import (
 from pyjoystick.fmu.values import Value, checked_outputs, checked_parameters
 from pyjoystick.support import FloatArray
 
-#: New values in the order in which they are set.
+#: New values in the order in which to set them.
 Changes = Sequence[tuple[str, Value]]
 
 
 class LiveInstance:
-    """An instance in a simulation; its methods take the time (s) at which they are called.
+    """An instance during a simulation; its methods take the time (s) at which they are called.
 
-    It is started by the code that starts runs. All methods raise `FmuRunError`; after an error the instance
-    is to be abandoned.
+    It is started by the code that starts runs. All methods raise `FmuRunError`; after an error, the instance
+    must be abandoned.
     """
 
     def __init__(
@@ -56,7 +56,7 @@ class LiveInstance:
         inputs: Mapping[str, Value],
         tolerance: float,
     ) -> None:
-        """Take an instance and bring it to its first communication point; arguments are of `Fmu.start`."""
+        """Take an instance to its first communication point; arguments as in `Fmu.start`."""
         description = pool.description
         points = np.array([time, math.inf if stop_time is None else stop_time])
         self._preparation = prepare(
@@ -90,32 +90,32 @@ class LiveInstance:
         self._step = _Step(self._preparation, self._workspace, no_going_back=not description.saves_states)
 
     def step(self, time: float, end: float, changes: Changes, names: tuple[str, ...]) -> tuple[Value, ...]:
-        """Set what changes, go on to `end` (s) and get the variables of these names there."""
+        """Set changed values, step to `end` (s) and get the variables of these names there."""
         self._begin()
         self._set(time, changes)
-        # What the time is to be is exact: `end` - `time` need not be the length that somebody asked for.
+        # `end` is passed as is: `end` - `time` may differ from the requested length by rounding.
         self._check(self._step.take(time, end - time), STEP, time)
         return self._get(end, names)
 
     def set(self, time: float, changes: Changes) -> None:
-        """Give variables new values."""
+        """Set variables."""
         self._begin()
         self._set(time, changes)
 
     def get(self, time: float, names: tuple[str, ...]) -> tuple[Value, ...]:
-        """Values of variables."""
+        """Get values of variables."""
         self._begin()
         return self._get(time, names)
 
     def save(self, time: float) -> int:
-        """A copy of the state, see `Instance.save`."""
+        """Save the state, see `Instance.save`."""
         with self._instance.reporting(time):
             state = self._instance.save()
         self._saved.add(state)
         return state
 
     def restore(self, time: float, state: int) -> None:
-        """Be again as when `state` was saved."""
+        """Restore a saved state."""
         with self._instance.reporting(time):
             self._instance.restore(state)
 
@@ -126,7 +126,7 @@ class LiveInstance:
             self._instance.forget(state)
 
     def stop(self, time: float = 0.0) -> None:
-        """End the simulation and give the instance back."""
+        """End the simulation and return the instance to the pool."""
         try:
             for state in tuple(self._saved):
                 self.forget(time, state)
@@ -137,7 +137,7 @@ class LiveInstance:
             self._give_back()
 
     def abandon(self) -> None:
-        """Give back an instance that nobody can use any more."""
+        """Return an unusable instance to the pool."""
         self._instance.is_broken = True
         self._give_back()
 
@@ -146,9 +146,9 @@ class LiveInstance:
         self._pool.give_back(self._instance)
 
     def _begin(self) -> None:
-        """Collect the messages of the call that follows."""
+        """Collect the messages of the next call."""
         log = self._instance.log
-        if self._preparation.interface.version == 2:  # whose logger others may have taken over
+        if self._preparation.interface.version == 2:  # other users of FMPy may have replaced its logger
             log.attach()
         log.clear()
 
@@ -173,7 +173,7 @@ class LiveInstance:
         return getter.values()
 
     def _check(self, status: int, function: int, time: float) -> None:
-        """Raise what a bad status, or Ctrl-C within a message of the FMU, means."""
+        """Raise the error for a bad status, or for Ctrl-C during a message of the FMU."""
         instance = self._instance
         if instance.log.interrupted:
             instance.log.interrupted = False
@@ -186,7 +186,7 @@ class LiveInstance:
 
 
 class _Step:
-    """The call of a step, as the kernel makes it, with its constant arguments laid out beforehand."""
+    """A call of the step function as the kernel makes it, with its constant arguments laid out in advance."""
 
     def __init__(self, preparation: Preparation, workspace: Workspace, *, no_going_back: bool) -> None:
         self._time, self._length = c_double(), c_double()
@@ -203,7 +203,7 @@ class _Step:
         self._time.value, self._length.value = time, length
         status = self._call()
         if status in (OK, WARNING):
-            # An FMU of FMI 2 leaves the flags alone.
+            # FMI 2 FMUs leave the flags alone.
             if self._told[8]:
                 return ENDED
             if self._told[16]:
@@ -214,7 +214,7 @@ class _Step:
 def _access(
     preparation: Preparation, workspace: Workspace, group: Group, row: int, address: int = 0
 ) -> Callable[[], int]:
-    """The call of a setter or getter, or of what stands at `address` for it."""
+    """A call of a setter or getter, or of the function at `address` instead."""
     function = address or int(preparation.program.functions[group.function])
     count = group.size - group.surplus
     arguments = workspace.instance, group.references, count, row + group.offset
@@ -240,7 +240,7 @@ class _Setter:
 
 
 class _Getter:
-    """Gets some variables at once, in a call for each type."""
+    """Gets several variables at once, with one call per type."""
 
     def __init__(self, preparation: Preparation, workspace: Workspace, variables: Sequence[Variable]) -> None:
         interface = preparation.interface
@@ -264,7 +264,7 @@ class _Getter:
         ]
 
     def values(self) -> tuple[Value, ...]:
-        """What was got, as Python's own values, in the order of the variables."""
+        """The values as Python objects, in the order of the variables."""
         if self._floats is not None:
             return tuple(self._floats.tolist())
         found: tuple[Value, ...] = self._form.readable(self._row)[0].item()

@@ -1,9 +1,9 @@
-"""The messages of FMUs, collected instance by instance.
+"""Messages of FMUs, collected per instance.
 
-FMI 2 loggers take printf arguments, which Python cannot read. FMPy's native proxy formats them (on the stack
-of its caller, so that threads do not meet there), and has room for one Python function in the whole process.
-So there is one function here, never garbage-collected, that tells the instances apart by the environment
-pointer each was given. FMI 3 loggers take finished texts and are one function an instance.
+FMI 2 loggers take printf arguments, which Python cannot read. FMPy's native proxy formats them (on the
+caller's stack, so that threads do not interfere) and passes them to a single Python function per process.
+That function is defined here, is never garbage-collected, and distinguishes instances by their environment
+pointers. FMI 3 loggers take finished text and are one function per instance.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from numpy.typing import NDArray
 
 from pyjoystick.fmu.stepping.program import PLACE_SIZE, RUN
 
-#: So many messages of an instance are kept, the newest.
+#: Number of messages kept per instance, the newest ones.
 _KEPT = 200
 
 _logs: dict[int, FmuLog] = {}
@@ -35,12 +35,12 @@ _environments = itertools.count(1)
 
 
 class FmuLog:
-    """The messages of one instance of an FMU.
+    """Messages of one instance of an FMU.
 
     Attributes:
-        callbacks: what an instance of FMI 2 is to be made with
-        place: where the instance is, kept up to date by the loop that drives it
-        interrupted: Ctrl-C fell into the receiving of a message, out of which no exception finds its way
+        callbacks: callbacks for creating an FMI 2 instance
+        place: progress of the instance, kept up to date by the loop that drives it
+        interrupted: Ctrl-C arrived during a message, since exceptions cannot pass through the FMU
     """
 
     def __init__(self, place: NDArray[np.intp] | None = None) -> None:
@@ -58,28 +58,28 @@ class FmuLog:
         self.attach()
 
     def attach(self) -> None:
-        """Have the native proxy call this module; another user of FMPy may have taken it over since."""
+        """Make the native proxy call this module; another user of FMPy may have replaced its target."""
         self.callbacks.logger = _receive_function
         addLoggerProxy(byref(self.callbacks))
 
     def add(self, text: bytes) -> None:
-        """Keep a message of the run that is under way."""
+        """Store a message of the current run."""
         try:
             self._messages.append((int(self.place[RUN]), text.decode("utf-8", errors="replace")))
         except KeyboardInterrupt:
             self.interrupted = True
 
     def messages(self) -> list[str]:
-        """Texts of the run that is under way, oldest first."""
+        """Texts of the current run, oldest first."""
         run = int(self.place[RUN])
         return [text for its_run, text in self._messages if its_run == run]
 
     def clear(self) -> None:
-        """Forget the messages."""
+        """Clear the messages."""
         self._messages.clear()
 
     def close(self) -> None:
-        """Forget the instance; what it still says is printed."""
+        """Unregister the instance; later messages are printed."""
         _logs.pop(self._environment, None)
 
 
@@ -88,7 +88,7 @@ def _receive(environment: int | None, instance: bytes, status: int, category: by
     if log is None:
         printLogMessage(environment, instance, status, category, message)
     else:
-        # "##" stands for one "#", which else begins a reference to a variable.
+        # "##" is an escaped "#", which otherwise starts a reference to a variable.
         log.add(message.replace(b"##", b"#"))
 
 

@@ -1,4 +1,4 @@
-"""Model Exchange runs with the importer's integrator, to check an FMU's Co-Simulation against."""
+"""Model Exchange runs with an external integrator, as a check of Co-Simulation."""
 
 from __future__ import annotations
 
@@ -44,23 +44,23 @@ def run_model_exchange(
 
     Args:
         fmu: a name such as ``Joystick``, or the path of any .fmu file
-        time: instants to record (s), equally spaced, shape (n,), n >= 2
+        time: times to record (s), equally spaced, shape (n,), n >= 2
         parameters: as in `Fmu.run`
-        inputs: as in `Fmu.run`; they are followed exactly
+        inputs: as in `Fmu.run`, but always followed exactly
         outputs: as in `Fmu.run`
         tolerance: relative tolerance of CVode
         own_process: as in `Fmu`
         time_limit: as in `Fmu`
 
     Returns:
-        a table as that of `Fmu.run`
+        a table as from `Fmu.run`
 
     Raises:
         ParameterError: the time is not equally spaced, or as in `Fmu.run`
         UnknownNameError, SeriesError: as in `Fmu.run`
         FmuNotFoundError, FmuFileError, UnsupportedFmuError: as in `Fmu`
         FmuEndedError, FmuCrashError, FmuTimeLimitError: as in `Fmu.run`
-        FmuRunError: the FMU refuses its settings or fails
+        FmuRunError: the FMU rejects its settings or fails
         SimulationError: CVode failed
     """
     instants = increasing_times(time)
@@ -112,7 +112,7 @@ def run_model_exchange(
 
 
 def _simulate(instance: Instance, folder: str, **settings: Any) -> Any:
-    """FMPy's loop; its errors as ours, with the time that was reached."""
+    """Run FMPy's loop; converts its errors to ours, with the time that was reached."""
     reached = [settings["start_time"]]
 
     def remember(time: float, _: object) -> bool:
@@ -124,7 +124,7 @@ def _simulate(instance: Instance, folder: str, **settings: Any) -> Any:
             return fmpy.simulate_fmu(folder, fmu_instance=instance.fmi, step_finished=remember, **settings)
     except FmuRunError as error:
         raise FmuRunError(reached[0], error.reason, error.path, error.messages) from error
-    except RuntimeError as error:  # of FMPy, where CVode fails; it names a source file of CVode first
+    except RuntimeError as error:  # from FMPy if CVode fails; begins with a source file of CVode
         raise SimulationError(reached[0], f"CVode: {str(error).rpartition('.c: ')[2]}") from error
 
 
@@ -137,7 +137,7 @@ def _column(rows: Any, variable: Variable) -> NDArray[Any]:
 
 
 def input_signals(description: FmuDescription, table: InputTable) -> NDArray[Any]:
-    """All inputs over the time as FMPy takes them; those that the table lacks keep their start values.
+    """All inputs over time as FMPy needs them; those missing in the table keep their start values.
 
     Raises:
         ParameterError: an input of the table is text
@@ -170,22 +170,22 @@ def _start(variable: Variable) -> float | bool:
 
 
 def apply_inputs_with_time(fmi: Any, model_description: Any, signals: NDArray[Any]) -> None:
-    """Have the inputs follow the time wherever it is set.
+    """Make the inputs follow the time whenever it is set.
 
-    FMPy's loop sets the time in the right-hand side that CVode integrates, but the inputs only once a step,
-    so that they would be constant in between at any tolerance.
+    FMPy's loop sets the time in the right-hand side that CVode integrates, but the inputs only once per step,
+    which would make them constant in between at any tolerance.
 
     Args:
         fmi: FMPy's object of the instance
-        model_description: as FMPy reads it
-        signals: as of `input_signals`
+        model_description: as read by FMPy
+        signals: from `input_signals`
     """
     inputs = Input(fmi, model_description, signals)
     set_time = fmi.setTime
 
     def set_time_and_inputs(time: float) -> None:
         set_time(time)
-        # At a jump what comes after it, for CVode begins anew there and evaluates that very instant first.
+        # At a jump, use the value after it, because CVode restarts there and evaluates this instant first.
         inputs.apply(time, discrete=False, after_event=True)
 
     fmi.setTime = set_time_and_inputs

@@ -1,4 +1,4 @@
-"""How a notebook shows an FMU and a batch of runs: as text."""
+"""Display of FMUs and batches in notebooks, as text."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from pyjoystick.support import TextTable
 
 _KINDS: Final = ("input", "output", "parameter")
 _HEADER: Final = ("name", "start", "unit", "description")
-#: So many failed runs are named.
+#: Maximum number of failed runs that are listed.
 _NAMED: Final = 5
 
 
 @singledispatch
 def summary(one: object) -> str:
-    """Markdown that reads as text too."""
+    """Markdown that is also readable as plain text."""
     raise TypeError(type(one))
 
 

@@ -1,4 +1,4 @@
-"""A run prepared once and carried out many times with other parameters."""
+"""Plans: runs prepared once and executed many times with different parameters."""
 
 from __future__ import annotations
 
@@ -35,22 +35,22 @@ if TYPE_CHECKING:
 
 _LOG = logging.getLogger(__name__)
 
-#: Tell the plans apart that a process is sent.
+#: Distinguishes the plans that are sent to a process.
 _keys = itertools.count()
 
 
 class Plan:
-    """Everything of a run but the values that vary, checked once; made by `Fmu.plan`.
+    """A prepared run in which only some values vary; made by `Fmu.plan`.
 
-    It may be used from several threads at once, and pickled as its FMU may.
+    It is thread-safe, and can be pickled like its FMU.
 
     Attributes:
-        time: instants of the samples (s), shape (samples,)
+        time: sample times (s), shape (samples,)
         varied: names of the parameters that each run gives
         outputs: names of the recorded variables
-        variables: the recorded variables as the FMU describes them
+        variables: descriptions of the recorded variables
         units: their units by name
-        left_out: names of outputs that were not recorded although none were chosen: text and binary data
+        left_out: names of outputs omitted by default: text and binary data
     """
 
     def __init__(
@@ -65,7 +65,7 @@ class Plan:
         tolerance: float,
     ) -> None:
         description = pool.description
-        # The FMU closes its pool when it is forgotten.
+        # The FMU closes its pool when it is garbage-collected.
         self._fmu = fmu
         self._pool = pool
         self.time: FloatArray = increasing_times(time)
@@ -109,7 +109,7 @@ class Plan:
         return _planned, (self._fmu, self._settings)
 
     def run(self, values: ArrayLike = ()) -> FloatArray:
-        """One run.
+        """Execute one run.
 
         Args:
             values: the varied parameters in the order of `varied`, shape (len(varied),)
@@ -121,8 +121,8 @@ class Plan:
         Raises:
             ParameterError: a value is missing, NaN, of the wrong type or out of range, or an output is text
             FmuTimeLimitError: the run takes longer than the FMU's `time_limit`
-            FmuEndedError: the FMU ended the simulation by itself; its `samples` has those up to there
-            FmuRunError: the FMU refuses its settings or fails during the run
+            FmuEndedError: the FMU terminated the simulation; the error's `samples` are those so far
+            FmuRunError: the FMU rejects its settings or fails during the run
         """
         self._require_numbers()
         samples = self._empty(1)
@@ -135,9 +135,9 @@ class Plan:
         return run
 
     def record(self) -> NDArray[np.void]:
-        """One run without varied parameters; the samples as the FMU stores them, one field a variable.
+        """Execute one run without varied parameters; returns samples as the FMU stores them, by variable.
 
-        Texts are Python's.
+        Texts are Python strings.
         """
         return self._run_once(self._varied.row(()), self._empty(1), load_compiler=False)
 
@@ -149,29 +149,29 @@ class Plan:
         reductions: Sequence[Reduction] | None = None,
         on_progress: OnProgress | None = None,
     ) -> BatchResult:
-        """Many runs; the result is the same, bit for bit, whatever the number of threads.
+        """Execute many runs; results are bitwise independent of the number of threads.
 
-        A failing run is marked and the others go on. Ctrl-C stops within a second and returns what is done
-        with `BatchResult.interrupted` set; so does `stop` when another thread calls it.
+        A failing run is marked and the others go on. Ctrl-C stops within a second and returns the finished
+        runs with `BatchResult.interrupted` set; so does `stop` when another thread calls it.
 
         Args:
-            table: one row a run, as an array of shape (runs, len(varied)) or a table with the columns
+            table: one row per run, as an array of shape (runs, len(varied)) or a table with the columns
                 `varied` in any order
-            threads: number of threads, one instance of the FMU each; the cores that this process may use
-                where not given. An FMU that can be instantiated only once has one.
-            reductions: what to keep of each run; every sample of every run is kept where not given
-            on_progress: called in the calling thread, about ten times a second, with the number of runs done
-                and of all runs; an exception in it stops the batch and is passed on. Where not given, a
-                notebook shows a bar.
+            threads: number of threads, with one instance of the FMU each; by default the number of cores
+                available to this process. An FMU that can be instantiated only once uses one.
+            reductions: what to keep of each run; by default every sample
+            on_progress: called in the calling thread, about ten times per second, with the number of finished
+                runs and of all runs; an exception in it stops the batch and is passed on. By default, a
+                notebook shows a progress bar.
 
         Raises:
             ParameterError: a value of the table is not allowed (the message names its row), a setting is not,
                 an output is text, or the samples do not fit into memory
-            UnknownVariableError: a reduction asks for a variable that is not among `outputs`
+            UnknownVariableError: a reduction uses a variable that is not among `outputs`
         """
         self._require_numbers()
         stop = np.zeros(1, np.bool_)
-        self._batches[id(stop)] = stop  # at once: loading the compiler takes a while
+        self._batches[id(stop)] = stop  # first, because loading the compiler takes a while
         try:
             with notebook_progress("runs") as show:
                 tell = on_progress or (lambda done, runs: show(f"{done} of {runs}", done, runs))
@@ -216,20 +216,20 @@ class Plan:
         )
 
     def stop(self) -> None:
-        """Have the batches of this plan return soon with what is done; may be called from any thread."""
+        """Make running batches of this plan return soon with the finished runs; thread-safe."""
         for stop in tuple(self._batches.values()):
             stop[0] = True
 
     def carry_out(
         self, rows: NDArray[np.void], cells: int, *, operations: Sequence[Operation], load_compiler: bool
     ) -> Outcome:
-        """Runs up to the first that fails, for a process that has been sent the rows of a plan there.
+        """Execute runs up to the first that fails; called in the process that has received the plan.
 
         Args:
-            rows: the values that vary, one row a run
+            rows: varied values, one row per run
             cells: number of results of the operations
-            operations: what to keep of each run; where there is none, its samples
-            load_compiler: as of `stepping.engine.loop`
+            operations: what to keep of each run; if empty, its samples
+            load_compiler: as in `stepping.engine.loop`
         """
         job = self._job(rows, cells)
         values = self._empty(1 if operations else len(rows))
@@ -260,7 +260,7 @@ class Plan:
         return Job(self._preparation, self.time, rows, kept, done, stop, self._pool.time_limit)
 
     def _new_runner(self, job: Job, operations: Sequence[Operation], *, load_compiler: bool) -> NewRunner:
-        """What makes the runners of a job: in this process, in processes of their own or in sandboxes."""
+        """Make the runners of a job: in this process, in separate processes or in sandboxes."""
         if isinstance(self._pool, SandboxPool):
             return partial(SandboxRunner, self._pool, job, operations)
         if isinstance(self._pool, ProcessPool):
@@ -269,7 +269,7 @@ class Plan:
         return partial(Runner, self._pool, job, self.loop_of(operations, load_compiler=load_compiler))
 
     def loop_of(self, operations: Sequence[Operation], *, load_compiler: bool) -> Loop:
-        """The loop; the one without reductions is kept from the first run on that loads the compiler."""
+        """The loop; without reductions it is cached from the first run that loads the compiler."""
         if self._loop is not None and not operations:
             return self._loop
         made = loop(self._preparation.program, operations, self.time, load_compiler=load_compiler)
@@ -278,7 +278,7 @@ class Plan:
         return made
 
     def _rows(self, numbers: NDArray[Any]) -> NDArray[np.void]:
-        """The values that vary as the FMU takes them, one row a run."""
+        """The varied values as the FMU stores them, one row per run."""
         rows: NDArray[np.void] = self._preparation.varied.rows(len(numbers))
         for name, column in zip(self.varied, numbers.T, strict=True):
             rows[name] = column
@@ -300,6 +300,6 @@ class Plan:
 
 
 def _planned(fmu: Any, settings: dict[str, Any]) -> Plan:
-    """A plan out of a pickle."""
+    """Restore a plan from a pickle."""
     plan: Plan = fmu.plan(**settings)
     return plan

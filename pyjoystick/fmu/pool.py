@@ -1,4 +1,4 @@
-"""What runs an FMU, made when needed, lent to one user at a time and kept for the next."""
+"""Pools of what runs an FMU: made on demand, lent to one user at a time and reused."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ class Pool(ABC, Generic[T]):
         description: the FMU
     """
 
-    #: At most one may be taken at a time; others wait for it.
+    #: Whether only one may be taken at a time, so that others wait.
     has_one = False
-    #: Whether a forked process can use what its parent has left idle.
+    #: Whether a forked process can use its parent's idle members.
     survives_fork = True
 
     def __init__(self, description: FmuDescription) -> None:
-        """Make the first one, which shows that the FMU can be run; closes the pool where it cannot."""
+        """Make the first member, to verify that the FMU can be run; closes the pool if it cannot."""
         self.description = description
         self._process = os.getpid()
         self._state = threading.Condition()
@@ -42,11 +42,11 @@ class Pool(ABC, Generic[T]):
             raise
 
     def take(self) -> T:
-        """One for the caller alone, until it is given back.
+        """Take a member for exclusive use until it is given back.
 
         Raises:
             PyJoystickError: the pool has been closed
-            FmuFileError: the FMU refuses another one
+            FmuFileError: the FMU cannot be instantiated again
         """
         with self._state:
             while self.has_one and self._taken and not self._closed:
@@ -66,17 +66,17 @@ class Pool(ABC, Generic[T]):
             raise
 
     def give_back(self, one: T) -> None:
-        """Keep it for the next one who asks; free it where it cannot be used again or the pool is closed."""
+        """Keep a member for the next user; free it if it is unusable or the pool is closed."""
         if self.is_reusable(one):
             self._return(one)
         else:
-            # Before another one is made: there may be room for one only.
+            # Free it before another one is made: there may be room for only one.
             self._free(one)
             self._return(None)
 
     @contextmanager
     def lent(self) -> Iterator[T]:
-        """Take one and give it back."""
+        """Take a member and give it back at the end."""
         one = self.take()
         try:
             yield one
@@ -84,9 +84,9 @@ class Pool(ABC, Generic[T]):
             self.give_back(one)
 
     def close(self) -> None:
-        """Free what is idle, and everything as soon as all that are taken are back; twice is no harm."""
+        """Free idle members now and the others when they are given back; may be called more than once."""
         if os.getpid() != self._process:
-            return  # in a forked process: what was unpacked is the parent's
+            return  # forked: the unpacked files belong to the parent
         with self._state:
             if self._closed:
                 return
@@ -112,16 +112,16 @@ class Pool(ABC, Generic[T]):
 
     @abstractmethod
     def _make(self) -> T:
-        """Another one."""
+        """Make another member."""
 
     @abstractmethod
     def is_reusable(self, one: T) -> bool:
-        """Whether it may serve another user."""
+        """Whether a member may be used again."""
 
     @abstractmethod
     def _free(self, one: T) -> None:
-        """Discard one that cannot be used again."""
+        """Discard a member that cannot be used again."""
 
     @abstractmethod
     def _put_away(self) -> None:
-        """Delete what all of them need."""
+        """Delete what all members share."""

@@ -1,4 +1,4 @@
-"""From checked settings to what the loop over the steps reads."""
+"""Conversion of checked settings to the input of the stepping loop."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ from pyjoystick.support import FloatArray
 
 @dataclass(frozen=True, slots=True)
 class Preparation:
-    """A run of an FMU, ready to be carried out with any values of what varies.
+    """A run of an FMU, ready to be executed with any varied values.
 
     Attributes:
-        program: for the loop
-        interface: the functions that it calls
-        varied: rows of the values that vary
-        outputs: rows of what is recorded
-        texts: the getter of texts, where some are recorded
-        memory: what the addresses in the program point to
-        drive: inputs that the FMU asks for within its steps; None where none of them moves
+        program: program for the loop
+        interface: FMI functions that it calls
+        varied: row layout of the varied values
+        outputs: row layout of the recorded values
+        texts: getter of texts, if any are recorded
+        memory: objects that the addresses in the program point to
+        drive: inputs that the FMU requests within its steps; None if none of them changes
     """
 
     program: Program
@@ -52,14 +52,14 @@ def prepare(
     inputs: Sequence[InputSeries],
     outputs: Sequence[Variable],
 ) -> Preparation:
-    """Lay out everything that does not change from run to run.
+    """Lay out everything that is common to all runs.
 
     Args:
         description: the FMU
-        fmi: its library as FMPy has loaded it; None where another process has done so
+        fmi: its library as loaded by FMPy; None if another process loads it
         points: communication points (s), shape (n,)
         is_recorded: whether a sample is taken there, shape (n,)
-        tolerance: what the FMU's integrator is asked to keep
+        tolerance: tolerance for the FMU's integrator
         parameters: checked values that all runs share
         varied: variables that each run sets
         inputs: inputs at the points
@@ -121,10 +121,10 @@ def prepare(
 def _changed(
     form: RowFormat, inputs: Sequence[InputSeries], moving: Sequence[InputSeries], points: int
 ) -> NDArray[np.bool_]:
-    """Whether a group of inputs is to be set at a point, shape (points, groups).
+    """Whether to set a group of inputs at a point, shape (points, groups).
 
-    An input that stays is left alone, because an FMU may begin its integration anew at each value it gets.
-    One whose derivative is given is set at every point: the FMU needs the value from which it is to go on.
+    Unchanged inputs are not set, because an FMU may restart its integration at each new value. Inputs
+    with a derivative are set at every point, because the FMU extrapolates from the value there.
     """
     changed = np.zeros((points, len(form.groups)), dtype=np.bool_)
     place = 0

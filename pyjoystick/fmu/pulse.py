@@ -1,6 +1,6 @@
-"""A thread that has loops under way come back to Python now and then, where Ctrl-C and time limits are heard.
+"""A thread that makes running loops return to Python periodically, to check for Ctrl-C and time limits.
 
-The loop looks at a flag after each communication step, which costs less than a look at the clock.
+The loop checks a flag after each communication step, which is cheaper than reading the clock.
 """
 
 from __future__ import annotations
@@ -15,12 +15,12 @@ from numpy.typing import NDArray
 
 from pyjoystick.fmu.stepping.program import PAUSE
 
-#: Time between two beats (s).
+#: Interval between two pulses (s).
 INTERVAL: Final = 0.1
 
 
 class Pulse:
-    """The thread, started when it is first needed, also in a forked process; it sleeps where nothing runs."""
+    """The thread, started on first use, also in a forked process; it sleeps while nothing runs."""
 
     def __init__(self) -> None:
         self._places: dict[int, NDArray[np.intp]] = {}
@@ -28,7 +28,7 @@ class Pulse:
         self._wanted = threading.Event()
 
     def add(self, place: NDArray[np.intp]) -> None:
-        """Set the flag in a workspace's place at each beat from now on."""
+        """Set the flag in a workspace's place at each pulse from now on."""
         self._places[id(place)] = place
         if self._process != os.getpid():
             self._process, self._wanted = os.getpid(), threading.Event()
@@ -37,19 +37,19 @@ class Pulse:
             self._wanted.set()
 
     def remove(self, place: NDArray[np.intp]) -> None:
-        """Leave it alone again."""
+        """Stop setting the flag."""
         del self._places[id(place)]
 
     def _beat(self, wanted: threading.Event) -> None:
         while True:
             if not self._places:
                 wanted.clear()
-                if not self._places:  # still: whoever comes now finds the event cleared
+                if not self._places:  # check again: `add` may have been called in between
                     wanted.wait()
             clock.sleep(INTERVAL)
             for place in list(self._places.values()):
                 place[PAUSE] = 1
 
 
-#: That of all runs in this process.
+#: Shared by all runs in this process.
 PULSE: Final = Pulse()

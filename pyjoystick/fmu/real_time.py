@@ -1,4 +1,4 @@
-"""The clock of a loop that keeps pace with real time."""
+"""Pacing of loops with real time."""
 
 from __future__ import annotations
 
@@ -10,20 +10,20 @@ from pyjoystick.support import ParameterError, positive
 
 
 def paced(interval: float, duration: float = float("inf")) -> Iterator[float]:
-    """Wait for the multiples of an interval, counted from the first call, one an iteration.
+    """Iterate at multiples of an interval, counted from the first call.
 
-    An iteration that takes too long delays those after it until they have caught up; none is left out, so
-    that a simulation that makes a step in each stays with the clock.
+    An iteration that takes too long delays the following ones until they have caught up. None is skipped, so
+    that a simulation with one step per iteration stays in sync with the clock.
 
     >>> for late in paced(1e-3, duration=5e-3):
     ...     pass  # a step of 1 ms
 
     Args:
-        interval: between two iterations (s)
+        interval: interval between iterations (s)
         duration: when to end (s)
 
     Yields:
-        how late the iteration begins (s)
+        delay of the iteration (s)
 
     Raises:
         ParameterError: the interval is not above zero, or the duration is negative or not a number
@@ -37,7 +37,7 @@ def paced(interval: float, duration: float = float("inf")) -> Iterator[float]:
 def _paced(interval: float, duration: float) -> Iterator[float]:
     begin = clock.perf_counter()
     for i in itertools.count():
-        # By half an interval, so that rounding does not decide about the last one.
+        # Extend by half an interval, so that rounding does not decide about the last iteration.
         if (i + 0.5) * interval > duration:
             return
         due = begin + i * interval

@@ -1,7 +1,7 @@
-"""What a batch keeps of each run in place of its whole trajectory.
+"""Reductions: what a batch keeps of each run instead of its whole trajectory.
 
 Each reduction names the columns that it adds to the table of results. Values are in the unit of the variable,
-times in s. A cell is NaN where there is nothing to tell: a run that failed, a peak that did not come.
+times in s. A cell is NaN if there is no result: the run failed, or a peak did not occur.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pyjoystick.fmu.stepping.reducing import EXTREMES, FINAL, LOSS, PEAKS, Operation
 from pyjoystick.support import ParameterError, UnknownVariableError, not_negative, whole_number
 
-#: More peaks than this are taken for a mistake.
+#: A larger number of peaks is taken for a mistake.
 _MOST_PEAKS = 10_000
 
 
@@ -42,16 +42,16 @@ class Extremes:
 
 @dataclass(frozen=True, slots=True)
 class Peaks:
-    """The first peaks, of both signs, as `pyjoystick.motion.peaks.find_peaks` finds them between the samples.
+    """The first peaks, of both signs, with interpolation by `pyjoystick.motion.peaks.find_peaks`.
 
     The columns are ``theta.peak1``, ``theta.peak1_time``, ``theta.peak2`` and so on.
 
     Attributes:
         variable: the series
         count: number of peaks to keep, from 1 to 10,000
-        derivative: the variable that is its derivative with respect to time (``omega`` for ``theta``), which
-            must be recorded as well; where not given, peaks are found from the samples alone
-        minimum_height: peaks with a smaller absolute value are left out
+        derivative: variable that is its time derivative (``omega`` for ``theta``), which must be recorded as
+            well; if empty, peaks are found from the samples alone
+        minimum_height: peaks with a smaller absolute value are ignored
         minimum_prominence: see `find_peaks`
     """
 
@@ -77,7 +77,7 @@ class Peaks:
 
 @dataclass(frozen=True, slots=True)
 class Loss:
-    """How much a variable falls from the first to the last sample, the energy ``E`` for one: ``E.loss``."""
+    """Decrease of a variable, such as the energy ``E``, from the first to the last sample: ``E.loss``."""
 
     variable: str
 
@@ -87,18 +87,18 @@ class Loss:
         return (f"{self.variable}.loss",)
 
 
-#: Any of them.
+#: Any reduction.
 Reduction = Final | Extremes | Peaks | Loss
 
 _KINDS = {Final: FINAL, Extremes: EXTREMES, Loss: LOSS}
 
 
 def checked_reductions(reductions: Iterable[Reduction], outputs: Sequence[str]) -> tuple[Reduction, ...]:
-    """The reductions, refused unless their variables are recorded and their columns differ.
+    """Check that the reductions' variables are recorded and their columns differ.
 
     Raises:
         UnknownVariableError: a variable is not among the outputs of the plan
-        ParameterError: there is none, one is of no known kind, or two have a column in common
+        ParameterError: there are no reductions, one is of an unknown kind, or two have a column in common
     """
     checked = tuple(reductions)
     if not checked:
@@ -118,7 +118,7 @@ def checked_reductions(reductions: Iterable[Reduction], outputs: Sequence[str]) 
 
 
 def operations_of(reductions: Sequence[Reduction], outputs: Sequence[str]) -> list[Operation]:
-    """Checked reductions in the terms of the loop, for samples with the columns `outputs`."""
+    """Convert checked reductions for the loop, for samples with the columns `outputs`."""
     operations, cell = [], 0
     for one in reductions:
         column = outputs.index(one.variable)
@@ -133,7 +133,7 @@ def operations_of(reductions: Sequence[Reduction], outputs: Sequence[str]) -> li
 
 
 def units_of(reductions: Sequence[Reduction], units: Mapping[str, str]) -> dict[str, str]:
-    """The unit of each result column, from those of the variables."""
+    """Unit of each result column, from those of the variables."""
     return {
         column: "s" if column.endswith("_time") else units[one.variable]
         for one in reductions

@@ -1,4 +1,4 @@
-"""What is logged of the runs of an FMU: which values were set on it."""
+"""Logging of an FMU's runs and the values set on it."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ def log_runs(
     varied: Sequence[str],
     tolerance: float,
 ) -> None:
-    """Log one run, at level INFO, or many whose values vary, at level DEBUG: fits prepare hundreds of these.
+    """Log one run at level INFO, or many with varied values at level DEBUG, as fits prepare hundreds of them.
 
     Args:
         description: the FMU
-        time: instants of the samples (s), shape (n,)
+        time: sample times (s), shape (n,)
         parameters: values by name
         varied: names of the parameters that vary from run to run
-        tolerance: of the integrator
+        tolerance: tolerance of the integrator
     """
     level = logging.DEBUG if varied else logging.INFO
     if _LOG.isEnabledFor(level):
@@ -45,7 +45,7 @@ def log_runs(
 
 
 def _changed(description: FmuDescription, parameters: Mapping[str, Value]) -> str:
-    """The values that differ from the FMU's own by more than rounding, as text."""
+    """Values that differ from the FMU's own by more than rounding, as text."""
     return ", ".join(
         f"{name} = {value}" for name, value in parameters.items() if not _is_own(description, name, value)
     )

@@ -1,4 +1,4 @@
-"""One instance that carries out runs of a plan, and the error of a run that fails."""
+"""Execution of a plan's runs on one instance, with errors for runs that fail."""
 
 from __future__ import annotations
 
@@ -39,12 +39,12 @@ _GOOD: Final = (OK, WARNING, UNFINISHED, STOPPED)
 
 @dataclass(frozen=True, slots=True)
 class Samples:
-    """What there is of a run that the FMU ended.
+    """Samples of a run that the FMU terminated.
 
     Attributes:
-        instants: s, shape (n,); the last may lie between two communication points
+        instants: sample times (s), shape (n,); the last may be between two communication points
         numbers: shape (n, variables)
-        raw: as the FMU gave them, one field a variable, shape (n,)
+        raw: as the FMU stores them, by variable, shape (n,)
     """
 
     instants: FloatArray
@@ -54,16 +54,16 @@ class Samples:
 
 @dataclass(frozen=True, slots=True)
 class Job:
-    """What runners work on.
+    """Runs to execute, and arrays for their results.
 
     Attributes:
         preparation: what the runs share
-        instants: of the samples (s), shape (samples,)
-        rows: the values that vary, one row a run
+        instants: sample times (s), shape (samples,)
+        rows: varied values, one row per run
         cells: results of reductions, shape (runs, cells)
-        done: runs that came to their end, shape (runs,)
-        stop: to be set by whoever wants the work to end, shape (1,)
-        time_limit: what a run may take (s)
+        done: runs that reached their end, shape (runs,)
+        stop: set it to end the work, shape (1,)
+        time_limit: time limit of a run (s)
     """
 
     preparation: Preparation
@@ -76,7 +76,7 @@ class Job:
 
 
 class Runner:
-    """Carries out runs of a job on an instance of its own, which it replaces where it breaks."""
+    """Executes runs of a job on its own instance, which it replaces if it breaks."""
 
     def __init__(self, pool: InstancePool, job: Job, loop: Loop) -> None:
         """Take an instance; raises as `InstancePool.take`.
@@ -94,19 +94,19 @@ class Runner:
         self._take()
 
     def close(self) -> None:
-        """Give the instance back."""
+        """Return the instance to the pool."""
         if self._has_instance:
             self._give_back()
 
     def advance(self, first: int, last: int, values: FloatArray) -> int:
-        """Carry out the runs `first` to `last` - 1, see `stepping.kernel.run_many`.
+        """Execute the runs `first` to `last` - 1, see `stepping.kernel.run_many`.
 
         Returns:
-            OK, STOPPED, or a status that calls for `failure`
+            OK, STOPPED, or a status that requires a call of `failure`
 
         Raises:
-            FmuFileError: another instance is needed, and the FMU refuses it
-            KeyboardInterrupt: Ctrl-C, within a moment
+            FmuFileError: another instance is needed, and the FMU cannot be instantiated
+            KeyboardInterrupt: Ctrl-C, with a short delay
         """
         if self._pool.resets:
             return self._on_one_instance(first, last, values)
@@ -115,7 +115,7 @@ class Runner:
             status = self._on_one_instance(run, run + 1, values)
             if status not in (OK, WARNING):
                 break
-            self._give_back()  # the next run has an instance of its own
+            self._give_back()  # the next run needs a new instance
         return status
 
     def _on_one_instance(self, first: int, last: int, values: FloatArray) -> int:
@@ -133,14 +133,14 @@ class Runner:
                 return LATE
 
     def _go_on(self, first: int, last: int, values: FloatArray) -> int:
-        """Begin, or go on where the loop has paused."""
+        """Start the loop, or resume it after a pause."""
         if not self._has_instance:
             self._take(first)
         job, instance = self._job, self._instance
         is_new, instance.is_new = instance.is_new, False
         rows = self._rows_address, first, last
         place = self._workspace.place
-        # Ctrl-C is heard in the main thread alone.
+        # Only the main thread receives Ctrl-C.
         is_watched = job.time_limit is not None or threading.current_thread() is threading.main_thread()
         if is_watched:
             PULSE.add(place)
@@ -158,13 +158,13 @@ class Runner:
             job.preparation.texts.check()
         if status in _GOOD or place[FUNCTION] != RESET:
             return status
-        # What was there before the run stands in its way: nothing that the run itself is to be blamed for.
+        # Leftovers of an earlier run caused the failure, not the run itself.
         run = int(place[RUN])
         self._abandon(is_lost=status == FATAL)
         return self._go_on(run, last, values)
 
     def failure(self, status: int) -> tuple[int, FmuRunError]:
-        """The run that failed with this status, and why; the runner is then ready for the next one."""
+        """Index and error of the run that failed with this status; prepares the runner for the next run."""
         instance, place, preparation = self._instance, self._workspace.place, self._job.preparation
         run, reached = int(place[RUN]), preparation.program.times[place[POINT]]
         if status == LATE:
@@ -180,7 +180,7 @@ class Runner:
         return run, error
 
     def _samples_until(self, end: float) -> Samples:
-        """What was recorded, and one more sample at the end where none was taken there."""
+        """The recorded samples, plus one at the end if none was taken there."""
         program, place = self._job.preparation.program, self._workspace.place
         instants = np.array(program.times)[np.array(program.recorded)][: place[SAMPLES]].tolist()
         if not instants or instants[-1] < end:
@@ -192,16 +192,16 @@ class Runner:
         return Samples(np.array(instants), numbers, self.recorded()[: len(instants)])
 
     def recorded(self) -> NDArray[np.void]:
-        """The samples of the last run as the FMU gave them, one field a variable, shape (samples,).
+        """Samples of the last run as the FMU stores them, by variable, shape (samples,).
 
-        Texts are Python's.
+        Texts are Python strings.
         """
         raw: NDArray[np.void] = self._workspace.raw.view(self._job.preparation.outputs.dtype)
         return self._job.preparation.outputs.readable(raw.copy())
 
     def _take(self, run: int = 0) -> None:
         if self._pool.place is not None:
-            self._pool.place[RUN] = run  # whose fault it is if the FMU cannot even be instantiated
+            self._pool.place[RUN] = run  # to blame this run if instantiation crashes
         self._instance = self._pool.take()
         self._has_instance = True
         self._instance.log.attach()

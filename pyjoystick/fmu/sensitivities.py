@@ -1,4 +1,4 @@
-"""Derivatives of whole runs by parameters: what an FMU that is built for them has as outputs."""
+"""Derivatives of whole runs with respect to parameters, for FMUs with such outputs."""
 
 from __future__ import annotations
 
@@ -11,26 +11,26 @@ from pyjoystick.fmu.description_file import read_description
 from pyjoystick.fmu.errors import UnsupportedFmuError
 from pyjoystick.support import UnknownParameterError, UnknownVariableError
 
-#: The folder beside an FMU in which one of the same name and model has sensitivities.
+#: Folder next to an FMU that contains one of the same name and model with sensitivities.
 FOLDER: Final = "sensitivities"
 _PREFIX: Final = "sensitivity."
 
 
 def sensitivity_name(variable: str, parameter: str) -> str:
-    """The output of an FMU that is the derivative of a variable by a parameter."""
+    """Name of the output that is the derivative of a variable with respect to a parameter."""
     return f"{_PREFIX}{variable}.{parameter}"
 
 
 def has_sensitivities(description: FmuDescription) -> bool:
-    """Whether the FMU was built for any."""
+    """Whether the FMU was built with sensitivities."""
     return any(name.startswith(_PREFIX) for name in description.variables)
 
 
 def counterpart(description: FmuDescription) -> Path | None:
-    """The FMU of the same model beside this one that has sensitivities.
+    """Find the FMU of the same model with sensitivities, next to this one.
 
     Raises:
-        UnsupportedFmuError: there is one of that name, but of another model, or with other start values
+        UnsupportedFmuError: there is one of that name, but of another model or with other start values
     """
     path = description.path.parent / FOLDER / description.path.name
     if not path.is_file():
@@ -52,11 +52,11 @@ def _start(variable: Variable) -> object:
 
 
 def wanted_names(description: FmuDescription, outputs: Iterable[str], by: Iterable[str]) -> list[str]:
-    """The outputs of an FMU for each pair, those of one variable together.
+    """Names of the sensitivity output for each pair, grouped by variable.
 
     Raises:
         UnknownParameterError, UnknownVariableError: the FMU has none of that name
-        UnsupportedFmuError: the FMU was not built for one of them
+        UnsupportedFmuError: the FMU was not built with one of them
     """
     variables, parameters = _names(outputs), _names(by)
     for parameter in parameters:
@@ -83,7 +83,7 @@ def _names(given: Iterable[str]) -> list[str]:
 
 
 def advice(description: FmuDescription) -> str:
-    """How to get an FMU with sensitivities."""
+    """How to obtain an FMU with sensitivities."""
     folder = description.path.parent / FOLDER
     return f"build it with {_command(description, str(folder), 'VARIABLES:PARAMETERS')}"
 

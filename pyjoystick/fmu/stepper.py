@@ -28,17 +28,17 @@ from pyjoystick.fmu.values import (
 )
 from pyjoystick.support import ParameterError, UnknownInputError, finite, positive
 
-#: No value: equal to none, so that what it is compared with is set.
+#: Placeholder for no value: compares unequal to everything, so that the variable is set.
 _UNSET: Final = object()
-#: Steps may end this much after the stop time (relative to it, or to a second), where rounding leads.
+#: Tolerance beyond the stop time for steps (relative to it, or to a second), for rounding.
 _SLACK: Final = 1e-12
 
 
 class SavedState:
-    """What `Stepper.save` returns: a state to go back to, freed when nothing refers to it any more.
+    """A saved state, returned by `Stepper.save` and freed when no longer referenced.
 
     Attributes:
-        time: of the state (s)
+        time: time of the state (s)
     """
 
     def __init__(self, owner: Stepper, time: float, given: Mapping[str, Value], address: int) -> None:
@@ -58,15 +58,15 @@ class Stepper:
     ...     while joystick.time < 1.0:
     ...         motion = joystick.step(1e-3, T=-0.5 * joystick.outputs["omega"])
 
-    Values are in the units of the FMU, as in `Fmu.run`. Inputs hold until they are given another value. A
+    Values are in the units of the FMU, as in `Fmu.run`. Inputs are constant until they are set again. A
     call that fails raises its error and ends the simulation, and so does Ctrl-C within a call, which may have
     stopped in the middle of a step; later calls raise `StepperEndedError`. Threads may share a stepper: their
     calls take turns.
 
     Attributes:
-        description: the FMU's own description
+        description: contents of the FMU's modelDescription.xml
         units: units of the outputs by name
-        left_out: names of outputs that have no number or text, where none were chosen
+        left_out: names of outputs without a number or text, omitted by default
     """
 
     def __init__(
@@ -84,7 +84,7 @@ class Stepper:
         if pool.has_one:
             reason = "can be instantiated only once in a process; to be stepped it needs one of its own"
             raise UnsupportedFmuError(description.path, f"{reason} (own_process=True)")
-        self._fmu = fmu  # which closes its pool when it is forgotten
+        self._fmu = fmu  # keeps it alive; it closes its pool when collected
         self._time = finite("time", time, "s")
         self._last = math.inf if stop_time is None else finite("stop_time", stop_time, "s")
         if self._last <= self._time:
@@ -115,7 +115,7 @@ class Stepper:
 
     @property
     def outputs(self) -> dict[str, Value]:
-        """The outputs by name at the communication point, with the inputs that hold from here on.
+        """The outputs by name at the communication point, with the current inputs.
 
         Raises:
             FmuRunError: as in `step`
@@ -129,11 +129,11 @@ class Stepper:
     def step(
         self, length: float, changes: Mapping[str, Value] | None = None, /, **more: Value
     ) -> dict[str, Value]:
-        """Give inputs their values and go on to the next communication point.
+        """Set inputs and step to the next communication point.
 
         Args:
-            length: how far (s); the next point is `time` + `length`
-            changes: inputs and tunable parameters that change here, by name
+            length: step size (s); the next point is `time` + `length`
+            changes: inputs and tunable parameters to change here, by name
             more: the same as keywords
 
         Returns:
@@ -142,7 +142,7 @@ class Stepper:
         Raises:
             UnknownInputError: a name is neither an input nor a tunable parameter
             ParameterError: a value or the length is not allowed; the simulation can go on
-            FmuEndedError: the FMU ended the simulation by itself
+            FmuEndedError: the FMU terminated the simulation
             FmuTimeLimitError, FmuCrashError: the FMU's process took longer than its `time_limit`, or ended
             StepperEndedError: the simulation had ended before
             FmuRunError: the FMU failed
@@ -156,7 +156,7 @@ class Stepper:
             return dict(zip(self._names, self._values, strict=True))
 
     def set(self, changes: Mapping[str, Value] | None = None, /, **more: Value) -> None:
-        """Give inputs and tunable parameters their values from here on; arguments and errors as in `step`."""
+        """Set inputs and tunable parameters from here on; arguments and errors as in `step`."""
         with self._lock:
             new = self._checked(changes, more)
             self._values = None
@@ -164,7 +164,7 @@ class Stepper:
             self._given.update(new)
 
     def get(self, name: str) -> Value:
-        """The value of any variable at the communication point, of an array by element (``x[1]``).
+        """Get the value of any variable at the communication point, arrays by element (``x[1]``).
 
         Raises:
             UnknownVariableError: the FMU has no such variable
@@ -177,7 +177,7 @@ class Stepper:
             return value
 
     def save(self) -> SavedState:
-        """The present state, for `restore`.
+        """Save the current state, for `restore`.
 
         Raises:
             UnsupportedFmuError: the FMU cannot save its state
@@ -188,12 +188,12 @@ class Stepper:
         with self._lock:
             self._forget()
             state = SavedState(self, self._time, self._given, self._call("save"))
-            # Whichever thread collects it: only a call of this object may go to the FMU.
+            # Any thread may collect it, but only calls of this object may access the FMU.
             weakref.finalize(state, self._forgotten.append, state._address).atexit = False
             return state
 
     def restore(self, state: SavedState) -> None:
-        """Be again as when `state` was saved, as often as wanted.
+        """Restore a saved state, any number of times.
 
         Raises:
             ParameterError: another stepper saved it
@@ -208,10 +208,10 @@ class Stepper:
             self._time, self._given = state.time, dict(state._given)
 
     def close(self) -> None:
-        """End the simulation and give the instance back; closing twice does no harm.
+        """End the simulation and return the instance; may be called more than once.
 
         Raises:
-            FmuRunError: the FMU fails even here
+            FmuRunError: the FMU fails during termination
         """
         with self._lock:
             if self._stop.detach() is not None:
@@ -257,18 +257,18 @@ class Stepper:
     def _checked(
         self, changes: Mapping[str, Value] | None, more: Mapping[str, Value]
     ) -> list[tuple[str, Value]]:
-        """What differs from what was given before: an FMU may begin its integration anew at each value."""
+        """Values that differ from the previous ones; an FMU may restart its integration at each set value."""
         new = []
         for name, value in (more if changes is None else {**changes, **more}).items():
             variable, low, high = self._settable.get(name) or self._found(name, value)
-            is_plain = type(value) is float and low <= value <= high  # most values; the check takes longer
+            is_plain = type(value) is float and low <= value <= high  # the common case, checked fast
             checked = value if is_plain else checked_value(variable, value)
             if self._given.get(name, _UNSET) != checked:
                 new.append((name, checked))
         return new
 
     def _found(self, name: str, value: Value) -> tuple[Variable, float, float]:
-        """A variable that may be set at a communication point, and the range of a real one."""
+        """A variable that may be set at a communication point, and its range if it is real."""
         description = self.description
         variable = description.variables.get(name)
         if variable is None:
@@ -284,6 +284,6 @@ class Stepper:
         return self._settable[name]
 
     def _forget(self) -> None:
-        """Free the saved states that nothing refers to any more."""
+        """Free saved states that are no longer referenced."""
         while self._forgotten:
             self._call("forget", self._forgotten.popleft())

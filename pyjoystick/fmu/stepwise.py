@@ -1,4 +1,4 @@
-"""An FMU stepped from outside, call by call, where it is to run."""
+"""An FMU stepped call by call, in this process or another."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from pyjoystick.fmu.own_process.process import OwnProcess
 
 @contextmanager
 def stepped(description: FmuDescription) -> Iterator[Instance | RemoteInstance]:
-    """A new Co-Simulation instance, in a process of its own where `Fmu` would run it in one.
+    """Make a Co-Simulation instance, in a separate process if `Fmu` would use one.
 
     Raises:
         UnsupportedFmuError, FmuFileError: as in `Fmu`
@@ -34,7 +34,7 @@ def stepped(description: FmuDescription) -> Iterator[Instance | RemoteInstance]:
 
 
 class RemoteInstance:
-    """As `Instance`, in a process of its own: what it lacks here is asked there."""
+    """Like `Instance`, in a separate process; missing attributes are forwarded to it."""
 
     def __init__(self, pool: ProcessPool, process: OwnProcess) -> None:
         self._pool = pool
@@ -44,12 +44,12 @@ class RemoteInstance:
 
     @contextmanager
     def reporting(self, time: float) -> Iterator[None]:
-        """Calls in this context are made at `time` (s); raises as `Instance.reporting`."""
+        """Context for calls at `time` (s); raises as `Instance.reporting`."""
         self._time = time
         yield
 
     def forget(self, state: int) -> None:
-        """As `Instance.forget`; what a process had saved is gone with it."""
+        """See `Instance.forget`; states are lost together with the process."""
         if self._process.is_alive:
             self._call("forget", state)
 

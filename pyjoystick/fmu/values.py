@@ -1,4 +1,4 @@
-"""Checks of what a run is given: parameters and names of variables."""
+"""Checks of the parameters and variable names given to a run."""
 
 from __future__ import annotations
 
@@ -14,31 +14,31 @@ import numpy as np
 from pyjoystick.fmu.description import FmuDescription, Variable
 from pyjoystick.support import ParameterError, UnknownParameterError, UnknownVariableError, type_text
 
-#: What a variable of an FMU may be set to.
+#: Values to which a variable of an FMU can be set.
 Value = float | bool | str
 
-#: Types of real numbers, of FMI 2 and 3.
+#: Real types of FMI 2 and 3.
 REALS: Final = ("Real", "Float64", "Float32")
-#: Types with whole numbers, of FMI 2 and 3.
+#: Integer types of FMI 2 and 3.
 INTEGERS: Final = (
     "Integer",
     "Enumeration",
     *(f"{sign}Int{bits}" for bits in (8, 16, 32, 64) for sign in ("", "U")),
 )
 _NOT_RUN: Final = ("Binary", "Clock")
-#: Up to here a float has every whole number.
+#: Floats represent all integers up to this.
 EXACT: Final = 2**53
 
 
 def checked_parameters(description: FmuDescription, parameters: Mapping[str, Value]) -> dict[str, Value]:
-    """The parameters with their values in the type of each variable.
+    """Check parameters; returns their values in the type of each variable.
 
     Raises:
         UnknownParameterError: the FMU has no variable of that name
         ParameterError: the parameters are not a mapping; a variable cannot be set, or its value is of the
             wrong type, NaN or out of range
     """
-    if not callable(getattr(parameters, "items", None)):  # a row of a pandas table has them too
+    if not callable(getattr(parameters, "items", None)):  # also accepts a row of a pandas table
         raise ParameterError("parameters", type_text(parameters), "a mapping from names to values")
     return {
         name: checked_value(_settable(description, name, value), value) for name, value in parameters.items()
@@ -48,7 +48,7 @@ def checked_parameters(description: FmuDescription, parameters: Mapping[str, Val
 def checked_varied(
     description: FmuDescription, varied: Iterable[str], parameters: Mapping[str, Value]
 ) -> list[Variable]:
-    """The variables that each run gives, beside the `parameters` that all runs share.
+    """Check the names of variables that differ between runs, given the `parameters` that all runs share.
 
     Raises:
         UnknownParameterError: the FMU has no variable of that name
@@ -79,7 +79,7 @@ def _settable(description: FmuDescription, name: str, value: object) -> Variable
 
 
 def require_scalar(variable: Variable) -> None:
-    """Raise ParameterError for what has no single value: arrays, clocks and binaries of FMI 3."""
+    """Raise ParameterError for variables without a single value: arrays, and FMI 3 clocks and binaries."""
     if variable.is_array or variable.type in _NOT_RUN:
         what = "an array" if variable.is_array else f"of type {variable.type}"
         raise ParameterError(variable.name, what, "a single number, Boolean or text")
@@ -107,7 +107,7 @@ def checked_value(variable: Variable, value: object) -> Value:
 
 
 def whole_number_for(variable: Variable, value: float) -> int:
-    """A signal as the whole number that it stands for; raises ParameterError unless that is certain."""
+    """Convert a signal to the integer that it represents; raises ParameterError unless that is certain."""
     stored = np.iinfo(stored_type(variable))
     is_exact = isinstance(value, Integral | np.bool_) or (abs(value) <= EXACT and value == math.floor(value))
     if not is_exact or not stored.min <= value <= stored.max:
@@ -117,7 +117,7 @@ def whole_number_for(variable: Variable, value: float) -> int:
 
 
 def limits(variable: Variable) -> tuple[float, float]:
-    """The least and the largest value of a number or a Boolean (0 and 1); of its type where not given."""
+    """Smallest and largest value of a number or a Boolean (0 and 1); by default, those of its type."""
     if variable.type == "Boolean":
         return 0, 1
     low: float = -sys.float_info.max
@@ -134,14 +134,14 @@ def limits(variable: Variable) -> tuple[float, float]:
 
 
 def stored_type(variable: Variable) -> str:
-    """Name of the type in which NumPy has the variable's whole numbers."""
+    """Name of the NumPy type for the variable's integers."""
     if variable.type in ("Integer", "Enumeration"):
         return "int64" if variable.is_fmi3 else "int32"
     return variable.type.lower()
 
 
 def allowed_values(variable: Variable) -> str:
-    """The range of a number in words, with the unit."""
+    """The range of a number as text, with the unit."""
     number = "an integer" if variable.type in INTEGERS else "a finite number"
     unit = f" {variable.unit}" if variable.unit else ""
     if variable.must_be_positive and variable.maximum is None:
@@ -163,11 +163,11 @@ def _as_written(bound: float | None) -> str:
 def default_outputs(
     description: FmuDescription, *, texts: bool = False
 ) -> tuple[list[Variable], tuple[str, ...]]:
-    """The outputs that can be recorded, arrays as their elements, and the names of the others.
+    """Outputs that can be recorded, with arrays as their elements, and the names of the others.
 
     Args:
         description: the FMU
-        texts: text can be recorded
+        texts: whether text can be recorded
     """
     outputs = [description.variables[name] for name in description.names("output")]
     can_be = [one.type not in _NOT_RUN and (texts or one.type != "String") for one in outputs]
@@ -178,9 +178,9 @@ def default_outputs(
 def checked_outputs(
     description: FmuDescription, outputs: Iterable[str] | None, *, texts: bool = False
 ) -> list[Variable]:
-    """The variables to record, each once; None means every output that can be, see `default_outputs`.
+    """Check the variables to record, without repeats; None means those of `default_outputs`.
 
-    An array is given element by element: ``x[1]``, ``grid[2,3]``.
+    Arrays are given by element: ``x[1]``, ``grid[2,3]``.
 
     Raises:
         UnknownVariableError: the FMU has no variable of that name
@@ -197,7 +197,7 @@ def checked_outputs(
 
 
 def _parts(description: FmuDescription, name: str, *, texts: bool) -> dict[str, Variable]:
-    """The variable of this name or, where it is an element of an array, all elements."""
+    """The variable of this name or, if it is an element of an array, all elements."""
     variables = description.variables
     whole = variables.get(name) or variables.get(name.rpartition("[")[0])
     parts = {part.name: part for part in whole.elements()} if whole else {}

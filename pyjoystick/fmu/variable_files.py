@@ -1,4 +1,4 @@
-"""Series of an FMU's variables from CSV files: inputs of a run, and records of its outputs."""
+"""Series of an FMU's variables in CSV files: inputs of a run, and records of its outputs."""
 
 from __future__ import annotations
 
@@ -19,25 +19,25 @@ from pyjoystick.motion import TIME, Column, Match, RecordError, TableFile, read_
 from pyjoystick.support import UnknownInputError
 
 _TIME: Final = replace(TIME, default_unit="s")
-#: Closer instants (s) are no two ends of a line: its slope would overflow.
+#: Minimum distance of two different times (s); below it, the slope between them would overflow.
 _CLOSEST: Final = 1e-12
 _TRUTH: Final = {"true": True, "false": False}
 
 
 def read_inputs(path: str | PathLike[str], fmu: FmuDescription) -> pd.DataFrame:
-    """Read inputs over time: a table as `Fmu.run` takes it, with a column for each in the file.
+    """Read inputs over time as a table for `Fmu.run`.
 
-    The first column is the time, in s where its heading has no unit; the others are as in `read_variables`.
+    The first column is the time, in s if its heading has no unit; the others are as in `read_variables`.
 
     Raises:
         RecordError: the file is not a table, a unit is unknown, a cell is not a finite number, or two
             different times are less than 1e-12 s apart
-        UnknownInputError: a column has not the name of an input
+        UnknownInputError: a column does not have the name of an input
     """
     file = read_table_file(Path(path))
     first, *others = file.head.headings
     known = fmu.names("input")
-    # The name of an element of an array, u[1], looks like a name with a unit.
+    # The name of an array element, u[1], looks like a name with a unit.
     texts = {heading.text if heading.text in known else heading.name: heading.text for heading in others}
     for name in texts:
         if name not in known:
@@ -57,13 +57,13 @@ def read_inputs(path: str | PathLike[str], fmu: FmuDescription) -> pd.DataFrame:
 
 
 def read_variables(path: str | PathLike[str], fmu: FmuDescription, names: Sequence[str]) -> pd.DataFrame:
-    """Read a record of variables: a table indexed by time (s), its columns in the units of the FMU.
+    """Read a record of variables as a table indexed by time (s), with columns in the units of the FMU.
 
-    The columns are ``time (s)`` and ``name (unit)``. The unit is the variable's own, or the one that the FMU
-    proposes for display; a heading without a unit means the variable's own.
+    The columns are ``time (s)`` and ``name (unit)``. The unit is the variable's own or its display unit in
+    the FMU; a heading without a unit means the variable's own.
 
     Raises:
-        RecordError: the file is not a table, a column is missing, its unit is unknown, a cell is no finite
+        RecordError: the file is not a table, a column is missing, its unit is unknown, a cell is not a finite
             number, or the time does not increase
     """
     log = read_log_table(path)
@@ -84,7 +84,7 @@ def _column(variable: Variable) -> Column:
 
 
 def _table(file: TableFile, found: Mapping[str, Match], fmu: FmuDescription) -> pd.DataFrame:
-    """The columns in the types and units of their variables, over the time (s)."""
+    """The columns in the types and units of their variables, over time (s)."""
     columns = dict(found)
     time = columns.pop("time")
     return pd.DataFrame(
@@ -100,7 +100,7 @@ def _values(file: TableFile, match: Match, variable: Variable) -> NDArray[Any]:
             return np.array([_TRUTH[cell] for cell in cells])
     numbers = file.finite_numbers(match.heading, match.column.advice)
     if variable.type in INTEGERS:
-        # As written: beyond 2^53 the floats are others.
+        # Parse the text, because integers beyond 2^53 are not exact as floats.
         written = [Decimal(cell) for cell in file.texts(match.heading)]
         if all(one == one.to_integral_value() for one in written):
             return pd.Series([int(one) for one in written]).to_numpy()

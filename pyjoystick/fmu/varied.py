@@ -1,4 +1,4 @@
-"""What varies from run to run, checked for one run or for a table of many."""
+"""Varied values, checked for one run or for a table of many."""
 
 from __future__ import annotations
 
@@ -19,17 +19,17 @@ if TYPE_CHECKING:
 
 
 class Varied:
-    """The variables that each run gives, with what they may be.
+    """The variables that differ between runs, with their allowed values.
 
     Attributes:
         variables: in the order of a row
-        names: of the variables
+        names: names of the variables
     """
 
     def __init__(self, variables: Sequence[Variable]) -> None:
         self.variables = tuple(variables)
         self.names = tuple(variable.name for variable in variables)
-        # Where a float does not have every value, Python's own numbers do.
+        # Use Python integers where floats do not represent every value.
         is_wide = any(one.type in INTEGERS and stored_type(one) in ("int64", "uint64") for one in variables)
         self._type: Any = object if is_wide else np.float64
         ranges = np.array([limits(variable) for variable in variables], dtype=self._type).reshape(-1, 2)
@@ -37,7 +37,7 @@ class Varied:
         self._whole = np.array([one.type in (*INTEGERS, "Boolean") for one in variables], dtype=np.bool_)
 
     def row(self, values: ArrayLike) -> NDArray[Any]:
-        """The values of one run, shape (1, variables); raises ParameterError as `table`."""
+        """Values of one run, shape (1, variables); raises ParameterError as `table`."""
         row = self._numbers(values)
         if row.shape != self._low.shape:
             wanted = f"of shape {self._low.shape}, for {', '.join(self.names) or 'no varied parameters'}"
@@ -49,13 +49,13 @@ class Varied:
         return row
 
     def table(self, table: pd.DataFrame | ArrayLike) -> tuple[pd.DataFrame, NDArray[Any]]:
-        """The values of many runs, with names and as numbers, shape (runs, variables).
+        """Values of many runs, by name and as numbers, shape (runs, variables).
 
-        The numbers are floats, or Python's where a variable is a whole number of 64 bits.
+        The numbers are floats, or Python integers if a variable is a 64-bit integer.
 
         Raises:
-            ParameterError: the table has other columns, or a value is NaN, out of range, no whole number or
-                no 0 or 1 where it must be, or a float that may stand for several whole numbers; the field is
+            ParameterError: the table has other columns, or a value is NaN, out of range, not an integer or
+                not 0 or 1 where it must be, or a float that may represent several integers; the field is
                 then ``name[row]``
         """
         named = self._named(table)
@@ -66,7 +66,7 @@ class Varied:
         return named, numbers
 
     def _named(self, table: pd.DataFrame | ArrayLike) -> pd.DataFrame:
-        import pandas as pd  # for tables alone, see `motion.make_table`
+        import pandas as pd  # only for tables, see `motion.make_table`
 
         if not isinstance(table, pd.DataFrame):
             numbers = self._numbers(table)
@@ -111,6 +111,6 @@ def _is_real(value: object) -> bool:
 
 
 def _is_rounded(numbers: NDArray[Any]) -> NDArray[np.bool_]:
-    """True for floats so large that not every whole number is one."""
+    """True for floats so large that not every integer is one."""
     rounded = [not isinstance(one, Integral | np.bool_) and not abs(one) <= EXACT for one in numbers.flat]
     return np.array(rounded, dtype=np.bool_).reshape(numbers.shape)

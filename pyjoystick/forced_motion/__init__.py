@@ -1,4 +1,4 @@
-"""Forced motion, section 5 of the paper: the torque that a motion needs, and the motion under that torque."""
+"""Forced motion (section 5 of the paper): the torque required for a motion, and the motion under a torque."""
 
 import lazy_loader
 

@@ -1,4 +1,4 @@
-"""Round trip: the torque of a motion drives the joystick's FMU, which has to return that motion."""
+"""Round trip: drive the joystick's FMU by the torque computed for a motion, and compare the motions."""
 
 from __future__ import annotations
 
@@ -17,23 +17,23 @@ from pyjoystick.model import Friction, JoystickParameters, inverse_torque, slidi
 from pyjoystick.runs import fmu_of_joystick
 from pyjoystick.support import FloatArray, positive
 
-#: How far the torque may be from the lines between rows (N m); it brings the motion back to 1e-7 rad.
+#: Largest deviation of the torque from the lines between rows (N m); reproduces the motion to 1e-7 rad.
 TORQUE_TOLERANCE: Final = 2e-8
 
-#: Points of each smooth span, from which the curvature of the torque is taken.
+#: Number of points per smooth span for estimating the curvature of the torque.
 _POINTS: Final = 800
-#: A smaller part of the largest torque is no jump.
+#: A difference below this part of the largest torque is not a jump.
 _ROUNDING: Final = 1e-12
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RoundTrip:
-    """A motion, and what the joystick does under the torque that was computed for it.
+    """A motion, and the joystick's motion under the torque computed for it.
 
     Attributes:
-        rows: rows of the table by which the torque was given
-        wanted: the motion at the recorded instants
-        found: the table of the run: ``theta``, ``omega`` (SI units) over time (s)
+        rows: number of rows of the input table
+        wanted: the motion at the recorded times
+        found: table from the run: ``theta``, ``omega`` (SI units) over time (s)
     """
 
     rows: int
@@ -59,17 +59,17 @@ def round_trip(
     torque: pd.DataFrame | None = None,
     output_interval: float = 1e-3,
 ) -> RoundTrip:
-    """Drive the joystick's FMU by the torque that a motion needs.
+    """Drive the joystick's FMU by the torque required for a motion.
 
-    In Co-Simulation the FMU gets the slopes of the torque's straight lines (input derivatives); in Model
-    Exchange CVode evaluates the torque at every instant of its own steps.
+    In Co-Simulation, the FMU gets the slopes of the piecewise linear torque (input derivatives); in Model
+    Exchange, CVode evaluates the torque at its own time steps.
 
     Args:
-        joystick: the parameters of both ways
+        joystick: parameters for both directions
         motion: the motion
-        interface: how the FMU is run
-        torque: the input table; that of `torque_rows` if not given
-        output_interval: time between two recorded instants (s), rounded so that it divides the motion
+        interface: interface for running the FMU
+        torque: input table; by default from `torque_rows`
+        output_interval: time between two recorded samples (s), rounded so that it divides the motion
 
     Raises:
         ParameterError: the interval is not above 0
@@ -92,18 +92,18 @@ def round_trip(
 def torque_rows(
     joystick: JoystickParameters, motion: ForwardAndReturn, *, tolerance: float = TORQUE_TOLERANCE
 ) -> pd.DataFrame:
-    """The torque of a motion as an input table: straight lines between rows that stay close to it.
+    """Torque of a motion as a piecewise linear input table.
 
-    Rows are as dense as the curvature of the torque asks for, on every corner of motion and springs there is
-    one, and on every jump of the torque there are two.
+    The curvature of the torque determines the density of rows. Each corner of the motion or the springs has
+    one row, and each jump of the torque two.
 
     Args:
-        joystick: whose torque
+        joystick: the joystick
         motion: the motion
-        tolerance: how far the lines may be from the torque (N m)
+        tolerance: largest deviation of the lines from the torque (N m)
 
     Returns:
-        a table with the column ``T`` (N m) over time (s), as `Fmu.run` takes it
+        a table with the column ``T`` (N m) over time (s), for `Fmu.run`
     """
     allowed = positive("tolerance", tolerance, "N.m")
     times, torques = [], []
@@ -111,7 +111,7 @@ def torque_rows(
         torque = _SpanTorque(joystick, motion, start, end)
         instants = _rows(torque, start, end, allowed)
         inner = torque.at(motion.at(instants))
-        # The end belongs to this span too, whatever comes after it.
+        # The end belongs to this span, whatever follows.
         inner[-1:] = torque.at(motion.at(instants[-1:], "before"))
         times.append(instants)
         torques.append(inner)
@@ -122,9 +122,9 @@ def torque_rows(
 
 
 def _rows(torque: _SpanTorque, start: float, end: float, tolerance: float) -> FloatArray:
-    """Instants from `start` to `end` such that chords of the torque are off by `tolerance` at most.
+    """Times from `start` to `end` such that chords deviate from the torque by at most `tolerance`.
 
-    A chord over a step h is off by h^2/8 times the second derivative.
+    The deviation of a chord over a step h is h^2/8 times the second derivative.
     """
     unit = np.sin(np.linspace(0.0, 0.5 * np.pi, _POINTS)) ** 2
     time = start + (end - start) * unit
@@ -140,7 +140,7 @@ def _rows(torque: _SpanTorque, start: float, end: float, tolerance: float) -> Fl
 
 
 class _SpanTorque:
-    """The torque within a span, in which the motion has one direction, also at ends where it rests."""
+    """The torque within a span with one direction of motion, including ends at rest."""
 
     def __init__(
         self, joystick: JoystickParameters, motion: ForwardAndReturn, start: float, end: float
@@ -151,7 +151,7 @@ class _SpanTorque:
         self._direction = np.sign(motion.at(np.array([0.5 * (start + end)])).omega)
 
     def at(self, motion: Kinematics) -> FloatArray:
-        """Torque (N m) at instants of the span."""
+        """Torque (N m) at times within the span."""
         torque = inverse_torque(self._without, motion.theta, motion.omega, motion.alpha).T
         if not self._joystick.friction:
             return torque

@@ -1,4 +1,4 @@
-"""Figures of forced motions: the torque and its parts over time (Fig. 15), and the load of a shift."""
+"""Figures of forced motions: torque and its parts over time (Fig. 15), and the load over a shift."""
 
 from __future__ import annotations
 
@@ -22,13 +22,14 @@ _PANELS: Final = (
 
 
 def plot_torque(tables: Mapping[LawName, pd.DataFrame]) -> Figure:
-    """Stiffness, damping, inertia and total torque over time, as Fig. 15; all panels have one scale but (b).
+    """Plot stiffness, damping, inertia and total torque over time, as in Fig. 15; all but (b) share a scale.
 
     Args:
-        tables: by `torque_by_fmu` or `torque_by_reference`, one for each damping law; what does not
-            depend on the law is drawn once
+        tables: from `torque_by_fmu` or `torque_by_reference`, one for each damping law; parts that do not
+            depend on the law are drawn once
 
     Raises:
+        ParameterError: no table
         ParameterError: no table
     """
     if not tables:
@@ -62,11 +63,11 @@ def plot_torque(tables: Mapping[LawName, pd.DataFrame]) -> Figure:
 
 
 def plot_demands(groups: Mapping[str, Mapping[str, Demand]], *, title: str = "") -> Figure:
-    """For what part of the time the force stays below a level, one panel a group of variants.
+    """Plot the fraction of time for which the force stays below a level, one panel per group of variants.
 
     Args:
         groups: demands by label, by name of the group
-        title: a line above the figure
+        title: title of the figure
 
     Raises:
         ParameterError: no group, or more variants in one than there are line styles

@@ -1,4 +1,4 @@
-"""Measured motions: read from CSV files, or synthetic as the paper's cameras would record them (Fig. 14)."""
+"""Measured motions: from CSV files, or synthetic, as the paper's cameras would record them (Fig. 14)."""
 
 from __future__ import annotations
 
@@ -37,12 +37,12 @@ _ALPHA: Final = Column("alpha", UNITS["angular acceleration"], required=False, a
 
 @dataclass(frozen=True, slots=True, eq=False)
 class MeasuredMotion:
-    """A measured motion and how it came about.
+    """A measured motion and its origin.
 
     Attributes:
         samples: the motion
-        differentiated: whether velocity and acceleration come from the signal chain; else from the file
-        notes: what was found doubtful
+        differentiated: whether velocity and acceleration come from the signal chain rather than the file
+        notes: doubts about the motion
     """
 
     samples: Samples
@@ -57,16 +57,16 @@ def read_motion(
     columns: Mapping[str, str] | None = None,
     units: Mapping[str, str] | None = None,
 ) -> MeasuredMotion:
-    """Read a motion: as it stands where the file has ``omega`` and ``alpha``, else through the signal chain.
+    """Read a motion: directly if the file has ``omega`` and ``alpha``, else through the signal chain.
 
-    The columns are those of `pyjoystick.motion.read_record` and ``alpha (rad/s2)`` or ``alpha (deg/s2)``;
-    the motions that ``pyjoystick import markers --motion`` writes are such files.
+    The columns are those of `pyjoystick.motion.read_record` and ``alpha (rad/s2)`` or ``alpha (deg/s2)``, as
+    in the files that ``pyjoystick import markers --motion`` writes.
 
     Args:
         path: the file
-        chain: how the angle is filtered and differentiated, by the paper's settings if not given
-        columns: headings by quantity (``time``, ``theta``, ``omega``, ``alpha``) where they are others
-        units: units of columns that have none in their headings
+        chain: filtering and differentiation of the angle; by default the paper's
+        columns: headings by quantity (``time``, ``theta``, ``omega``, ``alpha``) if they differ
+        units: units of columns whose headings give none
 
     Raises:
         RecordError: the file cannot be used; the message names file, column, row and what to do
@@ -88,7 +88,7 @@ def read_motion(
 
 
 def through_chain(record: Record, chain: Chain) -> Samples:
-    """The motion that the signal chain computes from a measured angle.
+    """Compute the motion from a measured angle with the signal chain.
 
     Raises:
         RecordError: a gap of the record is longer than the chain bridges
@@ -106,7 +106,7 @@ def _require_no_gap(record: Record) -> None:
 
 
 def _gap(record: Record, i: int) -> RecordError:
-    """The error of a gap after sample i."""
+    """Make the error for a gap after sample i."""
     step = record.time[i + 1] - record.time[i]
     return RecordError(
         record.source,
@@ -118,14 +118,14 @@ def _gap(record: Record, i: int) -> RecordError:
 
 
 def seen_by_cameras(motion: ForwardAndReturn, *, random: np.random.Generator) -> Samples:
-    """A synthetic measurement: markers of the motion, their angle, and the result of the paper's chain.
+    """Make a synthetic measurement: markers of the motion, their angle, and the result of the paper's chain.
 
-    Zero is the mean angle of the rest after the motion. The plane of motion and the radius, which a
-    short arc to one side does not determine well, are taken as known.
+    Zero is the mean angle during the rest after the motion. The plane of motion and the radius are taken as
+    known, because a short arc to one side does not determine them well.
 
     Args:
-        motion: the motion, with a rest of a few frames at least
-        random: where the noise comes from
+        motion: the motion, with a rest of at least a few frames
+        random: random generator for the noise
 
     Raises:
         RecordError, SeriesError: the motion is too short, or rests for less than two frames

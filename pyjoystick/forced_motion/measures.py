@@ -1,4 +1,4 @@
-"""What a torque asks of the hand: peaks, means, impulse, work, and the share that each part has in it."""
+"""Load on the hand: peaks, means, impulse and work of the torque, and the share of each part."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from pyjoystick.forced_motion.samples import Samples
 from pyjoystick.model import PIVOT_TO_TOP, JoystickParameters, energy
 from pyjoystick.support import FloatArray, positive
 
-#: The parts of eq. (13) by name, and the columns that hold them; friction where the joystick has it.
+#: Parts of eq. (13) by name, and their columns; friction only if the joystick has it.
 PARTS: Final = {
     "stiffness": "T_stiffness",
     "damping": "T_damping",
@@ -24,7 +24,7 @@ PARTS: Final = {
 
 @dataclass(frozen=True, slots=True)
 class PartMeasures:
-    """A torque or a part of it over a motion; what lies between two samples does not count as a peak.
+    """Statistics of the torque or a part of it over a motion; peaks are those of the samples.
 
     Attributes:
         highest: largest value, towards positive angles (N m)
@@ -32,8 +32,8 @@ class PartMeasures:
         rms: root mean square over time (N m)
         impulse: integral of the magnitude over time (N m s)
         work: integral of torque times angular velocity (J)
-        share: part of the mean square of the whole torque, mean(part*T)/mean(T^2): the shares of the
-            parts add up to 1, and one that works against the others' sum is negative
+        share: contribution to the mean square of the total torque, mean(part*T)/mean(T^2); the shares of
+            all parts add up to 1, and are negative for parts that oppose the sum of the others
     """
 
     highest: float
@@ -51,16 +51,17 @@ class PartMeasures:
 
 @dataclass(frozen=True, slots=True)
 class TorqueMeasures:
-    """The torque of a motion in numbers.
+    """Statistics of the torque of a motion.
 
     Attributes:
         duration: length of the motion (s)
-        total: of T
-        parts: of its parts: ``stiffness``, ``damping``, ``inertia``, and ``friction`` where there is any
-        positive_work: done by the hand on the joystick (J): the integral of T*omega where that is above 0
-        negative_work: done by the joystick on the hand (J), below 0
-        energy_change: energy of the joystick at the end, less that at the beginning (J)
-        pivot_to_handle: from the pivot to the hand (m)
+        total: statistics of T
+        parts: statistics of its parts: ``stiffness``, ``damping``, ``inertia``, and ``friction`` if there is
+            any
+        positive_work: work done by the hand on the joystick (J): integral of T*omega where that is above 0
+        negative_work: work done by the joystick on the hand (J), below 0
+        energy_change: energy of the joystick at the end minus that at the start (J)
+        pivot_to_handle: distance from the pivot to the hand (m)
     """
 
     duration: float
@@ -78,17 +79,17 @@ class TorqueMeasures:
 
     @property
     def loss(self) -> float:
-        """Energy that damping and friction have taken (J), the integral of C*omega^2 + M_f*omega."""
+        """Energy dissipated by damping and friction (J), the integral of C*omega^2 + M_f*omega."""
         friction = self.parts.get("friction")
         return self.parts["damping"].work + (friction.work if friction else 0.0)
 
     @property
     def peak_force(self) -> float:
-        """Largest force of the hand, at right angles to the handle (N)."""
+        """Largest force of the hand, perpendicular to the handle (N)."""
         return self.total.peak / self.pivot_to_handle
 
     def peak_ratio(self, part: str, to: str = "total") -> float:
-        """Peak of a part over the peak of the torque, or of another part."""
+        """Peak of a part divided by the peak of the torque, or of another part."""
         other = self.total if to == "total" else self.parts[to]
         return self.parts[part].peak / other.peak
 
@@ -100,13 +101,13 @@ def measure(
     *,
     pivot_to_handle: float = PIVOT_TO_TOP,
 ) -> TorqueMeasures:
-    """The numbers of a motion and its torque; integrals are those of the samples' weights.
+    """Compute the statistics of a motion's torque; integrals use the samples' weights.
 
     Args:
-        joystick: what the torque was computed for
+        joystick: joystick that the torque was computed for
         samples: the motion
-        torque: what it needs, by `torque_by_fmu` or `torque_by_reference`
-        pivot_to_handle: where the hand is (m), the top of Table 2 if not given
+        torque: its torque, from `torque_by_fmu` or `torque_by_reference`
+        pivot_to_handle: distance from the pivot to the hand (m), by default the top of Table 2
 
     Raises:
         ParameterError: the distance is not above 0, or some |theta| >= pi/2

@@ -1,4 +1,4 @@
-"""Motions forward and back that a few numbers describe: exact angle, angular velocity and acceleration."""
+"""Strokes and returns in closed form: exact angle, angular velocity and acceleration."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ from pyjoystick.support import FloatArray, ParameterError, angle, finite, not_ne
 Shape = Literal["minimum-jerk", "raised-cosine", "trapezoid"]
 SHAPES: Final[tuple[Shape, ...]] = get_args(Shape)
 
-#: Travel and its first and second derivative at times u, shape (3, n) for u of shape (n,).
+#: Position and its first and second derivative at times u, shape (3, n) for u of shape (n,).
 Travel = Callable[[FloatArray], FloatArray]
 
 
 @dataclass(frozen=True, slots=True)
 class Profile:
-    """A stroke of unit travel in unit time, in pieces that are smooth.
+    """A stroke of unit length in unit time, with smooth pieces.
 
     Attributes:
-        corners: times of the pieces' ends, from 0 to 1, shape (k + 1,)
-        pieces: the travel within each piece, k of them
+        corners: times at the ends of the pieces, from 0 to 1, shape (k + 1,)
+        pieces: the k functions for the position within each piece
     """
 
     corners: tuple[float, ...]
@@ -34,10 +34,10 @@ class Profile:
 
 
 def minimum_jerk() -> Profile:
-    """Least mean square jerk from rest to rest (Flash and Hogan, 1985): s = 10 u^3 - 15 u^4 + 6 u^5.
+    """Minimum mean square jerk from rest to rest (Flash and Hogan, 1985): s = 10 u^3 - 15 u^4 + 6 u^5.
 
-    The acceleration is continuous and zero at both ends, so that the torque has no jump. The largest velocity
-    is 15/8, the largest acceleration 10/sqrt(3).
+    The acceleration is continuous and zero at both ends, so that the torque has no jumps. The largest
+    velocity is 15/8, the largest acceleration 10/sqrt(3).
     """
 
     def travel(u: FloatArray) -> FloatArray:
@@ -56,7 +56,7 @@ def minimum_jerk() -> Profile:
 def raised_cosine() -> Profile:
     """Half a period of a harmonic motion: s = (1 - cos(pi u))/2.
 
-    The acceleration is largest, pi^2/2, at both ends and jumps there: so does the torque, by J times that.
+    The acceleration is largest, pi^2/2, at both ends and jumps there; the torque jumps by J times that.
     The largest velocity is pi/2.
     """
 
@@ -73,13 +73,13 @@ def raised_cosine() -> Profile:
 
 
 def trapezoid(flat: float) -> Profile:
-    """The velocity rises evenly, stays, and falls evenly: a trapezoid over time.
+    """Trapezoidal velocity: linear rise, constant, linear fall.
 
     The acceleration is constant in each of the three pieces, v/r with the largest velocity v = 1/(1 - r) and
-    the time of rise r = (1 - flat)/2, and jumps at all four corners: so does the torque, by J times that.
+    the rise time r = (1 - flat)/2, and jumps at all four corners; the torque jumps by J times that.
 
     Args:
-        flat: part of the time at constant velocity, 0 (a triangle) or more, below 1
+        flat: fraction of the time at constant velocity, 0 (a triangle) or more, below 1
     """
     rise = (1.0 - flat) / 2.0
     velocity = 1.0 / (1.0 - rise)
@@ -101,7 +101,7 @@ def trapezoid(flat: float) -> Profile:
 
 
 def profile(shape: Shape, *, flat: float) -> Profile:
-    """The profile of a name; only the trapezoid uses `flat`."""
+    """Return the profile by name; only the trapezoid uses `flat`."""
     made: Mapping[Shape, Callable[[], Profile]] = {
         "minimum-jerk": minimum_jerk,
         "raised-cosine": raised_cosine,
@@ -110,13 +110,13 @@ def profile(shape: Shape, *, flat: float) -> Profile:
     return made[shape]()
 
 
-#: Where a motion has two values, at a jump of the acceleration: the one before it or the one after it.
+#: At a jump of the acceleration, select the value before it or after it.
 Limit = Literal["before", "after"]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Kinematics:
-    """A motion at some instants; arrays of one shape.
+    """Motion at some times; arrays of one shape.
 
     Attributes:
         theta: angle (rad), positive forward
@@ -131,17 +131,18 @@ class Kinematics:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ForwardAndReturn:
-    """From the middle to an angle, held there, and back, with rest before and after; starts at time 0.
+    """A stroke from the middle to an angle, a dwell and a return from time 0, with rest before and after.
 
     Attributes:
         amplitude: the angle (rad), negative for a motion backward; not 0
-        rise: time of the stroke (s)
-        fall: time of the return (s); as `rise` where not given
-        dwell: time at the angle (s)
+        rise: duration of the stroke (s)
+        fall: duration of the return (s); by default as `rise`
+        dwell: time held at the angle (s)
         rest: time at rest in the middle, before and after (s)
-        shape: of the strokes: ``minimum-jerk`` (acceleration without jumps), ``raised-cosine`` (it jumps at
-            the ends of a stroke) or ``trapezoid`` (of the velocity; it jumps at all corners)
-        flat: part of a stroke at constant velocity, of the trapezoid alone
+        shape: shape of stroke and return: ``minimum-jerk`` (continuous acceleration), ``raised-cosine``
+            (acceleration jumps at both ends) or ``trapezoid`` (trapezoidal velocity; acceleration jumps at
+            all corners)
+        flat: fraction of a stroke at constant velocity, for the trapezoid only
 
     Raises:
         ParameterError: a value is outside its range
@@ -169,26 +170,26 @@ class ForwardAndReturn:
 
     @property
     def return_time(self) -> float:
-        """Time of the return (s)."""
+        """Duration of the return (s)."""
         return self.rise if self.fall is None else self.fall
 
     @property
     def duration(self) -> float:
-        """Length of the motion with the rests (s)."""
+        """Length of the motion including the rests (s)."""
         return 2.0 * self.rest + self.rise + self.dwell + self.return_time
 
     @property
     def breakpoints(self) -> tuple[float, ...]:
-        """The instants between which the motion is smooth (s), from 0 to `duration`."""
+        """Times between which the motion is smooth (s), from 0 to `duration`."""
         pieces = self._pieces()
         return (pieces[0].start, *(piece.end for piece in pieces))
 
     def at(self, time: ArrayLike, limit: Limit = "after") -> Kinematics:
-        """The motion at instants (s) of any shape; at rest before 0 and after `duration`.
+        """Motion at times (s) of any shape; at rest before 0 and after `duration`.
 
         Args:
-            time: instants (s)
-            limit: which value is given where the acceleration jumps
+            time: times (s)
+            limit: which value to return where the acceleration jumps
         """
         instants = np.asarray(time, dtype=np.float64)
         pieces = self._pieces()
@@ -219,12 +220,12 @@ class ForwardAndReturn:
         return lambda time: scales * travel((time - start) / self.rise)
 
     def _return(self, travel: Callable[[FloatArray], FloatArray], end: float) -> _Motion:
-        # In reverse, so that the small angles near the end keep all their digits.
+        # Time-reversed, so that the small angles near the end keep all their digits.
         scales = _scales(self.amplitude, -self.return_time)
         return lambda time: scales * travel((end - time) / self.return_time)
 
 
-#: Angle, angular velocity and angular acceleration, shape (3, n), at instants (s) of shape (n,).
+#: Angle, angular velocity and angular acceleration, shape (3, n), at times (s) of shape (n,).
 _Motion = Callable[[FloatArray], FloatArray]
 
 

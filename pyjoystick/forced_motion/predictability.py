@@ -1,4 +1,4 @@
-"""How long a driven motion can be predicted: where it is chaotic, every error grows."""
+"""Predictability: until when a driven motion can be trusted, as errors grow in chaotic motion."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from pyjoystick.fmu import Fmu, Inputs, Value
 from pyjoystick.support import DEFAULT_TOLERANCE, ParameterError, positive
 
-#: The part of the largest angle that a difference must not exceed.
+#: Largest trusted difference, relative to the largest angle.
 SMALL: Final = 0.01
 
 
@@ -25,19 +25,19 @@ def trusted_until(
     parameters: Mapping[str, Value] | None = None,
     tolerance: float = DEFAULT_TOLERANCE,
 ) -> float:
-    """When the error of a run has grown to 1 % of the largest angle (s); infinite if it does not.
+    """Time at which the error of a run has grown to 1 % of the largest angle (s); infinite if it does not.
 
-    The joystick is run twice, the second time from an angle that is larger by as much as the tolerance, which
-    is about the error of a run. Later than this instant two tools, two machines or two tolerances need not
-    agree on the angle; amplitude, mean and spectrum may still be right.
+    The joystick is run twice, the second time from an angle that differs by the tolerance, which is about the
+    error of a run. After this time, two tools, machines or tolerances need not agree on the angle;
+    amplitude, mean and spectrum may still be right.
 
     Args:
-        fmu: of a joystick: ``theta`` is an output, and ``theta_start`` its start value
-        time: instants (s), shape (n,), n >= 2, increasing
-        theta_start: the angle at the start (rad)
-        inputs: as for `Fmu.run`
-        parameters: as for `Fmu.run`, but ``theta_start``
-        tolerance: of the integrator, and the difference of the angles at the start (rad)
+        fmu: FMU of a joystick, with output ``theta`` and start value ``theta_start``
+        time: times (s), shape (n,), n >= 2, increasing
+        theta_start: initial angle (rad)
+        inputs: as in `Fmu.run`
+        parameters: as in `Fmu.run`, except ``theta_start``
+        tolerance: tolerance of the integrator, and difference of the initial angles (rad)
 
     Raises:
         ParameterError: the tolerance is not above zero, or the joystick does not move

@@ -1,4 +1,4 @@
-"""The numbers of a torque as tables in Markdown."""
+"""Reports on a torque, in Markdown and JSON."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from pyjoystick.support import TextTable, document_text
 
 
 def measures_report(found: Mapping[LawName, TorqueMeasures]) -> str:
-    """Torque and parts, with every damping law where that matters, and the work of the hand."""
+    """Table of the torque and its parts, for each damping law if it matters, and of the work of the hand."""
     first = next(iter(found.values()))
     parts = {"stiffness": first.parts["stiffness"], "inertia": first.parts["inertia"]}
     if "friction" in first.parts:
@@ -34,11 +34,12 @@ def torque_json(
     """The torque of a motion as JSON text, in SI units.
 
     Args:
-        motion: what it is, by name
+        motion: description of the motion, by name
         joysticks: the joysticks by damping law
         found: their torques
-        differences: of FMU and plain Python, relative to the largest value of the torque or part
-        notes: what was noted on the motion
+        differences: differences between FMU and plain Python, relative to the largest value of the torque or
+            part
+        notes: notes on the motion
     """
     laws = [
         {
@@ -57,11 +58,11 @@ def torque_json(
 
 
 def demand_report(demands: Mapping[str, Demand], *, moves: int = MOVES_PER_SHIFT) -> str:
-    """Percentiles of the force, work and impulse, a row a variant.
+    """Percentiles of the force, work and impulse, one row per variant.
 
     Args:
         demands: by label
-        moves: moves of a shift
+        moves: number of moves in a shift
     """
     percentages = (10.0, 50.0, 90.0, 99.0)
     rows = [

@@ -1,4 +1,4 @@
-"""Motions as samples: what a torque is computed for, with the weights by which it is integrated over time."""
+"""Sampled motions with weights for integration over time."""
 
 from __future__ import annotations
 
@@ -14,27 +14,27 @@ from pyjoystick.model import JoystickParameters, angle_of_travel
 from pyjoystick.runs import time_grid
 from pyjoystick.support import FloatArray, SeriesError
 
-#: Parts of each smooth piece, closer together at its ends, and nodes of Gauss and Legendre in each.
+#: Panels of each smooth piece, graded towards its ends, and Gauss-Legendre nodes per panel.
 _PANELS: Final = 12
 _NODES: Final = 12
-#: Instants closer than this part of the interval are one.
+#: Times closer than this part of the interval are the same.
 _ROUNDING: Final = 1e-6
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Samples:
-    """A motion at n instants; arrays of shape (n,).
+    """A motion at n times; arrays of shape (n,).
 
     Attributes:
-        time: instants (s), not falling; an instant at which something jumps is there twice
+        time: times (s), nondecreasing; the time of a jump appears twice
         theta: angle (rad), |theta| < pi/2
         omega: angular velocity (rad/s)
         alpha: angular acceleration (rad/s2)
-        weights: the integral over time of any function of these is the sum of its values times the weights
-            (s); those of instants that only show one side of a jump are 0
+        weights: quadrature weights (s): the time integral of any function of the samples is the sum of its
+            values times the weights; 0 for samples that only show one side of a jump
 
     Raises:
-        SeriesError: lengths differ, a number is not finite, or the time falls
+        SeriesError: lengths differ, a number is not finite, or the time decreases
     """
 
     time: FloatArray
@@ -58,23 +58,23 @@ class Samples:
 
     @property
     def duration(self) -> float:
-        """From the first to the last instant (s)."""
+        """Time from the first to the last sample (s)."""
         return float(self.time[-1] - self.time[0])
 
     @classmethod
     def trapezoidal(
         cls, time: FloatArray, theta: FloatArray, omega: FloatArray, alpha: FloatArray
     ) -> Samples:
-        """A motion as it was sampled, to be integrated by the trapezoidal rule.
+        """Take a motion as sampled, with weights of the trapezoidal rule.
 
         Args:
-            time: instants (s), shape (n,), not falling; a repeated one is a jump
-            theta: angle there (rad), shape (n,)
+            time: times (s), shape (n,), nondecreasing; a repeated one is a jump
+            theta: angle (rad), shape (n,)
             omega: angular velocity (rad/s)
             alpha: angular acceleration (rad/s2)
 
         Raises:
-            SeriesError: see `Samples`, or all is at one instant
+            SeriesError: see `Samples`, or all times are equal
         """
         steps = np.diff(time)
         if not np.any(steps > 0.0):
@@ -83,10 +83,10 @@ class Samples:
 
     @classmethod
     def evenly(cls, motion: ForwardAndReturn, interval: float) -> Samples:
-        """A motion in closed form every `interval` (s), for tables and figures; twice where something jumps.
+        """Sample a motion in closed form every `interval` (s), for tables and figures; twice at jumps.
 
         Raises:
-            ParameterError: the interval is not above 0, longer than the motion, or there would be more than
+            ParameterError: the interval is not above 0 or longer than the motion, or there would be more than
                 ten million rows
         """
         corners = np.array(motion.breakpoints)
@@ -101,10 +101,10 @@ class Samples:
 
     @classmethod
     def of(cls, joystick: JoystickParameters, motion: ForwardAndReturn) -> Samples:
-        """A motion in closed form at the nodes of a quadrature that is exact to rounding, nearly.
+        """Sample a motion in closed form at quadrature nodes that are nearly exact to rounding.
 
-        The motion is cut wherever it or the joystick's springs have a corner; each piece has the nodes of
-        Gauss and Legendre in panels that are closer together at its ends, and both ends with weight 0.
+        The motion is split at each corner of the motion or the joystick's springs. Each piece has
+        Gauss-Legendre panels graded towards its ends, and both ends with weight 0.
         """
         nodes, weights = np.polynomial.legendre.leggauss(_NODES)
         edges = np.sin(np.linspace(0.0, 0.5 * np.pi, _PANELS + 1)) ** 2
@@ -129,7 +129,7 @@ def _column(
 
 
 def smooth_spans(joystick: JoystickParameters, motion: ForwardAndReturn) -> list[float]:
-    """The instants (s) between which both the motion and the contact force are smooth, from 0 to the end."""
+    """Times (s) between which both the motion and the contact force are smooth, from 0 to the end."""
     breakpoints = motion.breakpoints
     side = joystick.forward if motion.amplitude > 0.0 else joystick.backward
     kinks = [angle_of_travel(joystick, x) for x in side.kinks]
@@ -147,7 +147,7 @@ def _passes(motion: ForwardAndReturn, start: float, end: float, level: float) ->
 
 
 def _passage(motion: ForwardAndReturn, start: float, end: float, level: float) -> float:
-    """When the angle passes a level (rad) within a span in which it only rises or only falls."""
+    """Time at which the angle passes a level (rad) within a span in which it is monotonic."""
     return float(
         brentq(lambda time: float(np.abs(motion.at(time).theta)) - level, start, end, xtol=1e-15, rtol=1e-15)
     )

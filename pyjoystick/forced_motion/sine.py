@@ -1,4 +1,4 @@
-"""A sine as an input table, of which the FMU follows the straight lines between the rows."""
+"""A sine as an input table, which FMUs interpolate linearly."""
 
 from __future__ import annotations
 
@@ -7,23 +7,23 @@ from typing import Final
 import numpy as np
 import pandas as pd
 
-#: Rows in a period. Straight lines between samples of a sine, divided by sinc^2, have its fundamental
-#: exactly; what is left moves the state after a period by 3e-11 rad and 2e-9 rad/s (0.6 N m at 4 Hz), and
-#: falls with the fourth power of the number.
+#: Rows per period. A piecewise linear sine divided by sinc^2 has exactly the fundamental of the sine; the
+#: rest moves the state after a period by 3e-11 rad and 2e-9 rad/s (0.6 N m at 4 Hz), and decreases with the
+#: fourth power of this number.
 ROWS: Final = 512
 
 
 def sine_table(name: str, amplitude: float, frequency: float, periods: int) -> pd.DataFrame:
-    """The input amplitude*sin(2*pi*frequency*time) from the time 0 on.
+    """Make a table of the input amplitude*sin(2*pi*frequency*time) from time 0.
 
     Args:
-        name: of the input, the only column
+        name: name of the input, the only column
         amplitude: in the input's unit
         frequency: Hz
-        periods: how many
+        periods: number of periods
 
     Returns:
-        a table indexed by the time (s) with `ROWS` rows a period and one more
+        a table indexed by time (s) with `ROWS` rows per period and one more
     """
     rows = np.arange(periods * ROWS + 1)
     sine = np.sin(2.0 * np.pi * (rows % ROWS) / ROWS) / np.sinc(1.0 / ROWS) ** 2

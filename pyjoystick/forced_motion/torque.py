@@ -1,4 +1,4 @@
-"""The torque that a motion needs, eq. (13), two ways: by the inverse FMUs, and in plain Python."""
+"""The torque required for a motion, eq. (13), computed by the inverse FMUs or in plain Python."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from pyjoystick.support import FloatArray, positive
 
 #: The torque and its parts.
 TORQUES: Final = ("T", "T_inertia", "T_damping", "T_stiffness")
-#: Further columns where the joystick has dry friction.
+#: Additional columns if the joystick has dry friction.
 FRICTION_TORQUES: Final = ("T_friction", "T_band")
 MOTION: Final = ("theta", "omega", "alpha")
 
@@ -48,12 +48,12 @@ _QUANTITIES: Final = (
 def torque_by_reference(
     joystick: JoystickParameters, samples: Samples, *, pivot_to_handle: float = PIVOT_TO_TOP
 ) -> pd.DataFrame:
-    """Eq. (13) in plain Python.
+    """Compute eq. (13) in plain Python.
 
     Args:
-        joystick: its parameters
+        joystick: parameters of the joystick
         samples: the motion
-        pivot_to_handle: where the hand is (m), the top of Table 2 if not given
+        pivot_to_handle: distance from the pivot to the hand (m), by default the top of Table 2
 
     Returns:
         a table indexed by ``time`` (s) with the motion, torque ``T`` and its parts (`columns_of`), and the
@@ -73,20 +73,22 @@ def torque_by_fmu(
     fmu: str | PathLike[str] | Fmu | None = None,
     pivot_to_handle: float = PIVOT_TO_TOP,
 ) -> pd.DataFrame:
-    """The same table by ``JoystickInverse`` or ``JoystickInversePowerLaw`` in Co-Simulation.
+    """Compute the same table with ``JoystickInverse`` or ``JoystickInversePowerLaw`` in Co-Simulation.
 
-    The FMU has no states: its outputs depend on the motion at that instant alone. The samples are fed to it
-    one a second, which keeps the two samples at a jump apart.
+    The FMU has no states: its outputs depend only on the current motion. Samples are fed to it at intervals
+        of
+    one second, which separates the two samples at a jump.
 
     Args:
-        joystick: its parameters
+        joystick: parameters of the joystick
         samples: the motion
-        fmu: name or path of an FMU with the interface of ``JoystickInverse``, or an open `Fmu`; if not given,
+        fmu: name or path of an FMU with the interface of ``JoystickInverse``, or an open `Fmu`; by default
             the one with the damping law of `joystick`
-        pivot_to_handle: where the hand is (m)
+        pivot_to_handle: distance from the pivot to the hand (m)
 
     Raises:
-        FmuNotFoundError, FmuFileError, UnsupportedFmuError: the FMU cannot be opened, or is no inverse one
+        FmuNotFoundError, FmuFileError, UnsupportedFmuError: the FMU cannot be opened, or is not an inverse
+            one
         UnknownParameterError: it has another damping law
         FmuRunError: it rejects the parameters or an angle
         ParameterError: some |theta| is beyond a stop, or the distance is not above 0
@@ -106,12 +108,12 @@ def torque_by_fmu(
 
 
 def columns_of(joystick: JoystickParameters) -> tuple[str, ...]:
-    """The torques of a joystick's tables: `TORQUES`, and `FRICTION_TORQUES` where it has dry friction."""
+    """Torque columns of a joystick's tables: `TORQUES`, and `FRICTION_TORQUES` if it has dry friction."""
     return (*TORQUES, *(FRICTION_TORQUES if joystick.friction else ()))
 
 
 def inverse_values(joystick: JoystickParameters) -> dict[str, float]:
-    """The parameters (SI units) by the names of the inverse FMU, which knows no stops."""
+    """Parameters (SI units) by name in the inverse FMU, which has no stops."""
     return {name: value for name, value in joystick.to_names().items() if name not in STOP_NAMES}
 
 

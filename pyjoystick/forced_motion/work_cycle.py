@@ -1,7 +1,7 @@
-"""The load of a shift of moves on an operator: percentiles of torque and force, work, impulse (section 1).
+"""The load of a shift on an operator: percentiles of torque and force, work, impulse (section 1).
 
-The moves are invented, not measured: no such distribution has been published for this joystick. They are
-drawn with a fixed seed, or given.
+The moves are invented, not measured: no distribution has been published for this joystick. They are drawn
+with a fixed seed, or given.
 """
 
 from __future__ import annotations
@@ -22,12 +22,12 @@ from pyjoystick.forced_motion.torque import MOTION, inverse_fmu, inverse_values
 from pyjoystick.model import FRICTION_NAMES, PIVOT_TO_TOP, JoystickParameters, require_within_stops
 from pyjoystick.support import FloatArray, ParameterError, angle, not_negative, positive
 
-#: Section 1: moves in a typical operator's shift.
+#: Number of moves in a typical operator's shift (section 1).
 MOVES_PER_SHIFT: Final = 20_000
-#: Percentages at which the distribution of a load over time is kept. Jonsson (1982) calls the levels at 10,
+#: Percentages at which the distribution of a load over time is stored. Jonsson (1982) calls the levels at 10,
 #: 50 and 90 % the static, median and peak load.
 PERCENTAGES: Final = np.arange(101.0)
-#: The preloads of all four springs, and their stiffnesses.
+#: Preloads of all four springs, and their stiffnesses.
 PRELOADS: Final = tuple(
     f"{side}.{spring}Spring.F_0" for side in ("forward", "backward") for spring in ("return", "balance")
 )
@@ -36,15 +36,15 @@ STIFFNESSES: Final = tuple(name.replace("F_0", "k_s") for name in PRELOADS)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class MoveDistribution:
-    """How the moves of a shift differ; all are forward or backward and return, with minimum jerk.
+    """Distribution of the moves of a shift: forward or backward and return, with minimum jerk.
 
     Attributes:
-        smallest, largest: magnitudes of the angle (rad), evenly distributed
-        stroke: median time of a stroke of the largest angle (s); smaller ones take less, by the square root
-            of the angle, so that all have about the same acceleration
-        spread: of that time: standard deviation of its logarithm
-        dwell: longest time at the angle (s), from 0 on evenly distributed
-        backward: part of the moves that go backward
+        smallest, largest: range of the magnitude of the angle (rad), uniformly distributed
+        stroke: median duration of a stroke to the largest angle (s); it scales with the square root of the
+            angle, so that all strokes have about the same acceleration
+        spread: standard deviation of the logarithm of the duration
+        dwell: longest time at the angle (s), uniformly distributed from 0
+        backward: fraction of the moves that go backward
 
     Raises:
         ParameterError: a value is outside its range
@@ -68,7 +68,7 @@ class MoveDistribution:
             raise ParameterError("backward", self.backward, "from 0 to 1")
 
     def draw(self, count: int, *, seed: int = 0) -> list[ForwardAndReturn]:
-        """That number of moves; the same seed gives the same moves."""
+        """Draw this number of moves; the same seed gives the same moves."""
         random = np.random.default_rng(seed)
         angles = random.uniform(self.smallest, self.largest, count)
         times = self.stroke * np.sqrt(angles / self.largest) * random.lognormal(0.0, self.spread, (2, count))
@@ -82,15 +82,15 @@ class MoveDistribution:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Demand:
-    """The load of moves on the hand; percentiles and means are over the time of the moves alone.
+    """The load of moves on the hand; percentiles and means are over the time of the moves only.
 
     Attributes:
         levels: magnitude of the torque (N m) that is not exceeded for 0, 1, ... 100 % of the time, shape
             (101,)
-        positive_work, negative_work: of the hand, mean of a move (J)
-        impulse: integral of the magnitude of the torque, mean of a move (N m s)
-        time: mean time of a move (s)
-        pivot_to_handle: from the pivot to the hand (m)
+        positive_work, negative_work: work of the hand, mean per move (J)
+        impulse: integral of the magnitude of the torque, mean per move (N m s)
+        time: mean duration of a move (s)
+        pivot_to_handle: distance from the pivot to the hand (m)
     """
 
     levels: FloatArray
@@ -105,11 +105,11 @@ class Demand:
         return float(np.interp(percentage, PERCENTAGES, self.levels))
 
     def force(self, percentage: float) -> float:
-        """The same of the force at the hand, at right angles to the handle (N)."""
+        """Force at the hand (N), perpendicular to the handle, not exceeded for this percentage of time."""
         return self.torque(percentage) / self.pivot_to_handle
 
     def work_per_shift(self, moves: int = MOVES_PER_SHIFT) -> float:
-        """Work of the hand on the joystick over a shift (J), without what the joystick gives back."""
+        """Work of the hand on the joystick over a shift (J), without the work that the joystick returns."""
         return moves * self.positive_work
 
     def impulse_per_shift(self, moves: int = MOVES_PER_SHIFT) -> float:
@@ -118,14 +118,14 @@ class Demand:
 
 
 def faster(moves: Sequence[ForwardAndReturn], factor: float) -> list[ForwardAndReturn]:
-    """The same strokes in 1/`factor` of the time; the times at the angles stay."""
+    """The same strokes in 1/`factor` of the time, with the same dwell."""
     return [
         dataclasses.replace(move, rise=move.rise / factor, fall=move.return_time / factor) for move in moves
     ]
 
 
 def scaled(joystick: JoystickParameters, names: Sequence[str], factor: float) -> JoystickParameters:
-    """A joystick with some parameters multiplied by a factor."""
+    """Multiply some parameters of a joystick by a factor."""
     values = dict.fromkeys(FRICTION_NAMES, 0.0) | joystick.to_names()
     return joystick.replace({name: factor * values[name] for name in names})
 
@@ -137,19 +137,19 @@ def demands(
     pivot_to_handle: float = PIVOT_TO_TOP,
     fmu: Fmu | None = None,
 ) -> list[Demand]:
-    """The demand of the same moves on several joysticks of one damping law, by the inverse FMU.
+    """Compute the demand of the same moves for several joysticks of one damping law, with the inverse FMU.
 
     Args:
         joysticks: one or more
         moves: one or more
-        pivot_to_handle: where the hand is (m), the top of Table 2 if not given
-        fmu: the inverse FMU of that law, open; the project's own if not given
+        pivot_to_handle: distance from the pivot to the hand (m), by default the top of Table 2
+        fmu: open inverse FMU of that law; by default the project's own
 
     Raises:
-        ParameterError: there is nothing to do, a distance is not above 0, an angle is beyond a stop, or the
-            FMU does not allow a value
+        ParameterError: there are no joysticks or moves, a distance is not above 0, an angle is beyond a stop,
+            or the FMU does not allow a value
         UnknownParameterError: the FMU has another damping law
-        FmuRunError: the FMU refuses a joystick
+        FmuRunError: the FMU rejects a joystick
     """
     pivot_to_handle = positive("pivot_to_handle", pivot_to_handle, "m")
     if not joysticks or not moves:
@@ -161,7 +161,7 @@ def demands(
     theta, omega, alpha, weights = (
         np.concatenate([getattr(one, name) for one in samples]) for name in (*MOTION, "weights")
     )
-    # The FMU has no states, so that the moves can follow one another, a sample a second.
+    # The FMU has no states, so the moves can be concatenated, with one second per sample.
     count = np.arange(len(theta), dtype=np.float64)
     inputs = pd.DataFrame({"theta": theta, "omega": omega, "alpha": alpha}, index=count)
     for joystick in joysticks:
@@ -187,10 +187,10 @@ def _demand(
 
 
 def _levels(values: FloatArray, weights: FloatArray) -> FloatArray:
-    """The values that are not exceeded in 0, 1, ... 100 % of the weight."""
+    """Values that are not exceeded for 0, 1, ... 100 % of the weight."""
     order = np.argsort(values)
     reached = np.cumsum(weights[order]) - 0.5 * weights[order]
     levels = np.interp(PERCENTAGES / 100.0 * np.sum(weights), reached, values[order])
-    # Peaks may lie at corners, which have no weight of their own.
+    # Peaks may occur at corners, which have no weight.
     levels[[0, -1]] = values[order[[0, -1]]]
     return levels

@@ -1,4 +1,4 @@
-"""From motions to parameters, and how sure they are."""
+"""Estimating parameters and their uncertainties from motions."""
 
 import lazy_loader
 

@@ -1,4 +1,4 @@
-"""What was measured without cameras, how uncertain it is, and what is taken as exact."""
+"""Bench measurements (made without cameras): values, uncertainties, and what is taken as exact."""
 
 from __future__ import annotations
 
@@ -10,26 +10,26 @@ from pyjoystick.laboratory import PLACES, LoadCurveFit
 from pyjoystick.model import FRICTION_NAMES, SIDES, JoystickParameters, ParameterFile, Side
 from pyjoystick.runs import FMU_WITH_FRICTION, fmu_of_joystick
 
-#: Parameters that are single numbers and may be uncertain, in the order of tables, and their places in a
-#: parameter file.
+#: Single-number parameters that may be uncertain, in the order of tables, with their places in a parameter
+#: file.
 UNCERTAIN: Final[Mapping[str, str]] = {
     **{name: PLACES[name] for name in ("m", "h", "J", "g", "a", "b")},
     **{name: name for name in FRICTION_NAMES},
 }
-#: Relative uncertainties of the records, which no residual shows, as attributes of `Bench` and in words.
+#: Relative uncertainties of the records that residuals do not show: attributes of `Bench` and their names.
 OF_RECORDS: Final[Mapping[str, str]] = {"scale": "scale of the angle", "time_base": "time base"}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Bench:
-    """What was measured without cameras, with standard uncertainties.
+    """Bench measurements with their standard uncertainties.
 
     Attributes:
-        joystick: the joystick, with constant damping; its J and C are where a fit begins
-        curves: fits of the load-deflection curves, as far as there are any
-        uncertainties: of the names in `UNCERTAIN`, in SI units
-        scale: of the angle's scale, in parts of it: that of the radius of the top marker
-        time_base: of the clock of the records, in parts of their duration
+        joystick: the joystick, with constant damping; fits start from its J and C
+        curves: fits of the measured load-deflection curves
+        uncertainties: standard uncertainties of the names in `UNCERTAIN` (SI units)
+        scale: relative uncertainty of the angle's scale, equal to that of the top marker's radius
+        time_base: relative uncertainty of the clock of the records
     """
 
     joystick: JoystickParameters
@@ -40,13 +40,13 @@ class Bench:
 
     @property
     def fmu(self) -> str:
-        """Name of the FMU of the fits: with friction also where it is 0 and only its uncertainty is not."""
+        """Name of the FMU to fit; the one with friction also where friction is 0 but uncertain."""
         name = fmu_of_joystick(self.joystick)
         return FMU_WITH_FRICTION.get(name, name) if self._rubs else name
 
     @property
     def exact(self) -> tuple[str, ...]:
-        """What counts as exact, because no uncertainty of it is given; J is fitted."""
+        """Quantities taken as exact because no uncertainty is given; J is fitted."""
         values = self.joystick.to_names()
         names = [
             name
@@ -59,11 +59,11 @@ class Bench:
 
     @property
     def _rubs(self) -> bool:
-        """Whether there may be dry friction: a value or an uncertainty of it is not 0."""
+        """Whether dry friction has a nonzero value or uncertainty."""
         values = self.joystick.to_names()
         return any(values.get(one, 0.0) or self.uncertainties.get(one, 0.0) > 0.0 for one in FRICTION_NAMES)
 
 
 def stated_uncertainties(file: ParameterFile) -> dict[str, float]:
-    """Standard uncertainties (SI units) of the names in `UNCERTAIN` in a parameter file; 0 for none."""
+    """Standard uncertainties (SI units) that a parameter file gives for the names in `UNCERTAIN`, else 0."""
     return {name: file.uncertainties.get(place, 0.0) for name, place in UNCERTAIN.items()}

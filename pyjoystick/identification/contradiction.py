@@ -1,4 +1,4 @@
-"""Parameters that were measured and are fitted freely too: where the two values cannot both be right."""
+"""Contradictions between the measured and the fitted value of a parameter."""
 
 from __future__ import annotations
 
@@ -10,20 +10,20 @@ from typing import Final
 from pyjoystick.laboratory import Estimate, Measured
 from pyjoystick.model import rounded, rounded_error
 
-#: Combined standard uncertainties by which two right values differ once in 400 times.
+#: Limit in combined standard uncertainties; values that agree exceed it by chance once in 400 times.
 _LIMIT: Final = 3.0
-#: What misleads a fit by more than its residuals show: time and angle enter every sample alike.
+#: Scale and time base bias a fit without showing in its residuals, because they affect all samples alike.
 _CLOCK_AND_SCALE: Final = "the clock of the records, the scale of their angle"
 
 
 @dataclass(frozen=True, slots=True)
 class Contradiction:
-    """Two values of a parameter that differ by more than their uncertainties.
+    """A measured and a fitted value that differ by more than their uncertainties allow.
 
     Attributes:
-        name: in the FMU
-        fitted, measured: with standard uncertainties (SI units)
-        source: what the measured one is from
+        name: parameter of the FMU
+        fitted, measured: the values with their standard uncertainties (SI units)
+        source: where the measured value comes from
     """
 
     name: str
@@ -33,12 +33,12 @@ class Contradiction:
 
     @property
     def apart(self) -> float:
-        """How far, in combined standard uncertainties."""
+        """Difference in combined standard uncertainties."""
         return combined_uncertainties_apart(self.fitted, self.measured)
 
     @property
     def short(self) -> str:
-        """For the source of the number in a parameter file."""
+        """Short form, for the source of the number in a parameter file."""
         return (
             f"{self.name} is {self.apart:.1f} combined standard uncertainties off the {self.source}, "
             f"{_text(self.measured)}"
@@ -46,8 +46,8 @@ class Contradiction:
 
     @property
     def sentence(self) -> str:
-        """What contradicts what, and what to look at first."""
-        # The swing test gives J in proportion to h, and the records weigh the joystick by it.
+        """Describe the contradiction and suggest what to check first."""
+        # J from a swing test is proportional to h, and fits use h for the weight's moment.
         last = "h" if self.name == "J" else f"the measurement of {self.name}"
         return (
             f"{self.name} = {_text(self.fitted)} of the fit contradicts {_text(self.measured)} of the "
@@ -57,7 +57,7 @@ class Contradiction:
 
 
 def combined_uncertainties_apart(one: Measured | Estimate, other: Measured | Estimate) -> float:
-    """The difference of independent values in combined standard uncertainties; NaN where both are exact."""
+    """Difference of independent values in combined standard uncertainties; NaN if both are exact."""
     combined = math.hypot(one.uncertainty, other.uncertainty)
     return abs(one.value - other.value) / combined if combined > 0.0 else math.nan
 
@@ -65,11 +65,11 @@ def combined_uncertainties_apart(one: Measured | Estimate, other: Measured | Est
 def contradictions(
     fitted: Mapping[str, Measured], measured: Mapping[str, tuple[Measured, str]]
 ) -> Iterator[Contradiction]:
-    """Parameters whose fitted value cannot be the measured one.
+    """Find parameters whose fitted and measured values disagree.
 
     Args:
-        fitted: what was fitted without regard to its measurement, by FMU name
-        measured: measured values and what they are from; one without an uncertainty contradicts nothing
+        fitted: values fitted without using their measurement, by FMU name
+        measured: measured values and their sources; values without an uncertainty are skipped
     """
     for name in fitted:
         value, source = measured.get(name, (Measured(math.nan), ""))

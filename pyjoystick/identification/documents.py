@@ -1,4 +1,4 @@
-"""Results of a fit and of an error budget, read back from the JSON files that the commands write."""
+"""Reading the JSON files that the fit and budget commands write."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ from pyjoystick.support import FloatArray, InputFileError, versions
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FittedValue:
-    """One number that a fit found.
+    """One fitted number.
 
     Attributes:
-        name: of the parameter
-        record: the record that it belongs to; empty where all share it
-        unit: of the value
-        value: as fitted
-        error: standard error, of the noise of the records alone; infinite where it is not determined
-        interval: of the fit's level: by profile where there is one, else linear
-        is_determined: the records determine it
+        name: name of the parameter
+        record: the record that it belongs to; empty if all records share it
+        unit: unit of the value
+        value: fitted value
+        error: standard error due to the noise of the records alone; infinite if not determined
+        interval: interval at the level of the fit, from the profile if there is one, else linear
+        is_determined: whether the records determine it
     """
 
     name: str
@@ -43,16 +43,16 @@ class FittedValue:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class FittedSeries:
-    """One measured series beside its fit.
+    """One measured series and its fit.
 
     Attributes:
         record: name of the record
-        label: what was measured: ``theta``
-        times: of the samples (s), shape (n,)
+        label: measured quantity: ``theta``
+        times: sample times (s), shape (n,)
         data, fit: measured and fitted numbers, shape (n,)
-        errors: standard errors of `fit`; None where they are not known
+        errors: standard errors of `fit`; None if unknown
         sigma: standard deviation of the noise
-        curve: times (s) and numbers of the fitted motion every millisecond, shape (2, m); NaN in gaps
+        curve: times (s) and values of the fitted motion every millisecond, shape (2, m); NaN in gaps
     """
 
     record: str
@@ -66,27 +66,27 @@ class FittedSeries:
 
     @property
     def residuals(self) -> FloatArray:
-        """Data less fit, shape (n,)."""
+        """Data minus fit, shape (n,)."""
         return self.data - self.fit
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class FitDocument:
-    """What ``fit.json`` says of a fit.
+    """Contents of ``fit.json``.
 
     Attributes:
-        source: the file, or what else it is from
-        is_complete: it was not stopped
-        level: of the intervals, such as 0.95
+        source: the file, or another source
+        is_complete: the fit was not interrupted
+        level: confidence level of the intervals, such as 0.95
         quantile: half-width of an interval in standard errors
-        values: what was fitted
-        tied: values that follow from it, by name
-        fixed: what was taken as known, by name
-        known: names of what was fitted with regard to its measurement
-        open: what the records cannot determine, a sentence each
+        values: the fitted numbers
+        tied: values computed from them, by name
+        fixed: values taken as known, by name
+        known: names of fitted parameters whose measured value the fit used
+        open: what the records cannot determine, one sentence each
         checks: name, passed, message
-        unseen: what the records would hardly show, each with its size and what it moves
-        series: measured and fitted, record by record; none where peaks were compared and not samples
+        unseen: effects that the records would hardly show, each with its size and what it shifts
+        series: measured and fitted series, record by record; empty if peaks were compared
     """
 
     source: str
@@ -112,7 +112,7 @@ class FitDocument:
         return {one.name: one for one in self.values if not one.record}
 
     def freely(self) -> dict[str, Measured]:
-        """Those that the records determine alone, with the standard errors of their noise."""
+        """Shared values that were fitted without prior knowledge, with the standard errors of the noise."""
         return {
             name: Measured(one.value, one.error)
             for name, one in self.shared().items()
@@ -122,13 +122,13 @@ class FitDocument:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BudgetDocument:
-    """What the JSON file of ``pyjoystick budget`` says.
+    """Contents of the JSON file of ``pyjoystick budget``.
 
     Attributes:
         source: the file
         fitted: values and combined standard uncertainties by name
-        contributions: of each quantity
-        exact: what was taken as exact
+        contributions: contribution of each quantity
+        exact: quantities taken as exact
     """
 
     source: str
@@ -138,20 +138,20 @@ class BudgetDocument:
 
 
 def read_fit(path: str | PathLike[str]) -> FitDocument:
-    """Read the ``fit.json`` that ``pyjoystick fit --output`` has written.
+    """Read the ``fit.json`` that ``pyjoystick fit --output`` writes.
 
     Raises:
-        InputFileError: the file cannot be read or is not such a file
+        InputFileError: the file cannot be read or is not a ``fit.json``
     """
     again = "pyjoystick fit ... --output FOLDER"
     return _read(Path(path), _Kind("fit.json of pyjoystick fit", again, _fit))
 
 
 def read_budget(path: str | PathLike[str]) -> BudgetDocument:
-    """Read the JSON file that ``pyjoystick budget --json`` has written.
+    """Read the JSON file that ``pyjoystick budget --json`` writes.
 
     Raises:
-        InputFileError: the file cannot be read or is not such a file
+        InputFileError: the file cannot be read or is not a budget
     """
     again = "pyjoystick budget ... --json FILE"
     return _read(Path(path), _Kind("JSON file of pyjoystick budget", again, _budget))
@@ -161,7 +161,7 @@ _T = TypeVar("_T")
 
 
 class _Kind(NamedTuple, Generic[_T]):
-    """A kind of file, the command that writes it, and how it is understood."""
+    """A kind of file, the command that writes it, and the function that parses it."""
 
     name: str
     again: str
@@ -182,7 +182,7 @@ def _read(path: Path, kind: _Kind[_T]) -> _T:
 
 
 def _misfit(content: object, kind: _Kind[_T], what: str) -> str:
-    """Why a file cannot be understood: another version wrote it, or it is something else."""
+    """Explain why a file cannot be parsed: another version wrote it, or it is something else."""
     made = content.get("made_with") if isinstance(content, Mapping) else None
     version = made.get("pyjoystick") if isinstance(made, Mapping) else None
     if version is None:
@@ -276,5 +276,5 @@ def _budget(content: Mapping[str, Any], source: str) -> BudgetDocument:
 
 
 def _numbers(content: Any) -> Any:
-    """Numbers, NaN for null."""
+    """Convert to numbers, with NaN for null."""
     return np.array(content, dtype=np.float64)

@@ -1,4 +1,4 @@
-"""What can be wrong with an estimate or a fit before it has a result."""
+"""Errors of estimates and fits that have no result."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class FitError(PyJoystickError):
 
     Attributes:
         subject: the record, parameter or FMU concerned
-        reason: what is wrong and what to do
+        reason: what is wrong and how to correct it
     """
 
     subject: str

@@ -1,4 +1,4 @@
-"""The joystick that a fit has found, and how uncertain the numbers of its parameter file are."""
+"""The fitted joystick, with uncertainties of the numbers in its parameter file."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from pyjoystick.support import FloatArray, ParameterError
 
 #: Every parameter that a joystick may have.
 _NAMES: Final = frozenset((*NOMINAL.to_names(), *NOMINAL_POWER_LAW.to_names(), *FRICTION_NAMES, *STOP_NAMES))
-#: Relative change of a parameter for the derivatives of the file's numbers, sums and quotients of parameters.
+#: Relative step for derivatives of the file's numbers, which are sums and quotients of parameters.
 _STEP: Final = 1e-6
 
 
@@ -38,12 +38,12 @@ class FittedJoystick:
     """The joystick that follows from a fit.
 
     Attributes:
-        joystick: its parameters: fitted and tied, to a hundredth of the standard error, fixed in the fit, and
-            for the rest those before it
-        uncertainties: standard errors of what was fitted, to two digits, by place in a parameter file, as
-            `ParameterFile.uncertainties` has them; those of a curve whole or not at all
-        tables: names of the file's tables in which something was fitted
-        fixed: names of further tables, with numbers that the settings of the fit have changed
+        joystick: its parameters: fitted and tied ones (to a hundredth of the standard error), those fixed in
+            the fit, and otherwise those of the initial joystick
+        uncertainties: standard errors of fitted numbers, to two digits, by place in a parameter file, as in
+            `ParameterFile.uncertainties`; for a curve, either all or none
+        tables: names of the file's tables with fitted numbers
+        fixed: names of other tables with numbers changed by the settings of the fit
     """
 
     joystick: JoystickParameters
@@ -56,7 +56,7 @@ def require_joystick_in(settings: FitSettings) -> None:
     """Check before a fit that its result can be a joystick.
 
     Raises:
-        FitError: nothing of the joystick is fitted for all records together, or something for each alone
+        FitError: no joystick parameter is fitted for all records together, or one is fitted for each record
     """
     own = [one.name for one in settings.free if one.per_record and one.name in _NAMES]
     if own:
@@ -73,16 +73,16 @@ def _one_for_each_record(names: Iterable[str]) -> FitError:
 def fitted_joystick(
     fit: Fit, before: JoystickParameters, uncertainties: Mapping[str, float] | None = None
 ) -> FittedJoystick:
-    """The joystick of a fit.
+    """Derive the joystick from a fit.
 
     Args:
         fit: a fit of an FMU of the joystick
-        before: the joystick that the fit began with, with the damping law of the FMU
-        uncertainties: those before it, by place; they stay for numbers of a curve that the fit leaves alone
+        before: the initial joystick, with the damping law of the FMU
+        uncertainties: its uncertainties, by place; they are kept for curves that the fit leaves alone
 
     Raises:
         FitError: as `require_joystick_in`
-        ParameterError: the values are those of no joystick
+        ParameterError: the values do not describe a joystick
     """
     require_joystick_in(fit.settings)
     own = [one.name for one in fit.derived if one.record and one.name in _NAMES]
@@ -116,24 +116,24 @@ def fitted_joystick(
 
 
 def _tables(places: Iterable[str]) -> tuple[str, ...]:
-    """The tables of some places, each once."""
+    """The tables that contain the given places, without repeats."""
     return tuple(dict.fromkeys(place.rpartition(".")[0] for place in places))
 
 
 def _list_of(place: str) -> str:
-    """``forward.x`` of ``forward.x[2]``; empty where the place is no number of a list."""
+    """List of a place, such as ``forward.x`` of ``forward.x[2]``; empty if the place is not in a list."""
     return place.partition("[")[0] if place.endswith("]") else ""
 
 
 def _values(fit: Fit) -> dict[str, float]:
-    """What was fitted of the joystick, and what is tied to it."""
+    """Fitted parameters of the joystick, and those tied to them."""
     found = {name: rounded(value, fit.error(name)) for name, value in fit.shared().items()}
     found |= {one.name: rounded(one.value, one.error) for one in fit.derived}
     return {name: value for name, value in found.items() if name in _NAMES}
 
 
 def _uncertainties(fit: Fit, joystick: JoystickParameters) -> dict[str, float]:
-    """Standard errors of the file's numbers that change with what was fitted, by place."""
+    """Standard errors of the file's numbers that depend on what was fitted, by place."""
     units = np.eye(len(fit.variables))
     slopes = {one.name: units[j] for j, one in enumerate(fit.variables)}
     slopes |= {one.name: one.slope for one in fit.derived}
@@ -160,7 +160,7 @@ def _derivatives(joystick: JoystickParameters, name: str) -> dict[str, float]:
 
 
 def _values_of(joystick: JoystickParameters) -> dict[str, float]:
-    """Its parameters by name, those of friction and stops too where there are none."""
+    """Parameters by name, including those of absent friction and stops."""
     return joystick.to_names() | {
         f"{part}.{name}": float(value)
         for part in ("friction", "stops")
@@ -169,7 +169,7 @@ def _values_of(joystick: JoystickParameters) -> dict[str, float]:
 
 
 def _numbers(joystick: JoystickParameters) -> dict[str, float]:
-    """What a parameter file says of a joystick, by place."""
+    """Numbers in the parameter file of a joystick, by place."""
     names = _values_of(joystick)
     law = f"damping.{law_name(joystick.damping)}"
     found = {

@@ -1,7 +1,7 @@
-"""How the uncertainty of each measured quantity affects a run and the parameters fitted to records.
+"""Error budget: how the uncertainty of each measured quantity affects a run and the fitted parameters.
 
-Each quantity alone is moved by its standard uncertainty, those of a load-deflection curve along the principal
-axes of their covariance: the sum of squares over the axes is the linear propagation of all of it.
+Each quantity is moved by its standard uncertainty, one at a time. Load-deflection curves are moved along the
+principal axes of their covariance; the sum of squares over the axes is its full linear propagation.
 """
 
 from __future__ import annotations
@@ -30,21 +30,21 @@ from pyjoystick.runs import fmu_of_joystick
 from pyjoystick.support import ParameterError, TextTable, document_text
 
 _OF_NOISE: Final = "fit, noise of the records"
-#: What `refit` finds.
+#: The parameters that `refit` fits.
 FITTED: Final = ("J", "damping.C")
 _TIME: Final = np.arange(901) / 600.0
 
 
 @dataclass(frozen=True, slots=True)
 class Contribution:
-    """What a stage contributes; NaN where it does not apply.
+    """Contribution of one stage; NaN where it does not apply.
 
     Attributes:
-        stage: what it is
+        stage: name of the stage
         theta, omega: root mean square error of the angle and its velocity from the release to 1.5 s after it
             (rad, rad/s)
-        period: of the mean of the first three periods, in parts of it
-        J, C: of the fitted moment of inertia and damping coefficient, in parts of them
+        period: relative error of the mean of the first three periods
+        J, C: relative error of the fitted moment of inertia and damping coefficient
     """
 
     stage: str
@@ -60,14 +60,14 @@ def curve_axes(joystick: JoystickParameters, side: Side, curve: LoadCurveFit) ->
 
     Args:
         joystick: the joystick
-        side: of the curve
-        curve: its fit, of four segments
+        side: side of the curve
+        curve: its fit, with four segments
 
     Raises:
-        ParameterError: the curve is so uncertain that one of them cannot be
+        ParameterError: the curve is so uncertain that one of the joysticks is impossible
     """
     values = np.array((*curve.table.x, *curve.table.k))
-    # The stiffnesses are a billion times the travels, which would hide those from the eigenvectors.
+    # Stiffnesses are a billion times larger than travels, which would be lost in the eigenvectors.
     deviations = np.sqrt(np.diag(curve.covariance)[:8])
     correlation = curve.covariance[:8, :8] / np.outer(deviations, deviations)
     sizes, axes = np.linalg.eigh(correlation)
@@ -84,7 +84,7 @@ def curve_axes(joystick: JoystickParameters, side: Side, curve: LoadCurveFit) ->
 def run_contribution(
     stage: str, joystick: JoystickParameters, moved: Sequence[JoystickParameters], *, release_angle: float
 ) -> Contribution:
-    """How far runs of moved joysticks differ: the root of the sum of squares over them.
+    """Difference of runs of moved joysticks: root of the sum of squares over the joysticks.
 
     Raises:
         ParameterError, SimulationError: as `simulate` does
@@ -102,12 +102,12 @@ def run_contribution(
     return Contribution(stage, *map(float, np.sqrt(np.sum(squares, axis=0))))
 
 
-#: Every sample counts alike, so that what is moved acts on the fit linearly.
+#: Every sample has the same weight, so that errors propagate through the fit linearly.
 _PLAIN: Final = Noise(colored=False, robust=False)
 
 
 def settings_of_refit(joystick: JoystickParameters, noise: Noise = _PLAIN) -> FitSettings:
-    """Of a fit of J and C with all else as a joystick has it."""
+    """Settings for a fit of J and C with everything else as in a joystick."""
     free = (*map(Free, FITTED), *RELEASE)
     name, wanted = fmu_of_joystick(joystick), Uncertainty(profiles=())
     settings = FitSettings(fmu=name, free=free, noise=noise, uncertainty=wanted)
@@ -115,7 +115,7 @@ def settings_of_refit(joystick: JoystickParameters, noise: Noise = _PLAIN) -> Fi
 
 
 def noise_contribution(joystick: JoystickParameters, found: Fit, *, release_angle: float) -> Contribution:
-    """The effect of a fit's standard errors on a run, with the correlation of J and C, and those errors.
+    """Standard errors of a fit and their effect on a run, including the correlation of J and C.
 
     Raises:
         ParameterError, SimulationError: as `simulate` does
@@ -134,17 +134,17 @@ def noise_contribution(joystick: JoystickParameters, found: Fit, *, release_angl
 def fit_contributions(
     records: Sequence[Record], bench: Bench, fmu: Fmu, *, release_angle: float
 ) -> tuple[Fit, list[Contribution]]:
-    """J and C from records, and what every measured quantity contributes to them and to a run.
+    """Fit J and C to records, and compute the contribution of each measured quantity to them and to a run.
 
     Args:
-        records: releases, whose zero is the middle position
-        bench: what was measured before
-        fmu: the FMU that `Bench.fmu` names
-        release_angle: angle of release of the runs that are compared (rad)
+        records: releases with their zero at the middle position
+        bench: bench measurements
+        fmu: the FMU named by `Bench.fmu`
+        release_angle: release angle of the compared runs (rad)
 
     Raises:
         FitError: as `fit` does
-        ParameterError, SimulationError: a quantity is so uncertain that there is no such joystick
+        ParameterError, SimulationError: a quantity is so uncertain that the joystick is impossible
     """
     settings = with_estimated_starts(settings_of_refit(bench.joystick, Noise()), bench.joystick, records)
     found = fit(records, settings, fmu=fmu)
@@ -160,7 +160,7 @@ def fit_contributions(
     ]
     for name, joysticks in _moved_joysticks(joystick, bench).items():
         run = run_contribution(name, joystick, joysticks, release_angle=release_angle)
-        # J is fitted, so that what was measured of it before counts for runs only.
+        # J is fitted, so the uncertainty of its measurement matters for runs only.
         refits = [] if name.startswith("J ") else [refit(records, one) for one in joysticks]
         contributions.append(_with_fitted(run, plain, refits) if refits else run)
     noise = noise_contribution(joystick, found, release_angle=release_angle)
@@ -170,7 +170,7 @@ def fit_contributions(
 def _moved_records(
     joystick: JoystickParameters, records: Sequence[Record], found: Fit, bench: Bench, release_angle: float
 ) -> Iterator[tuple[Contribution, list[list[Record]]]]:
-    """The records with another scale of the angle and another clock; their zeros are fitted."""
+    """Records with another scale of the angle or another clock; their zeros are fitted."""
     run = simulate(joystick, time=_TIME, theta_start=release_angle)
     if bench.scale > 0.0:
         theta, omega = (bench.scale * float(np.sqrt(np.mean(one**2))) for one in (run.theta, run.omega))
@@ -191,7 +191,7 @@ def _moved_records(
 
 
 def _moved_joysticks(joystick: JoystickParameters, bench: Bench) -> dict[str, list[JoystickParameters]]:
-    """Joysticks with one quantity moved, by what it is called."""
+    """Joysticks with one quantity moved, by name of the quantity."""
     moved = {f"load curve, {side}": curve_axes(joystick, side, curve) for side, curve in bench.curves.items()}
     values = joystick.to_names()
     for name in UNCERTAIN:
@@ -202,7 +202,7 @@ def _moved_joysticks(joystick: JoystickParameters, bench: Bench) -> dict[str, li
 
 
 def _moved(joystick: JoystickParameters, name: str, value: float, error: float) -> JoystickParameters:
-    """A joystick with one quantity moved up or, where there is no such joystick (T_c > T_s), down."""
+    """A joystick with one quantity moved up, or down if there is no such joystick (T_c > T_s)."""
     try:
         return joystick.replace({name: value + error})
     except ParameterError:
@@ -212,7 +212,7 @@ def _moved(joystick: JoystickParameters, name: str, value: float, error: float) 
 def _with_fitted(
     contribution: Contribution, before: Mapping[str, float], moved: Sequence[Mapping[str, float]]
 ) -> Contribution:
-    """The contribution with what J and C differ by, as the root of the sum of squares."""
+    """Add the differences of J and C to the contribution, as roots of the sums of squares."""
     parts = [math.sqrt(sum((one[name] / before[name] - 1.0) ** 2 for one in moved)) for name in FITTED]
     return dataclasses.replace(contribution, J=parts[0], C=parts[1])
 
@@ -225,7 +225,7 @@ def combined(contributions: Sequence[Contribution]) -> tuple[float, float]:
 
 
 def contribution_table(contributions: Sequence[Contribution]) -> str:
-    """The contributions as a table in Markdown, and the root of the sum of squares of those to J and C."""
+    """Contributions as a table in Markdown, with the root of the sum of squares of those to J and C."""
 
     def cell(value: float, digits: int) -> str:
         return "" if math.isnan(value) else f"{value:.{digits}f}"
@@ -245,7 +245,7 @@ def contribution_table(contributions: Sequence[Contribution]) -> str:
 
 
 def contribution_csv(contributions: Sequence[Contribution]) -> str:
-    """The contributions as CSV, a row for each stage; `period`, `J` and `C` are relative."""
+    """Contributions as CSV, one row per stage; `period`, `J` and `C` are relative."""
     headings = {"theta": "theta (rad)", "omega": "omega (rad/s)"}
     return pd.DataFrame(contributions).rename(columns=headings).to_csv(index=False, lineterminator="\n")
 
@@ -253,13 +253,13 @@ def contribution_csv(contributions: Sequence[Contribution]) -> str:
 def contribution_json(
     found: Fit, contributions: Sequence[Contribution], exact: Sequence[str], notes: Sequence[str] = ()
 ) -> str:
-    """The fitted values with their combined standard uncertainties (SI units), and the contributions.
+    """Fitted values with combined standard uncertainties (SI units), and the contributions.
 
     Args:
         found: the fit
-        contributions: to its errors
-        exact: what was taken as exact, see `Bench.exact`
-        notes: what was noted on the records
+        contributions: contributions to its errors
+        exact: quantities taken as exact, see `Bench.exact`
+        notes: notes on the records
     """
     units = {one.name: one.unit for one in found.variables if one.record is None}
     fitted = [

@@ -1,4 +1,4 @@
-"""From instruments' files to motions and numbers with uncertainties; and instruments made up."""
+"""From instruments' files to motions and numbers with uncertainties; synthetic instruments."""
 
 import lazy_loader
 

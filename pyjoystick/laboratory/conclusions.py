@@ -1,4 +1,4 @@
-"""What the results of measurements say of the joystick."""
+"""Joystick parameters from the results of measurements."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from pyjoystick.model import NOMINAL, ActuatorAssembly, Side, rounded
 from pyjoystick.motion import RecordError
 from pyjoystick.support import ParameterError
 
-#: A friction is one that differs from none by so many standard errors.
+#: Friction is significant from this many standard errors.
 _CLEAR: Final = 2.0
 
 
 def measured_springs(fit: LoadCurveFit, side: Side, source: str) -> MeasuredValues:
-    """The springs of one side from its load-deflection curve.
+    """Springs of one side from its load-deflection curve.
 
     Raises:
         ParameterError: not four segments, or stiffnesses that no pair of restrained springs has
@@ -44,12 +44,13 @@ def measured_springs(fit: LoadCurveFit, side: Side, source: str) -> MeasuredValu
 
 
 def measured_friction(fit: LoadCurveFit, source: str) -> MeasuredValues:
-    """The dry friction along the plunger, F_c, from the hysteresis of a load-deflection curve.
+    """Dry friction along the plunger, F_c, from the hysteresis of a load-deflection curve.
 
-    Half of what lies between loading and unloading; friction of the testing machine itself is in it.
+    It is half the difference between loading and unloading, and includes the testing machine's own friction.
 
     Raises:
-        RecordError: unloading was not recorded, or the friction does not differ from 0 by two standard errors
+        RecordError: unloading was not recorded, or the friction differs from 0 by less than two standard
+            errors
     """
     if fit.curve.unloading is None:
         raise RecordError(fit.curve.source, "has no unloading", "record the way back too for its friction")
@@ -69,11 +70,11 @@ def measured_parts(found: PartsResult, source: str) -> MeasuredValues:
 
 
 def measured_swing(inertia: Estimate, known: Mapping[str, Measured], source: str) -> MeasuredValues:
-    """The moment of inertia from a swing test, with what it was computed from.
+    """Moment of inertia from a swing test, and the values used to compute it.
 
     Args:
         inertia: J
-        known: m, h and g, as they were used
+        known: m, h and g, as used
         source: the swing test
     """
     return _of_body({**known, "J": inertia}, source, exact=tuple(known))
@@ -82,7 +83,7 @@ def measured_swing(inertia: Estimate, known: Mapping[str, Measured], source: str
 def _of_body(
     found: Mapping[str, Estimate | Measured], source: str, exact: tuple[str, ...] = ()
 ) -> MeasuredValues:
-    """Single numbers; those in `exact` are not rounded."""
+    """Single-number parameters; those in `exact` are not rounded."""
     uncertain = {name: one.uncertainty for name, one in found.items() if one.uncertainty > 0.0}
     return MeasuredValues(
         values={

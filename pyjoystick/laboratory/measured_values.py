@@ -1,4 +1,4 @@
-"""What a measurement says of the joystick, ready for its parameter file."""
+"""Measured parameter values, ready for a parameter file."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Final
 
 from pyjoystick.model import PLAIN_TABLES
 
-#: Where the quantities that are single numbers stand in a parameter file.
+#: Places of the single-number quantities in a parameter file.
 PLACES: Final = {key: f"{table}.{key}" for table, keys in PLAIN_TABLES.items() for key in keys}
 
 
@@ -27,7 +27,7 @@ class MeasuredValues:
     sources: Mapping[str, str]
 
     def with_more(self, other: MeasuredValues) -> MeasuredValues:
-        """These and those of another measurement."""
+        """Combine these values with those of another measurement."""
         return MeasuredValues(
             values={**self.values, **other.values},
             uncertainties={**self.uncertainties, **other.uncertainties},

@@ -1,10 +1,10 @@
 """Errors of angle, velocity and acceleration from markers, for a known motion.
 
-A release is simulated by the reference. `error_budget` sends it through the stages one by one and through all
-of them. `chain_effect` shows what the chain alone does: the velocity of a joystick has a kink wherever it
-passes the middle, at its peaks. The filter rounds them, so that the kinetic energy is too small there, while
-in between it is nearly right. The energy then rises from each passage of the middle to the next turning
-point, as in Fig. 12 of the paper.
+The reference simulates a release. `error_budget` sends it through the stages one at a time and through all of
+them. `chain_effect` shows the effect of the chain alone: the velocity of a joystick has a kink at its peaks,
+in the middle position. The filter rounds them, so that the kinetic energy is too small there and nearly right
+in between. The energy therefore seems to rise from each passage of the middle to the next turning point, as
+in Fig. 12 of the paper.
 """
 
 from __future__ import annotations
@@ -23,22 +23,22 @@ from pyjoystick.laboratory.synthetic_laboratory.cameras import BASE, TOP, synthe
 from pyjoystick.model import JoystickParameters, Trajectory, energy, simulate
 from pyjoystick.support import FloatArray, TextTable, angle, positive
 
-#: Held, moving and then at rest (s).
+#: Duration of the hold, and end of the record (s).
 _HELD, _END = 0.25, 3.0
-#: Length of the record in which the peaks of the velocity are judged (s).
+#: Length of the record in which the peaks of the velocity are compared (s).
 _RECORDED = 1.75
 
 
 @dataclass(frozen=True, slots=True)
 class StageError:
-    """Root mean square errors that a stage makes, over the time from the release to 1.5 s after it.
+    """Root mean square errors of one stage, from the release to 1.5 s after it.
 
     Attributes:
-        stage: what it is
-        theta: of the angle (rad)
-        omega: of the angular velocity (rad/s)
-        alpha: of the angular acceleration (rad/s2)
-        period: error of the mean of the first three periods, in parts of it
+        stage: name of the stage
+        theta: error of the angle (rad)
+        omega: error of the angular velocity (rad/s)
+        alpha: error of the angular acceleration (rad/s2)
+        period: relative error of the mean of the first three periods
     """
 
     stage: str
@@ -49,11 +49,11 @@ class StageError:
 
 
 def mean_period(time: FloatArray, theta: FloatArray) -> float:
-    """The mean of the first three periods of a released joystick (s), from the passages of zero.
+    """Mean of the first three periods of a released joystick (s), from zero crossings.
 
     Args:
-        time: instants (s), shape (n,)
-        theta: angle there (rad), shape (n,), which passes zero seven times or more
+        time: times (s), shape (n,)
+        theta: angle (rad), shape (n,), with at least seven zero crossings
     """
     before = np.flatnonzero(np.diff(np.signbit(theta)))[:7]
     step = theta[before + 1] - theta[before]
@@ -71,16 +71,16 @@ def error_budget(
     noise: float = 3e-4,
     radius: float | None = None,
 ) -> list[StageError]:
-    """Errors of the stages alone, and of all together.
+    """Errors of each stage alone, and of all together.
 
     Args:
         parameters: the joystick
         chain: the chain
         release_angle: angle of hold and release (rad)
-        random: where the markers' noise comes from
-        camera_rate: frames a second (Hz), of which the chain's rate is a multiple
+        random: random generator for the markers' noise
+        camera_rate: frame rate (Hz); the chain's rate must be a multiple of it
         noise: standard deviation of the coordinates' noise (m)
-        radius: from the pivot to the top marker (m), where it was measured, as of `measure_angle`
+        radius: measured distance from the pivot to the top marker (m), as in `measure_angle`
 
     Raises:
         ParameterError, SimulationError: as `simulate` does
@@ -121,10 +121,10 @@ def _stages(
         return theta, *(derivative(theta, 1.0 / chain.rate, order=k, points=n) for k, n in rules)
 
     def seen(instants: FloatArray, angles: FloatArray, scatter: float) -> tuple[FloatArray, FloatArray]:
-        """The angle from the markers: as it is, and with the zero of the model in place of the rest."""
+        """The angle from the markers: as measured, and with the model's zero instead of the rest position."""
         markers = synthetic_markers(instants, angles, random=random, noise=scatter)
         found = measure_angle(markers, top=TOP, base=BASE, forward="x", radius=radius).theta
-        # Zero is the rest position, which may lie anywhere in the clearance.
+        # Zero is the rest position, which may be anywhere in the clearance.
         return found, found + float(np.mean((angles - found)[-10:]))
 
     frames, theta = time[::every], true[0]
@@ -162,20 +162,21 @@ def error_budget_report(budget: Sequence[StageError]) -> str:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ChainEffect:
-    """The chain on a simulated free oscillation that a camera without noise has seen.
+    """Effect of the chain on a simulated free oscillation, recorded by a camera without noise.
 
     Arrays over the peaks of the velocity have the shape (k,).
 
     Attributes:
-        time: instants of the true peaks (s)
-        peak: true peaks of the angular velocity (rad/s), with their signs
-        measured: what the chain makes of them (rad/s): its largest in the half period about each
+        time: times of the true peaks (s)
+        peak: true peaks of the angular velocity (rad/s), signed
+        measured: the same peaks after the chain (rad/s): the largest value in the half period about each
         theta_error: rms difference of the angle after the release (rad)
         energy_start: energy at the release (J)
-        energy_rise: how far the energy from the chain's angle and velocity rises above its least before (J)
-        true_rise: the same of the true motion (J), zero but for rounding
-        run: the true motion from the release on
-        motion: what the chain gives, from the first frame on
+        energy_rise: largest rise of the energy, from the chain's angle and velocity, above its minimum so far
+            (J)
+        true_rise: the same for the true motion (J), zero up to rounding
+        run: the true motion from the release
+        motion: output of the chain, from the first frame
     """
 
     time: FloatArray
@@ -190,7 +191,7 @@ class ChainEffect:
 
     @property
     def shortfall(self) -> FloatArray:
-        """Part of each peak that is lost, shape (k,)."""
+        """Relative loss of each peak, shape (k,)."""
         return 1.0 - self.measured / self.peak
 
 
@@ -201,13 +202,13 @@ def chain_effect(
     release_angle: float,
     camera_rate: float = 60.0,
 ) -> ChainEffect:
-    """Simulate a release by the reference, sample it as a camera does, and compare the chain's result.
+    """Simulate a release with the reference, sample it as a camera does, and compare the chain's result.
 
     Args:
         parameters: the joystick
         chain: the chain
         release_angle: angle of hold and release (rad)
-        camera_rate: frames a second (Hz)
+        camera_rate: frame rate (Hz)
 
     Raises:
         ParameterError, SimulationError: as `simulate` does
@@ -230,7 +231,7 @@ def chain_effect(
     parts = np.split(motion.omega[after], borders)[:-1]
     signs = np.sign(run.omega[peaks])
     measured = [sign * np.max(sign * part) for sign, part in zip(signs, parts, strict=True)]
-    # Near the release the chain has not seen the motion whole: the first peak is where the judging begins.
+    # Start at the first peak, because near the release the chain has not seen the whole motion.
     judged = motion.time >= run.time[peaks[0]]
     found = energy(parameters, motion.theta[judged], motion.omega[judged])
     return ChainEffect(
@@ -247,9 +248,9 @@ def chain_effect(
 
 
 def _peaks(omega: FloatArray) -> np.ndarray[tuple[int], np.dtype[np.intp]]:
-    """Indices of the largest magnitude between two changes of sign; the last swing, cut off, does not count.
+    """Indices of the largest magnitude between sign changes, without the last swing, which is cut off.
 
-    Nor do swings below 5 % of the largest.
+    Swings below 5 % of the largest do not count.
     """
     turns = np.flatnonzero(np.diff(np.sign(omega)) != 0.0) + 1
     edges = np.concatenate(([0], turns))

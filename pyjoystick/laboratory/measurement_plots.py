@@ -1,4 +1,4 @@
-"""Figures of measured motions beside the true ones."""
+"""Figures that compare measured with true motions."""
 
 from __future__ import annotations
 
@@ -17,16 +17,16 @@ from pyjoystick.support import LAWS, LONG_DASHES, MEASURED, SOLID, FloatArray, d
 _DEG: Final = math.degrees(1.0)
 _MJ: Final = 1e3
 _VISIBLE: Final = 2e-3
-#: As in Fig. 12: the simulation is solid, what stands for the experiment dashed.
+#: As in Fig. 12: solid for the simulation, dashed for the experiment.
 _MEASURED: Final = {"color": MEASURED, "linestyle": LONG_DASHES, "linewidth": 1.1}
 
 
 def plot_chain_effect(parameters: JoystickParameters, effect: ChainEffect) -> Figure:
-    """Velocity and energy of a simulated motion, and as the signal chain measures it (Fig. 12).
+    """Plot velocity and energy of a simulated motion, true and after the signal chain (Fig. 12).
 
     Args:
         parameters: the joystick of the simulation
-        effect: what `chain_effect` found
+        effect: from `chain_effect`
     """
     run, motion = effect.run, effect.motion
     shown = (motion.time >= run.time[0]) & (motion.time <= run.time[0] + 1.5)
@@ -61,19 +61,19 @@ def plot_chain_effect(parameters: JoystickParameters, effect: ChainEffect) -> Fi
 
 
 def plot_instruments(motion: Motion, true: Trajectory, *, release_time: float, distance: float) -> Figure:
-    """What camera and accelerometer see of a free oscillation, in the four panels of Fig. 4.
+    """Plot what camera and accelerometer record of a free oscillation, in the four panels of Fig. 4.
 
     Args:
-        motion: what the measuring chain gives
-        true: the motion from the release on, of which the ideal accelerometer reads its signal; no damage to
-            that signal, such as ringing, is simulated
-        release_time: instant of release on the clock of `motion` (s)
+        motion: output of the measuring chain
+        true: the motion from the release, which an ideal accelerometer reads; distortions of its signal,
+            such as ringing, are not simulated
+        release_time: time of release on the clock of `motion` (s)
         distance: pivot to accelerometer (m)
     """
     duration = float(true.time[-1] - true.time[0])
     shown = (motion.time >= release_time) & (motion.time <= release_time + duration)
     time = motion.time[shown] - release_time
-    # As `pyjoystick.laboratory.measurements.accelerometer` has it: less the component of gravity.
+    # As in `pyjoystick.laboratory.measurements.accelerometer`: minus the component of gravity.
     reading = true.alpha - GRAVITY * np.sin(true.theta) / distance
     panels = (
         ("Displacement (deg)", time, motion.theta[shown] * _DEG),
@@ -96,6 +96,6 @@ def plot_instruments(motion: Motion, true: Trajectory, *, release_time: float, d
 
 
 def _above_before(values: FloatArray) -> list[bool]:
-    """Where the energy lies above its least before, by more than the width of a line."""
+    """Where the energy is above its minimum so far, by more than the width of a line."""
     rise = values - np.minimum.accumulate(values)
     return [bool(one > _VISIBLE * values[0]) for one in rise]

@@ -1,4 +1,4 @@
-"""What can be wrong with a system of FMUs or with a sweep."""
+"""Errors of coupled systems and of sweeps."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ class ClusterError(PyJoystickError):
     """The cluster cannot be used, or was lost; finished runs are kept.
 
     Attributes:
-        address: of the scheduler
+        address: address of the scheduler
         reason: what is wrong
     """
 

@@ -1,7 +1,7 @@
-"""Experiments on the joystick: plain functions from settings to a table.
+"""Experiments on the joystick: functions from settings to a table.
 
 Every table is indexed by ``time`` (s) and has the outputs of the joystick's FMU as columns, in SI units; see
-`pyjoystick.motion.tables` for the units it carries.
+`pyjoystick.motion.tables` for units in its attrs.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from typing import Final
 import numpy as np
 import pandas as pd
 
-from pyjoystick import model  # whose reference loads SciPy, which runs of FMUs do without
+from pyjoystick import model  # lazily: its reference loads SciPy, which FMU runs do not need
 from pyjoystick.fmu import Fmu, FmuDescription, UnsupportedFmuError
 from pyjoystick.model import FRICTION_NAMES, NOMINAL, NOMINAL_POWER_LAW, STOP_NAMES, JoystickParameters
 from pyjoystick.motion import DisplayUnit, Quantity, make_table
@@ -51,9 +51,9 @@ _FRICTION_QUANTITIES: Final = (
     Quantity("isStuck", "", None, "The joystick sticks"),
 )
 
-#: The columns of every table of the joystick.
+#: Columns of every table of the joystick.
 COLUMNS: Final = tuple(quantity.name for quantity in _QUANTITIES)
-#: Further columns where the joystick has dry friction.
+#: Additional columns if the joystick has dry friction.
 FRICTION_COLUMNS: Final = tuple(quantity.name for quantity in _FRICTION_QUANTITIES)
 
 
@@ -69,22 +69,22 @@ def free_oscillation(
     """Release the joystick from rest at an angle and let it oscillate: section 3.3 of the paper, on an FMU.
 
     Args:
-        release_angle: angle at the start (rad), positive forward, between -pi/2 and pi/2
+        release_angle: initial angle (rad), positive forward, between -pi/2 and pi/2
         fmu: name or path of an FMU with the interface of ``Joystick``, or an open `Fmu`, which is faster for
-            many runs; by default the one that `fmu_of_joystick` names
-        parameters: the joystick, or values by the FMU's names (SI units); all others keep the FMU's values
+            many runs; by default the one named by `fmu_of_joystick`
+        parameters: the joystick, or values by the FMU's names (SI units); others keep the FMU's values
         duration: length of the run (s)
         output_interval: time between two rows (s), see `time_grid`
-        tolerance: of the FMU's integrator
+        tolerance: tolerance of the FMU's integrator
 
     Returns:
-        a table with the columns `COLUMNS`, and `FRICTION_COLUMNS` where the FMU has dry friction
+        a table with the columns `COLUMNS`, and `FRICTION_COLUMNS` if the FMU has dry friction
 
     Raises:
         ParameterError: an angle of pi/2 or more, a duration or a value that is not allowed
         UnknownParameterError: the FMU has no parameter of that name
-        FmuNotFoundError, FmuFileError, UnsupportedFmuError: the FMU cannot be opened, or is no joystick
-        FmuRunError: the FMU refuses the parameters or fails
+        FmuNotFoundError, FmuFileError, UnsupportedFmuError: the FMU cannot be opened, or is not a joystick
+        FmuRunError: the FMU rejects the parameters or fails
     """
     start = angle("release_angle", release_angle)
     time = time_grid(duration, output_interval)
@@ -119,17 +119,17 @@ def reference_free_oscillation(
     duration: float = DEFAULT_DURATION,
     output_interval: float = DEFAULT_OUTPUT_INTERVAL,
 ) -> pd.DataFrame:
-    """The same experiment as `free_oscillation` on the pure-Python reference, accurate to 1e-10 rad.
+    """Run the experiment of `free_oscillation` on the pure-Python reference, accurate to 1e-10 rad.
 
     Args:
-        release_angle: angle at the start (rad), between -pi/2 and pi/2
+        release_angle: initial angle (rad), between -pi/2 and pi/2
         parameters: the joystick
         duration: length of the run (s)
         output_interval: time between two rows (s), see `time_grid`
 
     Returns:
-        a table with the columns `COLUMNS`, and `FRICTION_COLUMNS` where `parameters` have dry friction;
-        ``attrs["events"]`` lists the passages of kinks and of the middle, and where the joystick sticks and
+        a table with the columns `COLUMNS`, and `FRICTION_COLUMNS` if `parameters` have dry friction;
+        ``attrs["events"]`` lists the crossings of kinks and of the middle, and where the joystick sticks and
         slips, as dictionaries (time, kind, direction, theta, omega)
 
     Raises:
@@ -148,10 +148,10 @@ def reference_free_oscillation(
 
 
 def joystick_of_fmu(description: FmuDescription) -> JoystickParameters:
-    """The joystick that an FMU is when nothing is set: its start values.
+    """Joystick given by the start values of an FMU.
 
     Raises:
-        UnsupportedFmuError: the FMU has not the parameters of a joystick, or values that none can have
+        UnsupportedFmuError: the FMU lacks the parameters of a joystick, or has impossible values
     """
     nominal = NOMINAL if law_of_fmu(description) == "constant" else NOMINAL_POWER_LAW
     stops = STOP_NAMES if set(STOP_NAMES) <= set(description.variables) else ()
@@ -167,12 +167,12 @@ def joystick_of_fmu(description: FmuDescription) -> JoystickParameters:
 
 
 def has_friction(description: FmuDescription) -> bool:
-    """It has the parameters and outputs of dry friction, as ``JoystickFriction`` has."""
+    """Whether it has the parameters and outputs of dry friction, as ``JoystickFriction`` has."""
     return {*FRICTION_NAMES, *FRICTION_COLUMNS} <= set(description.variables)
 
 
 def time_grid(duration: float, output_interval: float) -> FloatArray:
-    """Instants from 0 to `duration` (s), `output_interval` (s) apart; the last step may be shorter.
+    """Times from 0 to `duration` (s), `output_interval` (s) apart; the last interval may be shorter.
 
     Raises:
         ParameterError: a value is not finite or not above zero, the interval is longer than the duration, or

@@ -1,4 +1,4 @@
-"""What settings files say of an FMU: which one it is, and values of its variables, with or without a unit."""
+"""Entries about FMUs in settings files: the FMU, and values of its variables with or without a unit."""
 
 from __future__ import annotations
 
@@ -40,17 +40,17 @@ def fmu_of(table: Table, find: Callable[[str], Path] = find_fmu) -> FmuDescripti
 
 
 def joystick_values(table: Table, fmu: FmuDescription) -> dict[str, Value]:
-    """The values of the parameter file that the key ``parameters`` of [fmu] names, if there is one.
+    """Values from the parameter file named by the key ``parameters`` of [fmu], if there is one.
 
     Args:
         table: the table [fmu]; the path in it is relative to the settings' folder
-        fmu: a joystick; its damping law is the one that is taken from the file
+        fmu: a joystick, whose damping law is taken from the file
 
     Returns:
-        values by name of the FMU's parameters; nothing where the key is absent
+        values by name of the FMU's parameters; empty if the key is absent
 
     Raises:
-        InputFileError, SettingsError: the file cannot be used, or the FMU is no joystick
+        InputFileError, SettingsError: the file cannot be used, or the FMU is not a joystick
     """
     if "parameters" not in table:
         return {}
@@ -64,9 +64,9 @@ def joystick_values(table: Table, fmu: FmuDescription) -> dict[str, Value]:
 
 
 def value_of(variable: Variable, given: Any) -> Value:
-    """The value of a variable: `given` as it is, or from text such as ``-20deg`` in the variable's unit.
+    """Value of a variable: a plain value, or text such as ``-20deg`` converted to the variable's unit.
 
-    The unit is the one that the FMU works in or the one that it proposes for display.
+    The unit must be the FMU's own or its display unit.
 
     Raises:
         ParameterError: another type or unit, or outside the range that the FMU allows

@@ -1,6 +1,6 @@
-"""Which FMU computes which joystick: by its damping law, dry friction and stops.
+"""Choice of the FMU for a joystick, by its damping law, dry friction and stops.
 
-Apart from the experiments, so that a look at a project does not load pandas.
+Separate from the experiments, so that inspecting a project does not load pandas.
 """
 
 from __future__ import annotations
@@ -11,14 +11,14 @@ from typing import Final
 from pyjoystick.fmu import FmuDescription
 from pyjoystick.model import JoystickParameters, LawName, law_name
 
-#: The FMUs of a joystick without dry friction and stops.
+#: FMUs of a joystick without dry friction and stops.
 FMU_OF_LAW: Final[Mapping[LawName, str]] = {"constant": "Joystick", "power-law": "JoystickPowerLaw"}
 #: FMUs of the same joystick with dry friction.
 FMU_WITH_FRICTION: Final[Mapping[str, str]] = {
     "Joystick": "JoystickFriction",
     "JoystickPowerLaw": "JoystickFrictionPowerLaw",
 }
-#: FMUs of the same joystick with stops, which have dry friction too.
+#: FMUs of the same joystick with stops, which also have dry friction.
 FMU_WITH_STOPS: Final[Mapping[str, str]] = {
     "Joystick": "MountedJoystick",
     "JoystickPowerLaw": "MountedJoystickPowerLaw",
@@ -33,9 +33,9 @@ def fmu_of_joystick(joystick: JoystickParameters) -> str:
 
 
 def fmu_with_parts(fmu: str, joystick: JoystickParameters) -> str:
-    """Name of the FMU with the damping law of `fmu` that has the dry friction and the stops of a joystick.
+    """Name of the counterpart of `fmu` with the dry friction and the stops of a joystick.
 
-    Other FMUs than those of this package have no counterpart: their name stays.
+    FMUs from elsewhere have no counterpart and keep their name.
     """
     if joystick.stops:
         return FMU_WITH_STOPS.get(fmu, fmu)
@@ -43,7 +43,7 @@ def fmu_with_parts(fmu: str, joystick: JoystickParameters) -> str:
 
 
 def mounted_fmu(joystick: JoystickParameters) -> str:
-    """Name of the FMU of a joystick with its stops, in a hand, on a base that moves: by its damping law."""
+    """Name of the FMU of a joystick with stops, in a hand, on a moving base, by its damping law."""
     return FMU_WITH_STOPS[FMU_OF_LAW[law_name(joystick.damping)]]
 
 

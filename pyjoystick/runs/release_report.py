@@ -1,4 +1,4 @@
-"""The peaks of a release as rows, and a release as JSON."""
+"""Reports on a release: the table of peaks, and JSON."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ class ReleasePeak(NamedTuple):
     """A peak of the displacement.
 
     Attributes:
-        time: its instant (s)
-        theta: the displacement (rad)
-        half_period: time since the peak before (s); NaN for the first one
+        time: time of the peak (s)
+        theta: displacement (rad)
+        half_period: time since the previous peak (s); NaN for the first one
     """
 
     time: float
@@ -28,10 +28,10 @@ class ReleasePeak(NamedTuple):
 
 
 def release_peak_rows(run: pd.DataFrame) -> list[ReleasePeak]:
-    """The peaks of the displacement in a run, in order; none in one that is too short.
+    """Peaks of the displacement in a run, in order; empty for a run that is too short.
 
     Args:
-        run: as `free_oscillation` gives it
+        run: from `free_oscillation`
     """
     if len(run) < 3:
         return []
@@ -50,15 +50,15 @@ def release_json(
     trusted_until: float | None = None,
     notes: Sequence[str] = (),
 ) -> str:
-    """A free oscillation as JSON text, in SI units: what was run, and its peaks.
+    """A free oscillation as JSON text, in SI units: settings and peaks.
 
     Args:
-        run: as `free_oscillation` gives it
+        run: from `free_oscillation`
         fmu: the FMU
         joystick: the joystick that was released
-        tolerance: of the FMU's integrator
-        trusted_until: see `pyjoystick.forced_motion.trusted_until`; None where it was not asked for
-        notes: what was noted on it
+        tolerance: tolerance of the FMU's integrator
+        trusted_until: see `pyjoystick.forced_motion.trusted_until`; None if not requested
+        notes: notes on the run
     """
     content = {
         "fmu": fmu.identity,

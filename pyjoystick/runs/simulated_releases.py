@@ -1,4 +1,4 @@
-"""Peaks of simulated releases, on FMUs that stay open."""
+"""Peaks of simulated releases, with FMUs that stay open between runs."""
 
 from __future__ import annotations
 
@@ -22,11 +22,10 @@ _OUTPUTS: Final = ("theta", "omega", "alpha")
 
 
 class SimulatedReleases:
-    """Releases from rest on the FMUs of both damping laws, with or without friction and stops.
+    """Releases from rest with the FMUs of both damping laws, with or without friction and stops.
 
-    Each FMU is opened when needed.
-
-    Use it in a `with` statement, which closes the FMUs. A call returns the peaks of one release:
+    FMUs are opened on demand. Use it in a `with` statement, which closes them. A call returns the peaks of
+    one release:
 
     >>> with SimulatedReleases() as simulate:  # doctest: +SKIP
     ...     peaks = simulate(NOMINAL, math.radians(-20))
@@ -45,15 +44,15 @@ class SimulatedReleases:
         self._stack.close()
 
     def __call__(self, joystick: JoystickParameters, release_angle: float) -> ReleasePeaks:
-        """The peaks of one release.
+        """Peaks of one release.
 
         Args:
             joystick: its damping law, friction and stops select the FMU
-            release_angle: angle of release (rad)
+            release_angle: release angle (rad)
 
         Raises:
             ParameterError: the angle is pi/2 or more
-            FmuNotFoundError, FmuRunError: the FMU is not there, or fails
+            FmuNotFoundError, FmuRunError: the FMU is missing or fails
         """
         law = fmu_of_joystick(joystick)
         values = joystick.to_names() | {"theta_start": angle("release_angle", release_angle)}
@@ -63,12 +62,12 @@ class SimulatedReleases:
     def vary(
         self, joystick: JoystickParameters, release_angle: float, name: str, values: FloatArray
     ) -> dict[float, ReleasePeaks]:
-        """The peaks of releases that differ in one parameter; everything else is prepared once.
+        """Peaks of releases that differ in one parameter; everything else is prepared once.
 
         Args:
-            joystick: the parameters that all runs share
-            release_angle: angle of release (rad)
-            name: FMU name of the parameter that varies, such as ``damping.C``
+            joystick: parameters common to all runs
+            release_angle: release angle (rad)
+            name: FMU name of the varied parameter, such as ``damping.C``
             values: its values, shape (runs,)
 
         Returns:
@@ -79,7 +78,7 @@ class SimulatedReleases:
             FmuRunError: a run fails
         """
         checked = [joystick.replace({name: float(value)}) for value in values]
-        # The FMU with stops if one of them has some, which has friction too; else with friction if one has.
+        # Use the FMU with stops (and friction) if any joystick has stops, else with friction if any has it.
         fullest = max([joystick, *checked], key=lambda one: (bool(one.stops), bool(one.friction)))
         fixed = fullest.to_names() | {"theta_start": angle("release_angle", release_angle)}
         fixed.pop(name, None)

@@ -1,5 +1,5 @@
-"""FMUs that this project did not make, each in a process that may crash, hang, print or exit as it likes.
+"""Foreign FMUs, each in its own process, which may crash, hang, print or exit.
 
-`process` starts `child` there, which carries out what `service` offers. `pool` keeps such processes, and
-`runner` has them do the runs of a plan.
+`process` starts `child` there, which executes the requests defined in `service`. `pool` keeps such processes,
+and `runner` makes them execute the runs of a plan.
 """

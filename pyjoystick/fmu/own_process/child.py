@@ -1,7 +1,7 @@
-"""The other side of `process`: carry out one request after the other until nobody asks any more.
+"""Child side of `process`: execute requests one after the other until there are no more.
 
-Requests and answers are pickles that go through what were standard input and output. The FMU is given an
-empty input, and what it prints goes to standard error, which the parent reads.
+Requests and answers are pickles sent through the former standard input and output. The FMU gets an
+empty input, and its output goes to standard error, which the parent reads.
 """
 
 from __future__ import annotations
@@ -20,12 +20,12 @@ from pyjoystick.support import PyJoystickError
 
 
 def main(place_file: str) -> None:
-    """Serve.
+    """Serve requests.
 
     Args:
-        place_file: the file through which the parent sees where a run is, see `service`
+        place_file: file through which the parent monitors the progress of a run, see `service`
     """
-    # Ctrl-C is the parent's affair.
+    # The parent handles Ctrl-C.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     requests, answers = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
     os.dup2(os.open(os.devnull, os.O_RDONLY), 0)
@@ -46,7 +46,7 @@ def main(place_file: str) -> None:
 
 
 def _read(requests: BinaryIO, waiting: SimpleQueue[tuple[str, tuple[object, ...]]]) -> None:
-    """Pass requests on; end the process, even during a call of the FMU, once the parent has ended."""
+    """Pass requests on; exit, even during a call of the FMU, when the parent has exited."""
     try:
         while True:
             waiting.put(pickle.load(requests))

@@ -1,4 +1,4 @@
-"""A live instance in a process of its own."""
+"""A live instance in a separate process."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from pyjoystick.fmu.own_process.pool import ProcessPool
 
 
 class RemoteLiveInstance:
-    """As `pyjoystick.fmu.live.LiveInstance`; what is not here is asked in the process."""
+    """Like `pyjoystick.fmu.live.LiveInstance`; other attributes are forwarded to the process."""
 
     def __init__(self, pool: ProcessPool, time: float, *settings: Any) -> None:
         self._pool = pool
@@ -23,7 +23,7 @@ class RemoteLiveInstance:
             raise
 
     def stop(self, time: float = 0.0) -> None:
-        """As of `LiveInstance`; in a forked process the parent's is left alone."""
+        """See `LiveInstance`; in a forked process, the parent's process is left alone."""
         if os.getpid() == self._user:
             try:
                 self._call("stop", time)

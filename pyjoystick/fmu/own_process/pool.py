@@ -1,4 +1,4 @@
-"""Processes that have loaded an FMU, kept for later runs."""
+"""Pool of processes that have loaded an FMU."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from pyjoystick.fmu.own_process.process import OwnProcess, ProcessEndedError
 from pyjoystick.fmu.pool import Pool
 from pyjoystick.support import positive, temporary_folder
 
-#: What a run may take in a process of its own unless the caller says otherwise (s).
+#: Default time limit of a run in a separate process (s).
 TIME_LIMIT: Final = 300.0
-#: Loading may take so long at least, however short the runs (s).
+#: Minimum time allowed for loading, however short the limit of runs (s).
 _LOADING: Final = 60.0
 
 
@@ -24,18 +24,18 @@ class ProcessPool(Pool[OwnProcess]):
     """Processes that run one FMU.
 
     Attributes:
-        time_limit: what a run may take (s)
+        time_limit: time limit of a run (s)
     """
 
-    #: The parent's processes are left alone.
+    #: A forked process must not use the parent's processes.
     survives_fork = False
 
     def __init__(self, description: FmuDescription, time_limit: float | None) -> None:
-        """Start the first process, which shows that the FMU can be loaded.
+        """Start the first process, to verify that the FMU can be loaded.
 
         Raises:
             UnsupportedFmuError: this machine cannot run the FMU
-            FmuFileError: it is broken, refuses to be instantiated, or crashes at once
+            FmuFileError: it is broken, cannot be instantiated, or crashes at once
         """
         require_runnable(description, "CoSimulation")
         self.time_limit = TIME_LIMIT if time_limit is None else checked_limit(time_limit)
@@ -44,7 +44,7 @@ class ProcessPool(Pool[OwnProcess]):
         super().__init__(description)
 
     def ask(self, process: OwnProcess, time: float, request: str, *arguments: Any) -> Any:
-        """As `OwnProcess.ask`, within the time limit, of a run at `time` (s); raises FmuRunError too."""
+        """Call `OwnProcess.ask` with the time limit, for a run at `time` (s); also raises FmuRunError."""
         try:
             return process.ask(request, *arguments, time_limit=self.time_limit)
         except ProcessEndedError as ended:
@@ -71,7 +71,7 @@ class ProcessPool(Pool[OwnProcess]):
         return process
 
     def is_reusable(self, one: OwnProcess) -> bool:
-        """As of `Pool`."""
+        """See `Pool`."""
         return one.is_alive and not self.description.one_instance
 
     def _free(self, one: OwnProcess) -> None:
@@ -82,32 +82,32 @@ class ProcessPool(Pool[OwnProcess]):
 
 
 def checked_limit(time_limit: float) -> float:
-    """What a run may take (s), also infinity; raises ParameterError."""
+    """Check the time limit of a run (s), which may be infinite; raises ParameterError."""
     return time_limit if time_limit == math.inf else positive("time_limit", time_limit, "s")
 
 
 def new_pool(
     description: FmuDescription, own_process: bool | None, time_limit: float | None
 ) -> InstancePool | ProcessPool:
-    """What runs the FMU; the arguments are those of `Fmu`."""
+    """Make the pool for the FMU; arguments as in `Fmu`."""
     if is_apart(description, own_process):
         return ProcessPool(description, time_limit)
     return InstancePool(description, time_limit=None if time_limit is None else checked_limit(time_limit))
 
 
 def is_apart(description: FmuDescription, own_process: bool | None) -> bool:
-    """Whether an FMU runs in a process of its own; `own_process` is that of `Fmu`."""
+    """Whether an FMU runs in a separate process; `own_process` as in `Fmu`."""
     return not description.is_ours if own_process is None else own_process
 
 
 def run_apart(description: FmuDescription, time_limit: float | None, settings: dict[str, Any]) -> Any:
-    """`model_exchange.run_model_exchange` in a process of its own, with these settings."""
+    """Run `model_exchange.run_model_exchange` in a separate process, with these settings."""
     require_runnable(description, "ModelExchange")
     limit = TIME_LIMIT if time_limit is None else checked_limit(time_limit)
     with temporary_folder() as folder:
         process = OwnProcess(folder)
         try:
-            process.ask("wait")  # until it has started, which is not the FMU's affair
+            process.ask("wait")  # exclude its start from the time limit
             return process.ask("model_exchange", description.path, settings, time_limit=limit)
         except ProcessEndedError as ended:
             raise run_error(ended, float(settings["time"][0]), description.path) from None
@@ -116,6 +116,6 @@ def run_apart(description: FmuDescription, time_limit: float | None, settings: d
 
 
 def run_error(ended: ProcessEndedError, time: float, path: Path) -> FmuRunError:
-    """The error of a run whose process has ended at `time` (s)."""
+    """Make the error for a run whose process ended at `time` (s)."""
     kind = FmuTimeLimitError if ended.is_late else FmuCrashError
     return kind(time, str(ended), path)

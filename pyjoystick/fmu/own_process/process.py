@@ -1,4 +1,4 @@
-"""A process of its own for an FMU: started, asked, watched and ended."""
+"""A separate process for an FMU."""
 
 from __future__ import annotations
 
@@ -27,24 +27,24 @@ from pyjoystick.support import PyJoystickError
 
 _LOG = logging.getLogger(__name__)
 
-#: Time between two looks at the limit and at whether to stop (s).
+#: Interval for checking the time limit and stop requests (s).
 _INTERVAL: Final = 0.05
-#: Time that a process has to answer once it is to stop (s).
+#: Time that a process has to answer after a stop request (s).
 _GRACE: Final = 0.3
-#: So much of what the FMU prints is kept, its end (bytes).
+#: Size of the kept part of the FMU's output, at its end (bytes).
 _KEPT: Final = 2000
 _CODE: Final = "import sys; sys.path[:] = {path!r}; from {module} import main; main({place!r})"
-#: The module is named, not imported: it loads what the parent does not need.
+#: Named, not imported, because the module loads what the parent does not need.
 _CHILD: Final = "pyjoystick.fmu.own_process.child"
 
 
 class ProcessEndedError(PyJoystickError):
-    """The process crashed or has been ended; the message says why.
+    """The process crashed or was killed, as the message explains.
 
     Attributes:
-        run: which of the requested runs was in progress
-        point: the communication point that it had reached, negative where none
-        is_late: it was the time limit
+        run: index of the run in progress
+        point: communication point that it had reached, negative if none
+        is_late: whether the reason was the time limit
     """
 
     def __init__(self, reason: str, place: NDArray[np.intp], *, is_late: bool) -> None:
@@ -53,16 +53,16 @@ class ProcessEndedError(PyJoystickError):
 
 
 class OwnProcess:
-    """The process, and what has been asked of it.
+    """A child process and its state.
 
     Attributes:
-        plan: key of the plan that it has
-        runs: number of runs that it has carried out
-        is_alive: it can be asked
+        plan: key of the plan that it has received
+        runs: number of runs that it has executed
+        is_alive: whether it accepts requests
     """
 
     def __init__(self, folder: Path) -> None:
-        """Start it.
+        """Start the process.
 
         Args:
             folder: its temporary folder, which the caller deletes
@@ -81,7 +81,7 @@ class OwnProcess:
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
             env=os.environ | dict.fromkeys(("TMPDIR", "TEMP", "TMP"), str(folder)),
-            # Neither Ctrl-C reaches it nor does a signal that the FMU sends to its group reach this process.
+            # Shield it from Ctrl-C, and this process from signals that the FMU sends to its group.
             start_new_session=True,
         )
         _LOG.debug("started process %d", self._process.pid)
@@ -98,17 +98,17 @@ class OwnProcess:
         time_limit: float = math.inf,
         is_stopped: Callable[[], bool] = lambda: False,
     ) -> Any:
-        """Have it carry out a method of `service.Service`.
+        """Make it execute a method of `service.Service`.
 
         Args:
-            name: of the method
-            arguments: for it
-            time_limit: what it, or each run of several, may take (s)
-            is_stopped: asked now and then whether the answer is still wanted
+            name: name of the method
+            arguments: arguments of the method
+            time_limit: limit for the request, or for each of several runs (s)
+            is_stopped: polled; returns whether the answer is no longer wanted
 
         Raises:
-            ProcessEndedError: it crashed, took too long, or was ended because the answer is not wanted
-            Exception: whatever the method raises
+            ProcessEndedError: it crashed, took too long, or was killed because the answer is no longer wanted
+            Exception: any exception that the method raises
         """
         self._place[RUN], self._place[POINT] = 0, BETWEEN_RUNS
         try:
@@ -123,24 +123,24 @@ class OwnProcess:
         return value
 
     def close(self) -> None:
-        """End it; twice is no harm."""
+        """End the process; may be called more than once."""
         if self.is_alive:
             self.is_alive = False
             self._kill()
             self._process.wait()
             _LOG.debug("ended process %d after %d runs", self._process.pid, self.runs)
-            self._place = self._place.copy()  # the file is to be deleted
+            self._place = self._place.copy()  # the file will be deleted
             pipes = self._process.stdout, self._process.stderr
             for pipe, reader in zip(pipes, self._readers, strict=True):
                 reader.join(_GRACE)
                 if pipe is not None and not reader.is_alive():
                     pipe.close()
-            with suppress(OSError):  # what was still to be written is not wanted any more
+            with suppress(OSError):  # unsent data are no longer needed
                 assert self._process.stdin is not None
                 self._process.stdin.close()
 
     def _kill(self) -> None:
-        """End it, with all processes that the FMU has started."""
+        """Kill it and all processes that the FMU has started."""
         with suppress(ProcessLookupError, PermissionError):
             if hasattr(os, "killpg"):
                 os.killpg(self._process.pid, signal.SIGKILL)
@@ -149,7 +149,7 @@ class OwnProcess:
     def _send(self, request: tuple[str, tuple[Any, ...]]) -> None:
         content = pickle.dumps(request, pickle.HIGHEST_PROTOCOL)
         assert self._process.stdin is not None
-        with suppress(OSError):  # it is gone, which the reader of its answers notices
+        with suppress(OSError):  # it has exited, as the reader of its answers will notice
             self._process.stdin.write(content)
             self._process.stdin.flush()
 
@@ -188,16 +188,16 @@ class OwnProcess:
         return f"{reason}; it printed last: {printed}" if printed else reason
 
     def _read(self) -> None:
-        """Collect the answers; None is the last."""
+        """Collect the answers; None marks the end."""
         assert self._process.stdout is not None
         try:
             while True:
                 self._answers.put(pickle.load(self._process.stdout))
-        except Exception:  # the end, or what a process in its death throes, or its FMU, has written
+        except Exception:  # end of the stream, or garbage from a crashing process or its FMU
             self._answers.put(None)
 
     def _listen(self) -> None:
-        """Keep the end of what the FMU prints."""
+        """Keep the end of the FMU's output."""
         assert self._process.stderr is not None
         while octets := os.read(self._process.stderr.fileno(), 65536):
             self._printed = (self._printed + octets)[-_KEPT:]

@@ -1,4 +1,4 @@
-"""Runs of a plan in a process of its own."""
+"""Execution of a plan's runs in a separate process."""
 
 from __future__ import annotations
 
@@ -17,23 +17,23 @@ from pyjoystick.fmu.runner import Job
 from pyjoystick.fmu.stepping.program import ERROR, OK, STOPPED
 from pyjoystick.support import FloatArray
 
-#: Runs are sent in groups that take about so long (s): what is done of a group is lost where one crashes.
+#: Target duration of a group of runs (s); if a run crashes, its group must be repeated.
 _GROUP_TIME: Final = 0.1
-#: So many runs go without the compiler, for a process that does not survive them has loaded it in vain.
+#: Number of first runs without the compiler, which would be loaded in vain if they crash the process.
 _PLAIN_RUNS: Final = 4
 
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """What came of some runs, up to the first that failed.
+    """Results of some runs, up to the first that failed.
 
     Attributes:
-        values: samples, shape (runs, samples, variables), where no operations reduce them
+        values: samples, shape (runs, samples, variables), unless they are reduced
         cells: results of the operations, shape (runs, cells)
         done: shape (runs,)
-        raw: samples as the FMU gave them, where there was one run
-        failure: the run that failed, and why
-        is_fatal: the failure has spoilt the process for other runs, too
+        raw: samples as the FMU stores them, if there was one run
+        failure: index of the run that failed, and the error
+        is_fatal: whether the failure also made the process unusable for other runs
     """
 
     values: FloatArray | None
@@ -45,19 +45,19 @@ class Outcome:
 
 
 class RemoteRunner:
-    """As `pyjoystick.fmu.runner.Runner`, in a process that is replaced where it ends."""
+    """Like `pyjoystick.fmu.runner.Runner`, in a process that is replaced when it ends."""
 
     def __init__(
         self, pool: ProcessPool, job: Job, key: int, plan: Mapping[str, Any], settings: Mapping[str, Any]
     ) -> None:
-        """Take no process yet: where several are to be started, they start at the same time.
+        """Initialize without a process, so that several runners can start theirs at the same time.
 
         Args:
-            pool: processes that have the FMU
+            pool: processes that have loaded the FMU
             job: the runs
-            key: tells plans apart
+            key: identifies the plan
             plan: settings of the plan
-            settings: of `Plan.carry_out`
+            settings: settings for `Plan.carry_out`
         """
         self._pool = pool
         self._job = job
@@ -70,16 +70,16 @@ class RemoteRunner:
         self._failed: tuple[int, FmuRunError] | None = None
 
     def close(self) -> None:
-        """Give the process back."""
+        """Return the process to the pool."""
         if self._process is not None:
             process, self._process = self._process, None
             self._pool.give_back(process)
 
     def advance(self, first: int, last: int, values: FloatArray) -> int:
-        """Carry out the runs `first` to `last` - 1, up to the first that fails.
+        """Execute the runs `first` to `last` - 1, up to the first that fails.
 
         Returns:
-            OK, STOPPED, or ERROR, which calls for `failure`
+            OK, STOPPED, or ERROR, which requires a call of `failure`
 
         Raises:
             FmuFileError: the FMU cannot be loaded again
@@ -93,7 +93,7 @@ class RemoteRunner:
             except ProcessEndedError as ended:
                 if self._job.stop[0]:
                     return STOPPED
-                # The runs of the group before it were done, but are lost: they are done again, up to it.
+                # Earlier runs of its group were finished but lost; repeat them, up to the crash.
                 self._failed = first + ended.run, self._error(ended)
                 last = first + ended.run
                 continue
@@ -112,12 +112,12 @@ class RemoteRunner:
         return OK if self._failed is None else ERROR
 
     def failure(self, _status: int) -> tuple[int, FmuRunError]:
-        """The run that failed, and why."""
+        """Index of the run that failed, and the error."""
         assert self._failed is not None
         return self._failed
 
     def recorded(self) -> NDArray[np.void]:
-        """The samples of the last run as the FMU gave them, shape (samples,)."""
+        """Samples of the last run as the FMU stores them, shape (samples,)."""
         assert self._raw is not None
         return self._raw
 
@@ -144,7 +144,7 @@ class RemoteRunner:
 
     def _set_group(self, took: float) -> None:
         if self._process is None:
-            self._group = 1  # a process carries out one run
+            self._group = 1  # a new process starts with one run
         else:
             self._group = 2 * self._group if took < _GROUP_TIME else max(1, self._group // 2)
 

@@ -1,4 +1,4 @@
-"""What a process does that runs an FMU for another one."""
+"""Requests that a child process executes."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ from pyjoystick.fmu.stepping.program import PLACE_SIZE
 
 
 class Service:
-    """The requests; each method is one, and raises what the same call in the parent's process would."""
+    """The requests; each method raises what the same call in the parent's process would."""
 
     def __init__(self, place_file: str) -> None:
-        """Share the place of the run with the parent, see `stepping.program`, through a file."""
+        """Share the progress of the run with the parent through a file, see `stepping.program`."""
         with Path(place_file).open("r+b") as file:
             self._place = np.frombuffer(mmap.mmap(file.fileno(), 0), np.intp, PLACE_SIZE)
         self._pool: InstancePool
@@ -33,43 +33,43 @@ class Service:
         self._live: LiveInstance
 
     def open(self, description: FmuDescription, folder: Path) -> None:
-        """Load the FMU that is unpacked in the folder."""
+        """Load the FMU from the folder where it is unpacked."""
         self._pool = InstancePool(description, folder, self._place)
 
     def plan(self, settings: Mapping[str, Any], load_compiler: bool) -> None:
-        """Prepare the runs of a plan, and load the compiler, whose time is not that of a run."""
+        """Prepare the runs of a plan, and load the compiler outside the time limit of a run."""
         self._plan = Plan(None, self._pool, **settings)
         self._plan.loop_of((), load_compiler=load_compiler)
 
     def carry_out(self, rows: Any, cells: int, settings: Mapping[str, Any]) -> Outcome:
-        """Runs of the plan, as `Plan.carry_out`."""
+        """Execute runs of the plan, see `Plan.carry_out`."""
         return self._plan.carry_out(rows, cells, **settings)
 
     def linearize(self, *arguments: Any) -> Linearization:
-        """As `linearization.linearize` after its first argument."""
+        """Call `linearization.linearize` with these arguments after its first."""
         with self._pool.lent() as instance:
             return linearize(instance, *arguments)
 
     def wait(self) -> None:
-        """Answer."""
+        """Do nothing but answer."""
 
     def model_exchange(self, path: Path, settings: Mapping[str, Any]) -> Any:
-        """As `model_exchange.run_model_exchange`."""
+        """Call `model_exchange.run_model_exchange`."""
         return run_model_exchange(path, **settings, own_process=False)
 
     def start(self, *settings: Any) -> None:
-        """Begin a simulation for `live`."""
+        """Start a simulation for `live`."""
         self._live = LiveInstance(self._pool, *settings)
 
     def live(self, name: str, *arguments: Any) -> Any:
-        """A method of the live instance."""
+        """Call a method of the live instance."""
         return getattr(self._live, name)(*arguments)
 
     def instantiate(self) -> None:
-        """Take an instance for `call`."""
+        """Make an instance for `call`."""
         self._instance = self._pool.take()
 
     def call(self, name: str, time: float, arguments: tuple[Any, ...]) -> Any:
-        """A method of the instance, at `time` (s)."""
+        """Call a method of the instance, at `time` (s)."""
         with self._instance.reporting(time):
             return getattr(self._instance, name)(*arguments)

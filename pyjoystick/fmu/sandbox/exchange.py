@@ -1,4 +1,4 @@
-"""What goes into a module and what comes out of it, between the rows of a plan and bytes."""
+"""Data exchange with a module: conversion between the rows of a plan and bytes."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ _SETTERS: Final = {
     "fmi2SetInteger": "explore_set_integer",
     "fmi2SetBoolean": "explore_set_boolean",
 }
-#: Of what the module reads as numbers of 64 bits.
+#: Alignment for 64-bit numbers that the module reads.
 _ALIGNMENT: Final = 8
 
 
 def packed(parts: Iterable[bytes]) -> tuple[bytes, list[int]]:
-    """The parts one after the other, each aligned, and where each begins."""
+    """Concatenate parts, each aligned; also returns the offset of each."""
     content, begins = bytearray(), []
     for part in parts:
         begins.append(len(content))
@@ -36,7 +36,7 @@ def packed(parts: Iterable[bytes]) -> tuple[bytes, list[int]]:
 
 @dataclass(frozen=True, slots=True)
 class Setting:
-    """Variables of one type to be set: the function, value references and values."""
+    """Variables of one type to set: the function, value references and values."""
 
     function: str
     references: bytes
@@ -44,12 +44,12 @@ class Setting:
 
     @property
     def n(self) -> int:
-        """How many there are."""
+        """Number of variables."""
         return len(self.references) // 4
 
 
 def settings_of(preparation: Preparation, groups: Sequence[Group], row: int) -> list[Setting]:
-    """What is in a row of values at this address."""
+    """Settings for the row of values at this address."""
     functions = preparation.interface.functions
     return [
         Setting(
@@ -71,12 +71,12 @@ def _width(function: str) -> int:
 
 
 class InputTables:
-    """The inputs of a run.
+    """Inputs of a run.
 
     Attributes:
-        n: number of real inputs if some change; those have a table of values and slopes, and all others are
-            set where they change
-        references: of the table
+        n: number of real inputs, or 0 if none changes; they have a table of values and slopes, and other
+            inputs are set when they change
+        references: value references of the table
     """
 
     def __init__(self, preparation: Preparation) -> None:
@@ -92,7 +92,7 @@ class InputTables:
         others = [i for i in range(len(program.inputs)) if i not in self._tabled]
         self._others = [program.inputs[i] for i in others]
         self._changes = np.flatnonzero(changed[:, others].any(axis=1))
-        self.n = sum(program.inputs[i].size for i in self._tabled)  # one group at most has real inputs
+        self.n = sum(program.inputs[i].size for i in self._tabled)  # at most one group has real inputs
         self.references = b"".join(_references(program.inputs[i]) for i in self._tabled)
         self._values = np.zeros((points, self.n))
         self._slopes = np.zeros((points, self.n))
@@ -130,17 +130,17 @@ class InputTables:
         return int(later[0]) if len(later) else last
 
     def table(self, first: int, until: int) -> tuple[bytes, bytes]:
-        """Values and slopes from one communication point to another, both included."""
+        """Values and slopes from one communication point to another, inclusive."""
         rows = slice(first, until + 1)
         return self._values[rows].tobytes(), self._slopes[rows].tobytes()
 
 
 class Layout:
-    """The columns of a module's table, those of one type side by side.
+    """Columns of a module's table, grouped by type.
 
     Attributes:
-        references, kinds: of the columns, as the module takes them
-        columns: place of each in the table of samples
+        references, kinds: value reference and kind of each column, as the module expects them
+        columns: index of each column in the table of samples
     """
 
     def __init__(self, preparation: Preparation) -> None:
@@ -156,7 +156,7 @@ class Layout:
         return len(self.kinds)
 
     def wrong_column(self, table: FloatArray) -> str | None:
-        """Name of a variable with a number that its type does not have; a sound module has none."""
+        """Name of a variable with a value outside its type, which a sound module does not return."""
         for column, kind in enumerate(self.kinds):
             numbers = table[:, column]
             low, high = (-(2**31), 2**31 - 1) if kind == ord("i") else (0, 1)
@@ -167,7 +167,7 @@ class Layout:
         return None
 
     def rows(self, table: FloatArray) -> NDArray[np.void]:
-        """The table in the types of the FMU, one field a variable, shape (samples,)."""
+        """The table in the types of the FMU, by variable, shape (samples,)."""
         rows: NDArray[Any] = self._form.rows(len(table))
         for column in range(self.n):
             rows[self._name(column)] = table[:, column]

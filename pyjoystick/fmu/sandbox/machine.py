@@ -1,4 +1,4 @@
-"""One instance of a WebAssembly module, with bounded memory, fuel and time."""
+"""One instance of a WebAssembly module, with limits on memory, fuel and time."""
 
 from __future__ import annotations
 
@@ -13,42 +13,42 @@ from pyjoystick.support import PyJoystickError
 
 T = TypeVar("T")
 
-#: Bytes of memory that a module may take.
+#: Memory limit of a module (bytes).
 LARGEST_MEMORY: Final = 2**28
-#: Instructions of WebAssembly, about, that a run may take: the same number on every machine, some minutes.
+#: Approximate limit of WebAssembly instructions per run, the same on every machine; takes some minutes.
 MOST_FUEL: Final = 10**12
-#: Elements of a table of functions; one table.
+#: Limits of function tables: elements, and number of tables.
 _MOST_ELEMENTS: Final = 10_000
-#: Time between two looks at the clock and at whether to stop (s).
+#: Interval for checking the time limit and stop requests (s).
 _INTERVAL: Final = 0.05
 _LONGEST_TEXT: Final = 4096
 
 
 class MachineError(PyJoystickError):
-    """The module broke a rule or a limit; the machine cannot be used any more."""
+    """The module broke a rule or a limit; the machine is no longer usable."""
 
 
 class FuelError(MachineError):
-    """It took more instructions than it may."""
+    """It exceeded its limit of instructions."""
 
 
 class MachineMemoryError(MachineError):
-    """It would take more memory than it may."""
+    """It exceeded its memory limit."""
 
 
 class LateError(MachineError):
-    """It took too long by the clock."""
+    """It exceeded its time limit."""
 
 
 class StoppedError(MachineError):
-    """The result is not wanted any more."""
+    """The result is no longer wanted."""
 
 
 class Machine:
-    """An instance of a module, in a thread of its own, which its user watches.
+    """An instance of a module, working in its own thread under the supervision of its user.
 
     Attributes:
-        is_alive: it can be used
+        is_alive: whether it can be used
     """
 
     def __init__(self, code: bytes, time_limit: float) -> None:
@@ -56,10 +56,10 @@ class Machine:
 
         Args:
             code: from `module.compiled`
-            time_limit: what that may take (s)
+            time_limit: time limit of the instantiation (s)
 
         Raises:
-            MachineError: the module does not get through its beginning
+            MachineError: the module fails to start
         """
         self.is_alive = True
         self._engine = new_engine()
@@ -69,18 +69,18 @@ class Machine:
         self.run(lambda: self._instantiate(code), time_limit)
 
     def close(self) -> None:
-        """Give it up; twice is no harm."""
+        """Shut it down; may be called more than once."""
         self.is_alive = False
         self._thread.shutdown(wait=False)
 
     def run(self, work: Callable[[], T], time_limit: float, is_stopped: Callable[[], bool] = bool) -> T:
-        """Have `work` done, which calls the methods below, with fresh fuel.
+        """Execute `work`, which calls the methods below, with fresh fuel.
 
-        Ctrl-C and `is_stopped` end it within a moment, whatever the module does.
+        Ctrl-C and `is_stopped` end it promptly, whatever the module does.
 
         Raises:
             MachineError: the module broke a rule or a limit
-            Exception: whatever `work` raises
+            Exception: any exception that `work` raises
         """
         begin = clock.monotonic()
         future = self._thread.submit(self._guarded, work)
@@ -100,17 +100,17 @@ class Machine:
             self.close()
             raise
         except BaseException:
-            if not future.done():  # Ctrl-C; else what the work raised
+            if not future.done():  # Ctrl-C; otherwise the exception is from `work`
                 self._interrupt(future)
             raise
         self._interrupt(future)
         raise reason
 
     def _interrupt(self, future: Future[T]) -> None:
-        """End the work and discard the machine."""
+        """Stop the work and discard the machine."""
         self.close()
         while not future.done():
-            self._engine.increment_epoch()  # again, as the store may have been made after the last time
+            self._engine.increment_epoch()  # again, in case the store was made after the first time
             wait([future], _INTERVAL)
 
     def _guarded(self, work: Callable[[], T]) -> T:
@@ -142,11 +142,11 @@ class Machine:
             initialize(store)
 
     def call(self, name: str, *arguments: float) -> Any:
-        """A number, or None, from a function of `module.FUNCTIONS`."""
+        """Call a function of `module.FUNCTIONS`; returns a number or None."""
         return self._exports[name](self._store, *arguments)
 
     def place(self, content: bytes) -> int:
-        """Address of a copy of the content, which stays until the next call."""
+        """Address of a copy of the content, valid until the next call."""
         if len(content) > self._room:
             if self._address:
                 self.call("free", self._address)
@@ -161,13 +161,13 @@ class Machine:
         return self._address
 
     def read(self, address: int, size: int) -> bytearray:
-        """That many bytes."""
+        """Read this many bytes."""
         self._require_inside(address, size)
         content: bytearray = self._memory.read(self._store, address, address + size)
         return content
 
     def text(self, name: str) -> str:
-        """What a function that returns the address of a text says."""
+        """Text at the address returned by a function."""
         address = _unsigned(self.call(name))
         room = self._memory.data_len(self._store) - address
         content = bytes(self.read(address, max(1, min(room, _LONGEST_TEXT))))
@@ -187,6 +187,6 @@ def _most_memory() -> str:
 
 
 def _why(error: Exception) -> str:
-    """The last line of a message that begins with where in the module it was."""
+    """Last line of an error message that starts with a position in the module."""
     lines = [line.strip() for line in str(error).splitlines() if line.strip()]
     return lines[-1].removeprefix("wasm trap: ") if lines else type(error).__name__

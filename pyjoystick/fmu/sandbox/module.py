@@ -11,11 +11,11 @@ from pyjoystick.fmu.errors import FmuFileError, UnsupportedFmuError
 from pyjoystick.fmu.limits import require_at_most
 from pyjoystick.support import ARCHIVE_ERRORS, MissingPackageError, archive_problem
 
-#: Where `fmu_build --platform wasm32` puts the module.
+#: Path of the module in FMUs made with `fmu_build --platform wasm32`.
 MODULE: Final = "extra/org.pyjoystick/wasm32/{identifier}.wasm"
-#: The compiler works on a module for seconds for each million bytes, and cannot be interrupted.
+#: Compiling takes seconds per million bytes and cannot be interrupted.
 LARGEST_MODULE: Final = 2**20
-#: Types of arguments and of results, by name: what runs call (fmu_build/runtime/wasm/explore.h).
+#: Types of arguments and results, by name of the function (fmu_build/runtime/wasm/explore.h).
 FUNCTIONS: Final[dict[str, tuple[str, str]]] = {
     "malloc": ("i32", "i32"),
     "free": ("i32", ""),
@@ -30,7 +30,7 @@ FUNCTIONS: Final[dict[str, tuple[str, str]]] = {
     "explore_status": ("", "i32"),
     "explore_message": ("", "i32"),
 }
-#: Of WebAssembly, what modules compiled from C do not need.
+#: WebAssembly features that modules compiled from C do not need.
 _SWITCHED_OFF: Final = (
     *("wasm_threads", "shared_memory", "wasm_memory64", "wasm_multi_memory", "wasm_custom_page_sizes"),
     *("wasm_gc", "gc_support", "wasm_exceptions", "wasm_stack_switching", "wasm_component_model"),
@@ -40,7 +40,7 @@ _STACK: Final = 2**18  # bytes
 
 
 def require_sandbox(description: FmuDescription) -> None:
-    """Raise an error unless there is something to run in a sandbox, and something to run it with.
+    """Raise an error unless the FMU has a module and wasmtime is installed.
 
     Raises:
         UnsupportedFmuError: the FMU is of FMI 3, or has no Co-Simulation or no module
@@ -60,7 +60,7 @@ def require_sandbox(description: FmuDescription) -> None:
 
 
 def read_module(description: FmuDescription) -> bytes:
-    """The module's bytes; raises FmuFileError where it is too large or the archive is damaged."""
+    """The module's bytes; raises FmuFileError if it is too large or the archive is damaged."""
     path = description.path
     try:
         with zipfile.ZipFile(path) as archive:
@@ -72,7 +72,7 @@ def read_module(description: FmuDescription) -> bytes:
 
 
 def new_engine() -> Any:
-    """An engine of wasmtime; code compiled by one can be loaded by another."""
+    """Make a wasmtime engine; code compiled by one can be loaded by another."""
     import wasmtime
 
     config = wasmtime.Config()
@@ -85,7 +85,7 @@ def new_engine() -> Any:
 
 
 def compiled(description: FmuDescription) -> bytes:
-    """The module compiled for this machine; raises FmuFileError unless it has what runs need, and no more."""
+    """Compile the module for this machine; raises FmuFileError unless it has exactly what runs need."""
     import wasmtime
 
     path = description.path

@@ -1,4 +1,4 @@
-"""Machines that run the module of one FMU, kept for later runs."""
+"""Pool of machines that run the module of one FMU."""
 
 from __future__ import annotations
 
@@ -14,18 +14,18 @@ class SandboxPool(Pool[Machine]):
     """Machines with the module of an FMU.
 
     Attributes:
-        time_limit: what a run may take (s)
+        time_limit: time limit of a run (s)
     """
 
-    #: There are no threads for the parent's machines.
+    #: A forked process does not have the threads of its parent's machines.
     survives_fork = False
 
     def __init__(self, description: FmuDescription, time_limit: float | None) -> None:
-        """Compile the module and make the first machine, which shows that it can be run.
+        """Compile the module and make the first machine, to verify that it can be run.
 
         Raises:
             UnsupportedFmuError, MissingPackageError: as `require_sandbox`
-            FmuFileError: the module is broken, too large, asks for imports or fails at once
+            FmuFileError: the module is broken, too large, requires imports or fails at once
         """
         require_sandbox(description)
         self.time_limit = TIME_LIMIT if time_limit is None else checked_limit(time_limit)
@@ -40,7 +40,7 @@ class SandboxPool(Pool[Machine]):
             raise FmuFileError(self.description.path, reason) from None
 
     def is_reusable(self, one: Machine) -> bool:
-        """As of `Pool`."""
+        """See `Pool`."""
         return one.is_alive
 
     def _free(self, one: Machine) -> None:

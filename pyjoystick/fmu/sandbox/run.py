@@ -14,18 +14,18 @@ from pyjoystick.fmu.sandbox.machine import Machine, MachineError
 from pyjoystick.fmu.stepping.program import DISCARD
 from pyjoystick.support import FloatArray
 
-#: Tables are computed in pieces of about so many numbers: a module's memory is for its model.
+#: Approximate size of a chunk of the table (numbers), as the module's memory is for its model.
 _PIECE: Final = 2**16
 
 
 class RefusedError(Exception):
-    """A call of the module that failed as FMI provides for.
+    """A call of the module that failed in a way that FMI allows.
 
     Attributes:
-        what: was being done
-        status: of FMI
-        messages: of the model
-        end: when the model ended the simulation (s); None where it did not
+        what: the operation
+        status: FMI status
+        messages: messages of the model
+        end: when the model terminated the simulation (s); None if it did not
     """
 
     def __init__(self, what: str, status: int, messages: tuple[str, ...], end: float | None = None) -> None:
@@ -34,12 +34,12 @@ class RefusedError(Exception):
 
 
 class SandboxedRun:
-    """The calls of one run, and what came of it so far.
+    """Executes one run, and holds its results so far.
 
     Attributes:
         table: samples at the communication points, shape (points, columns of the layout)
-        rows: how many of them there are
-        after: a sample after the last of them, where the model ended the simulation between two points
+        rows: number of filled rows
+        after: a sample after the last row, if the model terminated the simulation between two points
     """
 
     def __init__(
@@ -56,11 +56,11 @@ class SandboxedRun:
 
     @property
     def reached(self) -> float:
-        """The last communication point (s) that is known to be reached."""
+        """The last communication point (s) known to have been reached."""
         return float(self._times[max(0, self.rows - 1)])
 
     def carry_out(self, start_values: Sequence[Setting]) -> None:
-        """From the start values to the end; raises `RefusedError`, or MachineError."""
+        """Run from the start values to the end; raises `RefusedError` or MachineError."""
         first, last = 0, len(self._times) - 1
         experiment = float(self._times[0]), float(self._times[-1]), float(self._program.tolerance)
         self._require_good("the set-up of the experiment", self._machine.call("explore_begin", *experiment))
@@ -82,7 +82,7 @@ class SandboxedRun:
             self._require_good(what, self._machine.call(one.function, one.n, at + references, at + values))
 
     def _record(self, first: int, until: int) -> None:
-        """Samples from one communication point to another; that of the first is taken again."""
+        """Take samples from one communication point to another; the first is taken again."""
         times = self._times[first : until + 1]
         rows, table = self._call_record(times, self._inputs.n, self._inputs.table(first, until))
         if not 0 <= rows <= len(times):
@@ -93,7 +93,7 @@ class SandboxedRun:
             raise self._refusal("the run", self._machine.call("explore_status"))
 
     def _call_record(self, times: FloatArray, n: int, inputs: tuple[bytes, bytes]) -> tuple[int, FloatArray]:
-        """The number of rows that the module says it has filled, and the table."""
+        """Number of rows that the module claims to have filled, and the table."""
         layout, call = self._layout, self._machine.call
         room = 8 * len(times) * layout.n
         parts = (
@@ -120,7 +120,7 @@ class SandboxedRun:
         messages = tuple(self._machine.text("explore_message").splitlines())
         if status != DISCARD or not self.rows:
             return RefusedError(what, status, messages)
-        # The model ended the simulation, between this point and the next.
+        # The model terminated the simulation between this point and the next.
         next_point = float(self._times[min(self.rows, len(self._times) - 1)])
         end = self._machine.call("explore_time")
         end = min(max(end, self.reached), next_point) if math.isfinite(end) else self.reached

@@ -1,4 +1,4 @@
-"""Runs of a plan in a sandbox."""
+"""Execution of a plan's runs in a sandbox."""
 
 from __future__ import annotations
 
@@ -43,10 +43,10 @@ _LABELS: Final = {2: "discard", 3: "error", 4: "fatal"}
 
 
 class SandboxRunner:
-    """As `pyjoystick.fmu.runner.Runner`, on a machine that is replaced where it breaks."""
+    """Like `pyjoystick.fmu.runner.Runner`, on a machine that is replaced if it breaks."""
 
     def __init__(self, pool: SandboxPool, job: Job, operations: Sequence[Operation]) -> None:
-        """Take no machine yet.
+        """Initialize without a machine.
 
         Args:
             pool: machines with the FMU
@@ -54,7 +54,7 @@ class SandboxRunner:
             operations: what to keep of each run
 
         Raises:
-            UnsupportedFmuError: a variable is text, which a module does not pass
+            UnsupportedFmuError: a variable is text, which a module does not support
         """
         self._path = pool.description.path
         preparation = self._preparation = job.preparation
@@ -75,16 +75,16 @@ class SandboxRunner:
         self._failed: tuple[int, FmuRunError] | None = None
 
     def close(self) -> None:
-        """Give the machine back."""
+        """Return the machine to the pool."""
         if self._machine is not None:
             machine, self._machine = self._machine, None
             self._pool.give_back(machine)
 
     def advance(self, first: int, last: int, values: NDArray[np.float64]) -> int:
-        """Carry out the runs `first` to `last` - 1, up to the first that fails.
+        """Execute the runs `first` to `last` - 1, up to the first that fails.
 
         Returns:
-            OK, STOPPED, or ERROR, which calls for `failure`
+            OK, STOPPED, or ERROR, which requires a call of `failure`
 
         Raises:
             FmuFileError: the module cannot be started again
@@ -110,16 +110,16 @@ class SandboxRunner:
         return OK
 
     def failure(self, _status: int) -> tuple[int, FmuRunError]:
-        """The run that failed, and why."""
+        """Index of the run that failed, and the error."""
         assert self._failed is not None
         return self._failed
 
     def recorded(self) -> NDArray[np.void]:
-        """The samples of the last run in the types of the FMU, one field a variable, shape (samples,)."""
+        """Samples of the last run in the types of the FMU, by variable, shape (samples,)."""
         return self._layout.rows(self._run.table[self._recorded])
 
     def _carry_out(self, run: int) -> None:
-        """One run, whose samples are then in `_run`; raises FmuRunError or StoppedError."""
+        """Execute one run, leaving its samples in `_run`; raises FmuRunError or StoppedError."""
         if self._machine is None:
             self._machine = self._pool.take()
         job = self._job
@@ -141,7 +141,7 @@ class SandboxRunner:
         self._require_numbers()
 
     def _error(self, refusal: RefusedError) -> FmuRunError:
-        """What a call that failed means."""
+        """Make the error for a call that failed."""
         if refusal.end is None:
             label = _LABELS.get(refusal.status, "not a status")
             reason = f"{refusal.what} failed with status {refusal.status} ({label})"
@@ -152,7 +152,7 @@ class SandboxRunner:
         return error
 
     def _samples_until(self, end: float) -> Samples:
-        """What was recorded, and one more sample at the end where none was taken there."""
+        """The recorded samples, plus one at the end if none was taken there."""
         run, kept = self._run, self._recorded[: self._run.rows]
         instants = np.array(self._preparation.program.times)[: run.rows][kept]
         table = run.table[: run.rows][kept]
@@ -163,7 +163,7 @@ class SandboxRunner:
         return Samples(instants, numbers, self._layout.rows(table))
 
     def _require_numbers(self) -> None:
-        """Raise FmuTrapError for numbers that their types do not have."""
+        """Raise FmuTrapError for values outside their types."""
         run = self._run
         tables = [run.table[: run.rows], *([] if run.after is None else [run.after])]
         for name in filter(None, map(self._layout.wrong_column, tables)):

@@ -1,5 +1,5 @@
-"""The loop over the steps of a run, on the C functions of an FMU.
+"""The loop over the steps of a run, using the C functions of an FMU.
 
-`kernel` is plain Python that runs as it stands, through ctypes, and that `compiled` has Numba turn into
-machine code. One source, so both give the same numbers, bit for bit.
+`kernel` is plain Python that runs unchanged through ctypes, and that `compiled` compiles to machine code with
+Numba. Having one source, both give bitwise equal results.
 """

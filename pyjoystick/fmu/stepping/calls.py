@@ -1,6 +1,6 @@
-"""The C functions of an FMU, called by their addresses, one function here for each C signature.
+"""Calls of an FMU's C functions by address, with one function here for each C signature.
 
-Run as they stand they go through ctypes; `compiled` gives each a body of machine code. All return the status
+In plain Python they go through ctypes; `compiled` replaces each body with machine code. All return the status
 (fmi2Status or fmi3Status). Words are pointers and sizes.
 """
 
@@ -21,7 +21,7 @@ def _at(address: int, arguments: str) -> Callable[..., int]:
 
 
 def change_mode(function: int, instance: int) -> int:
-    """Reset, Terminate, ExitInitializationMode; of FMI 2 EnterInitializationMode too."""
+    """Reset, Terminate, ExitInitializationMode; in FMI 2 also EnterInitializationMode."""
     return _at(function, "w")(instance)
 
 
@@ -71,11 +71,11 @@ def do_step3(
     early: int,
     reached: int,
 ) -> int:
-    """fmi3DoStep; the last four are addresses of its results."""
+    """fmi3DoStep; the last four arguments are addresses of its results."""
     return _at(function, "wddiwwww")(instance, time, length, no_going_back, event, terminate, early, reached)
 
 
-#: Each function with the letters of its C arguments: w a word, i an int, d a double.
+#: Each function with its C argument types: w a word, i an int, d a double.
 SIGNATURES: Final = MappingProxyType(
     {
         change_mode: "w",
@@ -90,13 +90,13 @@ SIGNATURES: Final = MappingProxyType(
 
 
 def bound(function: Callable[..., int], address: int, *arguments: Any, is_short: bool) -> Callable[[], int]:
-    """A C function with its arguments, for calls in which a microsecond counts.
+    """Bind a C function to its arguments, for calls in which a microsecond counts.
 
     Args:
-        function: one of this module
-        address: of the C function
-        arguments: numbers, or objects of ctypes whose value at the time of a call counts
-        is_short: other threads of Python wait for it, which takes less time than letting them run
+        function: a function of this module
+        address: address of the C function
+        arguments: numbers, or ctypes objects whose value is read at each call
+        is_short: keep the GIL, which takes less time than releasing it
     """
     letters = SIGNATURES[function]
     given = [

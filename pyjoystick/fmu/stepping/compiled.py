@@ -1,7 +1,7 @@
-"""The kernel as machine code, by Numba.
+"""The kernel compiled by Numba.
 
-The addresses of an FMU's functions are arguments, so that one compilation serves every FMU. It is kept on
-disk, beside this package or in the user's cache, and done anew in each process where neither can be written.
+The addresses of an FMU's functions are arguments, so one compilation serves every FMU. It is cached on
+disk, next to this package or in the user's cache folder, and repeated in each process if neither is writable.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ _C_TYPES: Final = {"w": types.intp, "i": types.int32, "d": types.float64}
 
 
 def compiled(arguments: tuple[object, ...]) -> Callable[..., int]:
-    """`kernel.run_many` for arguments of the types of these, which are those of every call."""
+    """`kernel.run_many` compiled for the types of these arguments, which are those of every call."""
     for plain, letters in calls.SIGNATURES.items():
         overload(plain)(_typing(letters))
     for function in kernel.FUNCTIONS:
@@ -34,7 +34,7 @@ def compiled(arguments: tuple[object, ...]) -> Callable[..., int]:
     try:
         return _dispatcher(signature, cache=True)
     except (RuntimeError, OSError):
-        # Numba has found no folder that it may write to, or could not write what it had made.
+        # Numba found no writable folder, or failed to write its cache.
         return _dispatcher(signature, cache=False)
 
 
@@ -48,8 +48,8 @@ def _dispatcher(signature: tuple[Any, ...], *, cache: bool) -> Callable[..., int
 def _versioned(function: FunctionType) -> FunctionType:
     """The same function under a name that changes with its sources.
 
-    Numba looks a function up on disk by its name and the date of its own file, not of the files with what it
-    calls.
+    Numba's disk cache is keyed by the name and the modification time of the function's own file, and ignores
+    the files of functions that it calls.
     """
     sources = "".join(inspect.getsource(module) for module in _SOURCES) + inspect.getsource(_typing)
     copy = FunctionType(function.__code__, function.__globals__, function.__name__)
@@ -58,7 +58,7 @@ def _versioned(function: FunctionType) -> FunctionType:
 
 
 def _typing(letters: str) -> Callable[..., Any]:
-    """The body of machine code for a function of `calls`, as Numba's `overload` asks for it."""
+    """Machine code for a function of `calls`, as required by Numba's `overload`."""
 
     def typed(_context: Any, address: Any, arguments: Any) -> tuple[Any, Callable[..., Any]]:
         wanted = [_C_TYPES[letter] for letter in letters]

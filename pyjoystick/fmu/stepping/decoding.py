@@ -1,4 +1,4 @@
-"""From the values as an FMU stores them to numbers of double precision."""
+"""Conversion of values as an FMU stores them to double precision."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def decode(
     stride: int,
     samples: FloatArray,
 ) -> None:
-    """Fill `samples`, shape (samples, variables), from rows of `stride` bytes; texts are left out."""
+    """Fill `samples`, shape (samples, variables), from rows of `stride` bytes; texts are skipped."""
     doubles, floats = raw.view(np.float64), raw.view(np.float32)
     done = 0
     for i in range(len(outputs)):
@@ -49,7 +49,7 @@ def _size(kind: int) -> int:
 
 
 def _whole_number(raw: NDArray[np.uint8], place: int, size: int, is_signed: bool) -> float:
-    """A whole number of 1 to 8 bytes, the lowest first; beyond 2^53 it is rounded once."""
+    """Integer of 1 to 8 bytes, little-endian; beyond 2^53 it is rounded once."""
     low = high = np.int64(0)
     for i in range(size):
         octet = np.int64(raw[place + i])
@@ -65,5 +65,5 @@ def _whole_number(raw: NDArray[np.uint8], place: int, size: int, is_signed: bool
     return float(high) * float(_TWO_TO_32) + float(low)
 
 
-#: What a compiler of these functions must know, each after those that it calls.
+#: Functions to compile, each after those that it calls.
 FUNCTIONS = (_size, _whole_number, decode)

@@ -1,4 +1,4 @@
-"""Which loop carries out the runs: the compiled one, or the plain one where Numba is not installed."""
+"""Choice of the loop: compiled, or plain if Numba is not installed."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ from pyjoystick.support import FloatArray
 
 _LOG = logging.getLogger(__name__)
 
-#: `kernel.run_many` from the argument `workspace` on.
+#: Signature of `kernel.run_many` from the argument `workspace` on.
 Loop = Callable[..., int]
 
-#: Where this environment variable is set (to anything), runs are carried out by the plain loop.
+#: If this environment variable is set (to anything), runs use the plain loop.
 PLAIN_LOOP_VARIABLE: Final = "PYJOYSTICK_PLAIN_LOOP"
 
 _lock = threading.Lock()
@@ -30,20 +30,20 @@ _compiled: Callable[..., int] | None = None
 
 
 def has_compiled_loop() -> bool:
-    """Numba is installed and not switched off by `PLAIN_LOOP_VARIABLE`."""
+    """Whether Numba is installed and not disabled by `PLAIN_LOOP_VARIABLE`."""
     return not os.environ.get(PLAIN_LOOP_VARIABLE) and find_spec("numba") is not None
 
 
 def loop(
     program: Program, operations: Sequence[Operation], instants: FloatArray, *, load_compiler: bool
 ) -> Loop:
-    """The loop for runs of a program.
+    """Choose the loop for runs of a program.
 
     Args:
         program: what the runs share
         operations: what to keep of each run
-        instants: of the samples (s), shape (samples,)
-        load_compiler: load Numba where nobody has done so yet, which takes longer than a few plain runs
+        instants: sample times (s), shape (samples,)
+        load_compiler: load Numba if it is not loaded yet, which takes longer than a few plain runs
     """
     if not has_compiled_loop() or (_compiled is None and not load_compiler):
         return partial(run_many, program, operations, instants)
@@ -67,7 +67,7 @@ def _as_array(groups: Sequence[Group]) -> Any:
 
 
 def _compiled_for(shared: tuple[object, ...]) -> Callable[..., int]:
-    """The compiled loop, loaded once in a process."""
+    """The compiled loop, loaded once per process."""
     global _compiled
     with _lock:
         if _compiled is None:

@@ -1,6 +1,6 @@
-"""Runs of one instance of an FMU from first to last, in plain arithmetic that Numba can compile.
+"""Runs of one instance of an FMU from start to end, in plain arithmetic that Numba can compile.
 
-Nothing here raises or knows of Python objects: what goes wrong comes back as a status, with the run, the
+Nothing here raises exceptions or uses Python objects: failures are returned as a status, with the run, the
 point and the function in the workspace's `place`.
 """
 
@@ -66,25 +66,25 @@ def run_many(
     done: NDArray[np.bool_],
     stop: NDArray[np.bool_],
 ) -> int:
-    """Carry out the runs `first` to `last` - 1.
+    """Execute the runs `first` to `last` - 1.
 
     Args:
         program: what the runs share
         operations: what to keep of each run
-        instants: of the samples (s), shape (samples,)
-        workspace: of the instance; its place says `BETWEEN_RUNS`, or where the first run is to be resumed
+        instants: sample times (s), shape (samples,)
+        workspace: workspace of the instance; its place is `BETWEEN_RUNS`, or where to resume the first run
         is_new: nothing has been done with the instance yet
         parameters: address of the row of parameters of run 0
         first: the first run
         last: the run after the last
-        values: samples, shape (runs, samples, variables); (1, samples, variables) where only their
+        values: samples, shape (runs, samples, variables), or (1, samples, variables) if only their
             reductions are wanted
         cells: results of the operations, shape (runs, cells)
-        done: set for each run that came to its end, shape (runs,)
-        stop: set by someone else to end the work after the present step, shape (1,)
+        done: set for each run that reached its end, shape (runs,)
+        stop: set by another thread to end the work after the current step, shape (1,)
 
     Returns:
-        OK, or what ended the work at the run in the workspace's place
+        OK, or the status that ended the work at the run in the workspace's place
     """
     place = workspace.place
     for run in range(first, last):
@@ -110,7 +110,7 @@ def _is_bad(status: int) -> bool:
 
 
 def start(program: Program, workspace: Workspace, is_new: bool, parameters: int) -> int:
-    """Bring the instance from any state to the first communication point."""
+    """Take the instance from any state to the first communication point."""
     instance, place, functions = workspace.instance, workspace.place, program.functions
     place[POINT] = place[SAMPLES] = 0
     if not is_new:
@@ -157,7 +157,7 @@ def _begin(program: Program, workspace: Workspace, function: int) -> int:
 
 
 def _advance(program: Program, workspace: Workspace, stop: NDArray[np.bool_]) -> int:
-    """From the communication point in the workspace's place to the end, a stop or a pause."""
+    """Step from the communication point in the workspace's place to the end, a stop or a pause."""
     place = workspace.place
     point = place[POINT]
     end = len(program.times) - 1
@@ -199,7 +199,7 @@ def _set_inputs(program: Program, workspace: Workspace, point: int) -> int:
 
 
 def transfer(program: Program, workspace: Workspace, groups: Sequence[Group], row: int) -> int:
-    """Set or get what is in a row of values."""
+    """Set or get the variables of a row of values."""
     for i in range(len(groups)):
         status = _access(program, workspace, groups[i], row)
         if _is_bad(status):
@@ -217,7 +217,7 @@ def _access(program: Program, workspace: Workspace, group: Group, row: int) -> i
 
 
 def _step(program: Program, workspace: Workspace, point: int) -> int:
-    """From a communication point to the next."""
+    """Step from a communication point to the next."""
     place, instance = workspace.place, workspace.instance
     if program.moving > 0:
         place[FUNCTION] = DERIVATIVES
@@ -245,7 +245,7 @@ def _step(program: Program, workspace: Workspace, point: int) -> int:
     return EARLY if workspace.flags[16] else status
 
 
-#: What a compiler of `run_many` must know, each after those that it calls.
+#: Functions to compile for `run_many`, each after those that it calls.
 FUNCTIONS = (
     *EXTREMA_FUNCTIONS,
     *decoding.FUNCTIONS,

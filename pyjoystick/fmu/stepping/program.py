@@ -1,4 +1,4 @@
-"""A run in the terms of the machine: addresses, counts and blocks of values, as the kernel reads them."""
+"""A run in machine terms: addresses, counts and blocks of values, as the kernel reads them."""
 
 from __future__ import annotations
 
@@ -10,50 +10,50 @@ from numpy.typing import NDArray
 
 from pyjoystick.support import FloatArray
 
-# Places in `Program.functions`; setters and getters follow.
+# Indices in `Program.functions`; setters and getters follow.
 RESET, SETUP, ENTER, EXIT, STEP, TERMINATE, DERIVATIVES = range(7)
 
-# What the functions return, and what the kernel adds.
+# Status values of FMI functions, and further ones of the kernel.
 OK, WARNING, DISCARD, ERROR, FATAL, PENDING = range(6)
-#: The FMU ended the run by itself.
+#: The FMU terminated the run.
 ENDED: Final = 101
-#: The FMU came back before the end of a step, which it was not allowed to.
+#: The FMU returned before the end of a step without permission.
 EARLY: Final = 102
 #: The stop flag was set.
 STOPPED: Final = 103
-#: The pause flag was set; the run goes on from there.
+#: The pause flag was set; the run can be resumed.
 UNFINISHED: Final = 104
-#: The run has taken longer than it may.
+#: The run exceeded its time limit.
 LATE: Final = 105
 
-# Places in an array of integers that the kernel keeps up to date: the run, the communication point that was
-# reached (`BETWEEN_RUNS` where none is under way), the number of samples taken, the function called last; and
-# a flag for others to set, at which the kernel comes back after the step.
+# Indices in an array of integers that the kernel keeps up to date: the run, the communication point reached
+# (`BETWEEN_RUNS` if none), the number of samples taken, and the function called last; and a pause flag for
+# others to set, at which the kernel returns after the current step.
 RUN, POINT, SAMPLES, FUNCTION, PAUSE = range(5)
-#: 128 bytes: two threads that write to one cache line in every step would slow each other down.
+#: 128 bytes, because two threads that write to one cache line in every step slow each other down.
 PLACE_SIZE: Final = 16
 BETWEEN_RUNS: Final = -1
 
-#: Bytes for what fmi3DoStep tells, a cache line of their own.
+#: Bytes for the results of fmi3DoStep, in their own cache line.
 FLAGS_SIZE: Final = 128
-#: Where the time is in it that fmi3DoStep has reached.
+#: Offset of the time that fmi3DoStep has reached.
 REACHED: Final = 24
 
-# How values of an FMU are stored. A whole number or a Boolean has four times its bytes and what it is.
+# Storage of values. The kind of integers and Booleans is four times their size, plus their type.
 FLOAT64, FLOAT32, TEXT = range(3)
 UNSIGNED, SIGNED, BOOLEAN = range(3)
 
 
 class Group(NamedTuple):
-    """Variables that one call sets or gets: their values are neighbors in a row.
+    """Variables that one call sets or gets; their values are adjacent in a row.
 
     Attributes:
-        function: place of the setter or getter in `Program.functions`
+        function: index of the setter or getter in `Program.functions`
         references: address of the value references
         size: number of values
         offset: bytes from the start of the row
         kind: how the values are stored
-        surplus: how many more values than variables there are, because of arrays
+        surplus: number of values minus number of variables, nonzero for arrays
     """
 
     function: int
@@ -69,27 +69,27 @@ GROUP: Final = np.dtype([(name, np.intp) for name in Group._fields], align=True)
 
 
 class Program(NamedTuple):
-    """What all runs of a plan share. Addresses are those of arrays that the plan keeps alive.
+    """Data that all runs of a plan share. Addresses point to arrays that the plan keeps alive.
 
     Attributes:
-        version: of FMI, 2 or 3
+        version: FMI version, 2 or 3
         functions: addresses of the C functions
         times: communication points (s), shape (points,)
         recorded: whether a sample is taken there, shape (points,)
-        tolerance: what the FMU's integrator is asked to keep
-        stop_defined: the FMU is told the end of the run
+        tolerance: tolerance for the FMU's integrator
+        stop_defined: whether the FMU is given the stop time
         constants, constants_row: parameters that all runs share, and the address of their row
         varied: parameters that each run gives
         varied_stride: bytes from the row of one run to that of the next
         inputs: inputs that change or are set at the start
         inputs_rows: address of their first row; there is one for each point
         inputs_stride: bytes from row to row
-        changed: whether a group of inputs is to be set at a point, shape (points, groups)
+        changed: whether to set a group of inputs at a point, shape (points, groups)
         moving: number of inputs whose derivative is given
         moving_references: address of their value references
         moving_orders: address of as many ones
-        slopes: address of their derivatives, one row a step
-        outputs: what is recorded
+        slopes: address of their derivatives, one row per step
+        outputs: variables to record
         outputs_stride: bytes from sample to sample
         columns: column of each value in a table of samples, in the order of the groups; -1 for none
     """
@@ -118,15 +118,15 @@ class Program(NamedTuple):
 
 
 class Workspace(NamedTuple):
-    """What one instance of the FMU has for itself.
+    """Memory of one instance of the FMU.
 
     Attributes:
-        instance: its address
-        place: where it is, shape (PLACE_SIZE,)
+        instance: address of the instance
+        place: progress, shape (PLACE_SIZE,)
         raw: samples of one run as the FMU stores them, shape (samples * outputs_stride,)
-        raw_address: of `raw`
-        flags: what fmi3DoStep tells, shape (FLAGS_SIZE,)
-        flags_address: of `flags`
+        raw_address: address of `raw`
+        flags: results of fmi3DoStep, shape (FLAGS_SIZE,)
+        flags_address: address of `flags`
     """
 
     instance: int

@@ -1,4 +1,4 @@
-"""What is kept of a run: the arithmetic of `pyjoystick.fmu.reductions`."""
+"""Arithmetic of the reductions in `pyjoystick.fmu.reductions`."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ class Operation(NamedTuple):
     """One reduction.
 
     Attributes:
-        kind: which of them
-        column: of the variable in the samples
-        derivative: column of its derivative, -1 where there is none
-        cell: the first of its results
+        kind: kind of the reduction
+        column: column of the variable in the samples
+        derivative: column of its derivative, -1 if there is none
+        cell: index of its first result
         most: number of peaks to keep
-        height: least height of a peak
-        prominence: least prominence of a peak
+        height: minimum height of a peak
+        prominence: minimum prominence of a peak
     """
 
     kind: int
@@ -46,13 +46,13 @@ OPERATION: Final = np.dtype(
 def reduce_run(
     operations: Sequence[Operation], instants: FloatArray, samples: FloatArray, cells: FloatArray
 ) -> None:
-    """Fill the results of one run.
+    """Compute the results of one run.
 
     Args:
         operations: what to keep
-        instants: of the samples (s), shape (samples,)
+        instants: sample times (s), shape (samples,)
         samples: shape (samples, variables)
-        cells: the results, shape (cells,), NaN at first
+        cells: the results, shape (cells,), initially NaN
     """
     for i in range(len(operations)):
         operation = operations[i]
@@ -71,7 +71,7 @@ def reduce_run(
 
 
 def _keep_peaks(operation: Operation, instants: FloatArray, samples: FloatArray, cells: FloatArray) -> None:
-    # Contiguous copies, so that compiled and plain code read the same kind of array.
+    # Contiguous copies, so that compiled and plain code operate on the same kind of array.
     series = samples[:, operation.column].copy()
     if operation.derivative >= 0:
         extrema = extrema_of_derivative(instants, series, samples[:, operation.derivative].copy())
@@ -83,5 +83,5 @@ def _keep_peaks(operation: Operation, instants: FloatArray, samples: FloatArray,
         cells[operation.cell + 2 * i + 1] = peaks[i, 0]
 
 
-#: What a compiler of these functions must know, each after those that it calls.
+#: Functions to compile, each after those that it calls.
 FUNCTIONS = (_keep_peaks, reduce_run)

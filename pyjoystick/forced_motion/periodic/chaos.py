@@ -1,4 +1,4 @@
-"""How fast neighboring motions separate: the largest Lyapunov exponent of a map."""
+"""Largest Lyapunov exponent of a map: the growth rate of the distance between neighboring motions."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ import numpy as np
 from pyjoystick.forced_motion.periodic.maps import Images, Tangents
 from pyjoystick.support import FloatArray, ParameterError, whole_number
 
-#: Distance of two neighbors, in scales: far above the noise of a run, far below the bends of a map.
+#: Distance of two neighbors, in scales: far above the noise of a run, far below the map's nonlinearity.
 _APART: Final = 1e-7
-#: From one standard error of the mean on, counted this often, an exponent is not zero.
+#: An exponent differs from zero if it exceeds this many standard errors.
 _SURE: Final = 3.0
-#: So many times the iterations at most are spent for a precision.
+#: Upper limit of the iterations for the requested precision, as a multiple.
 _MOST_ROUNDS: Final = 8
 
 
 @dataclass(frozen=True, slots=True)
 class LargestExponent:
-    """The mean logarithm of the growth of a small distance.
+    """Largest Lyapunov exponent: the mean growth rate of the logarithm of a small distance.
 
     Attributes:
         value: 1/s
@@ -36,7 +36,7 @@ class LargestExponent:
 
     @property
     def is_chaotic(self) -> bool:
-        """It is above zero by more than three standard errors."""
+        """Whether it is above zero by more than three standard errors."""
         return self.value > _SURE * self.error
 
 
@@ -58,7 +58,7 @@ def largest_exponent(
 
     Args:
         images: the map over one period
-        states: where the motions begin, all on one attractor, shape (runs, n), runs >= 2
+        states: start states, all on one attractor, shape (runs, n), runs >= 2
         parameter: value of the parameter
         scales: size of each state, shape (n,)
         period: s
@@ -98,7 +98,7 @@ def largest_exponent(
 
 
 def _of_growth(growth: FloatArray) -> LargestExponent:
-    """The exponent of the motions that have not settled, or of all if all have."""
+    """Exponent of the motions that have not settled, or of all motions if all have."""
     settled = np.mean(growth[-max(1, len(growth) // 4) :], axis=0) < 0.0
     kept = ~settled if np.count_nonzero(~settled) > 1 else np.ones_like(settled)
     rates = np.mean(growth[:, kept], axis=0)

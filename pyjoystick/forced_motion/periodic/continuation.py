@@ -1,8 +1,8 @@
-"""Branches of periodic solutions over a parameter, by pseudo-arclength continuation.
+"""Continuation of periodic solutions over a parameter, by pseudo-arclength.
 
-Keller's method: from a solution along the tangent of the branch, then back to the branch in the plane at
-right angles to the tangent. It passes folds, where the parameter turns back. All lengths are counted in
-scales of the states and of the parameter.
+Keller's method: predict along the tangent of the branch, then correct in the plane perpendicular to the
+tangent. It passes folds, where the parameter turns back. All lengths are in units of the scales of the states
+and of the parameter.
 """
 
 from __future__ import annotations
@@ -18,25 +18,25 @@ from pyjoystick.forced_motion.periodic.maps import SmoothMap
 from pyjoystick.forced_motion.periodic.solutions import NoSolutionError, PeriodicSolution, correct
 from pyjoystick.support import FloatArray
 
-#: How a branch ends.
+#: Reasons for the end of a branch.
 End = Literal["edge of the range", "back at its start", "too many points", "no convergence"]
-#: Tests of the system: they change their sign where what their name says happens.
+#: Test functions of the system by name; a sign change marks the event of that name.
 Tests = Callable[[PeriodicSolution], Mapping[str, float]]
 
 _GROWTH: Final = 1.4
-#: A step that ends where the branch has turned more, or lies farther beside the tangent (in steps), is made
-#: shorter: it may have led to another branch.
+#: A step is shortened if the tangent turns by more, or the solution is farther from the predicted line (in
+#: steps), because it may be on another branch.
 _LARGEST_TURN: Final = 0.95
 _FARTHEST_ASIDE: Final = 0.3
-#: How exactly special points are located along the branch.
+#: Accuracy of special points along the branch.
 _PLACE: Final = 1e-9
-#: How far from a point where the equations are singular they are solved in its place.
+#: Distance from a singular point at which the equations are solved instead.
 _BESIDE: Final = 1e-6
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class SpecialPoint:
-    """A place on a branch where its stability, its direction or the path of its motion changes.
+    """A point on a branch where its stability, its direction or the path of its motion changes.
 
     Attributes:
         kind: ``fold``, ``period doubling``, ``Neimark-Sacker``, ``branch point``, or the name of a test of
@@ -50,12 +50,12 @@ class SpecialPoint:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Branch:
-    """Solutions one after the other.
+    """A sequence of solutions along a branch.
 
     Attributes:
         solutions: in the order in which they were found
         special: special points, in the same order
-        end: why it ends where it does
+        end: reason for its end
         reason: why the iteration did not converge at the end; otherwise empty
     """
 
@@ -67,12 +67,12 @@ class Branch:
 
 @dataclass(frozen=True, slots=True)
 class Steps:
-    """Lengths of steps along a branch, in scales.
+    """Step lengths along a branch, in scales.
 
     Attributes:
-        first: the first step
-        least: where a step has to be shorter, the branch ends
-        most: the longest
+        first: first step
+        least: minimum; the branch ends where a shorter step would be needed
+        most: maximum
         points: largest number of points of a branch
     """
 
@@ -84,7 +84,7 @@ class Steps:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Node:
-    """A solution with what goes on from it: its place in scales and the branch's unit tangent there."""
+    """A solution with data for the next step: its scaled position and the branch's unit tangent there."""
 
     solution: PeriodicSolution
     place: FloatArray
@@ -93,7 +93,7 @@ class _Node:
 
 
 class Continuation:
-    """A branch within a range of the parameter."""
+    """Computes branches within a range of the parameter."""
 
     def __init__(
         self,
@@ -109,9 +109,9 @@ class Continuation:
         Args:
             smooth_map: the map over one period
             scales: sizes of the states and, last, of the parameter, shape (n + 1,)
-            limits: the lowest and the highest value of the parameter
-            steps: lengths of steps
-            tests: of the system
+            limits: lowest and highest value of the parameter
+            steps: step lengths
+            tests: test functions of the system
         """
         self._map = smooth_map
         self._scales = scales
@@ -120,12 +120,11 @@ class Continuation:
         self._tests = tests or (lambda _: {})
 
     def branch(self, start: PeriodicSolution, direction: FloatArray) -> Branch:
-        """The branch from a solution on.
+        """Follow the branch from a solution.
 
         Args:
             start: a solution
-            direction: where to go first, in scales, shape (n + 1,): a vector that is not at right angles to
-                the branch
+            direction: initial direction, in scales, shape (n + 1,); must not be perpendicular to the branch
 
         Raises:
             NoSolutionError: there is no solution at the first step
@@ -152,11 +151,11 @@ class Continuation:
         return Branch(tuple(node.solution for node in nodes), tuple(special), end, reason)
 
     def beside(self, point: PeriodicSolution, direction: FloatArray) -> PeriodicSolution:
-        """A solution of the branch that leaves another at a point, for `branch` to go on from.
+        """Find a solution on the branch that leaves another at a point, as a start for `branch`.
 
         Args:
-            point: where it leaves, such as a period doubling, with a map over twice the period
-            direction: of the branch there, in scales, shape (n + 1,)
+            point: the point, such as a period doubling, with a map over twice the period
+            direction: direction of the new branch there, in scales, shape (n + 1,)
 
         Raises:
             NoSolutionError: none is found at the first step
@@ -177,9 +176,9 @@ class Continuation:
             step = min(self._steps.most, _GROWTH * step)
 
     def _stepped(self, node: _Node, step: float) -> tuple[_Node, float]:
-        """The next node, and the step that led there: as long as converges and turns little.
+        """The next node and the length of the step, which is as long as convergence and curvature allow.
 
-        What changes its sign is passed by short steps: at a grazing, folds may lie close together.
+        Sign changes of tests are passed with short steps: near a grazing, folds may be close together.
         """
         while True:
             try:
@@ -197,7 +196,7 @@ class Continuation:
                 raise refusal
 
     def _leaves(self, node: _Node) -> bool:
-        """The node is at an edge of the range, and the branch leads out."""
+        """Whether the node is at an edge of the range and the branch leads out."""
         low, high = self._limits
         value, rate = node.solution.parameter, node.tangent[-1]
         return bool((value <= low and rate < 0.0) or (value >= high and rate > 0.0))
@@ -210,12 +209,12 @@ class Continuation:
         return min(step, left * 1.001 + 1e-9) if left > 0.0 else step
 
     def _next(self, node: _Node, step: float) -> tuple[_Node, float]:
-        """The node a step farther, and the cosine of the angle between the tangents."""
+        """The node one step farther, and the cosine of the angle between the tangents."""
         solution, matrix = correct(self._map, node.place + step * node.tangent, node.tangent, self._scales)
         onward: FloatArray = np.zeros(len(node.place))
         onward[-1] = 1.0
         try:
-            # At right angles to the n equations of the solution, and along the tangent before.
+            # n equations of the solution, and one for the plane perpendicular to the previous tangent.
             along = np.linalg.solve(matrix, onward)
         except np.linalg.LinAlgError:
             raise NoSolutionError(solution.parameter, "the branch has no tangent") from None
@@ -225,7 +224,7 @@ class Continuation:
         return _Node(solution, place, tangent, tests), float(tangent @ node.tangent)
 
     def _is_back(self, nodes: list[_Node]) -> bool:
-        """The last step passes the first node again, in the same direction."""
+        """Whether the last step passes the first node again, in the same direction."""
         if len(nodes) < 4:
             return False
         first, before, last = nodes[0], nodes[-2], nodes[-1]
@@ -236,7 +235,7 @@ class Continuation:
         return bool(0.0 < along <= 1.0 and same_way and aside < 0.1 * np.linalg.norm(step))
 
     def _special_points(self, before: _Node, after: _Node) -> list[SpecialPoint]:
-        """What changes its sign between two nodes, located on the branch, in the order of the branch."""
+        """Points of sign changes between two nodes, located on the branch, in order along the branch."""
         length = float(before.tangent @ (after.place - before.place))
         found = []
         for name, value in before.tests.items():
@@ -265,15 +264,15 @@ class Continuation:
 
 
 def _differ(before: _Node, after: _Node) -> bool:
-    """A test has another sign; `before` may be a beginning, which has none."""
+    """Whether a test changes sign; `before` may be a start, which has no tests."""
     return any(value * after.tests.get(name, value) < 0.0 for name, value in before.tests.items())
 
 
 def _tests(solution: PeriodicSolution, matrix: FloatArray, tangent: FloatArray) -> dict[str, float]:
-    """Functions that change their sign at special points (Kuznetsov, Elements of Applied Bifurcation Theory).
+    """Test functions that change sign at special points (Kuznetsov, Elements of Applied Bifurcation Theory).
 
-    The equations bordered by the tangent are singular where two branches cross, but not at a fold; those of
-    the tangent before, by which the solution was found, are so at the same places.
+    The equations bordered by the tangent are singular where two branches cross, but not at a fold; the
+    equations bordered by the previous tangent, which gave the solution, are singular at the same points.
     """
     multipliers = solution.multipliers
     products = [a * b for i, a in enumerate(multipliers) for b in multipliers[:i]]

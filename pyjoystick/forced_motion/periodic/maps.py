@@ -1,4 +1,4 @@
-"""Maps of a state from one period to the next, and their derivatives."""
+"""Maps from a state to the state one period later, and their derivatives."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 
 from pyjoystick.support import FloatArray
 
-#: States (runs, n) and the value of a parameter -> the states one period later (runs, n).
+#: Maps states (runs, n), for a value of the parameter, to the states one period later (runs, n).
 Images = Callable[[FloatArray, float], FloatArray]
 #: The same -> these states, and their derivatives by the states before (runs, n, n).
 Tangents = Callable[[FloatArray, float], tuple[FloatArray, FloatArray]]
@@ -18,7 +18,7 @@ Tangents = Callable[[FloatArray, float], tuple[FloatArray, FloatArray]]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Linearization:
-    """A map x -> F(x, p) at a point.
+    """Linearization of a map x -> F(x, p) at a point.
 
     Attributes:
         image: F, shape (n,)
@@ -34,26 +34,26 @@ class Linearization:
     error: float | None
 
 
-#: A state (n,) and the value of a parameter -> the map there.
+#: Linearizes the map at a state (n,), for a value of the parameter.
 SmoothMap = Callable[[FloatArray, float], Linearization]
 
 
 class CentralDifferences:
-    """Derivatives of a map from runs beside a point, extrapolated from two steps (Richardson).
+    """Derivatives of a map from runs near a point, extrapolated from two steps (Richardson).
 
-    With the steps h and h/2 the result is right to the fourth order of h where the map is smooth. A third of
-    the difference between the two central differences is taken for its error, which is then too large rather
-    than too small, and includes the noise of the runs.
+    With the steps h and h/2 the result is accurate to fourth order in h where the map is smooth. The error
+    estimate is a third of the difference between the two central differences; it is too large rather than too
+    small, and includes the noise of the runs.
     """
 
     def __init__(self, images: Images, scales: FloatArray, parameter_scale: float, *, step: float) -> None:
         """Set the steps.
 
         Args:
-            images: the map of many states at a time
+            images: the map, for many states at once
             scales: size of each state, shape (n,)
             parameter_scale: size of the parameter
-            step: h as a part of these sizes
+            step: h relative to these sizes
         """
         self._images = images
         self._scales = scales
@@ -61,13 +61,13 @@ class CentralDifferences:
         self._parameter_step = step * parameter_scale
 
     def __call__(self, state: FloatArray, parameter: float) -> Linearization:
-        """The map at a point, by 4 n + 1 runs, and one more for the derivative by the parameter."""
+        """Linearize at a point with 4 n + 1 runs, plus one on demand for the derivative by the parameter."""
         n = len(state)
         beside = np.diag(self._steps)
         offsets = np.concatenate((np.zeros((1, n)), beside, -beside, 0.5 * beside, -0.5 * beside))
         images = self._images(state + offsets, parameter)
         up, down, half_up, half_down = images[1:].reshape(4, n, n)
-        # Row i of the images belongs to state i: transposed, it is a column of the matrix.
+        # Row i of the images belongs to state i; transposed, it becomes a column of the matrix.
         wide = ((up - down) / (2.0 * self._steps[:, None])).T
         narrow = ((half_up - half_down) / self._steps[:, None]).T
         difference = (narrow - wide) * self._scales[None, :] / self._scales[:, None]

@@ -1,4 +1,4 @@
-"""Periodic solutions by shooting: fixed points of a map by Newton's method, and their stability."""
+"""Periodic solutions by shooting (Newton's method for fixed points of a map), and their stability."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 from pyjoystick.forced_motion.periodic.maps import Linearization, SmoothMap
 from pyjoystick.support import FloatArray, PyJoystickError
 
-#: The last step of Newton's method, and what it leaves, as parts of the scales.
+#: Tolerances for the last Newton step and the residual, relative to the scales.
 ACCURACY: Final = 1e-9
 _MOST_STEPS: Final = 12
-#: A step beyond this many scales has lost its way.
+#: A step of more scales than this means divergence.
 _FAR: Final = 50.0
 
 
@@ -24,8 +24,8 @@ class NoSolutionError(PyJoystickError, RuntimeError):
     """A search for a periodic solution did not converge.
 
     Attributes:
-        parameter: value of the parameter where it began
-        reason: what it did instead
+        parameter: value of the parameter at the start
+        reason: what happened instead
     """
 
     parameter: float
@@ -40,8 +40,8 @@ class PeriodicSolution:
     Attributes:
         state: shape (n,)
         parameter: value of the parameter
-        map: the map there
-        residual: largest |F(x) - x|, as a part of the scales
+        map: linearization of the map there
+        residual: largest |F(x) - x|, relative to the scales
     """
 
     state: FloatArray
@@ -57,21 +57,21 @@ class PeriodicSolution:
 
     @property
     def is_stable(self) -> bool:
-        """All multipliers are inside the unit circle."""
+        """Whether all multipliers are inside the unit circle."""
         return bool(np.abs(self.multipliers[0]) < 1.0)
 
     def exponents(self, period: float) -> NDArray[np.complex128]:
-        """Floquet exponents log(multiplier)/period (1/s), shape (n,), the imaginary part up to pi/period."""
+        """Floquet exponents log(multiplier)/period (1/s), shape (n,), imaginary parts up to pi/period."""
         return np.asarray(np.log(self.multipliers) / period)
 
 
 def solve(smooth_map: SmoothMap, start: FloatArray, parameter: float, scales: FloatArray) -> PeriodicSolution:
-    """The periodic solution near a state, at a fixed parameter.
+    """Find the periodic solution near a state, at a fixed parameter.
 
     Args:
         smooth_map: the map over one period
-        start: where to begin, shape (n,)
-        parameter: the value of the parameter
+        start: start of the search, shape (n,)
+        parameter: value of the parameter
         scales: size of each state, shape (n,)
 
     Raises:
@@ -91,17 +91,17 @@ def correct(
     *,
     origin: float = 0.0,
 ) -> tuple[PeriodicSolution, FloatArray]:
-    """The solution in the plane through a point of states and parameter, by Newton's method.
+    """Find the solution in the plane through a point of states and parameter, by Newton's method.
 
     Args:
         smooth_map: the map over one period
-        point: states and parameter as parts of `scales`, shape (n + 1,)
-        normal: of the plane, in the same units, shape (n + 1,)
-        scales: of states and parameter, shape (n + 1,)
-        origin: what the parameter is counted from
+        point: states and parameter divided by `scales`, shape (n + 1,)
+        normal: normal of the plane, in the same units, shape (n + 1,)
+        scales: scales of states and parameter, shape (n + 1,)
+        origin: origin of the parameter
 
     Returns:
-        the solution, and the matrix of its n + 1 equations in units of the scales, last row `normal`
+        the solution, and the matrix of its n + 1 equations in units of the scales, with last row `normal`
 
     Raises:
         NoSolutionError: it does not converge
@@ -117,7 +117,7 @@ def correct(
         if last < ACCURACY and residual < ACCURACY:
             found = PeriodicSolution(state, float(parameter), here, residual)
             return found, _equations(here, here.by_parameter(), normal, scales)
-        # In the plane of a fixed parameter its derivative does not matter.
+        # With a fixed parameter, the derivative with respect to it is not needed.
         slope = here.by_parameter() if np.any(normal[:-1]) else np.zeros(len(state))
         try:
             step = np.linalg.solve(
@@ -136,7 +136,7 @@ def correct(
 def _equations(
     here: Linearization, by_parameter: FloatArray, normal: FloatArray, scales: FloatArray
 ) -> FloatArray:
-    """The derivatives of x - F(x, p) and of the plane's equation, in units of the scales."""
+    """Derivatives of x - F(x, p) and of the plane's equation, in units of the scales."""
     n = len(here.image)
     matrix = np.empty((n + 1, n + 1))
     matrix[:n, :n] = np.eye(n) - here.monodromy * scales[None, :n] / scales[:n, None]

@@ -1,1 +1,1 @@
-"""What a joystick does whose handle is shaken: periodic motions, their branches, and chaos."""
+"""Response to a sinusoidal torque: periodic motions, their branches, and chaos."""

@@ -1,4 +1,4 @@
-"""Where a shaken joystick ends up, from many releases: periodic motions, or chaos."""
+"""Attractors of a shaken joystick, from many releases: periodic motions, or chaos."""
 
 from __future__ import annotations
 
@@ -14,18 +14,18 @@ from pyjoystick.forced_motion.periodic.solutions import NoSolutionError, Periodi
 from pyjoystick.forced_motion.response.shaken import ShakenJoystick
 from pyjoystick.support import FloatArray, ParameterError, whole_number
 
-#: A motion is tried as periodic after up to so many periods.
+#: Longest period that is tried, in periods of the torque.
 _MOST_PERIODS: Final = 6
-#: How close, in scales, a settled motion comes back to where it was.
+#: A motion has settled if it returns to within this distance, in scales.
 _BACK: Final = 1e-3
-#: How close two motions, in scales, are one.
+#: Motions closer than this, in scales, are the same.
 _SAME: Final = 1e-3
-#: Motions by which an exponent is found; a single one is repeated from states beside it.
+#: Number of motions for estimating an exponent; a single one is supplemented by neighboring states.
 _MOTIONS: Final = 16
 _BESIDE: Final = 1e-6
-#: Standard error of an exponent, as a part of it.
+#: Requested relative standard error of an exponent.
 _PRECISION: Final = 0.03
-#: Of so many releases at most it is asked until when they can be trusted, for so many periods.
+#: Maximum number of releases checked for how long they can be trusted, and number of periods checked.
 _ASKED: Final = 6
 _TRIED: Final = 40
 
@@ -35,9 +35,9 @@ class PeriodicAttractor:
     """A stable periodic motion.
 
     Attributes:
-        periods: periods of the torque after which it returns
+        periods: period of the motion, in periods of the torque
         solution: its first state, multipliers and exponents
-        largest: its largest angle (rad), whatever the sign
+        largest: largest magnitude of the angle (rad)
     """
 
     periods: int
@@ -47,15 +47,15 @@ class PeriodicAttractor:
 
 @dataclass(frozen=True, eq=False)
 class UnsettledMotion:
-    """Motions that have not become periodic. No period is claimed for them.
+    """Motions that have not become periodic; no period is given for them.
 
     Attributes:
         exponent: the largest Lyapunov exponent
         largest: the largest angle of all samples of the section (rad)
-        section: theta (rad) and omega (rad/s) at the beginning of each period (Poincare section), shape
+        section: theta (rad) and omega (rad/s) at the start of each period (Poincare section), shape
             (n, 2)
         trusted: until when a run can be trusted (s): the shortest `ShakenJoystick.trusted_until` of some of
-            the releases. Errors grow faster at first than on the average, which the exponent is.
+            the releases. Errors grow faster at first than the exponent, which is an average.
     """
 
     exponent: LargestExponent
@@ -66,13 +66,13 @@ class UnsettledMotion:
 
 @dataclass(frozen=True, eq=False)
 class Basins:
-    """Which release leads where.
+    """Basins of attraction: the attractor of each release.
 
     Attributes:
-        theta: angles of release (rad), shape (n,)
-        omega: speeds of release (rad/s), shape (m,)
-        attractors: what they lead to
-        labels: number of the attractor, shape (m, n); -1 for a run that fails
+        theta: release angles (rad), shape (n,)
+        omega: release speeds (rad/s), shape (m,)
+        attractors: the attractors
+        labels: index of the attractor, shape (m, n); -1 for a run that fails
     """
 
     theta: FloatArray
@@ -81,7 +81,7 @@ class Basins:
     labels: NDArray[np.int64]
 
     def share(self, number: int) -> float:
-        """Part of the releases that lead to an attractor."""
+        """Fraction of the releases that lead to an attractor."""
         return float(np.mean(self.labels == number))
 
 
@@ -94,19 +94,19 @@ def basins(
     iterations: int = 200,
     on_progress: Callable[[str], None] = lambda _: None,
 ) -> Basins:
-    """Release the joystick at the start of a period, and see where each motion ends up.
+    """Release the joystick at the start of a period, and find where each motion ends up.
 
-    A motion belongs to a periodic attractor if, after `settling` periods, it is back where it was one to six
-    periods before and Newton's method finds a stable solution there. The others stay together: they are
+    A motion belongs to a periodic attractor if, after `settling` periods, it returns to its state of one to
+    six periods before and Newton's method finds a stable solution there. The others form one group: they are
     chaotic if their exponent is above zero, and have not settled otherwise.
 
     Args:
-        shaken: the joystick, seen once a period, at the value of its free parameter
-        theta: angles of release (rad), shape (n,)
-        omega: speeds of release (rad/s), shape (m,)
-        settling: periods before a motion is judged
-        iterations: periods over which the exponent is averaged at least
-        on_progress: called with a description of the present stage
+        shaken: the joystick, sampled once per period, at the value of its free parameter
+        theta: release angles (rad), shape (n,)
+        omega: release speeds (rad/s), shape (m,)
+        settling: number of periods before a motion is judged
+        iterations: minimum number of periods for averaging the exponent
+        on_progress: called with a description of the current stage
 
     Raises:
         ParameterError: no angle or speed, or a number is not allowed
@@ -146,13 +146,13 @@ def _periodic(
     found: list[PeriodicAttractor | UnsettledMotion],
     known: list[tuple[int, FloatArray]],
 ) -> int:
-    """The number of the attractor of a motion, -2 if it is not periodic; a new one is added.
+    """Index of a motion's attractor, -2 if it is not periodic; adds new attractors.
 
     Args:
         shaken: the joystick
-        track: states at the beginning of successive periods, shape (n, 2)
-        found: the attractors so far
-        known: their states, each with the number of its attractor
+        track: states at the start of successive periods, shape (n, 2)
+        found: attractors so far
+        known: their states, each with the index of its attractor
     """
     scales = shaken.scales[:2]
     for number, state in known:

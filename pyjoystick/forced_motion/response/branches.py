@@ -1,4 +1,4 @@
-"""All periodic motions of a shaken joystick that are found, over a range of a parameter."""
+"""Search for all periodic motions of a shaken joystick over a range of a parameter."""
 
 from __future__ import annotations
 
@@ -15,25 +15,25 @@ from pyjoystick.forced_motion.periodic.solutions import NoSolutionError, Periodi
 from pyjoystick.forced_motion.response.shaken import ShakenJoystick
 from pyjoystick.support import FloatArray, ParameterError, finite, whole_number
 
-#: Starts of the search: so many amplitudes from the clearance to beyond the stops, each at so many phases.
+#: Starts of the search: numbers of amplitudes, from the clearance to beyond the stops, and of phases.
 _LEVELS: Final = np.radians(np.geomspace(0.1, 30.0, 7))
 _PHASES: Final = 4
-#: Periods after which motions have come close to what attracts them.
+#: Number of periods after which motions are close to their attractors.
 _SETTLING: Final = 60
-#: Solutions closer than this, in scales, are one.
+#: Solutions closer than this, in scales, are the same.
 _SAME: Final = 1e-5
 
 
 @dataclass(frozen=True, eq=False)
 class ResponseBranch:
-    """A branch through the range, from one of its ends to the other.
+    """A branch across the range.
 
     Attributes:
-        periods: periods of the torque after which the motions return
+        periods: period of the motions, in periods of the torque
         solutions: in order along the branch
-        special: folds, period doublings and grazings, in order of the branch's two directions
-        ends: how it ends at its first and at its last solution
-        reasons: of ends for want of convergence; otherwise empty
+        special: folds, period doublings and grazings, in order for each of the branch's two directions
+        ends: reasons for its end at its first and at its last solution
+        reasons: details for ends without convergence; otherwise empty
     """
 
     periods: int
@@ -44,13 +44,13 @@ class ResponseBranch:
 
 
 class Response:
-    """The search for branches; `branches` is what it has found.
+    """Search for branches; `branches` holds the results.
 
     Attributes:
         shaken: the joystick
-        limits: the range of its free parameter
+        limits: range of its free parameter
         branches: found so far
-        notes: branches that are known to begin somewhere and were not found
+        notes: branches that are known to start somewhere but were not found
     """
 
     def __init__(
@@ -62,23 +62,23 @@ class Response:
         steps: Steps | None = None,
         on_progress: Callable[[str], None] = lambda _: None,
     ) -> None:
-        """Set what to search.
+        """Set up the search.
 
         Args:
-            shaken: the joystick, seen once a period
+            shaken: the joystick, sampled once per period
             limits: lowest and highest value of the free parameter
             most_periods: longest period, in periods of the torque, up to which period doublings are followed
-            steps: lengths of steps along the branches
-            on_progress: called with a description of the present stage
+            steps: step lengths along the branches
+            on_progress: called with a description of the current stage
 
         Raises:
-            ParameterError: the limits do not rise, or are not allowed
+            ParameterError: the limits do not increase, or are not allowed
         """
         low, high = (finite("limits", limit) for limit in limits)
         if low >= high:
             raise ParameterError("limits", limits, "two numbers, the first below the second")
         for limit in (low, high):
-            shaken.period(limit)  # raises where the value is not allowed
+            shaken.period(limit)  # raises if the value is not allowed
         self.shaken = shaken
         self.limits = (low, high)
         self.branches: list[ResponseBranch] = []
@@ -90,11 +90,11 @@ class Response:
     def search(self, values: tuple[float, ...] = ()) -> None:
         """Find the branches through the solutions at some values of the free parameter.
 
-        Newton's method begins at 28 states from the clearance to beyond the stops, and where these have
-        come after 60 periods. What no such search meets stays unknown.
+        Newton's method starts at 28 states from the clearance to beyond the stops, and at the states that
+        these reach after 60 periods. Solutions that no such search finds remain unknown.
 
         Args:
-            values: where to search; the joystick's own value, or the middle of the range if that is outside
+            values: where to search; by default the joystick's own value, or mid-range if that is outside
 
         Raises:
             ParameterError: a value is not within the limits
@@ -110,14 +110,14 @@ class Response:
                     self.follow(self.shaken, solution)
 
     def start_at(self, state: FloatArray, value: float) -> PeriodicSolution:
-        """The solution near a state, for `follow`; raises NoSolutionError if there is none."""
+        """Find the solution near a state, for `follow`; raises NoSolutionError if there is none."""
         return solve(self.shaken.smooth(), state, value, self.shaken.scales[:2])
 
     def follow(self, shaken: ShakenJoystick, start: PeriodicSolution) -> None:
         """Add the branch through a solution, and those that leave it at period doublings.
 
         Args:
-            shaken: the joystick, seen as often as the solution returns
+            shaken: the joystick, sampled at the period of the solution
             start: the solution
         """
         self._tell(f"branch {len(self.branches) + 1} from {start.parameter:.4g}")
@@ -152,7 +152,7 @@ class Response:
         return Continuation(shaken.smooth(), shaken.scales, self.limits, steps=self._steps, tests=grazings)
 
     def is_known(self, shaken: ShakenJoystick, solution: PeriodicSolution) -> bool:
-        """One of the branches passes through the solution, at whichever of its periods."""
+        """Whether one of the branches passes through the solution, in any of its periods."""
         states = list(_returns(shaken, solution))
         for branch in self.branches:
             if branch.periods != shaken.periods:
@@ -164,7 +164,7 @@ class Response:
 
 
 def distinct_solutions(shaken: ShakenJoystick, value: float) -> list[PeriodicSolution]:
-    """Periodic motions at one value of the free parameter, each once."""
+    """Distinct periodic motions at one value of the free parameter."""
     scales, smooth = shaken.scales[:2], shaken.smooth()
     rate = 2.0 * math.pi * shaken.periods / shaken.period(value)
     phases = 2.0 * math.pi * (np.arange(_PHASES) + 0.25) / _PHASES
@@ -188,7 +188,7 @@ def distinct_solutions(shaken: ShakenJoystick, value: float) -> list[PeriodicSol
 
 
 def _joined(periods: int, forward: Branch, backward: Branch) -> ResponseBranch:
-    """Both ways from one solution as one branch; a closed one needs only the first."""
+    """Both directions from one solution as one branch; a closed one needs only the first."""
     if forward.end == "back at its start":
         return ResponseBranch(periods, forward.solutions, forward.special, (forward.end, forward.end))
     solutions = (*reversed(backward.solutions[1:]), *forward.solutions)
@@ -198,7 +198,7 @@ def _joined(periods: int, forward: Branch, backward: Branch) -> ResponseBranch:
 
 
 def _returns(shaken: ShakenJoystick, solution: PeriodicSolution) -> Iterator[FloatArray]:
-    """The states of a motion at the beginning of each of its periods."""
+    """States of a motion at the start of each of its periods."""
     once = shaken.with_periods(1)
     state = solution.state
     for _ in range(shaken.periods):
@@ -207,7 +207,7 @@ def _returns(shaken: ShakenJoystick, solution: PeriodicSolution) -> Iterator[Flo
 
 
 def _at(shaken: ShakenJoystick, branch: ResponseBranch, value: float) -> Iterator[PeriodicSolution]:
-    """Where a branch passes a value of the parameter."""
+    """Solutions of a branch at a value of the parameter."""
     for before, after in pairwise(branch.solutions):
         low, high = sorted((before.parameter, after.parameter))
         if not low <= value <= high or low == high:

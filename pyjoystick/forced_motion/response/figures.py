@@ -40,15 +40,15 @@ _MARKS: Final = {
 
 
 def backbone(joystick: JoystickParameters, amplitudes: FloatArray) -> pd.DataFrame:
-    """The undamped free oscillation: its frequency over its amplitude.
+    """Frequency of the undamped free oscillation over its amplitude.
 
     Args:
-        joystick: the joystick; its damping does not matter
-        amplitudes: angles of release forward (rad), shape (n,)
+        joystick: the joystick; its damping is ignored
+        amplitudes: forward release angles (rad), shape (n,)
 
     Returns:
-        ``frequency`` (Hz) and ``amplitude`` (rad; half of the distance between both largest angles), one row
-        a release that swings across the middle
+        ``frequency`` (Hz) and ``amplitude`` (rad; half of the peak-to-peak angle), one row per release
+        that swings across the middle
     """
     rows = []
     for release in amplitudes:
@@ -61,7 +61,7 @@ def backbone(joystick: JoystickParameters, amplitudes: FloatArray) -> pd.DataFra
 
 
 def plot_response(response: Response) -> Figure:
-    """Amplitude over the free parameter, unstable motions dashed, with the backbone over the frequency.
+    """Plot amplitude over the free parameter, dashed for unstable motions; for frequency, also the backbone.
 
     Args:
         response: the branches
@@ -97,7 +97,7 @@ def plot_response(response: Response) -> Figure:
 
 
 def _draw_branch(axes: Axes, branch: pd.DataFrame, free: str) -> None:
-    """Pieces of one stability, each up to the first point of the next, so that there is no gap."""
+    """Draw pieces of equal stability, each up to the first point of the next, to leave no gaps."""
     color = BLACK if branch["periods"].iloc[0] == 1 else SKY
     what = "" if branch["periods"].iloc[0] == 1 else f", {branch['periods'].iloc[0]} periods"
     values, degrees = branch[free].to_numpy(), np.degrees(branch["amplitude"].to_numpy())
@@ -113,7 +113,7 @@ def _draw_branch(axes: Axes, branch: pd.DataFrame, free: str) -> None:
 
 
 def plot_attractors(found: Basins, shaken: ShakenJoystick) -> Figure:
-    """Each attractor in the phase plane: a periodic one as a curve, the others as their Poincare section.
+    """Plot each attractor in the phase plane: periodic ones as curves, others as Poincare sections.
 
     Args:
         found: the attractors

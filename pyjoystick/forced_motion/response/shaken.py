@@ -1,4 +1,4 @@
-"""A joystick under a sinusoidal torque, seen once a period: fixed points of that map are periodic motions."""
+"""A joystick under a sinusoidal torque, sampled once per period; its fixed points are periodic motions."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ from pyjoystick.forced_motion.sine import sine_table
 from pyjoystick.model import JoystickParameters, angle_of_travel, values_for
 from pyjoystick.support import FloatArray, ParameterError, UnknownParameterError, positive, whole_number
 
-#: Of the FMU's integrator.
+#: Tolerance of the FMU's integrator.
 TOLERANCE: Final = 1e-12
 #: The same for how fast motions part: their tangents are exact at any tolerance, differences are not.
 _ROUGH: Final = 1e-9
 #: Steps of differences, as a part of the scales: 5e-7 rad, small beside the steep segments of Table 1.
 _DIFFERENCE: Final = 1e-5
-#: So many runs take less time one after the other than a batch takes to start its threads.
+#: Up to this many runs, running one after the other is faster than starting the threads of a batch.
 _FEW: Final = 12
 _THETA_SCALE: Final = 0.05
 #: Parameters of the shaking; any other is one of the joystick.
@@ -75,20 +75,20 @@ class Orbit:
 
     @cached_property
     def extremes(self) -> tuple[float, float]:
-        """Largest and smallest angle (rad), between the samples too, by cubic Hermite interpolation."""
+        """Largest and smallest angle (rad), also between samples, by cubic Hermite interpolation."""
         path = CubicHermiteSpline(self.time, self.theta, self.omega)
         values = np.append(path(path.derivative().roots(extrapolate=False)), self.theta)
         return float(np.nanmax(values)), float(np.nanmin(values))
 
     @property
     def amplitude(self) -> float:
-        """Half of the distance between largest and smallest angle (rad)."""
+        """Half of the peak-to-peak angle (rad)."""
         high, low = self.extremes
         return 0.5 * (high - low)
 
 
 class ShakenJoystick:
-    """A joystick's FMU under A sin(2 pi f t), one parameter of which is free.
+    """A joystick's FMU under A sin(2 pi f t), with one free parameter.
 
     The state is (theta, omega) at the instants 0, kT, 2kT ... where the torque passes zero upward.
 
@@ -107,19 +107,19 @@ class ShakenJoystick:
         periods: int = 1,
         tolerance: float = TOLERANCE,
     ) -> None:
-        """Set what stays.
+        """Set what is constant.
 
         Args:
-            fmu: of the joystick, with its damping law
+            fmu: FMU of the joystick, with its damping law
             joystick: the parameters
             shaking: the torque
-            free: ``frequency``, ``torque``, or the FMU's name of a parameter of the joystick
-            periods: k, periods of the torque from one state to the next
-            tolerance: of the FMU's integrator
+            free: ``frequency``, ``torque``, or the FMU's name of a joystick parameter
+            periods: k, number of periods of the torque from one state to the next
+            tolerance: tolerance of the FMU's integrator
 
         Raises:
-            ParameterError: the joystick has dry friction, by which motions from different states become one
-                and the same, so that there are no derivatives to search by; or a value is not allowed
+            ParameterError: the joystick has dry friction, which merges motions from different states, so that
+                the derivatives for the search do not exist; or a value is not allowed
             UnknownParameterError: the joystick has no parameter of that name
         """
         if joystick.friction:
@@ -139,7 +139,7 @@ class ShakenJoystick:
             self._sensitivities = MapSensitivities.of(fmu, () if free in (FREQUENCY, TORQUE) else (free,))
 
     def with_periods(self, periods: int) -> ShakenJoystick:
-        """The same, seen every k-th period."""
+        """The same joystick, sampled every k-th period."""
         return ShakenJoystick(
             self.fmu,
             self.joystick,
@@ -205,18 +205,18 @@ class ShakenJoystick:
         return images, monodromies
 
     def period(self, value: float) -> float:
-        """K T (s) at a value of the free parameter."""
+        """Duration k T (s) at a value of the free parameter."""
         return self.periods / self._at(value)[0].frequency
 
     def images(self, states: FloatArray, value: float) -> FloatArray:
-        """The states k periods later, one run each in one batch.
+        """States k periods later, from a batch with one run each.
 
         Args:
             states: shape (runs, 2)
-            value: of the free parameter
+            value: value of the free parameter
 
         Returns:
-            shape (runs, 2); NaN where a run fails, an angle is not below pi/2, or the value is not allowed
+            shape (runs, 2); NaN if a run fails, an angle is not below pi/2, or the value is not allowed
         """
         return self._ends(states, value, _Run.END)
 
@@ -247,7 +247,7 @@ class ShakenJoystick:
         return Orbit(plan.time, theta, omega)
 
     def kinks(self, value: float) -> dict[str, float]:
-        """The angles (rad) at which the moment has a kink: ``forward x_0`` and so on, ``forward stop``."""
+        """Angles (rad) at which the moment has a kink: ``forward x_0`` and so on, ``forward stop``."""
         joystick = self._at(value)[1]
         sides = (("forward", joystick.forward, 1.0), ("backward", joystick.backward, -1.0))
         found = {
@@ -267,10 +267,10 @@ class ShakenJoystick:
         return self.shaking, self.joystick.replace({self.free: value})
 
     def trusted_until(self, state: FloatArray, periods: int) -> float:
-        """When the error of a run from a state has grown to 1 % of its largest angle (s).
+        """Time at which the error of a run from a state has grown to 1 % of its largest angle (s).
 
-        As `pyjoystick.forced_motion.trusted_until`, at its tolerance; infinite if it has not after `periods`
-        periods of the torque.
+        As `pyjoystick.forced_motion.trusted_until`, at its tolerance; infinite if the error is smaller after
+        `periods` periods of the torque.
         """
         torque = sine_table("T", self.shaking.torque, self.shaking.frequency, periods)
         parameters: dict[str, Value] = {

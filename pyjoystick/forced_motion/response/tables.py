@@ -1,4 +1,4 @@
-"""What was found of a shaken joystick as tables: branches point by point, special points, attractors."""
+"""Tables of the response: branches point by point, special points, attractors."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _UNITS: Final = {FREQUENCY: "Hz", TORQUE: "N m"}
 
 
 def with_unit(name: str) -> str:
-    """The name of a free parameter with its unit, where it is one of the torque."""
+    """Name of a free parameter, with the unit if it belongs to the torque."""
     return f"{name} ({_UNITS[name]})" if name in _UNITS else name
 
 
@@ -85,7 +85,7 @@ def special_table(response: Response) -> pd.DataFrame:
 
 
 def attractor_report(found: Basins, shaken: ShakenJoystick) -> str:
-    """The attractors in Markdown: what part of the releases leads there, how long runs can be trusted."""
+    """Attractors in Markdown: the share of releases that lead there, and until when runs can be trusted."""
     rows = []
     for number, one in enumerate(found.attractors):
         share = f"{100.0 * found.share(number):.0f} %"
@@ -113,7 +113,7 @@ def _unsettled_cells(motion: UnsettledMotion) -> tuple[str, str]:
 
 
 def branch_report(response: Response) -> str:
-    """The branches in Markdown, and below them their special points but for grazings, which are counted."""
+    """Branches in Markdown, followed by their special points; grazings are only counted."""
     free = response.shaken.free
     rows, special = [], []
     for number, branch in enumerate(response.branches, 1):
@@ -145,7 +145,7 @@ def branch_report(response: Response) -> str:
 def response_json(
     shaken: ShakenJoystick, found: Basins, response: Response | None, notes: Sequence[str] = ()
 ) -> str:
-    """Everything as JSON text, in SI units."""
+    """All results as JSON text, in SI units."""
     document: dict[str, Any] = {
         "torque": shaken.shaking.torque,
         "frequency": shaken.shaking.frequency,

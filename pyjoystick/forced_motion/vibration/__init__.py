@@ -1,1 +1,1 @@
-"""What a handle does on a base that shakes, alone and in a hand."""
+"""Response of a handle to vibration of its base, alone and in a hand."""

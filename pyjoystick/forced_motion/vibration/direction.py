@@ -1,4 +1,4 @@
-"""How a base shakes: along itself, up and down, or turning, and what the joystick on it feels of that."""
+"""Directions of base vibration, and their effect on the joystick."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ ALONG, UPWARD, TURNING = "a_base", "a_base_z", "alpha_base"
 
 
 class Direction(StrEnum):
-    """How a base shakes in the plane of the handle; with pitch it turns about the pivot."""
+    """Direction of base vibration in the plane of the handle; pitch is rotation about the pivot."""
 
     HORIZONTAL = "horizontal"
     VERTICAL = "vertical"
@@ -23,14 +23,14 @@ class Direction(StrEnum):
 
     @property
     def seen(self) -> str:
-        """What is compared with the base in space."""
+        """The motion in space that is compared with the base's."""
         return "handle" if self is Direction.PITCH else "top"
 
     def shares(self, frequency: float, gravity: float) -> dict[str, float]:
-        """What the FMU's inputs are, by name, of the base's acceleration; of pitch a small one.
+        """Values of the FMU's inputs, by name, per unit of the base's acceleration; for small pitch.
 
-        A base that turns by phi = -alpha/(2*pi*f)^2 tilts gravity: g*sin(phi) pulls the handle forward, which
-        is to the joystick as though its base went backward.
+        A base rotated by phi = -alpha/(2*pi*f)^2 tilts gravity: g*sin(phi) pulls the handle forward, as a
+        backward acceleration of the base would.
 
         Args:
             frequency: f (Hz)
@@ -41,12 +41,13 @@ class Direction(StrEnum):
         return {ALONG if self is Direction.HORIZONTAL else UPWARD: 1.0}
 
     def arm(self, held: float, pivot_to_top: float) -> float:
-        """What the motion in space has more than the base's, over the angle of the handle (m/rad, or 1).
+        """Motion in space minus the base's, per angle of the handle (m/rad, or 1).
 
-        With pitch that motion is the handle's angle in space, else that of its top in the base's direction.
+        With pitch, this is the handle's angle in space; otherwise the motion of its top in the base's
+        direction.
 
         Args:
-            held: the angle of the handle (rad)
+            held: angle of the handle (rad)
             pivot_to_top: m
         """
         if self is Direction.PITCH:

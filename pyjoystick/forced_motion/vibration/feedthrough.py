@@ -1,4 +1,4 @@
-"""The feedthrough of several handles, small and driven, as tables."""
+"""Feedthrough of several handles, for small and driven vibrations, as tables."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from pyjoystick.support import FloatArray, TextTable, document_text
 
 @dataclass(frozen=True, eq=False)
 class Feedthrough:
-    """Responses of handles on a shaking base.
+    """Responses of handles on a vibrating base.
 
     Attributes:
-        direction: how the base shakes
-        few: the frequencies of the tables and of the driven motions (Hz), shape (n,)
-        small: `MountedHandle.small` by the handle's name, at many frequencies, those among them
+        direction: direction of the base's vibration
+        few: frequencies of the tables and of the driven motions (Hz), shape (n,)
+        small: `MountedHandle.small` by the handle's name, at many frequencies including `few`
         driven: `MountedHandle.driven` by name and acceleration, such as ``hand, 5 m/s2``
     """
 
@@ -35,12 +35,12 @@ class Feedthrough:
 def feedthrough(
     handles: Mapping[str, MountedHandle], few: FloatArray, many: FloatArray, accelerations: Sequence[float]
 ) -> Feedthrough:
-    """The responses of some handles.
+    """Compute the responses of some handles.
 
     Args:
-        handles: by name, one or more, on bases that shake in the same direction
+        handles: by name, one or more, on bases that vibrate in the same direction
         few: frequencies (Hz), shape (n,)
-        many: further ones for small vibrations (Hz), shape (m,)
+        many: additional frequencies for small vibrations (Hz), shape (m,)
         accelerations: amplitudes of the base (`Direction.unit`)
 
     Raises:
@@ -61,7 +61,7 @@ def feedthrough(
 
 
 def feedthrough_report(found: Feedthrough) -> str:
-    """Two tables in Markdown: the angle in degrees over the base's acceleration, and the motion in space."""
+    """Two tables in Markdown: the angle in degrees per base acceleration, and the motion in space."""
     series = {name: table.reindex(found.few) for name, table in found.small.items()} | dict(found.driven)
     return "\n\n".join(
         TextTable(
@@ -91,8 +91,8 @@ def feedthrough_json(
         found: the responses
         joystick: the joystick, without the hand
         held: angle at which the handle is held (rad)
-        hand: what holds it there, in the series of that name
-        notes: what was noted on them
+        hand: the hand of the series named so
+        notes: notes on the responses
     """
     content = {
         "direction": found.direction.value,
@@ -105,7 +105,7 @@ def feedthrough_json(
 
 
 def feedthrough_table(found: Feedthrough) -> pd.DataFrame:
-    """All responses, one after the other: ``series``, ``frequency`` and the columns of each, in SI units."""
+    """All responses concatenated: ``series``, ``frequency`` and the columns of each, in SI units."""
     parts = [
         table.reset_index().assign(series=name)
         for name, table in (*found.small.items(), *found.driven.items())

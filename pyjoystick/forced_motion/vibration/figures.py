@@ -1,4 +1,4 @@
-"""Transmissibility as a figure: angle over the base's acceleration, and the motion of the top in space."""
+"""Figure of transmissibility: angle per base acceleration, and the motion of the top in space."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ def plot_transmissibility(
     *,
     direction: Direction = Direction.HORIZONTAL,
 ) -> Figure:
-    """Frequency responses of small vibrations as lines, those of large ones as points.
+    """Plot frequency responses, of small vibrations as lines and of large ones as points.
 
     Args:
-        small: tables as `MountedHandle.small` gives them, by label; one or more, at most as many as there are
+        small: tables from `MountedHandle.small`, by label; at least one, at most as many as there are
             line styles
-        driven: tables as `MountedHandle.driven` gives them, by label
-        direction: how the base shakes, for the labels
+        driven: tables from `MountedHandle.driven`, by label
+        direction: direction of the base's vibration, for the labels
 
     Raises:
         ParameterError: no line, or more lines or series of points than there are styles

@@ -1,1 +1,1 @@
-"""Which experiment determines the parameters best."""
+"""Experiment design: which experiments determine the parameters best."""

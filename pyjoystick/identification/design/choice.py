@@ -1,4 +1,4 @@
-"""The best choice among experiments: by the determinant of the information, or for one parameter."""
+"""Optimal choice of experiments: by the determinant of the information, or for one parameter."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from pyjoystick.identification.design.experiment import Information
 from pyjoystick.identification.errors import FitError
 from pyjoystick.support import FloatArray, ParameterError, whole_number
 
-#: Beside the information, in parts of its mean: so that a choice can begin, and no more.
+#: Ridge added to the information, relative to its mean: just enough to start the greedy choice.
 _RIDGE: Final = 1e-12
-#: A choice is exchanged for one that is better by this much, relative.
+#: Smallest relative improvement for which an experiment is exchanged.
 _GAIN: Final = 1e-9
-#: A parameter whose standard error, relative to its value, is beyond this is not determined.
+#: A parameter with a larger relative standard error counts as not determined.
 _UNKNOWN: Final = 1.0
 
 
@@ -26,11 +26,11 @@ class Design:
     """A choice of experiments, and how well it determines the parameters.
 
     Attributes:
-        informations: what could be chosen
-        counts: how often each is made, shape (experiments,)
-        prior: what is known of the parameters beforehand, as information, shape (parameters, parameters)
+        informations: the available experiments
+        counts: how often each experiment is made, shape (experiments,)
+        prior: information on the parameters from elsewhere, shape (parameters, parameters)
         names: the parameters
-        values: theirs, in the units of the FMU
+        values: their values, in the units of the FMU
     """
 
     informations: tuple[Information, ...]
@@ -39,17 +39,17 @@ class Design:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """The parameters that all records share."""
+        """Names of the parameters that all records share."""
         return self.informations[0].names
 
     @property
     def values(self) -> FloatArray:
-        """Their values, in the units of the FMU, shape (parameters,)."""
+        """Values of the parameters, in the units of the FMU, shape (parameters,)."""
         return self.informations[0].values
 
     @property
     def covariance(self) -> FloatArray:
-        """Of the parameters after these experiments, shape (parameters, parameters)."""
+        """Covariance of the parameters after these experiments, shape (parameters, parameters)."""
         whole = self.prior + sum(
             count * one.matrix for count, one in zip(self.counts, self.informations, strict=True)
         )
@@ -57,11 +57,11 @@ class Design:
 
     @property
     def errors(self) -> FloatArray:
-        """Standard errors, in the units of the FMU, shape (parameters,)."""
+        """Standard errors of the parameters, in the units of the FMU, shape (parameters,)."""
         return np.sqrt(np.diag(self.covariance))
 
     def with_counts(self, counts: Sequence[int] | NDArray[np.intp]) -> Design:
-        """Another choice among the same experiments."""
+        """Return another choice among the same experiments."""
         return Design(self.informations, np.asarray(counts, dtype=np.intp), self.prior)
 
 
@@ -72,18 +72,18 @@ def best_design(
     determine: str | None = None,
     uncertainties: Mapping[str, float] | None = None,
 ) -> Design:
-    """The best `count` experiments, each as often as it pays: Fedorov's exchange, from each of them on.
+    """Choose the best `count` experiments, repeats allowed, by Fedorov's exchange from each possible start.
 
     Args:
-        informations: of each experiment, see `PlannedFit.information`
+        informations: information of each experiment, see `PlannedFit.information`
         count: number of records
-        determine: the parameter whose standard error is to be smallest; where None, the volume of the
-            ellipsoid of all of them (D-optimal)
-        uncertainties: standard uncertainties of parameters that are known beforehand, in the units of the FMU
+        determine: parameter whose standard error is minimized; if None, the volume of the confidence
+            ellipsoid of all parameters is (D-optimal)
+        uncertainties: standard uncertainties of parameters known from elsewhere, in the units of the FMU
 
     Raises:
-        ParameterError: there is nothing to choose from, or no parameter of that name
-        FitError: not even the best choice determines every parameter
+        ParameterError: there are no experiments, or no parameter of that name
+        FitError: even the best choice leaves a parameter undetermined
     """
     whole_number("count", count, 1)
     if not informations:
@@ -108,7 +108,7 @@ def best_design(
 def _exchanged(
     matrices: Sequence[FloatArray], start: FloatArray, count: int, loss: Callable[[FloatArray], float]
 ) -> list[int]:
-    """Indices of the experiments whose information has the least loss."""
+    """Indices of the experiments that minimize the loss."""
     choices = [_from(first, matrices, start, count, loss) for first in range(len(matrices))]
     return min(choices, key=lambda chosen: loss(start + sum(matrices[k] for k in chosen)))
 
@@ -120,7 +120,7 @@ def _from(
     count: int,
     loss: Callable[[FloatArray], float],
 ) -> list[int]:
-    """A greedy choice that begins with one experiment, improved by exchanging one at a time."""
+    """Greedy choice starting from one experiment, improved by exchanging one experiment at a time."""
     chosen = [first]
     whole = start + matrices[first]
     for _ in range(count - 1):
@@ -140,7 +140,7 @@ def _from(
 
 
 def _loss(whole: FloatArray, place: int | None) -> float:
-    """What is to be least: minus the logarithm of the determinant, or of the information on one parameter."""
+    """Loss to minimize: minus the logarithm of the determinant, or of the information on one parameter."""
     if place is None:
         return -float(np.linalg.slogdet(whole)[1])
     return float(np.log(np.linalg.inv(whole)[place, place]))
@@ -163,7 +163,7 @@ def _scale(values: FloatArray) -> FloatArray:
 
 
 def _inverse(matrix: FloatArray, values: FloatArray) -> FloatArray:
-    """The inverse in the units of the values; variances are infinite where nothing is known."""
+    """Inverse in the units of the values; variances are infinite where there is no information."""
     scale = _scale(values)
     sizes, axes = np.linalg.eigh(matrix * scale * scale[:, np.newaxis])
     with np.errstate(divide="ignore"):

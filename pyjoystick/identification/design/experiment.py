@@ -1,4 +1,4 @@
-"""Experiments that could be made, and the information that each would give on the parameters of a fit."""
+"""Candidate experiments, and the information that each would give on the parameters of a fit."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ from pyjoystick.identification.fitting.problem.settings import FitSettings, Nois
 from pyjoystick.identification.fitting.problem.setup import make_problem
 from pyjoystick.support import FloatArray, ParameterError, angle, increasing_times, positive
 
-#: A record begins so long before the release (s) unless it is said otherwise.
+#: Default time from the start of a record to the release (s).
 HOLD: Final = 0.25
 _START: Final = "theta_start"
-#: Of the FMU's integrator: differences are taken.
+#: Tolerance of the FMU's integrator; tight, because differences are taken.
 _TOLERANCE: Final = 1e-10
 
 
@@ -31,14 +31,14 @@ class Experiment:
     """A record that could be made.
 
     Attributes:
-        name: what it is called in reports
-        time: instants of the samples (s), shape (n,); the motion begins at 0
+        name: name in reports
+        time: sample times (s), shape (n,); the motion starts at 0
         release_angle: angle from which the joystick starts at rest (rad)
-        inputs: series that drive inputs of the FMU, by name, shape (n,) each; where there are none, the
-            joystick is held until it is released at 0
+        inputs: series that drive inputs of the FMU, by name, shape (n,) each; if empty, the joystick is
+            held until its release at 0
 
     Raises:
-        ParameterError: the instants do not increase, or the angle is pi/2 or more
+        ParameterError: the times do not increase, or the angle is pi/2 or more
     """
 
     name: str
@@ -52,13 +52,13 @@ class Experiment:
 
     @classmethod
     def release(cls, release_angle: float, *, rate: float, duration: float, hold: float = HOLD) -> Experiment:
-        """A free oscillation.
+        """Make a free oscillation.
 
         Args:
-            release_angle: angle of release (rad), not zero
-            rate: samples a second (Hz)
+            release_angle: release angle (rad), not zero
+            rate: sampling rate (Hz)
             duration: from the release to the end of the record (s)
-            hold: from the beginning of the record to the release (s)
+            hold: from the start of the record to the release (s)
 
         Raises:
             ParameterError: a number is not above 0, or the angle is 0, or pi/2 or more
@@ -73,16 +73,16 @@ class Experiment:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Information:
-    """The Fisher information of one record of an experiment on the parameters that all records share.
+    """The Fisher information that one record of an experiment gives on the shared parameters.
 
     Attributes:
-        experiment: which one
+        experiment: the experiment
         names: the parameters, in the order of the matrix
         values: their values, in the units of the FMU, shape (n,)
-        matrix: Fisher information, in the reciprocals of these units squared, shape (n, n); the numbers of
-            the record itself, such as its release, are counted as unknown
+        matrix: Fisher information, in the reciprocals of these units squared, shape (n, n); the record's own
+            numbers, such as its release, are treated as unknown
         clean: the record without noise
-        units: of the parameters, empty for pure numbers
+        units: units of the parameters, empty for pure numbers
     """
 
     experiment: Experiment
@@ -94,12 +94,12 @@ class Information:
 
 
 class PlannedFit:
-    """The fit to come: what is free in it, the joystick as it is known so far, and the noise.
+    """The planned fit: its free parameters, the joystick as known so far, and the noise.
 
     Attributes:
-        settings: of the fit, which begins at the known values and knows the noise
-        uncertainties: standard uncertainties that the settings give, by name; they count once for the whole
-            design and not in each record: hand them to `best_design`
+        settings: settings of the fit, which starts at the known values and knows the noise
+        uncertainties: standard uncertainties that the settings give, by name; pass them to `best_design`,
+            because they count once for the whole design and not once per record
         values: the joystick's parameters by name, in the units of the FMU
         sigma: standard deviation of the noise by output, in its unit
         fmu: the FMU of the settings
@@ -108,10 +108,11 @@ class PlannedFit:
     def __init__(
         self, settings: FitSettings, values: Mapping[str, Value], sigma: Mapping[str, float], fmu: Fmu
     ) -> None:
-        """Check that it can be planned.
+        """Check that the fit can be planned.
 
         Raises:
-            ParameterError: peaks are compared, nothing is shared by all records, or an output has no noise
+            ParameterError: peaks are compared, no parameter is shared by all records, or an output has no
+                noise
         """
         if settings.comparison != "trajectory":
             raise ParameterError("comparison", settings.comparison, "'trajectory'")
@@ -132,10 +133,10 @@ class PlannedFit:
         self.fmu = fmu
 
     def information(self, experiment: Experiment) -> Information:
-        """The information of one record of an experiment, from the derivatives of the FMU's outputs.
+        """Information of one record of an experiment, from the derivatives of the FMU's outputs.
 
-        J has the derivatives of all samples, in standard deviations of the noise, with respect to the shared
-        parameters; the record's own unknowns are projected out. The information is J^T J.
+        It is J^T J, where J holds the derivatives of all samples with respect to the shared parameters, in
+        standard deviations of the noise, with the record's own unknowns projected out.
 
         Raises:
             FitError, FmuRunError: a run fails
@@ -169,14 +170,14 @@ class PlannedFit:
         return Information(experiment, own_names, x[shared], rest.T @ rest, clean, units)
 
     def settings_from(self, release_angle: float) -> FitSettings:
-        """The settings of fits of records that all begin at this angle (rad), where they do not fit it."""
+        """Settings for records that all start at this angle (rad), unless the angle is fitted."""
         if any(one.name == _START for one in self.settings.free):
             return self.settings
         fixed = dict(self.settings.fixed) | {_START: release_angle}
         return dataclasses.replace(self.settings, fixed=fixed)
 
     def _clean(self, experiment: Experiment) -> Measurement:
-        """The record without noise: held at the start values until the motion begins."""
+        """The record without noise, held at its start values until the motion starts."""
         inputs = dict(experiment.inputs)
         time = np.union1d([0.0], experiment.time[experiment.time > 0.0])
         own = {name: one for name, one in self.values.items() if name in self.fmu.description.variables}

@@ -14,10 +14,10 @@ from pyjoystick.support import FloatArray, TextTable, document_text, dress, lege
 
 
 def design_table(rows: Mapping[str, Design]) -> str:
-    """Standard errors as a table in Markdown, a row for each design: in percent, of what is 0 in its unit.
+    """Table of standard errors in Markdown, one row per design; in percent, or in its unit if the value is 0.
 
     Args:
-        rows: designs by what they are called
+        rows: designs by name
     """
     table = TextTable(
         ["experiments", *_headings(next(iter(rows.values())))],
@@ -27,7 +27,7 @@ def design_table(rows: Mapping[str, Design]) -> str:
 
 
 def chosen_experiments(design: Design) -> str:
-    """What is made how often: ``2 x release from 20 degrees, 1 x ...``."""
+    """The chosen experiments as text: ``2 x release from 20 degrees, 1 x ...``."""
     return ", ".join(
         f"{count} x {one.experiment.name}"
         for one, count in zip(design.informations, design.counts, strict=True)
@@ -71,7 +71,7 @@ def design_json(rows: Mapping[str, Design], trial: Trial | None, notes: Sequence
 
 
 def plot_design(design: Design) -> Figure:
-    """Standard error of each parameter where all records are of one experiment, and that of the design.
+    """Plot the standard errors of the design and of records of one experiment alone.
 
     Releases are drawn over their angle, other experiments side by side.
     """
@@ -104,7 +104,7 @@ def plot_design(design: Design) -> Figure:
 
 
 def _shown(design: Design) -> FloatArray:
-    """Standard errors in percent of the values, and in the unit of a parameter whose value is 0."""
+    """Standard errors in percent, or in the parameter's unit if its value is 0."""
     zero = design.values == 0.0
     return design.errors / np.where(zero, 1.0, 0.01 * np.abs(design.values))
 

@@ -1,4 +1,4 @@
-"""A design put to the test: synthetic records of it, each set fitted."""
+"""Check of a design by simulation: fits of synthetic records."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from pyjoystick.support import FloatArray, ParameterError, whole_number
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Trial:
-    """What fits of synthetic sets found.
+    """Results of fits to synthetic sets of records.
 
     Attributes:
         names: the parameters
         found: their fitted values, in the units of the FMU, shape (sets, parameters)
-        ratios: root mean square deviation from the true values over the standard error that the design
-            predicts, shape (parameters,); 1 where the prediction is right
+        ratios: root mean square deviation from the true values divided by the predicted standard error,
+            shape (parameters,); close to 1 if the prediction is right
     """
 
     names: tuple[str, ...]
@@ -38,7 +38,7 @@ class Trial:
 
     @property
     def bounds(self) -> tuple[float, float]:
-        """If the prediction is right, 95 % of the ratios lie within these limits, for this number of sets."""
+        """Limits that contain 95 % of the ratios if the prediction is right, for this number of sets."""
         low, high = (float(stats.chi2.ppf(tail, self.sets)) / self.sets for tail in (0.025, 0.975))
         return math.sqrt(low), math.sqrt(high)
 
@@ -51,16 +51,16 @@ def try_design(
     seed: int = 0,
     on_progress: Callable[[int, int], None] | None = None,
 ) -> Trial:
-    """Fit synthetic records of the design, with normal noise, and compare the scatter with its prediction.
+    """Fit synthetic records with normal noise, and compare the scatter with the prediction of the design.
 
-    What is known beforehand enters neither the fits nor their prediction.
+    Prior knowledge enters neither the fits nor the prediction.
 
     Args:
-        design: the experiments, as `best_design` gives them
+        design: the experiments, from `best_design`
         planned: the fit that they were chosen for
         sets: number of sets of records
-        seed: of the noise
-        on_progress: called with the number of sets done and of all
+        seed: seed of the noise
+        on_progress: called with the number of finished sets and the number of all sets
 
     Raises:
         ParameterError: fewer than two sets, or several release angles, which the fit does not find
@@ -103,7 +103,7 @@ def _noisy(
 
 
 def trial_sentence(trial: Trial) -> str:
-    """The ratios in words, with what chance allows."""
+    """The ratios as a sentence, with the range expected by chance."""
     ratios = ", ".join(f"{name} {ratio:.2f}" for name, ratio in zip(trial.names, trial.ratios, strict=True))
     low, high = trial.bounds
     return (

@@ -1,1 +1,1 @@
-"""Fitting an FMU's parameters to records, and saying how sure the answer is."""
+"""Fitting an FMU's parameters to records, with uncertainties and checks."""

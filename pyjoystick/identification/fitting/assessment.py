@@ -1,4 +1,4 @@
-"""What a minimum means: each record beside its fit, tied parameters, criteria, and the checks of trust."""
+"""Assessment of a minimum: fitted records, tied parameters, information criteria and checks."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ from pyjoystick.support import FloatArray
 
 
 def record_fits(problem: Problem, x: FloatArray) -> tuple[RecordFit, ...]:
-    """Each record beside the prediction at x."""
+    """Compare each record with the prediction at x."""
     found = []
     for number, (predictor, predicted, weights) in enumerate(
         zip(problem.predictors, problem.predictions(x), problem.noise.weights, strict=True)
@@ -67,17 +67,17 @@ def all_checks(
     least: float,
     make: Make,
 ) -> list[trust.Check]:
-    """Every check of trust that applies.
+    """Run all checks that apply.
 
     Args:
-        problem: the problem, with the weights of the noise
-        settings: what was asked
+        problem: the problem, weighted by the noise
+        settings: settings of the fit
         best: the minimum
         known: rank of the Jacobian there
         errors: standard errors there
-        records: each record beside its fit
-        least: residuals no larger than this, in the unit of the data, are no noise
-        make: makes the problem of other settings, for what the model may lack
+        records: each record and its fit
+        least: residuals up to this size, in the unit of the data, are not noise
+        make: makes the problem for other settings, to try effects that the model may lack
     """
     variables = problem.variables
     found = [
@@ -119,11 +119,11 @@ def _residual_checks(
     least: float,
     make: Make,
 ) -> Iterator[trust.Check]:
-    """Whether what the fit leaves over is noise; exact data are not judged."""
+    """Check whether the residuals are noise; exact data are not checked."""
     names = [one.name for one in records]
     data, levels, titles = [], [], []
     for k, one in enumerate(records):
-        late = one.times > problem.variables.instrument(x, k).origin  # it is held until then
+        late = one.times > problem.variables.instrument(x, k).origin  # held before
         for label, sigma in one.sigma.items():
             data.append(one.data[late & (np.array(one.labels) == label)])
             levels.append(sigma)
@@ -148,7 +148,7 @@ def _residual_checks(
 def _causes(
     problem: Problem, settings: FitSettings, x: FloatArray, view: ResidualView, make: Make
 ) -> tuple[list[Finding], int, list[str], list[Unseen]]:
-    """What would explain the residuals better than noise, of how many; what is not judged, or not seen."""
+    """Effects that explain the residuals better than noise, the number tried, and any not judged or seen."""
     known: dict[str, list[Suspect]] = {}
     for suspect in suspects(problem, x):
         known.setdefault(suspect.name, []).append(suspect)
@@ -167,7 +167,7 @@ def _causes(
 
 
 def _whiteness(problem: Problem, x: FloatArray, view: ResidualView, *, explained: bool) -> trust.Check:
-    """Whether the residuals are white; what something explains is not put down to colored noise."""
+    """Check whether the residuals are white; effects that explain them are not taken for colored noise."""
     if not explained or problem.noise.correlation == 0.0:
         return residual_checks.check_whiteness(
             residual_checks.whiteness(view.series()), problem.noise.correlation
@@ -180,13 +180,13 @@ def _whiteness(problem: Problem, x: FloatArray, view: ResidualView, *, explained
 def derived_parameters(
     variables: Variables, x: FloatArray, errors: StandardErrors, names: Sequence[str]
 ) -> Iterator[Derived]:
-    """Tied parameters with the errors that follow from those of the variables, one for all records or each.
+    """Tied parameters with errors propagated from the variables, once for all records or for each record.
 
     Args:
-        variables: what x means
+        variables: meaning of x
         x: the minimum
         errors: standard errors there
-        names: of the records
+        names: names of the records
     """
     own = np.array([one.record is not None for one in variables.free])
     for k, record in enumerate(names if variables.tied else ()):
@@ -198,7 +198,7 @@ def derived_parameters(
 
 
 def _tied_slopes(variables: Variables, x: FloatArray, record: int) -> FloatArray:
-    """Derivatives of the tied values of a record, shape (tied, variables)."""
+    """Derivatives of a record's tied values, shape (tied, variables)."""
     columns = []
     for unit, one in zip(np.eye(len(x)), variables.free, strict=True):
         step = 1e-6 * one.scale
@@ -213,10 +213,10 @@ def _tied_slopes(variables: Variables, x: FloatArray, record: int) -> FloatArray
 def criteria_of(
     settings: FitSettings, records: Sequence[RecordFit], rank: int, cost: float, memories: Sequence[Memory]
 ) -> Criteria | None:
-    """AICc and BIC of normal noise, white or with a memory.
+    """AICc and BIC for normal noise, white or autoregressive.
 
-    None where peaks are compared, whose errors have no such model. Where outliers count less, they do so in
-    each model by itself, and models are hardly comparable.
+    None if peaks are compared, whose errors have no such model. With outliers down-weighted, the weights
+    differ between models, so their criteria are hardly comparable.
     """
     if settings.comparison == "peaks":
         return None
@@ -227,7 +227,7 @@ def criteria_of(
             logs += math.log(one.sigma[label])
             levels.add((label, one.sigma[label]))
     estimated = 0 if settings.noise.sigma else len(levels)
-    # With an estimated sigma the likelihood is highest where it is the root mean square itself.
+    # With an estimated sigma, the likelihood is largest at the root mean square of the residuals.
     spare = max(samples - rank, 1) / samples if estimated else 1.0
     logs += 0.5 * samples * math.log(spare)
     likelihood = -0.5 * cost / spare - logs - 0.5 * samples * math.log(2.0 * math.pi)

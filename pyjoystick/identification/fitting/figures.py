@@ -1,4 +1,4 @@
-"""Figures of a fit: records beside it, residuals, profiles, correlations."""
+"""Figures of a fit: records and fitted motions, residuals, profiles, correlations."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ from matplotlib.figure import Figure
 from pyjoystick.identification.fitting.result import Fit, RecordFit
 from pyjoystick.support import BAND, FITTED, MEASURED, FloatArray, dress, legend_above, save_figure
 
-#: Angles are drawn in degrees.
+#: Angles are plotted in degrees.
 _ANGLES: Final = {"theta": "deg", "omega": "deg/s"}
 _COLUMNS: Final = 3
-#: Characters that a legend has room for side by side, and the longest name of a record within a label.
+#: Characters that fit into a legend with several columns, and the longest record name within a label.
 _LEGEND_WIDTH: Final = 96
 _LONGEST_NAME: Final = 12
-#: The figure that only a fit with profiles has.
+#: The figure that only fits with profiles have.
 PROFILES: Final = "profiles.png"
 
 
 def save_figures(fit: Fit, folder: str | PathLike[str]) -> list[Path]:
-    """Draw every figure that the fit has something for, as PNG; returns the files."""
+    """Save all figures that apply to the fit as PNG; returns the files."""
     folder = Path(folder)
     figures = {
         "records.png": plot_records(fit),
@@ -39,9 +39,9 @@ def save_figures(fit: Fit, folder: str | PathLike[str]) -> list[Path]:
 
 
 def plot_records(fit: Fit) -> Figure:
-    """Each record as dots and the fitted motion as a line, or peaks as dots and crosses.
+    """Plot each record (dots) with the fitted motion (line), or measured (dots) and fitted (crosses) peaks.
 
-    The line has the motion at every millisecond and a gap where samples are missing.
+    The line shows the motion every millisecond, with a gap where samples are missing.
     """
     panels = [(one, label) for one in fit.records for label in _series(one)]
     figure = Figure(figsize=(7.4, 1.9 * len(panels) + 0.5), layout="constrained")
@@ -65,7 +65,7 @@ def plot_records(fit: Fit) -> Figure:
 
 
 def plot_residuals(fit: Fit) -> Figure:
-    """Residuals in standard deviations of the noise, over time and as a histogram."""
+    """Plot residuals in standard deviations of the noise, over time and as a histogram."""
     columns = max(1, min(4, _LEGEND_WIDTH // (4 + max(len(one.name) for one in fit.records))))
     rows = math.ceil(len(fit.records) / columns)
     figure = Figure(figsize=(7.4, 3.2 + 0.2 * rows), layout="constrained")
@@ -100,7 +100,7 @@ def plot_residuals(fit: Fit) -> Figure:
 
 
 def plot_profiles(fit: Fit) -> Figure:
-    """The profile of each shared parameter in standard deviations of the noise, the linear one dashed."""
+    """Plot the profile of each shared parameter in standard deviations of the noise; dashed: linear."""
     count = len(fit.profiles)
     columns = min(count, _COLUMNS)
     rows = math.ceil(count / columns)
@@ -129,9 +129,9 @@ def plot_profiles(fit: Fit) -> Figure:
 
 
 def plot_correlation(fit: Fit) -> Figure:
-    """The correlations of the fitted values; gray where the data do not determine a value.
+    """Plot the correlations of the fitted values; gray where the data do not determine a value.
 
-    Records with long names have numbers in the labels, and the numbers stand below the figure.
+    If record names are long, labels contain numbers instead, with a key below the figure.
     """
     names = [one.name for one in fit.records]
     numbered = max(map(len, names)) > _LONGEST_NAME
@@ -173,7 +173,7 @@ def _scaled_residuals(fit: Fit, one: RecordFit) -> FloatArray:
 
 
 def _series(one: RecordFit) -> list[str]:
-    """The series of a record; the times of peaks belong to their heights."""
+    """The series of a record; times of peaks go with their heights."""
     return [label for label in dict.fromkeys(one.labels) if not label.endswith(" time")]
 
 

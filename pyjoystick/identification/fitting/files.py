@@ -1,4 +1,4 @@
-"""The files of a fit: the records that it reads, and what it writes."""
+"""Reading the records of a fit and writing its results."""
 
 from __future__ import annotations
 
@@ -27,10 +27,10 @@ def read_records(
     units: Mapping[str, str] | None = None,
     both_sides: bool = False,
 ) -> list[Record | Measurement]:
-    """The records that the settings compare with the FMU, one a file.
+    """Read the records that the settings compare with the FMU, one from each file.
 
-    They are releases, as `pyjoystick.motion.read_repeats` reads them with these options, or tables of the
-    FMU's variables, as `pyjoystick.fmu.read_variables` does; both raise RecordError.
+    They are releases, read by `pyjoystick.motion.read_repeats` with these options, or tables of the
+    FMU's variables, read by `pyjoystick.fmu.read_variables`; both raise RecordError.
     """
     if reads_releases(settings):
         counted = settings.comparison == "peaks"
@@ -40,7 +40,7 @@ def read_records(
 
 
 def save_fit(fit: Fit, folder: str | PathLike[str], title: str, notes: Sequence[str] = ()) -> list[Path]:
-    """Write ``fit.md`` under this title, ``fit.json`` with these notes, and the figures; returns the files.
+    """Write ``fit.md`` with this title, ``fit.json`` with these notes, and the figures; returns the files.
 
     Raises:
         OutputFileError: a file cannot be written

@@ -1,4 +1,4 @@
-"""The fit, from records and settings to a result: set up, search, uncertainty."""
+"""The fit, from records and settings to a result: setup, search, uncertainty."""
 
 from __future__ import annotations
 
@@ -52,16 +52,16 @@ from pyjoystick.support import FloatArray, ParameterError, notebook_progress, ty
 
 _LOG = logging.getLogger(__name__)
 
-#: Called with the stage, what is done of it and of how much.
+#: Called with the stage, the amount done and the total.
 OnProgress = Callable[[str, int, int], None]
 
-#: Noise and minimum are estimated in turn until they agree, but no more often than this.
+#: Noise and minimum are estimated in turn until they agree, at most this many times.
 _MOST_ROUNDS: Final = 10
 _UNSETTLED: Final = Check(
     "noise", False, "the estimate of the noise and the minimum do not agree: give the noise's sigma"
 )
-#: Tolerance of the FMU at the solution: its results then scatter by rounding errors alone, and differences
-#: tell a weak influence from none.
+#: Tolerance of the FMU at the solution. At this tolerance only rounding errors scatter its results, so that
+#: differences can distinguish a weak influence from none.
 _SOLUTION_TOLERANCE: Final = 1e-10
 
 
@@ -75,16 +75,16 @@ def fit(
     """Fit parameters of an FMU to records.
 
     Args:
-        records: what was measured
+        records: measured records
         settings: what to fit and how
         fmu: the FMU of the settings, if already open
-        on_progress: called while the fit goes on; where not given, a notebook shows a bar
+        on_progress: called during the fit; if None, a notebook shows a progress bar
 
     Raises:
-        FitError: a record or the FMU does not go with the settings, or the first run fails
-        FitInterruptedError: Ctrl-C before the search was done
+        FitError: a record or the FMU does not match the settings, or the first run fails
+        FitInterruptedError: Ctrl-C before the search was finished
         ParameterError, UnknownParameterError, UnknownVariableError: a name, value or type is not allowed
-        UnsupportedFmuError: what lies in ``sensitivities`` beside the FMU is of another model
+        UnsupportedFmuError: the FMU in the ``sensitivities`` folder next to the FMU is of another model
     """
     begun = time.perf_counter()
     if not isinstance(settings, FitSettings):
@@ -111,7 +111,7 @@ def fit(
 def fitted_values(
     records: Iterable[Record | Measurement], settings: FitSettings, fmu: Fmu
 ) -> dict[str, float]:
-    """The parameters that all records share, as `fit` finds them, without errors and checks.
+    """Fit only the parameters that all records share, without errors and checks.
 
     Raises:
         as `fit`
@@ -123,14 +123,14 @@ def fitted_values(
 
 
 class _Found(NamedTuple):
-    """What a search has found.
+    """Result of a search.
 
     Attributes:
-        problem: at the tolerance of the solution, with the noise found there and the steps measured there
+        problem: at the tolerance of the solution, with the noise and the difference steps estimated there
         minima: best first
-        steps: of the differences at the best one
+        steps: difference steps at the best minimum
         settled: whether minimum and noise agree
-        runs_before: FMU runs before there was a solution, on a model of larger tolerance
+        runs_before: FMU runs at the larger tolerance, before refinement
     """
 
     problem: Problem
@@ -143,8 +143,7 @@ class _Found(NamedTuple):
 def _searched(measured: Sequence[Measurement], settings: FitSettings, fmu: Fmu, tell: OnProgress) -> _Found:
     """Search at the tolerance of the settings, then refine the best minimum at that of the solution.
 
-    The noise is estimated from what the minimum leaves over, and the minimum refined with that noise, in
-    turn until they agree.
+    Estimating the noise from the residuals alternates with refining the minimum until the two agree.
     """
     first = make_problem(measured, settings, fmu)
     names = ", ".join(first.variables.labels)
@@ -172,7 +171,7 @@ def _searched(measured: Sequence[Measurement], settings: FitSettings, fmu: Fmu, 
 def _at_solution(
     problem: Problem, measured: Sequence[Measurement], settings: FitSettings, fmu: Fmu
 ) -> Problem:
-    """The same problem at a tighter tolerance of the FMU, or the problem itself where the FMU fails there."""
+    """The same problem at a tighter tolerance of the FMU, or the problem itself if the FMU fails there."""
     if settings.tolerance <= _SOLUTION_TOLERANCE:
         return problem
     try:
@@ -182,7 +181,7 @@ def _at_solution(
 
 
 def _coarse_minima(problem: Problem, settings: FitSettings, tell: OnProgress) -> list[Minimum]:
-    """The minima from all starts and from the scan, best first."""
+    """Minima from all starts and from the scan, best first."""
     start = problem.variables.start
     problem = replace(problem, steps=choose_steps(problem.model, start, central=False).steps)
     tell("searching", 0, settings.search.starts)
@@ -193,12 +192,12 @@ def _coarse_minima(problem: Problem, settings: FitSettings, tell: OnProgress) ->
 
 
 def _recosted(problem: Problem, minimum: Minimum) -> Minimum:
-    """The minimum with its sum of squares under the noise that was found."""
+    """The minimum with its sum of squares recomputed for the estimated noise."""
     return replace(minimum, cost=float(np.sum(problem.residuals(minimum.x) ** 2)))
 
 
 def _refined(problem: Problem, minimum: Minimum, settings: FitSettings) -> Minimum:
-    """The minimum with the derivatives of the solution."""
+    """Refine the minimum with the derivatives of the solution."""
     evaluations = settings.search.evaluations
     is_exact = all(problem.model.exact)
     tolerance = EXACT if is_exact else REFINED
@@ -209,7 +208,7 @@ def _refined(problem: Problem, minimum: Minimum, settings: FitSettings) -> Minim
 
 
 def _judged(found: _Found, settings: FitSettings, make: Make, tell: OnProgress) -> Fit:
-    """The result of a search: uncertainties, checks, profiles, bootstrap."""
+    """Complete a search: uncertainties, checks, profiles, bootstrap."""
     problem, steps, best = found.problem, found.steps, found.minima[0]
     variables = problem.variables
     labels = variables.labels
@@ -267,11 +266,11 @@ def _judged(found: _Found, settings: FitSettings, make: Make, tell: OnProgress) 
 
 
 def _errors_of(block: FloatArray, covariance: FloatArray) -> FloatArray | None:
-    """Standard errors of the predictions of one record; None where a variable is undetermined.
+    """Standard errors of the predictions of one record; None if a variable is undetermined.
 
     Args:
         block: derivatives of the predictions, in the unit of the data, shape (n, variables)
-        covariance: of the variables, shape (variables, variables)
+        covariance: covariance of the variables, shape (variables, variables)
     """
     if not np.all(np.isfinite(covariance)):
         return None
@@ -281,7 +280,7 @@ def _errors_of(block: FloatArray, covariance: FloatArray) -> FloatArray | None:
 def _optional(
     problem: Problem, settings: FitSettings, best: Minimum, errors: StandardErrors, tell: OnProgress
 ) -> tuple[dict[int, Profile], Bootstrap | None, bool]:
-    """Profiles and bootstrap; after Ctrl-C those that were finished."""
+    """Profiles and bootstrap; after Ctrl-C, those that are finished."""
     profiles: dict[int, Profile] = {}
     drawn: Bootstrap | None = None
     wanted = settings.uncertainty

@@ -12,7 +12,7 @@ from pyjoystick.support import document_text
 
 
 def as_json(fit: Fit, notes: Sequence[str] = ()) -> str:
-    """The whole result as JSON text, with what was noted on its records, as `document_text` writes it."""
+    """The result with the notes on its records as JSON text, formatted by `document_text`."""
     document = {
         "trusted": fit.trusted,
         "interrupted": fit.interrupted,

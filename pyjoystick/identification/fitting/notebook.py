@@ -1,4 +1,4 @@
-"""How a notebook shows a fit."""
+"""Display of a fit in notebooks."""
 
 from pyjoystick.identification.fitting.figures import plot_records as plot
 from pyjoystick.identification.fitting.text_report import summary

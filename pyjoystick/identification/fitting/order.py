@@ -1,6 +1,6 @@
-"""Records and parameters sorted by content, so that the given order has no effect.
+"""Sorting of records and parameters by content, so that the given order has no effect.
 
-Sums round differently in another order, and a search along a flat valley amplifies that.
+Rounding errors of sums depend on the order, and a search along a flat valley amplifies them.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from pyjoystick.identification.fitting.result import Fit
 
 
 def ordered_records(records: Sequence[Measurement]) -> list[Measurement]:
-    """The records in the order of their samples; equal ones are exchangeable."""
+    """Sort the records by their samples; equal ones are interchangeable."""
 
     def content(record: Measurement) -> tuple[bytes, ...]:
         series = (record.columns[name].tobytes() for name in sorted(record.columns))
@@ -26,17 +26,17 @@ def ordered_records(records: Sequence[Measurement]) -> list[Measurement]:
 
 
 def ordered_settings(settings: FitSettings) -> FitSettings:
-    """The settings with the free parameters in the order of their names."""
+    """Sort the free parameters of the settings by name."""
     return dataclasses.replace(settings, free=tuple(sorted(settings.free, key=lambda one: one.name)))
 
 
 def as_given(found: Fit, settings: FitSettings, names: Sequence[str]) -> Fit:
-    """A fit with variables and records in the order given.
+    """Restore the given order of variables and records in a fit.
 
     Args:
-        found: in the order of `ordered_records` and `ordered_settings`
+        found: fit in the order of `ordered_records` and `ordered_settings`
         settings: as given
-        names: of the records, as given
+        names: names of the records, as given
     """
     records = [one.name for one in found.records]
     free = [one.name for one in settings.free]

@@ -1,4 +1,4 @@
-"""What a fit found."""
+"""Results of a fit."""
 
 from __future__ import annotations
 
@@ -25,10 +25,10 @@ class Criteria(NamedTuple):
     """Information criteria of one fit.
 
     Attributes:
-        log_likelihood: of white normal noise, at the fitted or given standard deviation
-        parameters: number of fitted numbers, the noise's standard deviations included where estimated
+        log_likelihood: for white normal noise, at the fitted or given standard deviation
+        parameters: number of fitted numbers, including the noise's standard deviations if estimated
         samples: number of samples
-        aicc: Akaike's criterion with the correction for few samples; infinite where samples are too few
+        aicc: Akaike's criterion, corrected for few samples; infinite if there are too few
         bic: Schwarz's criterion
     """
 
@@ -40,7 +40,7 @@ class Criteria(NamedTuple):
 
 
 def criteria(log_likelihood: float, parameters: int, samples: int) -> Criteria:
-    """Both criteria from the likelihood at its maximum."""
+    """Compute both criteria from the maximum of the likelihood."""
     spare = samples - parameters - 1
     correction = 2.0 * parameters * (parameters + 1) / spare if spare > 0 else math.inf
     return Criteria(
@@ -54,11 +54,11 @@ def criteria(log_likelihood: float, parameters: int, samples: int) -> Criteria:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Derived:
-    """A tied parameter of the FMU: its value and standard error, which follow from those of others.
+    """A tied parameter of the FMU, with a standard error propagated from the fitted variables.
 
     Attributes:
         name: the parameter
-        record: the record that it belongs to; empty where all records share it
+        record: the record that it belongs to; empty if all records share it
         value, error: its value and standard error
         slope: derivatives of the value with respect to the variables, shape (variables,)
     """
@@ -72,18 +72,18 @@ class Derived:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RecordFit:
-    """One record beside its fit.
+    """One record and its fit.
 
     Attributes:
         name: name of the record
         labels: name of the series of each number, length n
-        times: its instant (s), shape (n,)
+        times: time of each number (s), shape (n,)
         data, predicted: measured and fitted numbers, shape (n,)
         sigma: standard deviation of the noise by series, given or estimated
-        curve: the fitted motion, a table of the series over each millisecond (s), NaN where samples lack;
-            None where peaks were compared
-        errors: standard errors of the fitted numbers, which follow from those of the fitted values, shape
-            (n,); None where they are not known
+        curve: the fitted motion, a table of the series every millisecond (s), NaN where samples are missing;
+            None if peaks were compared
+        errors: standard errors of the fitted numbers, propagated from the fitted values, shape (n,); None if
+            unknown
     """
 
     name: str
@@ -96,34 +96,34 @@ class RecordFit:
     errors: FloatArray | None = None
 
     def residuals(self) -> FloatArray:
-        """Data less prediction, shape (n,)."""
+        """Data minus prediction, shape (n,)."""
         return self.data - self.predicted
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Fit(Drawn):
-    """A fit and all that was asked of it.
+    """Results of a fit.
 
     Attributes:
-        settings: what was asked
+        settings: settings of the fit
         variables: the fitted variables
         x: their values, shape (variables,)
         cost: sum of squares in units of the noise
         standard_errors: errors, covariance, correlations
-        intervals: of the confidence level, linear, shape (variables, 2)
+        intervals: linear confidence intervals, shape (variables, 2)
         derived: tied parameters
-        minima: the minima that the searches ended in, best first
+        minima: the minima at which the searches ended, best first
         identifiability: what the data cannot determine
-        profiles: profile likelihoods by place of the variable
-        bootstrap: fits of resampled data; None where not asked for
-        criteria: AICc and BIC; None where peaks were compared
-        records: each record beside its fit
-        checks: what decides whether the fit can be trusted
-        steps: how the derivatives were taken and how exact they are
-        correlation: of the noise from sample to sample, 0 for white noise
-        runs: FMU runs
+        profiles: profile likelihoods by index of the variable
+        bootstrap: fits of resampled data; None if not requested
+        criteria: AICc and BIC; None if peaks were compared
+        records: each record and its fit
+        checks: checks of whether the fit can be trusted
+        steps: difference steps of the derivatives, with their errors
+        correlation: correlation of the noise from sample to sample, 0 for white noise
+        runs: number of FMU runs
         seconds: duration (s)
-        interrupted: the fit was stopped after the search; what follows it is missing in part
+        interrupted: the fit was stopped after the search; later results are partly missing
     """
 
     _shown_by = "pyjoystick.identification.fitting.notebook"
@@ -150,29 +150,29 @@ class Fit(Drawn):
 
     @property
     def trusted(self) -> bool:
-        """Whether every check passed."""
+        """Whether all checks passed."""
         return not self.failed
 
     @property
     def failed(self) -> tuple[str, ...]:
-        """Names of the checks that did not pass."""
+        """Names of the checks that failed."""
         return tuple(check.name for check in self.checks if not check.passed)
 
     @property
     def unseen(self) -> tuple[Unseen, ...]:
-        """What may be missing from the model all the same, because the records would hardly show it."""
+        """Effects that may be missing from the model because the records would hardly show them."""
         return tuple(one for check in self.checks for one in check.unseen)
 
     def value(self, label: str) -> float:
-        """A fitted value by its label, as ``damping.C`` or ``theta_start [run 1]``; KeyError where none."""
+        """Return a fitted value by label: ``damping.C`` or ``theta_start [run 1]``; KeyError if none."""
         return float(self.x[self._place(label)])
 
     def error(self, label: str) -> float:
-        """The standard error of a fitted value by its label."""
+        """Return the standard error of a fitted value by its label."""
         return float(self.standard_errors.errors[self._place(label)])
 
     def interval(self, label: str) -> tuple[float, float]:
-        """The interval of a fitted value by its label: by profile where there is one, else linear."""
+        """Return the interval of a fitted value by its label: by profile if there is one, else linear."""
         place = self._place(label)
         if place in self.profiles and self.profiles[place].converged:
             return self.profiles[place].interval
@@ -180,7 +180,7 @@ class Fit(Drawn):
         return float(low), float(high)
 
     def shared(self) -> dict[str, float]:
-        """The fitted values that all records share, by name."""
+        """Fitted values that all records share, by name."""
         return {
             one.name: float(value)
             for one, value in zip(self.variables, np.asarray(self.x), strict=True)

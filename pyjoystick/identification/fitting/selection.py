@@ -1,4 +1,4 @@
-"""Which of several models the records ask for: information criteria, and prediction of a record left out."""
+"""Model selection: information criteria, and prediction of records left out."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ from pyjoystick.support import ParameterError, TextTable
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Candidate:
-    """One model on the same records as the others.
+    """One of several models of the same records.
 
     Attributes:
-        name: what it is called
+        name: name of the model
         fit: its fit to all records
-        prediction_error: root mean square of the samples of records that were left out, in the unit of the
-            output; NaN where there was one record only
+        prediction_error: root mean square error for samples of records left out, in the unit of the output;
+            NaN if there was only one record
     """
 
     name: str
@@ -41,19 +41,19 @@ def compare_models(
     *,
     on_progress: Callable[[str, int, int], None] | None = None,
 ) -> tuple[Candidate, ...]:
-    """Fit several models to the same records and leave each record out in turn.
+    """Fit several models to the same records, and leave each record out in turn.
 
-    The shared parameters come from the other records; of the record that was left out only what is its own,
-    such as its release, is fitted. Then its residuals are those of a prediction.
+    The shared parameters are fitted to the other records; of the record left out, only its own numbers, such
+    as the release, are fitted, so that its residuals are prediction errors.
 
     Args:
-        records: what was measured
-        models: settings by name, on the trajectories of one and the same output
-        on_progress: called with the model, the fits that are done and of how many
+        records: measured records
+        models: settings by name; all compare trajectories of the same output
+        on_progress: called with the model, the number of finished fits and of all fits
 
     Raises:
         ParameterError: there is no model, or the models compare different things
-        FitError: and what else `fit` raises
+        FitError: and other errors, as `fit` does
     """
     measured = measurements(records)
     if not models or len({(one.comparison, one.outputs) for one in models.values()}) != 1:
@@ -77,8 +77,8 @@ def compare_models(
 def _prediction_error(
     records: Sequence[Measurement], left_out: int, settings: FitSettings, whole: Fit, fmu: Fmu
 ) -> float:
-    """Root mean square of the residuals of one record, its shared parameters coming from the others."""
-    # One search, which begins where the fit to all records ended.
+    """Root mean square residual of one record, with shared parameters from the others."""
+    # A single search, from the result of the fit to all records.
     once = dataclasses.replace(settings.search, starts=1, stages=(), exchanges=())
     quick = dataclasses.replace(settings, search=once, uncertainty=Uncertainty(profiles=()))
     begun = tuple(
@@ -104,7 +104,7 @@ def _prediction_error(
 
 
 def comparison_table(candidates: Sequence[Candidate]) -> str:
-    """AICc, BIC and prediction error of each model as Markdown; the criteria relative to the best."""
+    """Table of AICc, BIC and prediction error of each model in Markdown; criteria relative to the best."""
     rows = []
     criteria = [one.fit.criteria for one in candidates]
     best_aicc = min(one.aicc for one in criteria if one is not None)

@@ -22,12 +22,12 @@ def read_fit_settings(
     """Read the settings of a fit.
 
     Args:
-        path: the TOML file; a path of an FMU in it is relative to its folder
-        find: from the name or path of an FMU to its file
+        path: the TOML file; FMU paths in it are relative to its folder
+        find: function that returns the file for the name or path of an FMU
 
     Raises:
         InputFileError: the file cannot be read
-        SettingsError: something in it is not allowed; the message names the table and the key
+        SettingsError: a setting is not allowed; the message names the table and the key
         FmuNotFoundError, FmuFileError: there is no such FMU, or it is broken
     """
     root = read_toml(path)
@@ -59,13 +59,13 @@ def read_fit_settings(
 
 
 class _Measured(NamedTuple):
-    """The FMU, and the output that the zero and the scale of an instrument belong to."""
+    """The FMU, and the output that the instrument's zero and scale apply to."""
 
     fmu: FmuDescription
     output: str
 
     def amount(self, table: Table, key: str, name: str) -> float:
-        """A number in the unit of a parameter, or where it has one, text with a unit."""
+        """A number in the unit of a parameter, or text with a unit if the parameter has one."""
         if name == ZERO_OFFSET:
             with table.at(key):
                 return number_of(_variable(self.fmu, self.output), table.value(key))
@@ -75,7 +75,7 @@ class _Measured(NamedTuple):
             return number_of(self.fmu.variables[name], table.value(key))
 
     def difference(self, table: Table, key: str, name: str) -> float:
-        """As `amount`, of a difference: a temperature would have another zero."""
+        """As `amount`, but for a difference, where a temperature has no offset."""
         if name not in self.fmu.variables:
             return self.amount(table, key, name)
         with table.at(key):
@@ -108,7 +108,7 @@ def _free(table: Table, measured: _Measured) -> tuple[Free, ...]:
 
 
 def _with_zero_offset(free: tuple[Free, ...]) -> tuple[Free, ...]:
-    """The free parameters of a release with a zero of each record, unless they say something of it."""
+    """The free parameters of a release; adds a zero for each record unless they mention it."""
     named = any(one.name == ZERO_OFFSET for one in free)
     return free if named else (*free, Free(ZERO_OFFSET, per_record=True))
 
@@ -139,7 +139,7 @@ def _compared(table: Table) -> dict[str, Any]:
 
 
 def _made(table: Table, kind: type[Any], *, tuples: tuple[str, ...]) -> Any:
-    """A dataclass from a table whose keys are its fields."""
+    """Make a dataclass from a table whose keys are its fields."""
     given: dict[str, Any] = {}
     for one in dataclasses.fields(kind):
         value = table.optional(one.name)
@@ -153,7 +153,7 @@ def _made(table: Table, kind: type[Any], *, tuples: tuple[str, ...]) -> Any:
 
 
 def _tuples(value: Any) -> Any:
-    """Lists as tuples, those inside too."""
+    """Convert lists to tuples, recursively."""
     return tuple(_tuples(one) for one in value) if isinstance(value, list) else value
 
 
@@ -164,10 +164,10 @@ def _variable(fmu: FmuDescription, name: str) -> Variable:
 
 
 def reads_releases(settings: FitSettings) -> bool:
-    """Whether the records are free oscillations of the joystick, and not tables of any variables."""
+    """Whether the records are free oscillations of the joystick rather than tables of any variables."""
     return set(settings.outputs) <= {"theta", "omega"} and not settings.inputs
 
 
 def as_document(settings: FitSettings) -> Mapping[str, Any]:
-    """The settings as plain data, for a report."""
+    """The settings as plain data, for reports."""
     return dataclasses.asdict(settings)

@@ -1,4 +1,4 @@
-"""A fit as text (Markdown that reads as text too)."""
+"""Text report of a fit (Markdown, readable as plain text)."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from pyjoystick.identification.fitting.checks import trust
 from pyjoystick.identification.fitting.result import Fit
 from pyjoystick.support import TextTable
 
-#: Correlations beyond this are named.
+#: Larger correlations are listed.
 _STRONG = 0.9
 
 
@@ -34,7 +34,7 @@ def summary(fit: Fit) -> str:
 
 
 def report(fit: Fit, title: str = "Fit") -> str:
-    """The summary under a title, as a file."""
+    """The summary with a title, for a file."""
     return f"# {title}\n\n{summary(fit)}\n"
 
 
@@ -79,7 +79,7 @@ def _interval(ends: Sequence[float] | np.ndarray[tuple[int], np.dtype[np.float64
 
 
 def _resolved(value: float, width: float, least: int) -> str:
-    """A value to two digits of a width, and to so many digits at least: an instant may need more of them."""
+    """Format a value to two digits of a width; a time may need more digits than the minimum."""
     known = math.isfinite(width) and width > 0.0 and value != 0.0
     digits = 2 + math.ceil(math.log10(abs(value) / width)) if known else least
     return f"{value:.{max(least, digits)}g}"
@@ -108,7 +108,7 @@ def _strong_correlations(fit: Fit) -> str:
 
 
 def _known(fit: Fit) -> str:
-    """What was measured beforehand of the fitted parameters, and how far the records alone are from it."""
+    """Prior measurements of the fitted parameters, and how far the records alone are from them."""
     parts = []
     for one, x, error in zip(fit.variables, fit.x, fit.standard_errors.errors, strict=True):
         if one.uncertainty is not None:

@@ -1,1 +1,1 @@
-"""Damping from the peaks of free oscillations: section 3.3 of the paper, with its bias."""
+"""Damping from the peaks of free oscillations (section 3.3 of the paper), and its bias."""

@@ -1,11 +1,11 @@
-"""What the peak method does to a damping that is known.
+"""Bias of the peak method.
 
-Eq. (9) is that of a linear joystick. With restrained preloaded springs the amplitude falls by another law:
-with a potential V ~ |theta|^s the virial theorem gives the kinetic energy the share s/(s + 2) of E on
-average, so that E falls as exp(-2 C/J * s/(s + 2) * t), the angle as E^(1/s) and the velocity as E^(1/2).
-Eq. (10) then returns 4/(s + 2) * C from displacement peaks and 2 s/(s + 2) * C from velocity peaks: a third
-too much and a third too little where the preload alone holds the joystick (s = 1), C itself where the spring
-is linear (s = 2). The mean of the two is C whatever s is.
+Eq. (9) holds for a linear joystick. With restrained preloaded springs, the amplitude decays differently: for
+a potential V ~ |theta|^s the virial theorem gives the kinetic energy the share s/(s + 2) of E on average, so
+that E decays as exp(-2 C/J * s/(s + 2) * t), the angle as E^(1/s) and the velocity as E^(1/2). Eq. (10) then
+returns 4/(s + 2) * C from displacement peaks and 2 s/(s + 2) * C from velocity peaks: a third too much and a
+third too little if the preload alone holds the joystick (s = 1), and C itself if the spring is linear
+(s = 2). The mean of the two is C for any s.
 """
 
 from __future__ import annotations
@@ -25,21 +25,21 @@ from pyjoystick.model import ConstantDamping, JoystickParameters
 from pyjoystick.motion import MeasuredPeaks, ReleasePeaks
 from pyjoystick.support import SimulationError
 
-#: The peaks of a joystick released at an angle (rad).
+#: Returns the peaks of a joystick released at an angle (rad).
 Simulate = Callable[[JoystickParameters, float], ReleasePeaks]
-#: The corrected C is sought between these parts of the estimate.
+#: The corrected C is searched for between these multiples of the estimate.
 _SOUGHT: Final = (0.4, 2.5)
 
 
 @dataclass(frozen=True, slots=True)
 class Bias:
-    """An estimate beside what the method returns where that estimate is the truth.
+    """An estimate, and what the method would return if it were the truth.
 
     Attributes:
         estimate: from the records
-        returned: what the method returns from a simulation with the estimate
+        returned: result of the method for a simulation with the estimate
         corrected: for a constant C, the value whose simulation returns the estimate; for a coefficient or an
-            exponent the estimate less its bias, the coefficient's taken as a factor
+            exponent, the estimate minus its bias, which for coefficients is a factor
     """
 
     estimate: float
@@ -48,25 +48,26 @@ class Bias:
 
     @property
     def bias(self) -> float:
-        """What the method adds to the truth."""
+        """Error that the method adds to the truth."""
         return self.returned - self.estimate
 
 
 def constant_bias(
     estimate: DampingEstimate, joystick: JoystickParameters, release_angle: float, simulate: Simulate
 ) -> dict[str, Bias]:
-    """Bias of each reading of a constant C, found by simulation.
+    """Bias of each reading of a constant C, by simulation.
 
     Args:
         estimate: from the records
         joystick: the joystick; its damping law is replaced
-        release_angle: angle of release of the simulation (rad), best the mean of the records'
-        simulate: gives the peaks of a release
+        release_angle: release angle of the simulation (rad), ideally the mean of the records'
+        simulate: returns the peaks of a release
 
     Returns:
         bias by reading: ``displacement``, ``velocity`` and ``both``
 
     Raises:
+        DampingEstimateError: no C between 0.4 and 2.5 times the estimate returns it
         DampingEstimateError: no C between 0.4 and 2.5 times the estimate returns it
     """
 
@@ -93,16 +94,16 @@ def constant_bias(
 def line_bias(
     estimate: DampingEstimate, joystick: JoystickParameters, release_angle: float, simulate: Simulate
 ) -> dict[str, Bias]:
-    """Bias of the coefficients and exponents of the lines, by their names in the damping law.
+    """Bias of the lines' coefficients and exponents, by their names in the damping law.
 
     The displacement lines account for all the damping, and so does the velocity line: the law is simulated
-    with alpha = 1 for the one and alpha = 0 for the other.
+    with alpha = 1 for the former and alpha = 0 for the latter.
 
     Args:
         estimate: from the records
         joystick: the joystick; its damping law is replaced
-        release_angle: angle of release of the simulation (rad)
-        simulate: gives the peaks of a release
+        release_angle: release angle of the simulation (rad)
+        simulate: returns the peaks of a release
 
     Raises:
         DampingEstimateError: the law of the lines cannot be simulated, or its simulation has too few peaks
@@ -139,7 +140,7 @@ def biases(
     releases: Iterable[MeasuredPeaks],
     simulate: Simulate,
 ) -> tuple[dict[str, Bias], dict[str, Bias]]:
-    """`constant_bias` and `line_bias` at the mean angle of the releases; raises as they do."""
+    """`constant_bias` and `line_bias` at the mean release angle; raises as they do."""
     angle = float(np.mean([release.release_angle for release in releases]))
     return constant_bias(estimate, joystick, angle, simulate), line_bias(estimate, joystick, angle, simulate)
 
@@ -150,17 +151,17 @@ def bias_table(
     release_angles: Iterable[float],
     simulate: Simulate,
 ) -> pd.DataFrame:
-    """What the method returns from simulations with known constant C.
+    """Results of the method for simulations with known constant C.
 
     Args:
         joystick: the joystick; its damping law is replaced
         values: true C (N m s/rad)
-        release_angles: angles of release (rad)
-        simulate: gives the peaks of a release
+        release_angles: release angles (rad)
+        simulate: returns the peaks of a release
 
     Returns:
-        one row a combination: ``C`` and ``release_angle``, then the estimates ``displacement``, ``velocity``
-        and ``both`` as parts of the true C, then the exponents ``n_pos``, ``n_neg``, ``m`` of the lines,
+        one row per combination: ``C`` and ``release_angle``, the estimates ``displacement``, ``velocity``
+        and ``both`` as fractions of the true C, and the exponents ``n_pos``, ``n_neg``, ``m`` of the lines,
         which should be 0
     """
     rows = []

@@ -1,4 +1,4 @@
-"""The peak method of section 3.3: eq. (10) at each peak, then power laws and constants of pooled releases."""
+"""The peak method of section 3.3: eq. (10) at each peak, then power laws and constants of pooled peaks."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from pyjoystick.model import PowerLawDamping
 from pyjoystick.motion import DISPLACEMENT_PEAKS, VELOCITY_PEAKS, ReleasePeaks
 from pyjoystick.support import FloatArray, positive
 
-#: From when the time of velocity peaks counts.
+#: Origin of time for velocity peaks.
 VelocityClock = Literal["first peak", "release"]
 
 
@@ -29,11 +29,12 @@ def displacement_points(
     Args:
         peaks: peaks of one release
         inertia: moment of inertia about the pivot, J (kg m2)
-        count: number of peaks that are used, from the first on; fewer where there are fewer
+        count: number of peaks to use, from the first; fewer if there are fewer
 
     Returns:
-        one row a peak: ``record``, ``number`` (from 1), ``time`` (s from the release), ``peak`` (rad, signed)
-        and ``C`` (N m s/rad), which is not positive where a peak is no lower than the release
+        one row per peak: ``record``, ``number`` (from 1), ``time`` (s from the release), ``peak`` (rad,
+            signed)
+        and ``C`` (N m s/rad), which is not positive if a peak is no lower than the release
 
     Raises:
         ParameterError: the inertia is not above zero
@@ -50,23 +51,23 @@ def velocity_points(
     count: int = VELOCITY_PEAKS,
     clock: VelocityClock = "first peak",
 ) -> pd.DataFrame:
-    """C_exp of the velocity peaks by the analog of eq. (10).
+    """C_exp of the velocity peaks, by the analog of eq. (10).
 
-    The paper says only that "a similar approach" is used; the velocity is zero at the release, so something
-    must stand for theta(0). Our reading: the first velocity peak does, and gives no point itself. Time
-    counts from that peak (``first peak``), which makes the formula exact for a linear joystick, as eq. (9) is
-    for the displacement. Counted from the release instead, as the letter of eq. (9) has it (``release``), the
-    early points come out too low, and the line through them falls with an exponent near the paper's
-    m = -0.26 whatever the true law; so the authors may well have done that.
+    The paper says only that "a similar approach" is used. The velocity is zero at the release, so something
+    must take the place of theta(0). In our reading, the first velocity peak does, and gives no point itself.
+    Time counts from that peak (``first peak``), which makes the formula exact for a linear joystick, as eq.
+    (9) is for the displacement. If time counts from the release instead (``release``), as eq. (9) literally
+    says, the early points come out too low, and the line through them falls with an exponent near the
+    paper's m = -0.26 whatever the true law; the authors may well have done that.
 
     Args:
         peaks: peaks of one release
         inertia: moment of inertia about the pivot, J (kg m2)
-        count: number of peaks that are used, the first one included
-        clock: from when time counts
+        count: number of peaks to use, including the first
+        clock: origin of time
 
     Returns:
-        as `displacement_points`, with ``peak`` in rad/s and ``time`` from where the clock starts
+        as `displacement_points`, with ``peak`` in rad/s and ``time`` from the chosen origin
 
     Raises:
         DampingEstimateError: there is no velocity peak
@@ -102,11 +103,11 @@ CONSTANTS: Final = ("displacement", "velocity", "both")
 
 @dataclass(frozen=True, slots=True)
 class ConstantEstimate:
-    """A damping coefficient as the mean over peaks and then over records.
+    """A constant damping coefficient: mean over peaks, then over records.
 
     Attributes:
         value: the mean (N m s/rad)
-        error: its standard error from the scatter between the records; None with one record
+        error: standard error from the scatter between records; None with one record
         records: number of records
     """
 
@@ -124,7 +125,7 @@ class ConstantEstimate:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class DampingEstimate:
-    """What the peak method says of the damping; it is biased, see `peak_method.bias`.
+    """Results of the peak method; they are biased, see `peak_method.bias`.
 
     Attributes:
         displacement: points of the displacement peaks, see `displacement_points`
@@ -132,7 +133,7 @@ class DampingEstimate:
         lines: the power lines of the displacement peaks with theta > 0 (``positive``) and theta < 0
             (``negative``) and of the velocity peaks of both signs (``velocity``)
         constants: the mean C of the ``displacement`` peaks, of the ``velocity`` peaks, and the mean of
-            these two (``both``), in which the biases of the two cancel to first order
+            these two (``both``), in which their biases cancel to first order
         left_out: number of points without a logarithm (a peak no lower than the start)
     """
 
@@ -168,14 +169,14 @@ def estimate_damping(
     velocity_peaks: int = VELOCITY_PEAKS,
     clock: VelocityClock = "first peak",
 ) -> DampingEstimate:
-    """The peak method, eqs. (9) and (10) and Fig. 9, on the pooled peaks of one or more releases.
+    """Apply the peak method, eqs. (9) and (10) and Fig. 9, to the pooled peaks of one or more releases.
 
     Args:
-        releases: peaks of each release, from whichever side
+        releases: peaks of each release, from either side
         inertia: moment of inertia about the pivot, J (kg m2)
-        displacement_peaks: number of displacement peaks that are used of each release
-        velocity_peaks: number of velocity peaks, with the first one, which stands for theta(0)
-        clock: from when the time of velocity peaks counts, see `velocity_points`
+        displacement_peaks: number of displacement peaks to use of each release
+        velocity_peaks: number of velocity peaks, including the first, which takes the place of theta(0)
+        clock: origin of time for velocity peaks, see `velocity_points`
 
     Raises:
         DampingEstimateError: no release, or too few points for a line (three on either side)

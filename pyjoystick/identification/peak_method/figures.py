@@ -26,12 +26,12 @@ from pyjoystick.support import (
     legend_above,
 )
 
-#: Color and marker of the peaks of either sign.
+#: Color and marker of peaks by sign.
 _SIDES: Final = {"positive": (FORWARD, "o"), "negative": (BACKWARD, "v")}
 _BOTH: Final = BLACK
 _DEG: Final = math.degrees(1.0)
 _CONSTANT: Final = "constant C without the bias"
-#: Ticks of the logarithmic axes: a few round numbers, for a decade is too wide for the range of C.
+#: Ticks of the logarithmic axes: round numbers, because decades are too coarse for the range of C.
 _C_TICKS: Final = (0.01, 0.02, 0.03, 0.04, 0.05, 0.06, 0.08, 0.1, 0.15, 0.2)
 _ANGLE_TICKS: Final = (0.5, 1.0, 2.0, 3.0, 5.0, 10.0, 15.0, 20.0)
 _VELOCITY_TICKS: Final = (50.0, 100.0, 150.0, 200.0, 300.0, 400.0, 500.0)
@@ -46,13 +46,13 @@ _ERRORS: Final = {
 def plot_damping_estimate(
     estimate: DampingEstimate, *, constant: float | None = None, confidence: float = 0.95, title: str = ""
 ) -> Figure:
-    """C_exp over peak heights on logarithmic scales, with lines and confidence bands, as Fig. 9 (a) and (b).
+    """Plot C_exp over peak heights, log-log, with lines and confidence bands, as in Fig. 9 (a) and (b).
 
     Args:
         estimate: points and lines
-        constant: a constant C (N m s/rad) to draw beside it, such as the one without the method's bias
-        confidence: of the bands
-        title: a line above the figure
+        constant: a constant C (N m s/rad) to draw as well, such as the one corrected for bias
+        confidence: confidence level of the bands
+        title: title of the figure
     """
     figure = Figure(figsize=(7.4, 3.8), layout="constrained")
     angle, velocity = figure.subplots(1, 2, sharey=True)
@@ -81,12 +81,12 @@ def plot_damping_estimate(
 def plot_peak_errors(
     sweeps: Mapping[str, pd.DataFrame], *, largest: float = 100.0, title: str = ""
 ) -> Figure:
-    """The errors of eqs. (12a, b) over parameters, one panel each, with the minima marked, as Fig. 11.
+    """Plot the errors of eqs. (12a, b) over parameters, one panel each, with marked minima, as in Fig. 11.
 
     Args:
         sweeps: tables of `sweep_peak_errors` by the label of the horizontal axis
         largest: upper end of the vertical axis (percent); curves may leave it
-        title: a line above the figure
+        title: title of the figure
 
     Raises:
         ParameterError: there is no sweep

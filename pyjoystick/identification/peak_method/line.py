@@ -13,13 +13,13 @@ from scipy.stats import t as student
 from pyjoystick.identification.errors import DampingEstimateError
 from pyjoystick.support import FloatArray
 
-#: A coefficient is between exp(-this) and exp(this) N m s/rad.
+#: Coefficients are limited to between exp(-this) and exp(this) N m s/rad.
 _LARGEST: Final = 50.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PowerLine:
-    """The least-squares line of ln C over ln height, in the terms of the power law.
+    """Least-squares line of ln C over ln height, expressed as a power law.
 
     Attributes:
         coefficient: A (N m s/rad): the line's C at a height of 1 (rad or rad/s)
@@ -42,10 +42,10 @@ class PowerLine:
         return np.asarray(self.coefficient * np.power(height, self.exponent), dtype=np.float64)
 
     def band(self, height: ArrayLike, confidence: float = 0.95) -> tuple[FloatArray, FloatArray]:
-        """Lower and upper limit of the line itself at heights: where the mean of ln C lies.
+        """Lower and upper confidence limits of the line itself (the mean of ln C) at heights.
 
-        It takes the points as independent. Peaks of one record share its release, and curvature is no
-        scatter; where these matter the band is too narrow.
+        The points are taken as independent. Peaks of one record share its release, and curvature is not
+        scatter; where these matter, the band is too narrow.
         """
         distance = np.log(np.asarray(height, dtype=np.float64)) - self.center
         error = self.scatter * np.sqrt(1.0 / self.points + distance**2 / self.spread)
@@ -69,16 +69,16 @@ class PowerLine:
 
 
 def fit_power_line(height: ArrayLike, damping: ArrayLike, *, name: str) -> PowerLine:
-    """The line through points.
+    """Fit a line through points.
 
     Args:
         height: magnitudes of peaks (rad or rad/s), shape (n,), above 0
         damping: C_exp (N m s/rad), shape (n,), above 0
-        name: what the line is called in messages
+        name: name of the line in messages
 
     Raises:
         DampingEstimateError: fewer than three points, a point that is not above zero, all of one height, or a
-            coefficient beyond all damping
+            coefficient outside any plausible range
     """
     heights, values = np.asarray(height, dtype=np.float64), np.asarray(damping, dtype=np.float64)
     if len(heights) < 3:

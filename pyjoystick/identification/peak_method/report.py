@@ -40,7 +40,7 @@ def releases_report(releases: Sequence[MeasuredPeaks]) -> str:
 
 
 def _with_error(value: float, error: float, form: str) -> str:
-    """Both with the digits of the form, or with as many more as show the error."""
+    """Format value and error with the given format, or with as many more digits as the error needs."""
     places = int(form.strip("+.f"))
     if 0.0 < error < math.inf:
         places = max(places, -math.floor(math.log10(error)))
@@ -51,7 +51,7 @@ def _with_error(value: float, error: float, form: str) -> str:
 def damping_report(
     estimate: DampingEstimate, constants: Mapping[str, Bias], lines: Mapping[str, Bias]
 ) -> str:
-    """The estimates of the peak method beside their biases.
+    """The estimates of the peak method and their biases.
 
     Args:
         estimate: from the records
@@ -77,7 +77,7 @@ def damping_json(
     lines: Mapping[str, Bias],
     notes: Sequence[str] = (),
 ) -> str:
-    """The same as JSON text, in SI units: releases, constant C, coefficients and exponents of the lines."""
+    """The report as JSON text, in SI units: releases, constant C, coefficients and exponents of the lines."""
 
     def with_bias(name: str, bias: Bias, interval: tuple[float, float] | None) -> dict[str, Any]:
         return {"name": name, **asdict(bias), "bias": bias.bias, "interval": interval}
@@ -103,7 +103,7 @@ def damping_json(
 
 
 def damping_csv(estimate: DampingEstimate) -> str:
-    """The peaks and the C of each as CSV; displacement and velocity have a column each."""
+    """Peaks and the C of each as CSV, with separate columns for displacement and velocity."""
     series = {"theta (rad)": estimate.displacement, "omega (rad/s)": estimate.velocity}
     table = pd.concat([points.rename(columns={"peak": name}) for name, points in series.items()])
     headings = {"time": "time (s)", "C": "C (N.m.s/rad)"}
@@ -112,7 +112,7 @@ def damping_csv(estimate: DampingEstimate) -> str:
 
 
 def bias_report(table: pd.DataFrame) -> str:
-    """The table of `bias_table`: the method's result for a known constant C."""
+    """Table from `bias_table`: results of the method for a known constant C."""
     exponents = ["n_pos", "n_neg", "m"]
     columns = ["C", "release_angle", *CONSTANTS, *exponents]
     rows = []
@@ -128,7 +128,7 @@ def peak_error_report(sweeps: Mapping[str, pd.DataFrame], shown: Mapping[str, Se
 
     Args:
         sweeps: tables of `sweep_peak_errors` by a label such as ``C``
-        shown: values to show, by label; the nearest of the sweep are taken
+        shown: values to show, by label; the nearest ones of the sweep are used
     """
     rows = []
     for label, sweep in sweeps.items():

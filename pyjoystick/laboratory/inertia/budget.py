@@ -1,4 +1,4 @@
-"""Propagation of uncertainty as the GUM has it (JCGM 100:2008, clauses 5 and 6)."""
+"""Propagation of uncertainty according to the GUM (JCGM 100:2008, clauses 5 and 6)."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class Measured:
     Attributes:
         value: in SI units
         uncertainty: standard uncertainty, same unit
-        freedom: degrees of freedom of the uncertainty; infinite where it does not come from few readings
+        freedom: degrees of freedom of the uncertainty; infinite unless it comes from a few readings
     """
 
     value: float
@@ -51,12 +51,12 @@ class Estimate:
 
 
 def combined(function: Callable[..., float], quantities: Mapping[str, Measured]) -> Estimate:
-    """The value of a function of independent quantities, with what each adds to its uncertainty.
+    """Evaluate a function of independent quantities, with the contribution of each to its uncertainty.
 
     A contribution is half the change of the function from one standard uncertainty below to one above.
 
     Args:
-        function: takes the quantities by name
+        function: function of the quantities by name
         quantities: measured independently of each other
     """
     values = {name: one.value for name, one in quantities.items()}

@@ -1,6 +1,7 @@
-"""How a pendulum's amplitude falls: in equal parts by viscous damping, by equal amounts by dry friction.
+"""Decay of a pendulum's amplitude: by a constant ratio for viscous damping, by constant steps for friction.
 
-From one turn to the next the energy J*omega^2/2 + W*(1 - cos(theta)), W = m*g*h, falls by the work of both:
+From one turn to the next, the energy J*omega^2/2 + W*(1 - cos(theta)), W = m*g*h, decreases by the work of
+both:
 
     2*W*sin(M)*sin(D/2) = 8*C*sqrt(W/J)*G(M) + 2*T_c*M
 
@@ -23,7 +24,7 @@ from scipy.special import ellipe, ellipk
 from pyjoystick.laboratory.inertia.budget import Measured
 from pyjoystick.support import FloatArray
 
-#: What the fits may leave at zero, by the name of the model.
+#: Parameters fixed at zero, by name of the model.
 _MODELS: Final = {
     "viscous damping alone": (True, False),
     "dry friction alone": (False, True),
@@ -31,22 +32,22 @@ _MODELS: Final = {
 }
 _BOTH: Final = "viscous damping and dry friction"
 _ITERATIONS: Final = 5
-#: Of the normalized derivatives; beyond this, two parameters do the same to the heights.
+#: Limit of the condition number of the normalized derivatives; above, two parameters are indistinguishable.
 _CONDITION: Final = 1e4
-#: Least variance of a height, relative to the largest squared, for records without noise.
+#: Minimum variance of a height, relative to the largest squared, for records without noise.
 _ROUNDING: Final = 1e-24
 
 
 @dataclass(frozen=True, slots=True)
 class Decay:
-    """What the heights of the turns say; viscous damping and dry friction are fitted together.
+    """Viscous damping and dry friction, fitted together to the heights of the turns.
 
     Attributes:
         damping_ratio: of viscous damping
         friction_angle: T_c/(m*g*h), the angle (rad) that dry friction can hold against the weight; half of
-            what it takes off the amplitude in half a swing
-        preferred: the model with the least information criterion (BIC)
-        margins: by how much the criteria of all models exceed that, by name; 6 and more is clear
+            the decrease of the amplitude per half swing
+        preferred: the model with the smallest information criterion (BIC)
+        margins: excess of each model's criterion over that, by name; 6 and more is clear
     """
 
     damping_ratio: Measured
@@ -65,7 +66,7 @@ def fitted_decay(heights: FloatArray) -> Decay:
     criteria = {name: one[2] for name, one in fits.items()}
     least = min(criteria.values())
     preferred = min(criteria, key=lambda name: criteria[name])
-    # Amplitudes that hardly differ do not tell the two apart.
+    # Nearly constant amplitudes do not distinguish the two.
     told_apart = bool(np.all(np.isfinite(fits[_BOTH][1])))
     values, errors, _ = fits[_BOTH if told_apart else preferred]
     freedom = len(heights) - 3.0
@@ -88,7 +89,7 @@ def decaying_heights(first: float, damping_ratio: float, friction_angle: float, 
             mean = max(before - 0.5 * fall, _ROUNDING)
             k = math.sin(0.5 * mean) ** 2
             viscous = 8.0 * damping_ratio * float(ellipe(k) - (1.0 - k) * ellipk(k))
-            # A trial step of a fit may ask for more than all of the energy.
+            # A trial step of a fit may require more than all of the energy.
             part = (viscous + friction_angle * mean) / math.sin(mean)
             fall = 2.0 * math.asin(min(1.0, max(-1.0, part)))
         found[i] = before - fall
@@ -96,7 +97,7 @@ def decaying_heights(first: float, damping_ratio: float, friction_angle: float, 
 
 
 def _fitted(heights: FloatArray, free: Sequence[bool]) -> tuple[FloatArray, FloatArray, float]:
-    """First height, damping ratio and angle of friction; their standard errors, NaN where tied; BIC."""
+    """First height, damping ratio and friction angle; their standard errors, NaN if fixed; BIC."""
     count, scale = len(heights), float(np.max(heights))
     places = [0, *(i + 1 for i, one in enumerate(free) if one)]
     rate = math.log(heights[0] / heights[-1]) / (math.pi * (count - 1))

@@ -35,12 +35,11 @@ _OFF_AXIS: Final = 0.02
 class Part:
     """A rigid part.
 
-    Attributes:
-        name: what it is called in the budget
+    name: name in the budget
         mass: (kg), above 0
-        height: of its center above the pivot, along the axis of the joystick (m)
+        height: height of its center above the pivot, along the axis of the joystick (m)
         inertia: about the axis through its own center, parallel to the pivot's (kg m2), 0 or more
-        offset: of its center from the axis of the joystick, in the plane of motion (m)
+        offset: distance of its center from the axis of the joystick, in the plane of motion (m)
     """
 
     name: str
@@ -60,13 +59,13 @@ class Part:
 
 @dataclass(frozen=True, slots=True)
 class PartsResult:
-    """The body that the parts make.
+    """The body made of the parts.
 
     Attributes:
         m: mass (kg)
         h: pivot to center of mass, along the axis (m)
         J: moment of inertia about the pivot (kg m2)
-        notes: what is doubtful, a sentence each
+        notes: doubts, one sentence each
     """
 
     m: Estimate
@@ -75,15 +74,15 @@ class PartsResult:
     notes: tuple[str, ...]
 
     def estimates(self) -> dict[str, Estimate]:
-        """The three by name and unit, for a report."""
+        """The three estimates by name and unit, for a report."""
         return {"m (kg)": self.m, "h (m)": self.h, "J (kg m2)": self.J}
 
 
 def from_parts(parts: Sequence[Part]) -> PartsResult:
-    """M = sum m_i, h = sum m_i z_i / m, J = sum J_i + m_i (z_i^2 + y_i^2).
+    """Compute m = sum m_i, h = sum m_i z_i / m, J = sum J_i + m_i (z_i^2 + y_i^2).
 
     Raises:
-        ParameterError: no parts, two of one name, or a center of mass below the pivot
+        ParameterError: no parts, two with the same name, or a center of mass below the pivot
     """
     names = [part.name for part in parts]
     if not parts or len(set(names)) < len(names):
@@ -120,13 +119,13 @@ def from_parts(parts: Sequence[Part]) -> PartsResult:
 def read_parts(path: str | PathLike[str]) -> tuple[Part, ...]:
     """Read parts from a CSV file.
 
-    Its headings are ``part``, ``mass (g)``, ``height (mm)``, ``inertia (g.cm2)`` and perhaps ``offset (mm)``
-    and standard uncertainties ``u_mass (g)``, ``u_height (mm)``, ``u_inertia (g.cm2)``, ``u_offset (mm)``,
-    in any of `UNITS`.
+    The headings are ``part``, ``mass (g)``, ``height (mm)``, ``inertia (g.cm2)`` and, optionally,
+    ``offset (mm)`` and standard uncertainties ``u_mass (g)``, ``u_height (mm)``, ``u_inertia (g.cm2)``,
+    ``u_offset (mm)``, in any of `UNITS`.
 
     Raises:
-        RecordError: the file cannot be read, a column is missing, has no unit or an unknown one, a cell is no
-            number or not allowed, or a name occurs twice; the message names file, column and row
+        RecordError: the file cannot be read, a column is missing, has no unit or an unknown one, a cell is
+            not a number or not allowed, or a name occurs twice; the message names file, column and row
     """
     file = read_table_file(Path(path))
     names = file.texts(file.head.match([_PART])["part"].heading)

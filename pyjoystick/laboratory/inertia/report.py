@@ -1,4 +1,4 @@
-"""Results for mass and inertia as text."""
+"""Reports on mass and inertia."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from pyjoystick.laboratory.inertia.parts import PartsResult
 from pyjoystick.laboratory.inertia.swing import SwingPeriod
 from pyjoystick.support import TextTable, document_text
 
-#: Standard errors from which a value counts as seen.
+#: Number of standard errors from which a value counts as significant.
 _CLEAR: Final = 2.0
 
 
 def swing_report(found: SwingPeriod) -> str:
-    """The period of a swing test, and what was taken out of it."""
+    """The period of a swing test, and its corrections."""
     return (
         f"Period {found.measured:.6g} s as measured; the amplitude lengthens it by "
         f"{100.0 * (found.amplitude_factor - 1.0):.3g} %.\n"
@@ -41,7 +41,7 @@ def _decay(decay: Decay) -> str:
 
 
 def estimates_report(estimates: Mapping[str, Estimate]) -> str:
-    """Estimates by name as a table in Markdown, each with the parts of its uncertainty."""
+    """Estimates by name as a table in Markdown, each with its uncertainty budget."""
     rows = []
     for name, one in estimates.items():
         low, high = one.interval
@@ -62,8 +62,8 @@ def swing_json(
     Args:
         found: the period
         inertia: J
-        friction: T_c; None where the decay was not recorded
-        notes: what was noted on them
+        friction: T_c; None if the decay was not recorded
+        notes: notes on the results
     """
     decay = found.decay
     parameters = [_parameter("J", "kg.m2", inertia)]

@@ -1,4 +1,4 @@
-"""Moment of inertia from the period as a pendulum, upside down and out of contact (section 3.2)."""
+"""Moment of inertia from the pendulum period, upside down and out of contact (section 3.2)."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from pyjoystick.laboratory.inertia.budget import Estimate, Measured, combined
 from pyjoystick.laboratory.inertia.decay import Decay
 from pyjoystick.support import FloatArray, ParameterError, angle, not_negative, positive, whole_number
 
-#: Standard uncertainty of the difference of the reactions at start and stop of a stopwatch (s).
+#: Standard uncertainty of the difference of the reaction times at start and stop of a stopwatch (s).
 REACTION_TIME: Final = 0.05
 _NODES: Final = 16
 
@@ -27,9 +27,9 @@ class SwingPeriod:
 
     Attributes:
         period: with its uncertainty (s)
-        measured: mean period as measured (s)
-        amplitude_factor: by how much the amplitude lengthens the measured period
-        decay: viscous damping and dry friction from the decay; None where that was not recorded
+        measured: mean measured period (s)
+        amplitude_factor: factor by which the amplitude lengthens the measured period
+        decay: viscous damping and dry friction from the decay; None if that was not recorded
     """
 
     period: Estimate
@@ -67,18 +67,19 @@ def period_of_readings(
     *,
     reaction_time: float = REACTION_TIME,
 ) -> SwingPeriod:
-    """The period of small swings from a stopwatch.
+    """Period of small swings from stopwatch readings.
 
-    The scatter of the readings counts as type A, with Student's factor for their number. What start and
-    stop have in common in every reading does not show in it: `reaction_time` stands for that. Damping is not
-    corrected: at a tenth of the critical one it lengthens the period by 0.5 %.
+    The scatter of the readings counts as type A, with Student's factor for their number. `reaction_time`
+    covers
+    errors that all readings share, which the scatter does not show. Damping is not corrected: a damping
+    ratio of 0.1 lengthens the period by 0.5 %.
 
     Args:
         readings: time of `swings` full swings each (s)
         swings: number of full swings in a reading, 1 or more
-        first_amplitude: at the start of a reading (rad)
-        last_amplitude: at its end (rad); the same where not given
-        reaction_time: standard uncertainty of a reading that all share (s)
+        first_amplitude: amplitude at the start of a reading (rad)
+        last_amplitude: amplitude at its end (rad); by default the same
+        reaction_time: standard uncertainty that all readings share (s)
 
     Raises:
         ParameterError: no reading, a reading or number that is not above 0, an amplitude out of range
@@ -116,7 +117,7 @@ def inertia_of_swing(period: Estimate, m: Measured, h: Measured, g: Measured) ->
         period: T of small undamped swings (s)
         m: mass (kg)
         h: pivot to center of mass (m)
-        g: acceleration of gravity (m/s2); its sign does not matter
+        g: gravitational acceleration (m/s2); its sign does not matter
 
     Raises:
         ParameterError: one of them is 0, so that nothing swings
@@ -132,13 +133,13 @@ def inertia_of_swing(period: Estimate, m: Measured, h: Measured, g: Measured) ->
 
 
 def friction_of_swing(decay: Decay, m: Measured, h: Measured, g: Measured) -> Estimate:
-    """Dry friction of the pivot T_c = m*g*h*f (N m), f the angle of friction.
+    """Dry friction of the pivot, T_c = m*g*h*f (N m), with the friction angle f.
 
     Args:
-        decay: as `period_of_record` finds it
+        decay: from `period_of_record`
         m: mass (kg)
         h: pivot to center of mass (m)
-        g: acceleration of gravity (m/s2); its sign does not matter
+        g: gravitational acceleration (m/s2); its sign does not matter
     """
     return combined(
         lambda f, m, h, g: m * abs(g) * h * f, {"f": decay.friction_angle, "m": m, "h": h, "g": g}

@@ -1,4 +1,4 @@
-"""Records of a swing test that no period or decay can be taken from, though numbers would come out."""
+"""Rejection of swing records from which period and decay would be wrong."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import numpy as np
 from pyjoystick.motion import GAP, HIDING, Record, RecordError, Swing, require_no_growth
 from pyjoystick.support import FloatArray
 
-#: So many equal samples in a row at a turn are clipped, beyond those that resolution and sampling explain.
+#: Excess of equal samples in a row at a turn, over what resolution and sampling explain, that means clipping.
 _CLIPPED: Final = 3
 _MARGIN: Final = 1.3
 
@@ -20,9 +20,9 @@ def check_swings(record: Record, theta: FloatArray, swings: Sequence[Swing]) -> 
     """Raise RecordError for a second release, a gap that may hide a turn, or an angle beyond the range.
 
     Args:
-        record: what was measured
-        theta: its angle from where the pendulum rests (rad), shape (n,)
-        swings: the whole half swings that are to be evaluated
+        record: the measured record
+        theta: its angle from the pendulum's rest position (rad), shape (n,)
+        swings: the complete half swings to evaluate
     """
     _require_no_gap(record, swings)
     require_no_growth(record, swings, float(np.max(np.abs(theta))))
@@ -30,7 +30,7 @@ def check_swings(record: Record, theta: FloatArray, swings: Sequence[Swing]) -> 
 
 
 def widest_gap(record: Record, span: slice) -> int | None:
-    """Index of the sample before the widest gap between the samples of a stretch; None without any."""
+    """Index of the sample before the widest gap in a stretch; None if there are no gaps."""
     steps = np.diff(record.time[span])
     if not steps.size or float(np.max(steps)) <= GAP * record.interval:
         return None
@@ -53,8 +53,8 @@ def _require_no_gap(record: Record, swings: Sequence[Swing]) -> None:
 
 
 def _require_unclipped(record: Record, theta: FloatArray, swings: Sequence[Swing]) -> None:
-    """Refuse half swings that stay at their largest angle for longer than a pendulum does."""
-    # Rounding in the last place does not make two values.
+    """Reject half swings that stay at their largest angle for longer than a pendulum does."""
+    # Differences in the last digit are rounding errors.
     values = np.diff(np.unique(np.round(record.theta, 12)))
     resolution = float(np.min(values)) if values.size else 0.0
     runs = [_run_at_top(record, swing) for swing in swings]
@@ -84,7 +84,7 @@ def _require_unclipped(record: Record, theta: FloatArray, swings: Sequence[Swing
 
 
 def _run_at_top(record: Record, swing: Swing) -> tuple[int, int]:
-    """First and last sample of the longest stretch that stays at the farthest angle of a half swing."""
+    """First and last sample of the longest stretch at the extreme angle of a half swing."""
     inside = record.theta[swing.first : swing.last + 1]
     at = np.concatenate(([False], inside == record.theta[swing.extreme], [False])).astype(np.int8)
     edges = np.flatnonzero(np.diff(at)).reshape(-1, 2)
@@ -93,13 +93,13 @@ def _run_at_top(record: Record, swing: Swing) -> tuple[int, int]:
 
 
 def _expected(record: Record, theta: FloatArray, swing: Swing, resolution: float) -> float:
-    """How many equal samples a turn has beyond chance: what the resolution hides, or samples taken twice."""
+    """Number of equal samples to expect at a turn, due to resolution or repeated samples."""
     samples = swing.last - swing.first + 1
     hidden = 2.0 * math.acos(max(0.0, 1.0 - resolution / abs(swing.value))) / math.pi * samples
     span = slice(swing.first, swing.last + 1)
     flank = np.abs(theta[span]) < 0.5 * abs(swing.value)
     equal = (np.diff(record.theta[span]) == 0.0) & flank[1:]
-    # Longest stretch of repeats on the way up and down, where a pendulum has none.
+    # Longest run of repeats on the way up and down, where a pendulum has none.
     edges = np.flatnonzero(np.diff(np.concatenate(([False], equal, [False])).astype(np.int8))).reshape(-1, 2)
     repeats = float(np.max(edges[:, 1] - edges[:, 0])) if len(edges) else 0.0
     return max(hidden if resolution > 0.0 else 0.0, repeats)

@@ -1,4 +1,4 @@
-"""The period of a recorded swing, with amplitude and damping taken out."""
+"""Period of a recorded swing, corrected for amplitude and damping."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from pyjoystick.motion import Record, RecordError, Swing, find_swings
 from pyjoystick.support import FloatArray
 
 _FEWEST_SWINGS: Final = 5
-#: Samples of a half swing beyond this part of its height make its top; those below it, its passage of zero.
+#: Fraction of a half swing's height that separates the samples of its top from those of the zero crossing.
 _TOP: Final = 0.7
 _PASSAGE: Final = 0.5
 _FEWEST_SAMPLES: Final = 6
@@ -26,23 +26,23 @@ _THRESHOLD: Final = 0.2
 
 
 def period_of_record(record: Record) -> SwingPeriod:
-    """The period of small undamped swings from the angle over time.
+    """Period of small undamped swings from the angle over time.
 
-    Tops of the half swings and passages of the middle come from polynomials through the samples around them.
-    The instants of the passages are a straight line over the sum of the amplitude factors of the half swings
-    between them, whose slope is half the period. The heights give the damping ratio z of viscous damping,
-    hence the factor sqrt(1 - z^2), and dry friction. That leaves the time from turn to turn as it is, but the
-    joystick passes the middle late, by asin(f/(A - f)) of its phase for the amplitude A and the angle
-    f = T_c/(m*g*h): the later, the smaller the swing.
+    Tops of the half swings and zero crossings come from polynomials through nearby samples.
+    The times of the crossings are a straight line over the sum of the amplitude factors of the half swings
+    between them; its slope is half the period. The heights give the damping ratio z of viscous damping,
+    hence the factor sqrt(1 - z^2), and dry friction. Dry friction does not change the time from turn to turn,
+    but delays the zero crossings by asin(f/(A - f)) of phase, for the amplitude A and the angle
+    f = T_c/(m*g*h): the smaller the swing, the longer the delay.
 
     Args:
-        record: the joystick as a pendulum, five half swings or more above a fifth of the largest angle
+        record: the joystick as a pendulum, with at least five half swings above a fifth of the largest angle
 
     Raises:
         RecordError: too few half swings, or too few samples in one; a second release; a gap that may hide a
             turn; an angle that stays at the end of the instrument's range
     """
-    # The zero of the angle need not be where the pendulum rests: the tops say where that is.
+    # The record's zero may differ from the rest position, which follows from the tops.
     centered = record.theta - float(np.mean(record.theta))
     check_swings(record, centered, _whole_swings(record, centered))
     theta = record.theta - _middle(record, centered, record.theta)
@@ -78,14 +78,14 @@ def period_of_record(record: Record) -> SwingPeriod:
 
 
 def _middle(record: Record, centered: FloatArray, theta: FloatArray) -> float:
-    """The angle of rest: the mean of a top and of the two beside it, on the other side."""
+    """The rest angle: the mean of a top and of the two adjacent ones on the other side."""
     shift = theta[0] - centered[0]
     tops, _ = _tops_and_passages(record, centered)
     return float(shift + np.mean((tops[:-2] + 2.0 * tops[1:-1] + tops[2:]) / 4.0))
 
 
 def _tops_and_passages(record: Record, theta: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Angles of the tops of the half swings, shape (n,); instants of the passages between, shape (n-1,)."""
+    """Angles of the tops of the half swings, shape (n,); times of the crossings between, shape (n-1,)."""
     swings = _whole_swings(record, theta)
     tops = np.empty(len(swings))
     for i, swing in enumerate(swings):
@@ -101,13 +101,13 @@ def _tops_and_passages(record: Record, theta: FloatArray) -> tuple[FloatArray, F
         time, angle = record.time[span], theta[span]
         around = slice(before.first, after.last + 1)
         near = np.abs(angle) < _PASSAGE * min(abs(tops[i]), abs(tops[i + 1]))
-        # Time as a function of the angle, so that the passage is its value at 0.
+        # Fit time as a function of the angle, so that the crossing is its value at 0.
         passages[i] = _polynomial(record, around, angle[near], time[near], 3)(0.0)
     return tops, passages
 
 
 def _whole_swings(record: Record, theta: FloatArray) -> list[Swing]:
-    """The half swings that count; the first and the last may be cut off, so that they are left out."""
+    """Complete half swings, without the first and the last, which may be cut off."""
     swings = find_swings(theta, _THRESHOLD * float(np.max(np.abs(theta))))[1:-1]
     if len(swings) < _FEWEST_SWINGS:
         reason = f"has {len(swings)} whole half swings that count; at least {_FEWEST_SWINGS} are needed"
@@ -116,11 +116,11 @@ def _whole_swings(record: Record, theta: FloatArray) -> list[Swing]:
 
 
 def _polynomial(record: Record, span: slice, x: FloatArray, y: FloatArray, degree: int) -> Polynomial:
-    """A polynomial through some of the samples of one stretch or of two that are neighbors."""
+    """Polynomial through some of the samples of one stretch or of two adjacent ones."""
     if len(x) < _FEWEST_SAMPLES:
         reason = f"has {len(x)} samples where {_FEWEST_SAMPLES} are needed for a top or a passage of zero"
         rows, advice = record.rows[[span.start, span.stop - 1]], "record with more samples a second"
-        # The samples that a gap lacks may be those at the end of the stretch.
+        # A gap may hide the samples at the end of the stretch.
         gap = widest_gap(record, slice(max(span.start - 1, 0), span.stop + 1))
         if gap is not None:
             missing = float(record.time[gap + 1] - record.time[gap])

@@ -1,4 +1,4 @@
-"""The cubic polynomial that is fitted to such curves elsewhere (Fig. 7b), for comparison."""
+"""The cubic polynomial conventionally fitted to such curves (Fig. 7b), for comparison."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from pyjoystick.support import FloatArray
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Misses:
-    """How far the force of a fit lies from the record in contact.
+    """Difference of force between a fit and the record in contact.
 
     Attributes:
         rms: root mean square (N)
-        largest: largest difference (N), which on steep segments comes from errors of travel
+        largest: largest difference (N), due to errors of travel on steep segments
     """
 
     rms: float
@@ -27,7 +27,7 @@ class Misses:
 
 
 def cubic_fit(curve: LoadCurve, contact: float, zero: float) -> Polynomial:
-    """Least squares of force (N), less `zero`, by a cubic in travel (m) from `contact` on."""
+    """Least-squares cubic for the force (N) minus `zero`, over travel (m) from `contact`."""
     travel = np.concatenate([branch.travel for branch in curve.branches])
     force = np.concatenate([branch.force for branch in curve.branches])
     inside = travel >= contact
@@ -35,7 +35,7 @@ def cubic_fit(curve: LoadCurve, contact: float, zero: float) -> Polynomial:
 
 
 def misses(fit: LoadCurveFit) -> dict[str, Misses]:
-    """Of the segments and of the cubic, each against both branches in contact, without friction."""
+    """Differences of the segments and of the cubic from both branches in contact, without friction."""
     cubic = cubic_fit(fit.curve, fit.table.x[0], fit.zero)
     found = {}
     for name, force in (("segments", lambda x: segment_force(fit, x)), ("cubic", cubic)):

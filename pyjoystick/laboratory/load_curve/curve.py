@@ -1,4 +1,4 @@
-"""A load-deflection curve as a testing machine records it: loading, and perhaps unloading; its file."""
+"""A load-deflection curve recorded by a testing machine: loading and, optionally, unloading."""
 
 from __future__ import annotations
 
@@ -13,19 +13,19 @@ from numpy.typing import NDArray
 from pyjoystick.motion import UNITS, Column, Layout, RecordError, read_log_table
 from pyjoystick.support import FloatArray
 
-#: Travel may run back by this part of the whole; more is not noise.
+#: Travel may run back by this part of the whole due to noise, but not by more.
 JITTER = 0.01
-#: One wrong number leads the fit astray: travel of which this part lies between two rows, and a force that
-#: differs by this part of its range from both beside it. Stiff segments rise within few rows, never fall.
+#: A single wrong number would distort the fit: a row-to-row step of this part of the travel, or a force that
+#: differs by this part of its range from both neighbors. Stiff segments rise within few rows, but never fall.
 _JUMP = 0.5
 _SPIKE = 0.05
-#: A branch covers at least this part of the whole travel.
+#: Minimum travel of a branch, relative to the whole.
 _LEAST_COVERED = 0.5
 _FEWEST_SAMPLES = 20
-#: Part of the whole travel before the turn that is left out: friction turns around there, and with noise the
-#: sample that goes furthest need not be the last of loading.
+#: Part of the travel before the turn to omit: friction reverses there, and with noise the sample with the
+#: largest travel need not be the last one of loading.
 _TURN = 0.005
-#: Largest travel and force of a record: least, most, unit. Wide: what is outside is in another unit.
+#: Range of a record's largest travel and force: minimum, maximum, unit. Values outside are in another unit.
 _SIZES: Final = {"travel": (1e-4, 1.0, "m"), "force": (1e-4, 1e5, "N")}
 _AUTOMATIC: Final = Layout()
 _COLUMNS: Final = (Column("travel", UNITS["length"]), Column("force", UNITS["force"]))
@@ -38,7 +38,7 @@ class Branch:
     Attributes:
         travel: travel of the contact (m), shape (n,), in the order of the record
         force: force on the plunger (N), shape (n,)
-        rows: lines of the file, or indices, shape (n,)
+        rows: line numbers of the file, or indices, shape (n,)
     """
 
     travel: FloatArray
@@ -52,9 +52,9 @@ class LoadCurve:
 
     Attributes:
         source: the file, or another origin
-        loading: travel rises
-        unloading: travel falls; None where it was not recorded
-        notes: what is doubtful, a sentence each
+        loading: branch of increasing travel
+        unloading: branch of decreasing travel; None if it was not recorded
+        notes: doubts, one sentence each
     """
 
     source: str
@@ -64,7 +64,7 @@ class LoadCurve:
 
     @property
     def branches(self) -> tuple[Branch, ...]:
-        """The branches that were recorded."""
+        """The recorded branches."""
         return (self.loading,) if self.unloading is None else (self.loading, self.unloading)
 
     @classmethod
@@ -76,15 +76,15 @@ class LoadCurve:
         source: str = "arrays",
         rows: NDArray[np.int64] | None = None,
     ) -> LoadCurve:
-        """Part a record where its travel is largest; with two branches the last 0.5 % of travel are left out.
+        """Split a record at its largest travel; with two branches, the last 0.5 % of travel is left out.
 
-        The sign of compression that is counted negative is reversed, with a note.
+        If compression is recorded as negative, its sign is reversed and a note added.
 
         Args:
-            travel: travel of the contact (m), shape (n,), rising once and perhaps falling once
+            travel: travel of the contact (m), shape (n,), rising once and optionally falling once
             force: force (N), shape (n,)
             source: its name in messages
-            rows: lines of the file; indices where not given
+            rows: line numbers of the file; by default indices
 
         Raises:
             RecordError: fewer than 20 samples in a branch, no travel, no force, sizes that no spring has, or
@@ -135,7 +135,7 @@ class LoadCurve:
 
 
 def _require_size(source: str, name: str, extreme: float) -> None:
-    """Refuse a largest travel (m) or force (N) that is likely in another unit."""
+    """Reject a largest travel (m) or force (N) that is likely in another unit."""
     least, most, unit = _SIZES[name]
     if least <= abs(extreme) <= most:
         return
@@ -148,7 +148,7 @@ def _require_size(source: str, name: str, extreme: float) -> None:
 
 
 def _require_no_jump(source: str, travel: FloatArray, rows: NDArray[np.int64]) -> None:
-    """Refuse travel of which half or more lies between two rows, as one wrong cell makes it."""
+    """Reject travel with half or more of it between two rows, which indicates a wrong cell."""
     steps = np.abs(np.diff(travel))
     i = int(np.argmax(steps)) if steps.size else 0
     if steps.size and steps[i] >= _JUMP * np.ptp(travel) > 0.0:
@@ -163,12 +163,12 @@ def _require_no_jump(source: str, travel: FloatArray, rows: NDArray[np.int64]) -
 
 
 def _require_no_spike(source: str, force: FloatArray, rows: NDArray[np.int64], turn: int) -> None:
-    """Refuse a force far above or below those of both rows beside it, but for the turn, where it may peak."""
+    """Reject a force far above or below both neighbors, except at the turn, where it may peak."""
     padded = np.pad(force, 1, mode="reflect") if len(force) > 1 else np.zeros(3)
     before, after = padded[:-2], padded[2:]
     apart = np.maximum(force - np.maximum(before, after), np.minimum(before, after) - force)
     limit = np.full(len(force), _SPIKE * np.ptp(force))
-    # The first and the last row have one neighbor only, which may lie in a stiff segment.
+    # The first and the last row have only one neighbor, which may be in a stiff segment.
     limit[[0, -1]] = _JUMP * np.ptp(force)
     limit[turn] = np.inf
     i = int(np.argmax(apart - limit))
@@ -206,20 +206,21 @@ def read_load_curve(
     units: Mapping[str, str] | None = None,
     layout: Layout = _AUTOMATIC,
 ) -> LoadCurve:
-    """Read one cycle of loading and perhaps unloading from a table.
+    """Read one cycle of loading and, optionally, unloading from a table.
 
     The file has one line of headings, such as ``travel (mm);force (N)`` or ``Weg [mm];Kraft [N]``, then one
-    sample a row in the order in which they were taken; other columns are left alone.
+    sample per row in the order of recording; other columns are ignored.
 
     Args:
-        path: the file, in any form that `read_log` takes
-        columns: headings where they are others: ``{"travel": "Extension", "force": "Load"}``
-        units: units of columns without one in their heading: lengths and forces of `UNITS`
-        layout: its form, where that is to be given
+        path: the file, in any form that `read_log` accepts
+        columns: headings if they differ: ``{"travel": "Extension", "force": "Load"}``
+        units: units of columns whose headings give none: lengths and forces of `UNITS`
+        layout: layout of the file, if it must be specified
 
     Raises:
-        RecordError: the file cannot be read, a column is missing, has no unit or an unknown one, a cell is no
-            number, or the record is not one cycle; the message names file, column and rows and what to do
+        RecordError: the file cannot be read, a column is missing, has no unit or an unknown one, a cell is
+            not a number, or the record is not one cycle; the message names file, column and rows and what to
+            do
     """
     table = read_log_table(path, layout, numbered=bool(columns))
     series = table.read(_COLUMNS, headings=columns, units=units)

@@ -1,4 +1,4 @@
-"""What makes the fit of a load-deflection curve doubtful, and records that cannot be fitted."""
+"""Doubts about the fit of a load-deflection curve, and records that cannot be fitted."""
 
 from __future__ import annotations
 
@@ -14,20 +14,20 @@ from pyjoystick.support import FloatArray
 _FIRST_SAMPLES: Final = 3
 _CLEAR: Final = 5.0
 _LEAST_PART: Final = 0.02
-#: A branch; with fewer the standard errors, which are those of a smooth problem, are too small.
+#: Minimum samples per branch and segment; with fewer, linearized standard errors are too small.
 _FEWEST_IN_SEGMENT: Final = 3
 _LARGEST_ERROR: Final = 0.2
-#: A force that stays at its largest value for so many samples and this part of the travel is saturated.
+#: A force is saturated if it stays at its largest value for this many samples and this part of the travel.
 _FLAT_SAMPLES: Final = 5
 _FLAT_TRAVEL: Final = 0.01
 _LARGEST_MISFIT: Final = 1.5
 
 
 def require_contact_within(curve: LoadCurve, force_noise: float) -> None:
-    """Refuse a record that begins in contact, or in which unloading needs more force than loading.
+    """Reject a record that starts in contact, or in which unloading needs more force than loading.
 
     Raises:
-        RecordError: one of the two
+        RecordError: one of these is true
     """
     loading = curve.loading
     first = float(np.median(loading.force[:_FIRST_SAMPLES]))
@@ -51,12 +51,13 @@ def require_contact_within(curve: LoadCurve, force_noise: float) -> None:
 
 
 def require_no_saturation(curve: LoadCurve) -> None:
-    """Refuse a force that stays at its largest value while travel goes on, as that of a load cell at its end.
+    """Reject a force that stays at its largest value while travel goes on, as from a saturated load cell.
 
-    Coarse forces stay too, but everywhere in contact: a stretch at the top must be twice as long as others.
+    Coarsely resolved forces stay constant everywhere in contact, so the stretch at the top must be twice as
+    long as others.
 
     Raises:
-        RecordError: it does
+        RecordError: the force is saturated
     """
     loading = curve.loading
     edges = np.flatnonzero(np.diff(loading.force) != 0.0)
@@ -81,10 +82,10 @@ def require_no_saturation(curve: LoadCurve) -> None:
 
 
 def require_samples_before_contact(curve: LoadCurve, table: SegmentTable) -> None:
-    """Refuse a fit whose first kink is not within the record.
+    """Reject a fit whose first kink is not within the record.
 
     Raises:
-        RecordError: fewer than three samples of loading lie before it
+        RecordError: fewer than three loading samples are before it
     """
     if int(np.sum(curve.loading.travel < table.x[0])) < _FIRST_SAMPLES:
         raise _begins_in_contact(curve)
@@ -108,7 +109,7 @@ def doubts(
     misfit: float,
     distances: FloatArray,
 ) -> tuple[str, ...]:
-    """What to look at before the numbers are used, with rows and a remedy."""
+    """What to check before using the numbers, with rows and a remedy."""
     notes = [*curve.notes]
     loading = curve.loading
     contact = int(np.argmax(loading.travel >= table.x[0]))
@@ -132,7 +133,7 @@ def doubts(
 
 
 def _where_it_misses(curve: LoadCurve, misfit: float, distances: FloatArray) -> str:
-    """The stretch of rows that lies farthest from the fit; single outliers do not count."""
+    """Rows of the stretch with the largest misfit; single outliers do not count."""
     rows = np.concatenate([branch.rows for branch in curve.branches])
     travel = np.concatenate([branch.travel for branch in curve.branches])
     width = max(5, len(rows) // 100)

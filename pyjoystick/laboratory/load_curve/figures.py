@@ -32,11 +32,11 @@ _POINTS: Final = 2001
 
 
 def plot_load_curve(fit: LoadCurveFit, *, title: str = "") -> Figure:
-    """The whole curve with segments and cubic; below it the steep segments, enlarged.
+    """Plot the whole curve with segments and cubic; below it, the steep segments enlarged.
 
     Args:
         fit: from `fit_load_curve`
-        title: a line above the figure
+        title: title of the figure
     """
     figure = Figure(figsize=(7.0, 6.4), layout="constrained")
     steep = list(range(0, len(fit.table.x) - 1, 2))[:2]
@@ -68,7 +68,7 @@ def _draw(axes: Axes, fit: LoadCurveFit, *, cubic: bool) -> None:
 
 
 def _enlarge(axes: Axes, fit: LoadCurveFit, i: int) -> None:
-    """The window around segment i, with its kinks marked."""
+    """Limits of the window around segment i, with its kinks marked."""
     first, last = fit.table.x[i], fit.table.x[i + 1]
     margin = 0.6 * (last - first)
     low, high = segment_force(fit, [first, last])
@@ -88,7 +88,7 @@ def _enlarge(axes: Axes, fit: LoadCurveFit, i: int) -> None:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class CubicFit:
-    """A cubic polynomial through the model's own curve, over equally spaced travel from contact to the end.
+    """A cubic polynomial fitted to the model's own curve, at equally spaced travel from contact to the end.
 
     Attributes:
         assembly: the actuator
@@ -104,16 +104,16 @@ class CubicFit:
 
     @property
     def rms(self) -> float:
-        """How far the cubic lies from the model, root mean square (N)."""
+        """Root mean square difference between cubic and model (N)."""
         return float(np.sqrt(np.mean((self.cubic(self.travel) - self.force) ** 2)))
 
 
 def cubic_fits(parameters: JoystickParameters, largest_angle: float) -> dict[str, CubicFit]:
-    """The curves of both sides up to the travel at an angle, with their cubics.
+    """Curves of both sides up to the travel at an angle, with their cubics.
 
     Args:
         parameters: the joystick
-        largest_angle: where the curves end (rad)
+        largest_angle: angle at the end of the curves (rad)
     """
     end = float(contact_travel(parameters, angle("largest_angle", largest_angle)))
     fits = {}
@@ -125,7 +125,7 @@ def cubic_fits(parameters: JoystickParameters, largest_angle: float) -> dict[str
 
 
 def plot_load_deflection(fits: dict[str, CubicFit]) -> Figure:
-    """Force over travel, the model solid and the cubics of `cubic_fits` dashed."""
+    """Plot force over travel, solid for the model and dashed for the cubics of `cubic_fits`."""
     figure = Figure(figsize=(7.0, 4.2), layout="constrained")
     axes = figure.subplots()
     for (side, fit), color in zip(fits.items(), (FORWARD, BACKWARD), strict=True):

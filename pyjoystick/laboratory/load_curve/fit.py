@@ -1,10 +1,10 @@
 """Fit of connected straight segments with unknown kinks to a load-deflection curve.
 
-The search is SciPy's; no library of piecewise regression fits this task. pwlf 2.7 finds the kinks of a made
-curve (stiffnesses 400-fold apart, kinks 10 um apart), but needs 50 s where this fit needs about one, puts all
-error into the force, and can neither keep the first segment at no force nor share the kinks of two branches.
-Error of travel is what counts: at 1 MN/m a micrometer is a newton. So distances are taken to the line itself,
-in the plane scaled by the noise of both axes.
+The search is SciPy's; no library of piecewise regression fits this task. pwlf 2.7 finds the kinks of a
+synthetic curve (stiffnesses 400-fold apart, kinks 10 um apart), but needs 50 s where this fit needs about
+one, assigns all error to the force, and can neither keep the first segment at no force nor share the kinks of
+two branches. Error of travel is what matters: at 1 MN/m, a micrometer is a newton. Distances are therefore
+measured to the line itself, in the plane scaled by the noise of both axes.
 """
 
 from __future__ import annotations
@@ -29,9 +29,9 @@ from pyjoystick.model import ActuatorAssembly, SegmentTable
 from pyjoystick.motion import RecordError
 from pyjoystick.support import Drawn, FloatArray, ParameterError, positive
 
-#: Least noise in parts of the range, for records that have none.
+#: Minimum noise relative to the range, for records without noise.
 _LEAST_NOISE: Final = 1e-6
-#: Of an actuator, whose two springs they make (Fig. 7c).
+#: Number of segments of an actuator with two springs (Fig. 7c).
 _SEGMENTS: Final = 4
 _MEDIAN_TO_DEVIATION: Final = 1.4826
 
@@ -43,12 +43,12 @@ class LoadCurveFit(Drawn):
     Attributes:
         curve: the record
         table: travels x_i (m) and stiffnesses k_i (N/m) of the segments, as in Table 1
-        friction: half the force between loading and unloading (N); 0 where only one was recorded
-        zero: force that the machine shows without load (N)
-        covariance: of x_0 .. x_n-1, k_0 .. k_n-1, friction, zero, in SI units, shape (2n+2, 2n+2)
+        friction: half the force between loading and unloading (N); 0 if only one was recorded
+        zero: force reading without load (N)
+        covariance: covariance of x_0 .. x_n-1, k_0 .. k_n-1, friction, zero, in SI units, shape (2n+2, 2n+2)
         travel_noise, force_noise: standard deviations of one sample (m, N)
-        misfit: root mean square of the distances in units of the noise; 1 where the model holds
-        notes: what is doubtful, a sentence each
+        misfit: root mean square of the distances in units of the noise; 1 if the model is right
+        notes: doubts, one sentence each
     """
 
     _shown_by = "pyjoystick.laboratory.load_curve.notebook"
@@ -102,7 +102,7 @@ class LoadCurveFit(Drawn):
     def springs(self) -> dict[str, tuple[float, float]]:
         """Value and standard error by name: ``returnSpring.k_s``, ``.k_h``, ``.F_0``, ``.x_0``, and so on.
 
-        The errors follow from those of x and k, with their correlation, to first order.
+        The errors are propagated from those of x and k, with their correlation, to first order.
 
         Raises:
             ParameterError, RecordError: as `assembly`
@@ -139,19 +139,19 @@ def fit_load_curve(
 ) -> LoadCurveFit:
     """Fit straight segments: no force up to x_0, then stiffness k_i from x_i to x_i+1.
 
-    Both branches have the same kinks and stiffnesses; friction adds a constant force while loading
-    and takes it away while unloading. The force that the machine shows before contact is fitted too.
+    Both branches have the same kinks and stiffnesses; friction adds a constant force during loading
+    and subtracts it during unloading. The force reading before contact is fitted too.
 
     Args:
-        curve: the record, which must begin before contact
+        curve: the record, which must start before contact
         segments: number of segments under load; four for an actuator (Fig. 7c)
-        travel_noise: standard deviation of one sample of travel (m); from the scatter where not given
-        force_noise: standard deviation of one sample of force (N); likewise
+        travel_noise: standard deviation of one sample of travel (m); by default from the scatter
+        force_noise: standard deviation of one sample of force (N); by default from the scatter
 
     Raises:
         ParameterError: no segment, or a noise that is not above 0
-        RecordError: the record begins in contact, unloading lies above loading, the force is flat at its
-            largest value, or too few samples
+        RecordError: the record starts in contact, unloading is above loading, the force is flat at its
+            largest value, or there are too few samples
     """
     if segments < 1:
         positive("segments", 0)
@@ -201,7 +201,7 @@ def fit_load_curve(
 
 
 def _noise(curve: LoadCurve, name: str) -> float:
-    """Standard deviation of one sample: a steady motion has no second differences but noise."""
+    """Standard deviation of one sample, from second differences, which steady motion does not affect."""
     series = [getattr(branch, name) for branch in curve.branches]
     second = np.abs(np.concatenate([np.diff(values, 2) for values in series]))
     reach = max(float(np.ptp(values)) for values in series)
@@ -213,7 +213,7 @@ class _Model:
     """The lines of both branches in the plane scaled by the noise.
 
     The search runs over x_0, the logarithms of the gaps between kinks and of the stiffnesses, the friction
-    (where there are two branches) and the zero of the force, so that no step can mix up their order.
+    (with two branches) and the zero of the force, so that no step can change their order.
     """
 
     def __init__(self, curve: LoadCurve, segments: int, noise: FloatArray) -> None:
@@ -233,20 +233,20 @@ class _Model:
         return np.concatenate(([found[0, 0]], np.log(gaps[:-1]), np.log(stiffnesses), friction, [zero]))
 
     def natural(self, q: FloatArray) -> FloatArray:
-        """x_0 .. x_n-1, k_0 .. k_n-1, friction, zero, all in units of the noise."""
+        """Parameters x_0 .. x_n-1, k_0 .. k_n-1, friction, zero, all in units of the noise."""
         n = self.segments
         x = q[0] + np.concatenate(([0.0], np.cumsum(np.exp(q[1:n]))))
         friction = q[2 * n] if len(self.points) > 1 else 0.0
         return np.concatenate((x, np.exp(q[n : 2 * n]), [friction, q[-1]]))
 
     def parted(self, natural: FloatArray) -> tuple[FloatArray, FloatArray, float, float]:
-        """X (m), k (N/m), friction (N), zero (N)."""
+        """Convert to x (m), k (N/m), friction (N), zero (N)."""
         n = self.segments
         x, k = natural[:n] * self.noise[0], natural[n : 2 * n] * self.noise[1] / self.noise[0]
         return x, k, float(natural[-2] * self.noise[1]), float(natural[-1] * self.noise[1])
 
     def residuals(self, q: FloatArray) -> FloatArray:
-        # A step of the search may go beyond all numbers; what is then not finite makes it take a shorter one.
+        # A step of the search may overflow; results that are not finite make it take a shorter one.
         with np.errstate(over="ignore", invalid="ignore"):
             return self.distances(self.natural(q))
 
@@ -258,7 +258,7 @@ class _Model:
         )
 
     def _line(self, natural: FloatArray, sign: float, points: FloatArray) -> FloatArray:
-        """Corners of one branch. Friction is a step at contact while loading; it carries all at the end."""
+        """Corners of one branch; friction is a step at contact in loading, the last force in unloading."""
         n = self.segments
         x, k, friction, zero = natural[:n], natural[n : 2 * n], natural[-2], natural[-1]
         end = max(float(np.max(points[:, 0])), float(x[-1]) + 1.0)
@@ -277,9 +277,9 @@ def _points(branch: Branch) -> FloatArray:
 
 
 def _covariance(model: _Model, natural: FloatArray) -> FloatArray:
-    """Of the natural parameters for distances of unit variance; nothing for friction that is not fitted.
+    """Covariance of the natural parameters for distances of unit variance; omits friction if not fitted.
 
-    NaN, or variances below zero, where the distances do not determine them.
+    NaN, or negative variances, if the distances do not determine the parameters.
     """
     fitted = np.ones(len(natural), dtype=bool)
     fitted[-2] = len(model.points) > 1
@@ -290,7 +290,7 @@ def _covariance(model: _Model, natural: FloatArray) -> FloatArray:
         slopes.append((model.distances(natural + step) - model.distances(natural - step)) / (2.0 * step[i]))
     jacobian = np.column_stack(slopes)
     covariance = np.zeros((len(natural), len(natural)))
-    # Columns differ by many orders of magnitude, which the pseudo-inverse must not take for rank.
+    # Columns differ by orders of magnitude, which the pseudo-inverse must not mistake for rank deficiency.
     norms = np.linalg.norm(jacobian, axis=0)
     norms[norms == 0.0] = np.nan
     scaled = jacobian / norms

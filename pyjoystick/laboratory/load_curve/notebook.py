@@ -1,4 +1,4 @@
-"""How a notebook shows a fitted load-deflection curve."""
+"""Display of fitted load-deflection curves in notebooks."""
 
 from pyjoystick.laboratory.load_curve.figures import plot_load_curve as plot
 from pyjoystick.laboratory.load_curve.report import load_curve_report as summary

@@ -1,4 +1,4 @@
-"""Distances of points to a line of straight segments, in a plane scaled by the noise of its axes."""
+"""Distances of points from a polyline, in a plane scaled by the noise of its axes."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from pyjoystick.support import FloatArray
 
 
 def signed_distances(points: FloatArray, vertices: FloatArray) -> FloatArray:
-    """Distance of each point to the nearest segment, above 0 to the left of the line, below 0 to its right.
+    """Signed distance of each point from the nearest segment, positive to the left of the line.
 
     Args:
         points: shape (n, 2)
@@ -35,14 +35,13 @@ def signed_distances(points: FloatArray, vertices: FloatArray) -> FloatArray:
 
 
 def corners(points: FloatArray, count: int) -> list[int]:
-    """Indices of `count` inner points at which a line through them, end to end, bends best.
+    """Indices of the `count` inner points at which a polyline best bends.
 
-    One after the other the point that lies farthest from the line so far becomes a corner of it (Ramer,
-    Douglas and Peucker).
+    The point farthest from the line so far becomes its next corner (Ramer, Douglas and Peucker).
 
     Args:
         points: shape (n, 2), in order along the line
-        count: of corners, below n - 2
+        count: number of corners, below n - 2
     """
     chosen = [0, len(points) - 1]
     while len(chosen) < count + 2:

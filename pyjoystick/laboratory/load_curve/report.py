@@ -1,4 +1,4 @@
-"""The numbers of a load-deflection curve as text."""
+"""Reports on a load-deflection curve."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ from pyjoystick.support import TextTable, document_text
 #: Half width of a 95 % interval in standard errors.
 _SIGMAS: Final = 1.96
 _GRID: Final = 5000
-#: Segments of an actuator, whose two springs they make.
+#: Number of segments of an actuator with two springs.
 _OF_ACTUATOR: Final = 4
 _SI_UNITS: Final = {"k_s": "N/m", "k_h": "N/m", "F_0": "N", "x_0": "m"}
 _UNITS: Final = {"k_s": ("N/m", 1.0), "k_h": ("N/m", 1.0), "F_0": ("N", 1.0), "x_0": ("mm", 1e3)}
 
 
 def load_curve_report(fit: LoadCurveFit) -> str:
-    """Segments, springs where there are four segments, friction, noise, and the cubic for comparison."""
+    """Segments, springs if there are four segments, friction, noise, and the cubic for comparison."""
     rows = []
     for i, (value, error) in enumerate(zip(fit.table.x, fit.x_errors, strict=True)):
         rows.append(_row(f"x_{i}", "mm", 1e3 * value, 1e3 * float(error)))
@@ -50,12 +50,12 @@ def load_curve_report(fit: LoadCurveFit) -> str:
 
 
 def load_curve_json(fit: LoadCurveFit, side: Side | None = None, notes: Sequence[str] = ()) -> str:
-    """The same as JSON text, in SI units.
+    """The report as JSON text, in SI units.
 
     Args:
         fit: the fit
-        side: of the joystick, where it is known; names of springs then begin with it, as in the FMU
-        notes: what was noted on it
+        side: side of the joystick, if known; names of springs then begin with it, as in the FMU
+        notes: notes on the fit
     """
     segments = zip(fit.table.x, fit.x_errors, fit.table.k, fit.k_errors, strict=True)
     prefix = "" if side is None else f"{side}."
@@ -89,10 +89,10 @@ def load_curve_json(fit: LoadCurveFit, side: Side | None = None, notes: Sequence
 
 
 def hysteresis_work(fit: LoadCurveFit) -> float:
-    """Work that one cycle takes up (J): the area between loading and unloading; NaN without unloading."""
+    """Energy dissipated in one cycle (J): area between loading and unloading; NaN without unloading."""
     if fit.curve.unloading is None:
         return float("nan")
-    # Over the travel that both have: at the ends noise of travel would count with the whole force.
+    # Over the common travel: at the ends, noise of travel would count with the whole force.
     branches = fit.curve.branches
     first = max(float(np.min(branch.travel)) for branch in branches)
     last = min(float(np.max(branch.travel)) for branch in branches)
@@ -112,7 +112,7 @@ def _hysteresis(fit: LoadCurveFit) -> tuple[str, ...]:
 
 
 def _row(name: str, unit: str, value: float, error: float) -> list[str]:
-    """A value to two digits of its error."""
+    """Format a value to two digits of its error."""
     digits = max(0, 1 - int(np.floor(np.log10(error)))) if error > 0.0 else 6
     half = _SIGMAS * error
     interval = f"{value - half:.{digits}f} to {value + half:.{digits}f}"

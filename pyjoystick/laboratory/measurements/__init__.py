@@ -1,1 +1,1 @@
-"""From a laboratory's own files to motions: motion capture, accelerometer, and what the processing does."""
+"""From a laboratory's files to motions: motion capture, accelerometer, and effects of the processing."""

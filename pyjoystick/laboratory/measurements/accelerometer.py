@@ -1,11 +1,12 @@
-"""The accelerometer of section 2: tangential acceleration, less gravity's component, over the distance.
+"""The accelerometer of section 2: angular acceleration from tangential acceleration, corrected for gravity.
 
-An accelerometer on the joystick at a distance L from the pivot, its axis along the direction of motion, reads
+An accelerometer on the joystick at a distance L from the pivot, with its axis along the direction of motion,
+reads
 
     a = L alpha - g sin(theta)
 
-as it feels what holds it against gravity: at an angle theta forward its axis points downward by theta. Hence
-alpha = (a + g sin(theta))/L with the measured angle.
+because it senses the force that supports it against gravity, and at a forward angle theta its axis points
+downward by theta. Hence alpha = (a + g sin(theta))/L with the measured angle.
 """
 
 from __future__ import annotations
@@ -26,28 +27,28 @@ from pyjoystick.motion import GRAVITY, UNITS, Column, RecordError, require_sampl
 from pyjoystick.support import FloatArray, positive
 
 _COLUMN: Final = Column("acceleration", {**UNITS["acceleration"], **UNITS["voltage"]})
-#: Sampling is uneven where a step in time differs by more than this from the usual one.
+#: Sampling is uneven if a time step differs by more than this from the usual one.
 _UNEVEN: Final = 0.02
 #: An angle that changes by less than this (rad) only does so by rounding.
 _STILL: Final = 1e-9
-#: Clocks are compared over this much to either side (s), in these steps.
+#: Range (s), to either side, and step of the comparison of clocks.
 LARGEST_LAG: Final = 0.1
 _LAG_STEP: Final = 5e-4
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class AccelerometerRecord:
-    """The samples of an accelerometer within a window, and what was found in the whole file.
+    """Samples of an accelerometer within a window, and properties of the whole file.
 
     Attributes:
         source: the file
-        time: instants (s), shape (n,), on the clock of the window
-        acceleration: what was read (m/s2), shape (n,)
+        time: times (s), shape (n,), on the clock of the window
+        acceleration: readings (m/s2), shape (n,)
         rows: rows in the file, shape (n,)
-        samples: number of samples of the whole file
-        rate: samples a second (Hz)
+        samples: number of samples in the whole file
+        rate: sampling rate (Hz)
         smallest, largest: extremes of the whole file (m/s2)
-        notes: what is doubtful, a sentence each
+        notes: doubts, one sentence each
     """
 
     source: str
@@ -77,18 +78,18 @@ def read_accelerometer(
 
     Args:
         path: a CSV file with headings, ``time (s),acceleration (m/s2)``, or an .npy file
-        window: first and last instant (s) that are wanted, on the clock of the other measurement
-        column: heading of the column in a CSV file; ``acceleration`` where not given
-        unit: unit of the samples where the heading has none: an acceleration or a voltage of `UNITS`
-        rate: samples a second (Hz), for files without a time
-        sensitivity: volts in 1 m/s2, for voltages
-        full_scale: largest magnitude that the amplifier gives, in the unit of the file
-        delay: what the accelerometer's clock shows (s) when the other clock shows zero
-        piece: samples that are in memory at a time
+        window: first and last time (s) to keep, on the clock of the other measurement
+        column: heading of the column in a CSV file; by default ``acceleration``
+        unit: unit of the samples if the heading has none: an acceleration or a voltage of `UNITS`
+        rate: sampling rate (Hz), for files without times
+        sensitivity: volts per m/s2, for voltages
+        full_scale: largest reading of the amplifier, in the unit of the file
+        delay: time on the accelerometer's clock (s) at time zero of the other clock
+        piece: number of samples in memory at a time
 
     Raises:
         RecordError: the file cannot be used, see `open_samples`; the unit is unknown; the signal never
-            changes; the samples are not even; or none lie in the window
+            changes; the samples are not even; or none are in the window
     """
     file = open_samples(path, _COLUMN, heading=column or "", unit=unit or "", rate=rate)
     factor = _factor(file, sensitivity)
@@ -125,7 +126,7 @@ def read_accelerometer(
 
 
 def _factor(file: SampleFile, sensitivity: float | None) -> float:
-    """m/s2 in the unit of the file."""
+    """Factor from the unit of the file to m/s2."""
     if file.unit in UNITS["acceleration"]:
         return UNITS["acceleration"][file.unit]
     if sensitivity is None:
@@ -153,7 +154,7 @@ def _even_rate(source: str, time: FloatArray, rows: NDArray[np.int64]) -> float:
             rows=[rows[uneven[0] + 1]],
             value=f"{steps[uneven[0]]:.6g} s",
         )
-    return (len(time) - 1) / float(time[-1] - time[0])  # of rounded times the usual step is off
+    return (len(time) - 1) / float(time[-1] - time[0])  # the median step is off if times are rounded
 
 
 def _saturation_notes(column: str, watch: SaturationWatch) -> tuple[str, ...]:
@@ -170,21 +171,21 @@ def _saturation_notes(column: str, watch: SaturationWatch) -> tuple[str, ...]:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class AngularAcceleration:
-    """The angular acceleration from an accelerometer beside the differentiated angle.
+    """The angular acceleration from an accelerometer, and the differentiated angle.
 
-    Arrays have the shape (n,) of the accelerometer's samples or (k,) of the motion's instants.
+    Arrays have the shape (n,) of the accelerometer's samples or (k,) of the motion's samples.
 
     Attributes:
-        time: instants of the samples (s), shape (n,)
-        alpha: less gravity, unfiltered (rad/s2), shape (n,); NaN where the angle is not known
-        zero: what was taken off the readings so that there is no acceleration at rest (m/s2)
-        gravity_share: largest of gravity's component in parts of the largest |L alpha| after the filter
-        filtered: `alpha` through the low-pass filter of the motion, at its instants, shape (k,)
-        differences: rms difference (rad/s2) to the differentiated angle: ``with gravity`` left in, ``less
-            gravity``, and the rms of the latter itself, ``differentiated``
+        time: times of the samples (s), shape (n,)
+        alpha: corrected for gravity, unfiltered (rad/s2), shape (n,); NaN where the angle is not known
+        zero: offset subtracted from the readings so that there is no acceleration at rest (m/s2)
+        gravity_share: largest component of gravity relative to the largest |L alpha| after the filter
+        filtered: `alpha` after the low-pass filter of the motion, at its times, shape (k,)
+        differences: rms difference (rad/s2) from the differentiated angle, ``with gravity`` left in and
+            ``less gravity``, and the rms of the latter itself, ``differentiated``
         peaks: largest magnitudes (rad/s2) of the same
-        lag: by how much the clock should be moved for the least difference (s), to be added to the delay
-        correlation: of `filtered` and the differentiated angle
+        lag: correction of the clock for the smallest difference (s), to be added to the delay
+        correlation: correlation of `filtered` with the differentiated angle
     """
 
     time: FloatArray
@@ -208,14 +209,14 @@ def angular_acceleration(
     gravity: float = GRAVITY,
     backward: bool = False,
 ) -> AngularAcceleration:
-    """Angular acceleration from an accelerometer and the measured angle.
+    """Compute the angular acceleration from an accelerometer and the measured angle.
 
     Args:
         record: the accelerometer's samples, on the clock of the motion
-        motion: the measured angle, through the chain
+        motion: the measured angle, after the chain
         distance: from the pivot to the accelerometer (m)
-        rest: first and last instant (s) of a stretch at rest in the middle, which sets the zero
-        low_pass: the filter of the chain that the motion went through
+        rest: first and last time (s) of an interval at rest in the middle, which sets the zero
+        low_pass: filter of the chain that produced the motion
         gravity: g (m/s2)
         backward: whether the accelerometer's positive direction is backward
 
@@ -268,6 +269,6 @@ def _rms(values: FloatArray) -> float:
 
 
 def _lag(clock: FloatArray, series: FloatArray, time: FloatArray, wanted: FloatArray) -> float:
-    """The delay of a series on its clock behind what it should be, by the least rms difference."""
+    """Delay of a series relative to another, by the smallest rms difference."""
     lags = np.arange(-LARGEST_LAG, LARGEST_LAG + _LAG_STEP / 2.0, _LAG_STEP)
     return float(lags[np.argmin([_rms(np.interp(time + lag, clock, series) - wanted) for lag in lags])])

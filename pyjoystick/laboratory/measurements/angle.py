@@ -1,11 +1,11 @@
 """The joystick's angle from three markers: one on top of it, two on its base (section 2 of the paper).
 
-The vectors from the pivot to the top, projected on the plane of motion, give the angle from the rest position
-by their dot product and, for the sign, their cross product: ``atan2(cross, dot)`` is as accurate near zero,
-where the dot product alone is flat. The plane is that of the top marker's path. The pivot is the center of
-this path's arc, which is far more certain where the arc's radius was measured; with the middle of the base
-markers in its place the angle is wrong by a factor of about L/(L + d), where d is how far the middle lies
-below the pivot and L the distance to the top.
+The vectors from the pivot to the top, projected onto the plane of motion, give the angle from the rest
+position by their dot and cross products: ``atan2(cross, dot)`` has a sign and is accurate near zero, where
+the dot product alone is flat. The plane is that of the top marker's path. The pivot is the center of this
+path's arc, which is far more certain if the arc's radius was measured. With the middle of the base markers as
+the pivot, the angle is wrong by a factor of about L/(L + d), where d is the distance of the middle below the
+pivot and L the distance from the pivot to the top.
 """
 
 from __future__ import annotations
@@ -35,34 +35,34 @@ from pyjoystick.support import FloatArray, angle, positive
 Origin = Literal["arc", "middle"]
 Base = Literal["still", "moving"]
 
-#: Directions of the laboratory by name.
+#: Axes of the laboratory by name.
 AXES: Final = {
     f"{sign}{name}": np.array([(-1.0 if sign else 1.0) * (name == other) for other in "xyz"])
     for name in "xyz"
     for sign in ("", "-")
 }
-#: Above this relative standard error of the radius the pivot is refused.
+#: Relative standard error of the radius above which the pivot is rejected.
 _RADIUS_UNKNOWN: Final = 0.05
 _FEWEST: Final = 10
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class AngleMeasurement:
-    """The angle over the frames, and what it was found with.
+    """The angle in each frame, and how it was found.
 
     Attributes:
-        source: where the markers are from
-        time: instants of the frames (s), shape (n,)
-        theta: angle from the rest position (rad), shape (n,), positive forward, NaN where a marker is missing
+        source: source of the markers
+        time: times of the frames (s), shape (n,)
+        theta: angle from the rest position (rad), shape (n,), positive forward, NaN if a marker is missing
         rows: rows of the frames in the source, shape (n,)
-        rate: frames a second (Hz)
+        rate: frame rate (Hz)
         plane: the plane of motion
-        arc: the circle of the top marker's path in the plane, in the plane's coordinates
-        pivot: the center of the angle, from the middle of the base markers, in the plane's coordinates (m),
-            shape (2,)
+        arc: circle of the top marker's path, in the plane's coordinates
+        pivot: center of the angle, relative to the middle of the base markers, in the plane's coordinates
+            (m), shape (2,)
         rest_radius: from the pivot to the top at rest (m), in the plane's coordinates, shape (2,)
         noise: standard deviation of the angle's noise (rad), from the distances to the arc
-        notes: what is doubtful, a sentence each
+        notes: doubts, one sentence each
     """
 
     source: str
@@ -78,7 +78,7 @@ class AngleMeasurement:
     notes: tuple[str, ...]
 
     def record(self, name: str) -> Record:
-        """The frames in which the angle is known, as measured: neither filtered nor interpolated.
+        """Frames in which the angle is known, as measured: neither filtered nor interpolated.
 
         Raises:
             RecordError: fewer than three, or an angle of pi/2 or more
@@ -107,29 +107,29 @@ def measure_angle(
     rest: tuple[float, float] | None = None,
     rest_angle: float = 0.0,
 ) -> AngleMeasurement:
-    """The angle of the joystick from its markers.
+    """Compute the joystick's angle from its markers.
 
     Args:
-        markers: where the markers were
+        markers: positions of the markers
         top: name of the marker on top of the joystick
         base: names of the two markers on the base
-        forward: axis of the laboratory that points forward, as far as any does: a name of `AXES`
-        origin: the center of the angle: that of the top marker's arc, or the middle of the base markers
-        radius: from the pivot to the top marker (m), where it was measured; the arc's own where not given;
-            without effect on the middle
-        base_motion: ``still`` takes the mean position of the base markers, which averages their noise;
-            ``moving`` takes the angle and the pivot in each frame relative to the base, whose two markers
+        forward: axis of the laboratory that is closest to forward: a name of `AXES`
+        origin: center of the angle: that of the top marker's arc, or the middle of the base markers
+        radius: measured distance from the pivot to the top marker (m); by default that of the arc;
+            not used with the middle
+        base_motion: ``still`` uses the mean position of the base markers, which averages their noise;
+            ``moving`` computes angle and pivot relative to the base in each frame; its two markers
             must then be apart in the plane of motion
-        up: axis of the laboratory that lies in the plane of motion (the paper's z), a name of `AXES`; where
-            not given the plane is found from the motion alone
-        rest: first and last instant (s) of a stretch at rest, on the clock of the markers; the
-            last `REST_TIME` with the markers in sight where not given
-        rest_angle: the angle there (rad): a joystick leans to one end of its clearance
+        up: axis of the laboratory in the plane of motion (the paper's z), a name of `AXES`; by
+            default the plane is found from the motion alone
+        rest: first and last time (s) of an interval at rest, on the clock of the markers; by default the
+            last `REST_TIME` with the markers visible
+        rest_angle: angle there (rad): a joystick leans to one end of its clearance
 
     Raises:
-        ParameterError: the radius is not above zero, or `rest_angle` no angle
-        RecordError: a marker is not there or never seen, the rest position is empty, the plane or the pivot
-            is uncertain, or forward is not an axis along the motion
+        ParameterError: the radius is not above zero, or `rest_angle` is not an angle
+        RecordError: a marker does not exist or was never seen, the rest interval is empty, the plane or the
+            pivot is uncertain, or forward is not an axis along the motion
     """
     for axis in (forward, up or forward):
         if axis not in AXES:
@@ -180,10 +180,10 @@ def measure_angle(
 
 
 def rest_angle(parameters: JoystickParameters, side: Side) -> float:
-    """The angle (rad) at which a joystick leans against the springs of one side, positive forward.
+    """Angle (rad) at which a joystick leans against the springs of one side, positive forward.
 
-    Gravity tips it over within its clearance. What it presses into the springs is left out: with the paper's
-    stiffnesses 0.3 % of the angle.
+    Gravity tips it over within its clearance. The deflection of the springs is neglected: with the paper's
+    stiffnesses, 0.3 % of the angle.
     """
     actuator = parameters.forward if side == "forward" else parameters.backward
     leaning = angle_of_travel(parameters, actuator.return_spring.x_0)
@@ -193,7 +193,7 @@ def rest_angle(parameters: JoystickParameters, side: Side) -> float:
 def _pivot(
     flat: FloatArray, arc: Circle, origin: Origin, radius: float | None, source: str, top: str
 ) -> FloatArray:
-    """Where the pivot is in the plane, shape (2,), from the middle of the base markers."""
+    """Position of the pivot in the plane, shape (2,), from the middle of the base markers."""
     if origin == "middle":
         return np.zeros(2)
     if radius is not None:
@@ -233,7 +233,7 @@ def _rest(markers: Markers, seen: NDArray[np.bool_], rest: tuple[float, float] |
 
 
 def _turned_back(flat: FloatArray, span: FloatArray, still: NDArray[np.bool_], source: str) -> FloatArray:
-    """Positions relative to the base with the base's rotation in the plane taken out."""
+    """Positions relative to the base, with the base's rotation in the plane removed."""
     length = np.hypot(*span.T)
     if np.min(length) < 0.2 * np.max(length) or np.max(length) < 1e-2:
         raise RecordError(
@@ -248,11 +248,11 @@ def _turned_back(flat: FloatArray, span: FloatArray, still: NDArray[np.bool_], s
 
 
 def _signed(vectors: FloatArray, start: FloatArray) -> FloatArray:
-    """Angles from a vector to others in a plane (rad), by the cross and the dot product, shape (n,)."""
+    """Angles from a vector to others in a plane (rad), from cross and dot product, shape (n,)."""
     cross = start[0] * vectors[:, 1] - start[1] * vectors[:, 0]
     return np.asarray(np.arctan2(cross, vectors @ start), dtype=np.float64)
 
 
 def _angle(radii: FloatArray, rest: FloatArray) -> FloatArray:
-    """Angles from the rest position, positive along the first axis, to whichever side the pivot lies."""
+    """Angles from the rest position, positive along the first axis, for a pivot on either side."""
     return _signed(radii, rest) * (-1.0 if rest[1] > 0.0 else 1.0)

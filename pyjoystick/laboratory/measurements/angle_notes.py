@@ -1,4 +1,4 @@
-"""What is doubtful in a measured angle, a sentence each."""
+"""Doubts about a measured angle, one sentence each."""
 
 from __future__ import annotations
 
@@ -11,20 +11,20 @@ from pyjoystick.laboratory.measurements.marker_path import Circle, MotionPlane
 from pyjoystick.laboratory.measurements.markers import unseen
 from pyjoystick.support import FloatArray
 
-#: The rest position is the mean of this long at the end of a record (s).
+#: The rest position is the mean over this time at the end of a record (s).
 REST_TIME: Final = 0.25
-#: What is noted: motion in the rest position (rad), the share out of the plane, the base's motion and the
-#: standard error of the radius, both in parts of the radius.
+#: Thresholds for notes: motion at rest (rad), fraction of the motion out of the plane, and motion of the base
+#: and standard error of the radius, both relative to the radius.
 _RESTLESS: Final = math.radians(0.5)
 _OUT_OF_PLANE: Final = 0.05
 _BASE_MOVES: Final = 0.005
 _RADIUS_UNCERTAIN: Final = 0.01
-#: So many standard errors between the arc's radius and the measured one are noted.
+#: Differences of more than this many standard errors between arc radius and measured radius are noted.
 _RADII_DIFFER: Final = 3.0
 
 
 def rest_notes(theta: FloatArray) -> list[str]:
-    """A note where the angle (degrees) moves at rest."""
+    """Note that the angle (degrees) moves at rest."""
     moved = float(np.ptp(theta))
     if moved > math.degrees(_RESTLESS):
         return [f"the angle moves by {moved:.2f} degrees in the rest position: zero is its mean there"]
@@ -32,7 +32,7 @@ def rest_notes(theta: FloatArray) -> list[str]:
 
 
 def plane_notes(plane: MotionPlane) -> list[str]:
-    """A note where the motion leaves its plane."""
+    """Note that the motion leaves its plane."""
     if plane.out_of_plane > _OUT_OF_PLANE:
         share = 100.0 * plane.out_of_plane
         return [f"the motion is not planar: the top leaves the plane by {share:.1f} % of its excursion"]
@@ -40,7 +40,7 @@ def plane_notes(plane: MotionPlane) -> list[str]:
 
 
 def base_notes(time: FloatArray, middle: FloatArray, radius: float) -> list[str]:
-    """A note where the base moves: by the means of stretches, which the markers' noise hardly reaches."""
+    """Note that the base moves, from means of stretches, which average out the markers' noise."""
     stretches = np.floor((time - time[0]) / REST_TIME)
     means = [mean_position(middle[stretches == k]) for k in np.unique(stretches)]
     moved = float(np.max(np.nanmax(means, axis=0) - np.nanmin(means, axis=0)))
@@ -50,7 +50,7 @@ def base_notes(time: FloatArray, middle: FloatArray, radius: float) -> list[str]
 
 
 def arc_notes(arc: Circle) -> list[str]:
-    """A note where the arc does not determine its radius well."""
+    """Note that the arc does not determine its radius well."""
     if arc.radius_error > _RADIUS_UNCERTAIN * arc.radius:
         share = 100.0 * arc.radius_error / arc.radius
         return [f"the arc's radius has a standard error of {share:.1f} %, and so does the scale of the angle"]
@@ -58,7 +58,7 @@ def arc_notes(arc: Circle) -> list[str]:
 
 
 def radius_notes(arc: Circle, radius: float) -> list[str]:
-    """A note where the measured radius (m) is not that of the arc."""
+    """Note that the measured radius (m) differs from that of the arc."""
     if abs(arc.radius - radius) > _RADII_DIFFER * arc.radius_error:
         return [
             f"the arc's radius is {1e3 * arc.radius:.1f} +- {1e3 * arc.radius_error:.1f} mm, "

@@ -1,4 +1,4 @@
-"""Markers from C3D files: frames of reals or of scaled integers, with the points that were not seen."""
+"""Markers from C3D files, with frames of reals or scaled integers."""
 
 from __future__ import annotations
 
@@ -13,22 +13,22 @@ from pyjoystick.laboratory.measurements.markers import Markers, length_factor
 from pyjoystick.motion import RecordError
 from pyjoystick.support import FloatArray
 
-#: The largest frame number in one word.
+#: Largest frame number that fits into one word.
 _LAST_FRAME: Final = 0xFFFF
-#: The lower byte of a point's fourth word is its residual, the upper one is a mask of the cameras.
+#: In a point's fourth word, the lower byte is the residual and the upper one a mask of the cameras.
 _RESIDUAL: Final = 0xFF
 
 
 def read_c3d(path: Path, *, unit: str | None = None) -> Markers:
-    """Read the marker trajectories of a C3D file; analog channels are left alone.
+    """Read the marker trajectories of a C3D file; analog channels are ignored.
 
     Args:
         path: the file
-        unit: unit of the coordinates, instead of POINT:UNITS
+        unit: unit of the coordinates, overriding POINT:UNITS
 
     Returns:
-        the markers; a point is NaN where its residual is below zero, the format's sign that it was not
-        seen. `rows` are the frame numbers, the time is zero at the first frame.
+        the markers; points with a negative residual, which marks points that were not seen, are NaN.
+        `rows` are the frame numbers; time is zero at the first frame.
 
     Raises:
         RecordError: the file cannot be read, is not a C3D file or is damaged, has fewer frames than it
@@ -60,7 +60,7 @@ def read_c3d(path: Path, *, unit: str | None = None) -> Markers:
 
 
 def _labels(head: C3dHead, points: int) -> tuple[str, ...]:
-    """Names of the points that are in the frames; there may be more labels than these, not fewer."""
+    """Names of the points in the frames; there may be more labels than points, but not fewer."""
     labels = head.texts("POINT:LABELS")
     if points < 1:
         advice = "reconstruct and label the markers before the export"
@@ -80,7 +80,7 @@ def _rate(head: C3dHead) -> float:
 
 
 def _scale(head: C3dHead) -> float:
-    """What an integer stands for, in the file's unit; below zero the frames hold reals."""
+    """Scale of integers, in the file's unit; negative if the frames contain reals."""
     scale = head.value("POINT:SCALE", head.header_scale)
     if not math.isfinite(scale) or scale == 0.0:
         advice = "is the file damaged? Export it again"
@@ -89,7 +89,7 @@ def _scale(head: C3dHead) -> float:
 
 
 def _frames(head: C3dHead, data: bytes, points: int, frames: int, first: int) -> FloatArray:
-    """The four words of every point, shape (frames, points, 4)."""
+    """The four words of each point, shape (frames, points, 4)."""
     real = _scale(head) < 0.0
     size = 4 if real else 2
     words = 4 * points + head.header[2]

@@ -1,7 +1,7 @@
 """Header and parameters of a C3D file (c3d.org), in the number formats of its three processors.
 
-A file is a header of one block of 512 bytes, a section of parameters in groups, and the frames. The byte at
-the head of the parameters says how every number of the file is written: as on Intel (little-endian), MIPS
+A file has a header of one block of 512 bytes, a section of parameters in groups, and the frames. A byte at
+the start of the parameters determines the format of all numbers: as on Intel (little-endian), MIPS
 (big-endian) or DEC machines (little-endian integers, F_floating reals).
 """
 
@@ -29,7 +29,7 @@ _REALS: Final = 4
 
 @dataclass(frozen=True, slots=True)
 class NumberFormat:
-    """How a processor writes numbers; raises RecordError where its code is not one of the format's three."""
+    """Number format of a processor; raises RecordError if its code is not one of the three."""
 
     source: str
     processor: int
@@ -53,8 +53,8 @@ class NumberFormat:
         return [int(value) % 0x10000 for value in self.integers(data)]
 
     def reals(self, data: bytes) -> FloatArray:
-        """Reals of 32 bits. F_floating has its two words exchanged and is a quarter of IEEE's value."""
-        with np.errstate(invalid="ignore"):  # a NaN that signals
+        """32-bit reals. F_floating has its two words exchanged and is a quarter of the IEEE value."""
+        with np.errstate(invalid="ignore"):  # signaling NaN
             if self.processor == _DEC:
                 words = np.frombuffer(data, dtype="<u2").reshape(-1, 2)[:, ::-1]
                 return np.ascontiguousarray(words).view("<f4").ravel().astype(np.float64) / 4.0
@@ -64,7 +64,7 @@ class NumberFormat:
 
 @dataclass(frozen=True, slots=True)
 class Parameter:
-    """A parameter as it stands in the file: code of its type, dimensions (first one fastest), bytes."""
+    """A parameter as stored: type code, dimensions (first one fastest), bytes."""
 
     code: int
     dimensions: tuple[int, ...]
@@ -78,7 +78,7 @@ class Parameter:
         return [piece.decode("latin-1").strip("\0 ") for piece in pieces]
 
     def numbers(self, numbers: NumberFormat) -> list[float]:
-        """Numbers of any type; integers of 16 bits are unsigned, as counts of frames need them."""
+        """Numbers of any type; 16-bit integers are unsigned, as required for frame counts."""
         if self.code == _REALS:
             return [float(value) for value in numbers.reals(self.data)]
         if self.code == _INTEGERS:
@@ -88,13 +88,13 @@ class Parameter:
 
 @dataclass(frozen=True, slots=True)
 class C3dHead:
-    """What comes before the frames.
+    """Everything before the frames.
 
     Attributes:
         source: the file
-        numbers: how its numbers are written
+        numbers: its number format
         header: the 256 words of the header, unsigned
-        header_scale, header_rate: scale of the points and frames a second (Hz), from the header
+        header_scale, header_rate: scale of the points and frame rate (Hz), from the header
         parameters: by group and name in capitals: ``POINT:RATE``
     """
 
@@ -106,7 +106,7 @@ class C3dHead:
     parameters: Mapping[str, Parameter]
 
     def texts(self, name: str) -> list[str]:
-        """Strings of a parameter and of those that continue it (LABELS2, LABELS3, ...); none if not there."""
+        """Strings of a parameter and of its continuations (LABELS2, LABELS3, ...); empty if there is none."""
         found: list[str] = []
         for suffix in ("", *(str(i) for i in range(2, 100))):
             parameter = self.parameters.get(name + suffix)
@@ -122,7 +122,7 @@ class C3dHead:
         return values[0] if values else default
 
     def frame_count(self) -> int:
-        """Number of frames: a long one stands in two words of TRIAL or in a real, else in a word."""
+        """Number of frames: a large one is in two words of TRIAL or in a real, otherwise in one word."""
         limits = [self.parameters.get(f"TRIAL:ACTUAL_{end}_FIELD") for end in ("START", "END")]
         if all(limits):
             words = [limit.numbers(self.numbers) for limit in limits if limit]
@@ -134,10 +134,10 @@ class C3dHead:
 
 
 def read_c3d_head(source: str, data: bytes) -> C3dHead:
-    """Header and parameters from the bytes of a file.
+    """Parse header and parameters from the bytes of a file.
 
     Raises:
-        RecordError: it is not a C3D file, of an unknown processor, or ends before the parameters do
+        RecordError: it is not a C3D file, is of an unknown processor, or ends before the parameters do
     """
     if len(data) < 2 or data[1] != _MAGIC:
         raise RecordError(source, "is not a C3D file", "its second byte must be 80; export it again as C3D")

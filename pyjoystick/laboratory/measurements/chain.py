@@ -1,6 +1,6 @@
-"""The signal chain of section 2: even samples of the measured angle, low-passed, differentiated twice.
+"""The signal chain of section 2: resampling of the measured angle, low-pass filter and differentiation.
 
-Derivatives are those of the rules of 3, 5 or 7 points.
+Derivatives use rules of 3, 5 or 7 points.
 """
 
 from __future__ import annotations
@@ -25,13 +25,13 @@ def derivative(values: FloatArray, interval: float, *, order: int, points: int) 
 
     The 5-point rule of the first derivative and the 3-point rule of the second are those of section 2:
     ``(y[-2] - 8 y[-1] + 8 y[1] - y[2])/(12 h)`` and ``(y[-1] - 2 y[0] + y[1])/h^2``. The one-sided rules of a
-    second derivative take one point more, which keeps their order.
+    second derivative use one more point, to keep their order.
 
     Args:
         values: samples, shape (n,), n > points
-        interval: time between two (s)
+        interval: sampling interval (s)
         order: 1 or 2
-        points: of the rule: 3, 5 or 7
+        points: number of points of the rule: 3, 5 or 7
 
     Raises:
         ParameterError: the order, the points or the interval is not allowed
@@ -59,14 +59,14 @@ def derivative(values: FloatArray, interval: float, *, order: int, points: int) 
 
 @cache
 def weights(offsets: tuple[int, ...], order: int) -> FloatArray:
-    """Weights of samples at whole offsets that are exact for polynomials of a degree below their number."""
+    """Weights at integer offsets that are exact for polynomials of a degree below their number."""
     powers = np.vander(np.array(offsets, dtype=np.float64), increasing=True).T
     wanted = np.zeros(len(offsets))
     wanted[order] = math.factorial(order)
     return np.asarray(np.linalg.solve(powers, wanted), dtype=np.float64)
 
 
-#: Half a period of the paper's cut-off is 38 ms: two lost frames at 60 Hz, no more, hide nothing below it.
+#: Half a period of the paper's cut-off is 38 ms: a gap of up to two frames at 60 Hz hides nothing below it.
 LONGEST_GAP: Final = 0.05
 
 
@@ -75,11 +75,11 @@ class Chain:
     """Settings of the chain; the defaults are the paper's.
 
     Attributes:
-        rate: samples a second after interpolation (Hz)
+        rate: sampling rate after interpolation (Hz)
         low_pass: the filter
-        velocity_points: points of the rule of the first derivative: 3, 5 or 7
-        acceleration_points: points of the rule of the second derivative
-        longest_gap: longest time between two neighboring frames that is bridged (s)
+        velocity_points: number of points for the first derivative: 3, 5 or 7
+        acceleration_points: number of points for the second derivative
+        longest_gap: longest time between two adjacent frames to bridge (s)
 
     Raises:
         ParameterError: a value is outside its range
@@ -99,10 +99,10 @@ class Chain:
                 raise ParameterError(name, getattr(self, name), "3, 5 or 7")
 
     def run(self, time: FloatArray, theta: FloatArray) -> Motion:
-        """Put an angle through the chain; every stretch between gaps goes through it alone.
+        """Process an angle; each stretch between gaps is processed separately.
 
         Args:
-            time: instants (s), shape (n,), increasing
+            time: times (s), shape (n,), increasing
             theta: angle (rad), shape (n,), NaN where a frame is missing
 
         Raises:
@@ -130,10 +130,10 @@ class Chain:
         )
 
     def response(self, frequency: FloatArray) -> FloatArray:
-        """Amplitude response of the velocity to a sinusoidal angle, over that of an exact derivative.
+        """Amplitude response of the velocity to a sinusoidal angle, relative to an exact derivative.
 
-        The filter and the rule of differentiation; the spline, which acts on the camera's samples, is left
-        out: it adds 1 % at a sixth of the camera's rate.
+        It covers the filter and the rule of differentiation, but not the spline through the camera's
+        samples, which adds 1 % at a sixth of the camera's rate.
 
         Args:
             frequency: above 0 (Hz), any shape
@@ -150,15 +150,15 @@ class Chain:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Motion:
-    """What comes out of the chain; arrays of shape (n,), NaN in gaps that are not bridged.
+    """Output of the chain; arrays of shape (n,), NaN in gaps that are not bridged.
 
     Attributes:
-        time: even instants (s)
+        time: evenly spaced times (s)
         theta: angle (rad)
         omega: angular velocity (rad/s)
         alpha: angular acceleration (rad/s2)
-        bridged: instants inside gaps that were bridged by the spline
-        gaps: first and last instant (s) of every gap that was not
+        bridged: whether a sample is in a gap that was bridged by the spline
+        gaps: first and last time (s) of each gap that was not bridged
     """
 
     time: FloatArray

@@ -1,4 +1,4 @@
-"""An accelerometer's file beside the record of the angle of the same motion."""
+"""Comparison of an accelerometer's file with the recorded angle of the same motion."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ from pyjoystick.motion import Record
 
 @dataclass(frozen=True, slots=True, eq=False)
 class AccelerometerComparison:
-    """What an accelerometer says beside the differentiated angle.
+    """Comparison of an accelerometer with the differentiated angle.
 
     Attributes:
         setup: how the file was read
         record: its samples
-        found: the angular acceleration, and how far it agrees
-        notes: what is doubtful, a sentence each
+        found: the angular acceleration, and its agreement
+        notes: doubts, one sentence each
     """
 
     setup: AccelerometerSetup
@@ -53,7 +53,7 @@ def compare_accelerometer(path: Path, angle: Record, setup: AccelerometerSetup) 
     Args:
         path: CSV with headings, or .npy
         angle: the unfiltered angle
-        setup: where the accelerometer sits and how its file is read
+        setup: position of the accelerometer, and how to read its file
 
     Raises:
         RecordError, SeriesError, ParameterError: a file or a setting cannot be used

@@ -1,4 +1,4 @@
-"""What an import of measurements finds, as JSON in SI units."""
+"""Results of importing measurements, as JSON in SI units."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ if TYPE_CHECKING:
 
 
 def trial_json(trial: Trial, notes: Sequence[str] = ()) -> str:
-    """What the cameras saw, how the angle was found, and what came out of the chain.
+    """Markers, how the angle was found, and the output of the chain.
 
     Args:
         trial: the motion
-        notes: what was noted on it
+        notes: notes on it
     """
     markers, measured, arc = trial.markers, trial.measured, trial.measured.arc
     known = measured.theta[np.isfinite(measured.theta)]
@@ -69,11 +69,11 @@ def _motion(chain: Chain, motion: Motion) -> dict[str, Any]:
 
 
 def comparison_json(compared: AccelerometerComparison, notes: Sequence[str] = ()) -> str:
-    """An accelerometer beside the differentiated angle.
+    """Comparison of an accelerometer with the differentiated angle.
 
     Args:
         compared: the comparison
-        notes: what was noted on it
+        notes: notes on it
     """
     record, found = compared.record, compared.found
     content = {
@@ -98,11 +98,11 @@ def comparison_json(compared: AccelerometerComparison, notes: Sequence[str] = ()
 
 
 def log_json(log: Log, notes: Sequence[str] = ()) -> str:
-    """What was understood of a laboratory's table.
+    """How a laboratory's table was interpreted.
 
     Args:
         log: the table
-        notes: what was noted on it
+        notes: notes on it
     """
     time = log.series["time"]
     content = {

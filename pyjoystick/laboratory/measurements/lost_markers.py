@@ -1,4 +1,4 @@
-"""Markers that a file puts at the origin in frames in which they were lost."""
+"""Detection of lost markers that a file places at the origin."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ from pyjoystick.laboratory.measurements.markers import Markers, unseen
 from pyjoystick.motion import rows_in_words
 from pyjoystick.support import FloatArray
 
-#: A marker that is so many times its longest step between two frames from the origin did not go there.
+#: A marker farther from the origin than this many times its longest step between frames did not go there.
 _STEPS_AWAY: Final = 3.0
 
 
 def without_lost(markers: Markers) -> Markers:
-    """The markers with NaN where 0, 0, 0 stands for a marker that was not seen; notes say where.
+    """Replace 0, 0, 0 by NaN where it stands for a lost marker; notes list the frames.
 
-    Cameras do not give three coordinates of exactly zero: that is how much software writes a lost marker. A
-    marker whose path leads through the origin keeps its zeros: in the frames beside them it is near.
+    Cameras do not return three coordinates of exactly zero, but much software writes lost markers this way. A
+    marker whose path leads through the origin keeps its zeros, because it is near in adjacent frames.
     """
     positions, notes = markers.positions.copy(), [*markers.notes]
     lost = np.zeros(positions.shape[:2], dtype=np.bool_)
@@ -40,7 +40,7 @@ def without_lost(markers: Markers) -> Markers:
 
 
 def _far_from_origin(path: FloatArray, zero: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Which zeros, shape (n,), are too far from the nearest frames with another position, shape (n, 3)."""
+    """Mask of zeros, shape (n,), that are too far from the nearest frames with a position, shape (n, 3)."""
     known = np.flatnonzero(~zero & ~unseen(path))
     steps = np.linalg.norm(np.diff(path[known], axis=0), axis=1)[np.diff(known) == 1]
     longest = float(np.max(steps)) if steps.size else 0.0

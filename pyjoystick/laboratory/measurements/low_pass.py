@@ -1,9 +1,9 @@
-"""The low-pass filter of section 2: Butterworth, run forward and reverse.
+"""The low-pass filter of section 2: Butterworth, applied forward and backward.
 
-A run forward delays, the run in reverse delays the other way: the phase is zero and the amplitude is filtered
-twice. With a Butterworth filter of order n the amplitude response is 1/(1 + (f/f_c)^(2n)): a fourth order run
-twice falls like an eighth order, by 48 dB an octave. At f_c it is one half, -6 dB; the -3 dB point lies at
-(sqrt(2) - 1)^(1/(2n)) f_c, which is 11.64 Hz for 13 Hz and n = 4. (For a digital filter f stands for
+The delays of both passes cancel: the phase is zero, and the amplitude is filtered twice. With a Butterworth
+filter of order n, the amplitude response is 1/(1 + (f/f_c)^(2n)): two passes of fourth order fall off like an
+eighth order, by 48 dB per octave. At f_c it is one half, -6 dB; the -3 dB point is at
+(sqrt(2) - 1)^(1/(2n)) f_c, which is 11.64 Hz for 13 Hz and n = 4. (For a digital filter, f stands for
 tan(pi f/f_s): at 600 Hz this changes the fourth digit.)
 """
 
@@ -16,18 +16,18 @@ import numpy as np
 
 from pyjoystick.support import FloatArray, ParameterError, SeriesError, positive, whole_number
 
-#: Both ends are prolonged by this many periods of the cut-off, turned about the end point.
+#: Both ends are extended by this many periods of the cut-off, by rotation about the end point.
 _PROLONGED = 6.0
 
 
 @dataclass(frozen=True, slots=True)
 class LowPass:
-    """A Butterworth low-pass filter that is run forward and reverse.
+    """A Butterworth low-pass filter applied forward and backward.
 
     Attributes:
-        cutoff: its cut-off frequency (Hz); the -3 dB point of one run, unless `corrected`
-        order: order of one run, 1 to 10
-        corrected: whether the cut-off is raised so that both runs together are at -3 dB at `cutoff`
+        cutoff: cut-off frequency (Hz); the -3 dB point of a single pass, unless `corrected`
+        order: order of a single pass, 1 to 10
+        corrected: whether the cut-off is raised so that both passes together are at -3 dB at `cutoff`
 
     Raises:
         ParameterError: a value is outside its range
@@ -42,7 +42,7 @@ class LowPass:
         whole_number("order", self.order, 1, 10)
 
     def design_cutoff(self, rate: float) -> float:
-        """Cut-off of one run (Hz) for samples at `rate` (Hz)."""
+        """Cut-off of a single pass (Hz) for samples at `rate` (Hz)."""
         self._require_below_half(rate)
         if not self.corrected:
             return self.cutoff
@@ -50,18 +50,18 @@ class LowPass:
         return rate / math.pi * math.atan(warped)
 
     def half_power_frequency(self, rate: float) -> float:
-        """Where both runs together are at -3 dB (Hz)."""
+        """Frequency at which both passes together are at -3 dB (Hz)."""
         warped = math.tan(math.pi * self.design_cutoff(rate) / rate) * _fall(self.order)
         return rate / math.pi * math.atan(warped)
 
     def response(self, frequency: FloatArray, rate: float) -> FloatArray:
-        """Amplitude response of both runs at frequencies (Hz) of any shape, for samples at `rate` (Hz)."""
+        """Amplitude response of both passes at frequencies (Hz) of any shape, for samples at `rate` (Hz)."""
         cutoff = math.tan(math.pi * self.design_cutoff(rate) / rate)
         ratio = np.tan(math.pi * np.asarray(frequency) / rate) / cutoff
         return np.asarray(1.0 / (1.0 + ratio ** (2 * self.order)), dtype=np.float64)
 
     def filter(self, values: FloatArray, rate: float) -> FloatArray:
-        """Samples of shape (n,) at `rate` (Hz), filtered forward and reverse.
+        """Filter samples of shape (n,) at `rate` (Hz) forward and backward.
 
         Raises:
             ParameterError: the cut-off is not below half of the rate
@@ -74,7 +74,7 @@ class LowPass:
         bad = np.flatnonzero(~np.isfinite(values))
         if bad.size:
             raise SeriesError("values", f"sample {bad[0]} is {values[bad[0]]}")
-        # SciPy takes a while to load, and the settings of a filter alone do without it.
+        # SciPy is slow to load, and not needed for the settings of a filter alone.
         from scipy import signal
 
         sections = signal.butter(self.order, cutoff, fs=rate, output="sos")
@@ -87,5 +87,5 @@ class LowPass:
 
 
 def _fall(order: int) -> float:
-    """Frequency of -3 dB of two runs in parts of the cut-off of one."""
+    """Frequency of -3 dB of two passes, relative to the cut-off of one."""
     return float((math.sqrt(2.0) - 1.0) ** (1.0 / (2 * order)))

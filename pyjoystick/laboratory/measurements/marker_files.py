@@ -1,6 +1,6 @@
-"""Marker trajectories from C3D, the CSV export of Vicon Nexus, or plain CSV, recognized by their contents.
+"""Marker trajectories from C3D, the CSV export of Vicon Nexus, or plain CSV, detected by content.
 
-Plain CSV has one frame a row: ``time (s),TOP x (mm),TOP y (mm),TOP z (mm),...``
+Plain CSV has one frame per row: ``time (s),TOP x (mm),TOP y (mm),TOP z (mm),...``
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ _LOG = logging.getLogger(__name__)
 
 _TIME: Final = replace(TIME, advice="delete these rows, or export the time of every frame")
 _AXES: Final = "xyz"
-#: The beginning of every CSV file of OptiTrack's Motive.
+#: First characters of every CSV file of OptiTrack's Motive.
 _MOTIVE: Final = "Format Version,"
 _COLUMN: Final = re.compile(r"(?P<marker>.*\S)[\s._:](?P<axis>[xyzXYZ])")
 
@@ -35,9 +35,9 @@ def read_markers(path: str | PathLike[str], *, unit: str | None = None) -> Marke
     A marker that jumps to exactly 0, 0, 0 counts as lost there, with a note (see `without_lost`).
 
     Args:
-        path: the file; ``.c3d`` names a C3D file, anything else is text
-        unit: unit of the coordinates, a length of `UNITS`, in place of the file's own in C3D and Nexus files,
-            and for headings without one in plain CSV
+        path: the file; ``.c3d`` means a C3D file, anything else is text
+        unit: unit of the coordinates, a length of `UNITS`, overriding the file's own in C3D and Nexus files,
+            and for headings without a unit in plain CSV
 
     Raises:
         RecordError: the file is none of these or cannot be used; see `read_c3d`, `read_nexus_csv` and
@@ -56,7 +56,7 @@ def read_markers(path: str | PathLike[str], *, unit: str | None = None) -> Marke
 
 
 def _told(markers: Markers) -> Markers:
-    """The same, after a line in the log."""
+    """Log the markers and return them."""
     names = ", ".join(markers.names)
     _LOG.info("read %s: %d frames at %g Hz of %s", markers.source, len(markers.time), markers.rate, names)
     return markers
@@ -65,11 +65,11 @@ def _told(markers: Markers) -> Markers:
 def read_marker_csv(path: Path, *, unit: str | None = None) -> Markers:
     """Read markers from a table.
 
-    A marker's name and its axis are separated by a blank, ``.``, ``_`` or ``:``.
+    A marker's name and its axis are separated by a space, ``.``, ``_`` or ``:``.
 
     Args:
         path: the file
-        unit: unit of the coordinates, for headings that have none
+        unit: unit of the coordinates, for headings without one
 
     Returns:
         the markers; empty cells are NaN, `rows` are line numbers

@@ -1,4 +1,4 @@
-"""The path of a marker: the plane that it lies in, and the circle about the pivot."""
+"""The path of a marker: its plane, and the circle about the pivot."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ import numpy as np
 from pyjoystick.motion import RecordError
 from pyjoystick.support import FloatArray
 
-#: The plane is uncertain where the path bends within it by less than this many times what it leaves it by.
+#: The plane is uncertain if the path bends within it by less than this many times its distance from it.
 _BEND: Final = 2.0
 _STILL: Final = 1e-9
-#: Forward must lie this much along the main direction: within 60 degrees of it.
+#: Forward must have at least this component along the main direction: within 60 degrees of it.
 _ALONG: Final = 0.5
-#: Gauss-Newton for the circle: SciPy's least squares stops at half of the digits and takes longer.
+#: Gauss-Newton for the circle; SciPy's least squares stops at half of the digits and takes longer.
 _ITERATIONS: Final = 50
 _CONVERGED: Final = 1e-12
 
@@ -27,9 +27,9 @@ class MotionPlane:
 
     Attributes:
         along: the main direction of motion, forward
-        across: in the plane, at a right angle to `along`, to either side
-        normal: at a right angle to both
-        out_of_plane: largest excursion out of the plane in parts of the largest along it
+        across: in the plane, perpendicular to `along`, to either side
+        normal: perpendicular to both
+        out_of_plane: largest distance from the plane relative to the largest motion along it
     """
 
     along: FloatArray
@@ -45,15 +45,15 @@ class MotionPlane:
 def motion_plane(
     path: FloatArray, rest: FloatArray, forward: FloatArray, source: str, *, up: FloatArray | None = None
 ) -> MotionPlane:
-    """The plane through a path that fits best in the sense of least squares, by singular values.
+    """Fit a plane to a path by least squares, using singular values.
 
     Args:
-        path: positions of a marker (m), shape (n, 3), none of them NaN
+        path: positions of a marker (m), shape (n, 3), without NaN
         rest: its position at rest (m), shape (3,)
-        forward: direction that counts as positive, shape (3,), of length 1; it need not lie in the plane
-        source: what errors name
-        up: a direction that the plane is known to hold, shape (3,), of length 1; the rest is then only the
-            main direction of motion, which even a small motion determines well
+        forward: direction that counts as positive, shape (3,), of length 1; it need not be in the plane
+        source: name for errors
+        up: a direction known to be in the plane, shape (3,), of length 1; only the main direction of
+            motion is then fitted, which even a small motion determines well
 
     Raises:
         RecordError: the marker does not move, its path is so short or so little planar that the plane is
@@ -86,7 +86,7 @@ def motion_plane(
 
 
 def _holding(up: FloatArray, main: FloatArray) -> FloatArray:
-    """The main direction at a right angle to `up`, and `up`, shape (2, 3)."""
+    """The main direction perpendicular to `up`, and `up`, shape (2, 3)."""
     level = main - (main @ up) * up
     return np.stack((level / np.linalg.norm(level), up))
 
@@ -115,14 +115,14 @@ class Circle:
 
 
 def fit_circle(points: FloatArray, radius: float | None = None) -> Circle:
-    """The circle with the least sum of squared distances to points of shape (n, 2), n > 3, by Gauss-Newton.
+    """Fit a circle by minimizing squared distances to points of shape (n, 2), n > 3, with Gauss-Newton.
 
-    The start solves the linear equations of squared distances. The errors take the points' noise as
-    independent and equal. Points on a straight line give a circle with errors that are not finite.
+    The start solves the linear equations of squared distances. The errors assume independent noise of equal
+    size. Points on a straight line give a circle with errors that are not finite.
 
     Args:
         points: the points (m)
-        radius: where it is known (m): only the center is found then, and the radius has no error
+        radius: the radius if known (m); then only the center is fitted, and the radius has no error
     """
     middle = points.mean(axis=0)
     local = points - middle

@@ -1,4 +1,4 @@
-"""Trajectories of markers, as a motion capture system saw them, in SI units."""
+"""Trajectories of markers from a motion capture system, in SI units."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from pyjoystick.motion import UNITS, RecordError, plain_unit, require_sampling
 from pyjoystick.support import FloatArray
 
-#: An angle over time needs this many frames.
+#: Minimum number of frames for an angle over time.
 _FEWEST_FRAMES: Final = 3
 #: No camera sees farther (m).
 _FARTHEST: Final = 1000.0
@@ -21,20 +21,20 @@ _FARTHEST: Final = 1000.0
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Markers:
-    """Where markers were at the instants of the frames; nothing is filled in.
+    """Positions of markers in each frame, without interpolation.
 
     Attributes:
         source: the file, or a note on their origin
-        names: names of the k markers; a subject may stand before a colon (``Joystick:TOP``)
-        time: instants of the frames (s), shape (n,), increasing
+        names: names of the k markers; may begin with a subject and a colon (``Joystick:TOP``)
+        time: times of the frames (s), shape (n,), increasing
         positions: coordinates (m), shape (n, k, 3), NaN where a marker was not seen
-        residuals: how well the cameras agree on each point (m), shape (n, k); None where the file has none
+        residuals: agreement of the cameras on each point (m), shape (n, k); None if the file has none
         rows: row of each frame, shape (n,): line numbers of a text file, frame numbers of a C3D file
-        notes: what is doubtful, a sentence each
+        notes: doubts, one sentence each
 
     Raises:
         RecordError: fewer than three frames, the time does not increase or is likely in another unit, two
-            markers have one name, or a coordinate is infinite or beyond a kilometer
+            markers have the same name, or a coordinate is infinite or beyond a kilometer
     """
 
     source: str
@@ -79,11 +79,11 @@ class Markers:
 
     @property
     def rate(self) -> float:
-        """Frames a second (Hz), from the median of the time between two: gaps do not count."""
+        """Frame rate (Hz), from the median interval, which ignores gaps."""
         return 1.0 / float(np.median(np.diff(self.time)))
 
     def index(self, name: str) -> int:
-        """Position of a marker in `names`; the subject may be left out where that is unambiguous.
+        """Index of a marker in `names`; the subject may be omitted if that is unambiguous.
 
         Raises:
             RecordError: there is no such marker, or more than one
@@ -116,7 +116,7 @@ def unseen(positions: FloatArray) -> NDArray[np.bool_]:
 
 
 def length_factor(source: str, unit: str, column: str) -> float:
-    """Meters in a unit, in whatever case it is written.
+    """Meters per unit, ignoring case.
 
     Raises:
         RecordError: the unit is not known
@@ -131,6 +131,6 @@ def length_factor(source: str, unit: str, column: str) -> float:
 
 
 def _short_forms(name: str) -> tuple[str, ...]:
-    """A name in small letters, with and without the subject before it."""
+    """A name in lower case, with and without the subject."""
     folded = name.casefold()
     return folded, folded.rpartition(":")[2]

@@ -1,6 +1,6 @@
 """Markers from the CSV export of Vicon Nexus.
 
-Such a file has sections, each under a line with its name and one with its rate. That of the trajectories is:
+Such a file has sections, each starting with a line with its name and one with its rate. The trajectories are:
 
     Trajectories
     60
@@ -9,7 +9,7 @@ Such a file has sections, each under a line with its name and one with its rate.
     ,,mm,mm,mm,mm,mm,mm
     1,0,12.5,-3.1,266.0,,,
 
-and ends with an empty line. Empty cells are markers that were not seen.
+and end with an empty line. Empty cells are markers that were not seen.
 """
 
 from __future__ import annotations
@@ -29,9 +29,9 @@ from pyjoystick.support import FloatArray
 
 _SECTION: Final = "trajectories"
 _AXES: Final = ["X", "Y", "Z"]
-#: Lines from the name of the section to the first frame.
+#: Number of lines from the name of the section to the first frame.
 _HEAD: Final = 5
-#: Rates of cameras (Hz), with a wide margin.
+#: Plausible rates of cameras (Hz), with a wide margin.
 _RATES: Final = (1.0, 1e7)
 
 
@@ -54,18 +54,18 @@ def is_nexus_csv(text: str) -> bool:
 
 
 def read_nexus_csv(path: Path, text: str, *, unit: str | None = None) -> Markers:
-    """The trajectories in the text of an export.
+    """Read the trajectories from the text of an export.
 
     Args:
-        path: the file that the text is from
-        text: the whole of it
-        unit: unit of the coordinates, instead of the one in the file
+        path: the file of the text
+        text: all of it
+        unit: unit of the coordinates, overriding the one in the file
 
     Returns:
-        the markers; `rows` are line numbers, the time is zero at the first frame
+        the markers; `rows` are line numbers; time is zero at the first frame
 
     Raises:
-        RecordError: the section is not as above, a cell holds no number, a unit is unknown, or frames are
+        RecordError: the section is not as above, a cell is not a number, a unit is unknown, or frames are
             missing or out of order
     """
     section = _section(str(path), text)
@@ -109,7 +109,7 @@ def _section(source: str, text: str) -> _Section:
 
 
 def _markers(section: _Section) -> tuple[tuple[str, ...], tuple[int, ...]]:
-    """Names of the markers and the columns of their X."""
+    """Names of the markers and the columns of their X coordinates."""
     axes, names = section.cells(3), section.cells(2)
     columns = tuple(i for i in range(2, len(axes)) if axes[i : i + 3] == _AXES)
     if axes[:1] != ["Frame"] or not columns:
@@ -164,7 +164,7 @@ def _numbers(section: _Section) -> FloatArray:
 
 
 def _no_number(section: _Section) -> RecordError:
-    """Which cell is not a number."""
+    """Find the cell that is not a number."""
     names, axes = section.cells(2), section.cells(3)
     for i in range(_HEAD, len(section.lines)):
         for column, cell in enumerate(section.cells(i)):

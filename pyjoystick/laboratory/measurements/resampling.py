@@ -1,4 +1,4 @@
-"""Even samples from a camera's, by cubic splines; gaps are marked, and bridged only up to a limit."""
+"""Even resampling of camera samples by cubic splines; gaps are marked, and bridged only up to a limit."""
 
 from __future__ import annotations
 
@@ -12,23 +12,23 @@ from numpy.typing import NDArray
 from pyjoystick.motion import GAP
 from pyjoystick.support import FloatArray, SeriesError, not_negative, positive
 
-#: A stretch of fewer samples gets no spline.
+#: Minimum number of samples of a stretch for a spline.
 FEWEST: Final = 4
-#: So many even instants are hours: a time is wrong, or its unit.
+#: This many samples are hours: a time, or its unit, is wrong.
 _MOST: Final = 10_000_000
-#: Instants this much of an interval beyond the last sample still count as its own.
+#: Even times up to this part of an interval after the last sample are still included.
 _ROUNDING: Final = 1e-9
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Resampled:
-    """A series on even instants.
+    """A series at evenly spaced times.
 
     Attributes:
-        time: instants (s), shape (n,), evenly spaced from the first sample on
+        time: times (s), shape (n,), evenly spaced from the first sample
         values: shape (n,); NaN in gaps that are not bridged
-        bridged: instants that lie in a gap that is, shape (n,)
-        gaps: first and last instant (s) of every gap that is not bridged, or that bounds a stretch too short
+        bridged: whether a time is in a bridged gap, shape (n,)
+        gaps: first and last time (s) of each gap that is not bridged, or that bounds a stretch too short
     """
 
     time: FloatArray
@@ -45,20 +45,21 @@ class Resampled:
 
 
 def resample(time: FloatArray, values: FloatArray, rate: float, *, longest_gap: float) -> Resampled:
-    """Interpolate samples to even instants, stretch by stretch: no spline goes over a gap that stays.
+    """Interpolate samples at evenly spaced times, separately for each stretch between gaps.
 
     Args:
-        time: instants of the samples (s), shape (n,), increasing
+        time: times of the samples (s), shape (n,), increasing
         values: the samples, shape (n,), NaN where one is missing
-        rate: wanted samples a second (Hz)
-        longest_gap: longest time (s) between two neighboring samples that is bridged; a step of the usual
-            length is no gap
+        rate: new sampling rate (Hz)
+        longest_gap: longest time (s) between two adjacent samples to bridge; the usual interval
+            is not a gap
 
     Raises:
         ParameterError: the rate or the gap is outside its range
-        SeriesError: no stretch has the samples for a spline, or there would be more than ten million instants
+        SeriesError: no stretch has enough samples for a spline, or there would be more than ten million
+            samples
     """
-    # SciPy takes a while to load, and the settings of a chain alone do without it.
+    # SciPy is slow to load, and not needed for the settings of a chain alone.
     from scipy.interpolate import CubicSpline
 
     interval = 1.0 / positive("rate", rate, "Hz")
@@ -72,7 +73,7 @@ def resample(time: FloatArray, values: FloatArray, rate: float, *, longest_gap: 
         raise SeriesError("time", f"goes {span}, which are more than {_MOST} samples at {rate:g} Hz")
     usual = float(np.median(np.diff(time)))
     steps = np.diff(found)
-    # The limit is met by steps that are equal to it but for the rounding of the times.
+    # Intervals equal to the limit up to rounding of the times are bridged.
     cuts = np.flatnonzero(steps > max(GAP * usual, limit * (1.0 + _ROUNDING)))
     even = found[0] + interval * np.arange(int((found[-1] - found[0]) / interval + _ROUNDING) + 1)
     result = np.full(len(even), np.nan)

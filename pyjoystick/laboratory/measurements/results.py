@@ -1,4 +1,4 @@
-"""What an import of measurements writes: angles and motions as CSV files, and short reports in Markdown.
+"""Output of imported measurements: angles and motions as CSV files, and short reports in Markdown.
 
 `pyjoystick.motion.read_record` reads these files.
 """
@@ -20,7 +20,7 @@ from pyjoystick.laboratory.measurements.markers import Markers
 from pyjoystick.motion import Log, Record
 from pyjoystick.support import MEASURED, FloatArray, TextTable, dress, write_text
 
-#: Labels and factors of quantities, as tables and figures show them.
+#: Labels and factors of quantities in tables and figures.
 _SHOWN: Final = {
     "theta": ("Angle (deg)", math.degrees(1.0)),
     "omega": ("Velocity (rad/s)", 1.0),
@@ -30,12 +30,12 @@ _SHOWN: Final = {
 
 
 def write_record(record: Record, path: Path, comments: Iterable[str]) -> None:
-    """Write time and angle, as measured; raises OutputFileError.
+    """Write time and measured angle; raises OutputFileError.
 
     Args:
         record: the angle
         path: the file
-        comments: lines that stand before the headings
+        comments: lines before the headings
     """
     _write(path, {"time (s)": record.time, "theta (rad)": record.theta}, comments)
 
@@ -43,7 +43,7 @@ def write_record(record: Record, path: Path, comments: Iterable[str]) -> None:
 def write_log(log: Log, path: Path) -> None:
     """Write the samples of a laboratory's table as a record, in SI units; raises OutputFileError.
 
-    A comment says which column of the table each quantity is from.
+    A comment lists the table's column of each quantity.
     """
     read = ", ".join(
         f"{name} from {match.heading.text!r} in {match.unit}" for name, match in log.found.items()
@@ -54,9 +54,9 @@ def write_log(log: Log, path: Path) -> None:
 
 
 def write_motion(motion: Motion, path: Path, comments: Iterable[str]) -> None:
-    """Write what came out of the chain; instants in gaps that are not bridged are left out.
+    """Write the output of the chain, without gaps that are not bridged; raises OutputFileError.
 
-    The column ``bridged`` is 1 inside gaps that are. Raises OutputFileError.
+    The column ``bridged`` is 1 inside bridged gaps.
     """
     known = np.isfinite(motion.theta)
     columns = {
@@ -80,14 +80,14 @@ def _write(path: Path, columns: Mapping[str, FloatArray], comments: Iterable[str
     lines = [
         *(f"# {line}" for comment in comments for line in comment.splitlines()),
         ",".join(columns),
-        # The first column is the time: a clock that counts from 1970 has ten digits before the point.
+        # The first column is time; a clock that counts from 1970 has ten digits before the decimal point.
         *(",".join((repr(instant), *(f"{value:.12g}" for value in row))) for instant, *row in rows),
     ]
     write_text(path, "\n".join(lines) + "\n")
 
 
 def markers_report(markers: Markers, names: tuple[str, ...], measured: AngleMeasurement) -> str:
-    """What the cameras saw and how the angle was found."""
+    """Report on the markers, and on how the angle was found."""
     plane, arc = measured.plane, measured.arc
     lost = ", ".join(f"{name} {np.count_nonzero(markers.missing(name))}" for name in names)
     theta = np.degrees(measured.theta[np.isfinite(measured.theta)])
@@ -107,7 +107,7 @@ def markers_report(markers: Markers, names: tuple[str, ...], measured: AngleMeas
 
 
 def log_report(log: Log) -> str:
-    """What was understood of a laboratory's table."""
+    """Report on how a laboratory's table was interpreted."""
     time = log.series["time"]
     rows = [
         ["file", log.form],
@@ -126,7 +126,7 @@ def log_report(log: Log) -> str:
 
 
 def plot_log(log: Log) -> Figure:
-    """What was understood of a laboratory's table, a panel for each quantity."""
+    """Plot a laboratory's table as interpreted, one panel per quantity."""
     shown = {name: label for name, label in _SHOWN.items() if name in log.series}
     figure = Figure(figsize=(7.0, 1.2 + 1.9 * len(shown)), layout="constrained")
     panels = figure.subplots(len(shown), 1, sharex=True, squeeze=False)[:, 0]
@@ -141,7 +141,7 @@ def plot_log(log: Log) -> Figure:
 
 
 def chain_report(chain: Chain, motion: Motion) -> str:
-    """The settings of the chain, what they do, and what came out of it."""
+    """Settings of the chain, their effect, and its output."""
     low_pass = chain.low_pass
     design, half = (value(chain.rate) for value in (low_pass.design_cutoff, low_pass.half_power_frequency))
     known = np.isfinite(motion.theta)
@@ -159,7 +159,7 @@ def chain_report(chain: Chain, motion: Motion) -> str:
 
 
 def acceleration_report(record: AccelerometerRecord, found: AngularAcceleration) -> str:
-    """The accelerometer beside the differentiated angle."""
+    """Comparison of the accelerometer with the differentiated angle."""
     rms, peaks = found.differences, found.peaks
     whole = rms["differentiated"]
     rows = [
@@ -178,7 +178,7 @@ def acceleration_report(record: AccelerometerRecord, found: AngularAcceleration)
 
 
 def residual(markers: Markers, name: str) -> float:
-    """Root mean square of a marker's residuals (m); NaN where the file has none."""
+    """Root mean square of a marker's residuals (m); NaN if the file has none."""
     if markers.residuals is None:
         return math.nan
     column = markers.residuals[:, markers.index(name)]

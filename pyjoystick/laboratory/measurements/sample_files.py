@@ -1,4 +1,4 @@
-"""Long series of samples from CSV and .npy files, read a piece at a time: no file is in memory as a whole."""
+"""Long series of samples from CSV and .npy files, read in pieces to limit memory."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from pyjoystick.motion import (
 )
 from pyjoystick.support import FloatArray
 
-#: Samples in a piece.
+#: Number of samples in a piece.
 PIECE: Final = 1 << 16
 _TIME: Final = replace(TIME, required=False)
 
@@ -52,7 +52,7 @@ class SampleFile:
         path: the file
         column: heading of its column; the name of an .npy file
         unit: unit of the samples as `UNITS` spells it; empty for an .npy file
-        rate: samples a second (Hz) where the file has no time
+        rate: sampling rate (Hz) if the file has no times
     """
 
     path: Path
@@ -62,10 +62,10 @@ class SampleFile:
     _layout: _Layout | None
 
     def pieces(self, size: int = PIECE) -> Iterator[Piece]:
-        """The samples, `size` at a time, the last piece perhaps fewer.
+        """Read the samples in pieces of `size`; the last one may be shorter.
 
         Raises:
-            RecordError: a cell holds no finite number, the time does not increase, or the file is cut off
+            RecordError: a cell is not a finite number, the time does not increase, or the file is truncated
         """
         series = _npy_pieces(self, size) if self._layout is None else _csv_pieces(self, self._layout, size)
         last = -np.inf
@@ -87,7 +87,7 @@ class SampleFile:
 
 @dataclass(frozen=True, slots=True)
 class _Layout:
-    """A table, and where in it the values and the time are; None where there is no time."""
+    """A table with the positions of values and time; None if there is no time."""
 
     head: TableHead
     values: Match
@@ -97,14 +97,14 @@ class _Layout:
 def open_samples(
     path: Path, column: Column, *, heading: str = "", unit: str = "", rate: float | None = None
 ) -> SampleFile:
-    """Look at the head of a file of samples.
+    """Inspect the head of a file of samples.
 
     Args:
-        path: a CSV file with one line of headings, or an .npy file of one dimension
-        column: what the samples are
-        heading: heading of their column in a CSV file, where it is another
-        unit: their unit where the heading has none, and in an .npy file
-        rate: samples a second (Hz), for files without a column ``time (s)``
+        path: a CSV file with one line of headings, or a one-dimensional .npy file
+        column: name of the quantity
+        heading: heading of its column in a CSV file, if it differs
+        unit: unit if the heading has none, and for .npy files
+        rate: sampling rate (Hz), for files without a column ``time (s)``
 
     Raises:
         RecordError: the file cannot be read, lacks this column or its unit, or has neither a time nor a rate
@@ -162,7 +162,7 @@ def _csv_pieces(file: SampleFile, layout: _Layout, size: int) -> Iterator[Piece]
 
 
 def _without_empty_end(tables: Iterable[pd.DataFrame]) -> Iterator[pd.DataFrame]:
-    """The tables without the empty lines after the last sample."""
+    """The tables without empty lines after the last sample."""
     held: list[pd.DataFrame] = []
     for table in tables:
         filled = np.flatnonzero(table.notna().any(axis=1))
@@ -176,16 +176,16 @@ def _without_empty_end(tables: Iterable[pd.DataFrame]) -> Iterator[pd.DataFrame]
 
 
 def _require_width(file: SampleFile, table: pd.DataFrame, first: int) -> None:
-    """Where all rows are too long, pandas takes their first cells for an index."""
+    """Reject tables in which all rows are too long, because pandas takes their first cells for an index."""
     if not isinstance(table.index, pd.RangeIndex):
         advice = "are the decimal marks commas? Export it with decimal points"
         raise RecordError(str(file.path), "has more cells than headings", advice, rows=[first])
 
 
 def _numbers(file: SampleFile, match: Match, table: pd.DataFrame, first: int) -> FloatArray:
-    """Numbers of a column; NaN only where the cell is empty."""
+    """Numbers of a column; NaN only for empty cells."""
     column = table[match.index]
-    if column.dtype == np.object_:  # as text, because whole numbers there may be beyond all floats
+    if column.dtype == np.object_:  # as text: integers may exceed all floats
         column = column.astype("string")
     numbers = pd.to_numeric(column, errors="coerce").to_numpy(dtype=np.float64, na_value=np.nan)
     bad = np.flatnonzero(np.isnan(numbers) & np.asarray(column.notna(), dtype=np.bool_))
@@ -223,7 +223,7 @@ def _npy_pieces(file: SampleFile, size: int) -> Iterator[Piece]:
     except OSError as error:
         reason = f"cannot be read: {error.strerror or error}"
         raise RecordError(source, reason, "check the path and its permissions") from error
-    except (ValueError, SyntaxError, TokenError, TypeError, KeyError) as error:  # of NumPy, about the head
+    except (ValueError, SyntaxError, TokenError, TypeError, KeyError) as error:  # NumPy: bad header
         if isinstance(error, RecordError):
             raise
         raise RecordError(source, f"is not a .npy file: {error}", "save it by numpy.save") from error

@@ -1,4 +1,4 @@
-"""Saturation of a signal: stretches in which it stays at its largest or smallest value."""
+"""Detection of saturation: stretches in which a signal stays at its largest or smallest value."""
 
 from __future__ import annotations
 
@@ -9,19 +9,19 @@ import numpy as np
 
 from pyjoystick.support import FloatArray
 
-#: So many equal samples at an extreme are no peak: 2.8 ms at 1800 Hz.
+#: This many equal samples at an extreme are not a peak: 2.8 ms at 1800 Hz.
 RUN: Final = 5
-#: A value within this part of a stated full scale has reached it.
+#: A value within this part of the given full scale has reached it.
 _REACHED: Final = 1e-3
 _MOST_KEPT: Final = 1000
 
 
 @dataclass(slots=True)
 class _Side:
-    """One side of the signal, with values turned so that its extreme is the largest.
+    """One side of the signal, with signs such that its extreme is the largest value.
 
     Attributes:
-        level: the extreme so far, or where the full scale is reached
+        level: the extreme so far, or the level of the full scale
         fixed: whether the level is that of a full scale
         runs: first row and number of samples of the stretches at the level, the first `_MOST_KEPT`
         open: the stretch that the last sample belongs to, if any
@@ -58,11 +58,11 @@ class _Side:
 
 
 class SaturationWatch:
-    """Watches a signal piece by piece.
+    """Detects saturation in a signal that arrives in pieces.
 
     Args:
-        full_scale: largest magnitude that the amplifier gives, in the unit of the signal; where not given,
-            the largest and the smallest value of the signal are taken for it if it stays there
+        full_scale: largest reading of the amplifier, in the unit of the signal; if None, the largest
+            and smallest values of the signal are taken for it if the signal stays there
     """
 
     def __init__(self, full_scale: float | None = None) -> None:
@@ -70,7 +70,7 @@ class SaturationWatch:
         self._sides = [_Side(level, full_scale is not None) for _ in range(2)]
 
     def add(self, values: FloatArray, first: int) -> None:
-        """The next samples, shape (n,), n > 0, of which the first has the row `first`."""
+        """Add the next samples, shape (n,), n > 0; `first` is the row of the first one."""
         for sign, side in zip((1.0, -1.0), self._sides, strict=True):
             side.add(sign * values, first)
 

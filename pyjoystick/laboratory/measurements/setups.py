@@ -1,4 +1,4 @@
-"""How instruments are set up, and how their files are read."""
+"""Setups of instruments, with settings for reading their files."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from pyjoystick.support import ParameterError
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class MarkerSetup:
-    """How the joystick's angle is found from its markers.
+    """Settings for finding the joystick's angle from its markers.
 
     Attributes:
         top: name of the marker on top of the joystick
@@ -19,16 +19,16 @@ class MarkerSetup:
         forward: axis of the laboratory that points forward: x, -x, y, -y, z or -z
         up: axis in the plane of motion, if it cannot be found from the markers
         middle: whether the pivot is the middle of the base markers instead of the center of the arc
-        radius: measured distance from the pivot to the top marker (m); that of the arc where not given
+        radius: measured distance from the pivot to the top marker (m); by default that of the arc
         moving_base: whether the angle is relative to the base in each frame
-        rest: first and last instant (s) of a stretch at rest; the last 0.25 s where not given
+        rest: first and last time (s) of an interval at rest; by default the last 0.25 s
         rests: side to which the joystick leans at rest; the zero is then the middle of its clearance
-        released: side of the release, if known; other records are refused
-        unit: unit of the positions, where the file gives none
+        released: side of the release, if known; other records are rejected
+        unit: unit of the positions, if the file gives none
         chain: the signal chain of the filtered motion
 
     Raises:
-        ParameterError: a radius besides the middle of the base
+        ParameterError: a radius was given together with the middle of the base
     """
 
     top: str
@@ -52,18 +52,18 @@ class MarkerSetup:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AccelerometerSetup:
-    """Where an accelerometer sits and how its file is read.
+    """Position of an accelerometer, and settings for reading its file.
 
     Attributes:
         distance: from the pivot to the accelerometer (m)
         column: heading of the readings
-        unit: where the heading gives none: m/s2, mm/s2, g, V or mV
-        rate: samples a second (Hz) of a file without times
+        unit: unit if the heading gives none: m/s2, mm/s2, g, V or mV
+        rate: sampling rate (Hz) of a file without times
         sensitivity: V/(m/s2), for voltages
         full_scale: largest reading, in the unit of the file, to detect saturation
-        delay: what its clock shows (s) when that of the angle shows zero
+        delay: time on its clock (s) at time zero of the angle
         backward: whether its positive direction is backward
-        rest: first and last instant (s) of a stretch at rest; the last 0.25 s where not given
+        rest: first and last time (s) of an interval at rest; by default the last 0.25 s
         chain: the signal chain of the angle
     """
 

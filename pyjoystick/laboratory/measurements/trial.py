@@ -1,4 +1,4 @@
-"""A motion as cameras saw it, from the markers to the angle and through the signal chain."""
+"""A motion recorded by cameras, from the markers to the angle and through the signal chain."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ from pyjoystick.support import ParameterError
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Trial:
-    """One motion.
+    """One recorded motion.
 
     Attributes:
-        setup: how it was found
-        markers: what the cameras saw
-        measured: the angle of each frame, and what it was found with
+        setup: settings for finding the angle
+        markers: the recorded markers
+        measured: the angle in each frame, and how it was found
         record: the angle as measured, neither filtered nor interpolated
         motion: the angle, its velocity and acceleration after the signal chain
     """
@@ -56,7 +56,7 @@ class Trial:
             write_motion(self.motion, motion_file, [origin, how])
 
     def report(self) -> str:
-        """What the cameras saw, how the angle was found, and what came out of the chain."""
+        """Report on the markers, how the angle was found, and the output of the signal chain."""
         names = (self.setup.top, *self.setup.base)
         parts = (
             markers_report(self.markers, names, self.measured),
@@ -68,17 +68,17 @@ class Trial:
 def read_trial(
     path: str | PathLike[str], setup: MarkerSetup, *, name: str, joystick: JoystickParameters | None = None
 ) -> Trial:
-    """The angle of a joystick from a file of markers.
+    """Find the angle of a joystick from a file of markers.
 
     Args:
         path: C3D, Nexus CSV or plain CSV
-        setup: how the angle is found
-        name: of the record
-        joystick: for `MarkerSetup.rests`, of which its springs and geometry are needed
+        setup: settings for finding the angle
+        name: name of the record
+        joystick: its springs and geometry are needed for `MarkerSetup.rests`
 
     Raises:
         ParameterError: ``rests`` without a joystick
-        InputFileError, RecordError, SeriesError: the file cannot be used; the message names what is wrong
+        InputFileError, RecordError, SeriesError: the file cannot be used; the message explains why
     """
     at_rest = 0.0
     if setup.rests is not None:

@@ -1,4 +1,4 @@
-"""A synthetic laboratory: what its instruments would have shown of a joystick that is known.
+"""A synthetic laboratory: what its instruments would record of a known joystick.
 
-Wherever its output appears it is called synthetic.
+Its output is called synthetic wherever it appears.
 """

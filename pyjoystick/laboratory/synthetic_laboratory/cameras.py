@@ -1,9 +1,9 @@
-"""What cameras and an accelerometer would have seen of motions that are known.
+"""Synthetic records of known motions by cameras and an accelerometer.
 
-`synthetic_record` and `synthetic_swing` give the angle itself, `synthetic_markers` the markers from which it
-is found. The joystick is simulated by the pure-Python reference, not by the FMU, so that what is recovered
-through the FMU was not put in by it. The impacts of the plungers, which ring in a real accelerometer
-(Fig. 4d), are left out.
+`synthetic_record` and `synthetic_swing` return the angle itself, `synthetic_markers` the markers from which
+it is found. The joystick is simulated by the pure-Python reference, not by the FMU, so that parameters
+recovered with the FMU do not originate from it. The impacts of the plungers, which ring in a real
+accelerometer (Fig. 4d), are not simulated.
 """
 
 from __future__ import annotations
@@ -42,11 +42,12 @@ def synthetic_record(
     Args:
         parameters: the joystick
         release_angle: angle of hold and release (rad), positive forward
-        random: where the noise comes from
+        random: random generator for the noise
         name: name of the record
-        release_time: instant of release (s) on the clock of the record, 0 or more; it need not be a sample
-        duration: last instant of the record (s), after the release
-        rate: samples a second (Hz)
+        release_time: time of release (s) on the clock of the record, 0 or more; need not coincide with a
+            sample
+        duration: time of the last sample (s), after the release
+        rate: sampling rate (Hz)
         noise: standard deviation of the angle's independent normal noise (rad), 0 for none
 
     Raises:
@@ -76,16 +77,16 @@ def synthetic_swing(
     rate: float = 60.0,
     noise: float = math.radians(0.05),
 ) -> Record:
-    """J*theta'' + C*theta' + m*g*h*sin(theta) = 0 from rest, sampled with noise.
+    """Motion of J*theta'' + C*theta' + m*g*h*sin(theta) = 0 from rest, sampled with noise.
 
     Args:
-        parameters: the joystick, of which J, m, h and g count
-        random: where the noise comes from
-        amplitude: angle of release (rad)
+        parameters: the joystick; only J, m, h and g are used
+        random: random generator for the noise
+        amplitude: release angle (rad)
         damping: C of the pivot and the air (N m s/rad)
-        offset: what the record shows at rest (rad)
-        duration: of the record (s)
-        rate: samples a second (Hz)
+        offset: reading at rest (rad)
+        duration: length of the record (s)
+        rate: sampling rate (Hz)
         noise: standard deviation of the angle's independent normal noise (rad), 0 for none
     """
     weight = parameters.m * parameters.g * parameters.h
@@ -109,15 +110,15 @@ BASE: Final = ("BASE1", "BASE2")
 
 @dataclass(frozen=True, slots=True)
 class MarkerLayout:
-    """Where the markers are, in a frame at the pivot: forward, to the left, up.
+    """Positions of the markers, in a frame at the pivot: forward, left, up.
 
     Attributes:
-        height: from the pivot to the marker on top (m); Table 2's handle
-        bases: the two markers on the base (m)
-        pivot: place of the pivot in the laboratory (m)
-        heading: from the x axis of the laboratory to forward (rad), about the vertical
-        sideways: largest motion of the top to the left in parts of the largest forward, a quarter of a period
-            apart as on an ellipse: none of it is a turn of the plane
+        height: from the pivot to the marker on top (m); by default Table 2's handle
+        bases: positions of the two markers on the base (m)
+        pivot: position of the pivot in the laboratory (m)
+        heading: angle from the x axis of the laboratory to forward (rad), about the vertical
+        sideways: largest motion of the top to the left, relative to the largest forward motion, a quarter of
+            a period apart as on an ellipse, which does not rotate the plane
     """
 
     height: float = 0.266
@@ -135,18 +136,17 @@ def synthetic_markers(
     noise: float = 3e-4,
     layout: MarkerLayout | None = None,
 ) -> Markers:
-    """The markers `TOP` and `BASE` of a joystick that moves by a known angle.
+    """The markers `TOP` and `BASE` of a joystick with a known angle.
 
     Args:
-        time: instants of the frames (s), shape (n,)
-        theta: angle there (rad), shape (n,), positive forward
-        random: where the noise comes from
+        time: times of the frames (s), shape (n,)
+        theta: angle (rad), shape (n,), positive forward
+        random: random generator for the noise
         noise: standard deviation of each coordinate's independent normal noise (m), 0 for none
-        layout: where the markers are; the default of `MarkerLayout` where not given
-
+        layout: positions of the markers; by default those of `MarkerLayout`
     Raises:
         ParameterError: the noise is not finite or below zero
-        RecordError: fewer than three frames, or a time that does not increase
+        RecordError: fewer than three frames, or the time does not increase
     """
     place = layout or MarkerLayout()
     forward = place.height * np.sin(theta)
@@ -170,13 +170,13 @@ def synthetic_acceleration(
     noise: float = 0.05,
     gravity: float = GRAVITY,
 ) -> FloatArray:
-    """What an accelerometer on the front of the joystick reads: L alpha - g sin(theta), and noise (m/s2).
+    """Reading of an accelerometer on the front of the joystick: L alpha - g sin(theta), plus noise (m/s2).
 
     Args:
         theta: angle (rad), shape (n,), positive forward
         alpha: angular acceleration (rad/s2), shape (n,)
         distance: from the pivot to the accelerometer, L (m)
-        random: where the noise comes from
+        random: random generator for the noise
         noise: standard deviation of independent normal noise (m/s2), 0 for none
         gravity: g (m/s2)
 

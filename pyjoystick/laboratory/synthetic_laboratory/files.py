@@ -1,8 +1,9 @@
-"""The files of a synthetic laboratory: no joystick was measured, the reference was sampled.
+"""Files of a synthetic laboratory, sampled from the reference; no joystick was measured.
 
-A joystick that is not the paper's: load-deflection curves of both sides with friction, its parts and a swing
-test, four releases as cameras at 60 Hz see them, in one of which the laboratory's x axis points backward, and
-the accelerometer of the first, whose clock is late. There are noise and lost frames.
+They describe a joystick that is not the paper's: load-deflection curves of both sides with friction, its
+parts and a swing test, four releases recorded by cameras at 60 Hz (in one of them the laboratory's x axis
+points backward), and the accelerometer of the first release, whose clock is late. Noise and lost frames are
+included.
 """
 
 from __future__ import annotations
@@ -36,21 +37,21 @@ _CURVES: Final = {
 }
 #: Part: mass (kg), height of its center (m), inertia about its center (kg m2).
 _PARTS: Final = {"shaft": (0.36, 0.070, 1.2e-3), "grip": (0.35, 0.150, 6e-4), "cam": (0.20, -0.020, 3e-4)}
-#: Standard uncertainties of masses (kg) and heights (m), and of inertias in parts of them.
+#: Standard uncertainties of masses (kg), heights (m), and inertias (relative).
 _U_MASS, _U_HEIGHT, _U_INERTIA = 5e-4, 3e-4, 0.03
 _GEOMETRY: Final = {"a": 0.0241, "b": 0.0051}
 _DAMPING: Final = 0.0512
 _RATE, _ACCELEROMETER_RATE, _DURATION = 60.0, 1800.0, 4.0
 _MARKER_NOISE, _ACCELERATION_NOISE = 3e-4, 0.05  # m, m/s2
 _DISTANCE, _DELAY = 0.25, 0.02  # m, s
-_TRIALS: Final = {  # name: angle of release (rad), heading of forward in the laboratory (rad)
+_TRIALS: Final = {  # name: release angle (rad), heading of forward in the laboratory (rad)
     "trial_1": (math.radians(-20.0), math.radians(4.0)),
     "trial_2": (math.radians(-19.8), math.radians(4.0)),
     "trial_3": (math.radians(-20.1), math.radians(4.0)),
     "trial_4": (math.radians(-19.9), math.radians(184.0)),
 }
 _LOST: Final = (slice(3, 5), slice(150, 157))  # frames without the top: in the hold and at rest
-#: The releases that a laboratory with C3D files has as such.
+#: Releases that are C3D files, if the laboratory has any.
 _IN_C3D: Final = ("trial_1", "trial_2")
 
 #: Writes markers to a file.
@@ -58,13 +59,13 @@ Writer = Callable[[Markers, Path], None]
 
 
 def write_synthetic_laboratory(folder: Path, truth: Path, *, write_c3d: Writer | None = None) -> None:
-    """Write the files of the laboratory, each of which says that it is synthetic.
+    """Write the files of the laboratory, each marked as synthetic.
 
     Args:
-        folder: for the files
-        truth: folder for what was put in: ``truth.json`` and the angle of each release
-        write_c3d: writes the first two releases as C3D files; without it they are exports as from Vicon
-            Nexus, as the others are
+        folder: folder for the files
+        truth: folder for the true values: ``truth.json`` and the angle of each release
+        write_c3d: writes the first two releases as C3D files; if None, they are Vicon Nexus exports
+            like the others
 
     Raises:
         OutputFileError: a file cannot be written
@@ -93,7 +94,7 @@ def write_synthetic_laboratory(folder: Path, truth: Path, *, write_c3d: Writer |
 
 
 def true_joystick() -> JoystickParameters:
-    """The joystick that the laboratory has."""
+    """The joystick of the laboratory."""
     parts = [
         Part(name=name, mass=Measured(mass), height=Measured(height), inertia=Measured(inertia))
         for name, (mass, height, inertia) in _PARTS.items()
@@ -116,7 +117,7 @@ def _spring_values(actuator: ActuatorAssembly) -> dict[str, float]:
 
 
 def _write_bench(joystick: JoystickParameters, folder: Path, random: np.random.Generator) -> None:
-    """What is measured without cameras on the joystick: load-deflection curves, parts, the swing test."""
+    """Write the bench measurements of the joystick: load-deflection curves, parts, the swing test."""
     for side, table in _CURVES.items():
         travel, force = synthetic_load_cycle(table, random=random)
         rows = ([f"{1e3 * x:.5f}", f"{f:.4f}"] for x, f in zip(travel, force, strict=True))
@@ -143,7 +144,7 @@ def _write_trial(
     random: np.random.Generator,
     write_c3d: Writer | None,
 ) -> dict[str, float | str]:
-    """The markers of one release, and of the first its accelerometer; returns what was put in."""
+    """Write the markers of one release, and for the first its accelerometer; returns the true values."""
     angle, heading = _TRIALS[name]
     start = 0.25 + random.uniform() / _RATE
     time, theta, alpha = _motion(joystick, angle, start)
@@ -172,7 +173,7 @@ def _write_trial(
 def _motion(
     joystick: JoystickParameters, angle: float, start: float
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Time (s), angle (rad) and angular acceleration (rad/s2) of a joystick that is let go at an instant."""
+    """Time (s), angle (rad) and angular acceleration (rad/s2) of a joystick released at a given time."""
     time = np.arange(round(_DURATION * _ACCELEROMETER_RATE)) / _ACCELEROMETER_RATE
     after = time > start
     run = simulate(joystick, time=np.insert(time[after], 0, start), theta_start=angle)
@@ -182,12 +183,12 @@ def _motion(
 
 
 def _write_table(path: Path, headings: Sequence[str], rows: Iterable[Sequence[str]]) -> None:
-    """Write CSV that says in its first line that it is synthetic."""
+    """Write CSV that is marked as synthetic in its first line."""
     write_text(path, "\n".join(["# synthetic", ",".join(headings), *map(",".join, rows), ""]))
 
 
 def _write_nexus(markers: Markers, path: Path) -> None:
-    """Write the trajectories as Vicon Nexus exports them, in mm, of a subject that is called synthetic."""
+    """Write the trajectories like a Vicon Nexus export, in mm, of a subject that is called synthetic."""
     count = len(markers.names)
     lines = [
         "Trajectories",

@@ -1,4 +1,4 @@
-"""What a testing machine would have recorded of a load-deflection curve that is known."""
+"""Synthetic records of a known load-deflection curve by a testing machine."""
 
 from __future__ import annotations
 
@@ -10,19 +10,19 @@ import numpy as np
 from pyjoystick.model import SegmentTable, table_force
 from pyjoystick.support import FloatArray
 
-#: Where the machine turns (m).
+#: Travel at which the machine turns (m).
 _TURN: Final = 3.6e-3
 
 
 @dataclass(frozen=True, slots=True)
 class MachineErrors:
-    """What the machine adds to the curve.
+    """Errors that the machine adds to the curve.
 
     Attributes:
         friction: half the force between loading and unloading (N)
-        zero: what the load cell shows without load (N)
+        zero: reading of the load cell without load (N)
         travel_noise, force_noise: standard deviations of one sample's independent normal noise (m, N)
-        slack: travel of the machine (m) at which the fixture slips while loading, and by how much (m)
+        slack: travel of the machine (m) at which the fixture slips during loading, and how far (m)
     """
 
     friction: float = 0.3
@@ -43,9 +43,9 @@ def synthetic_load_cycle(
 
     Args:
         table: the curve
-        random: where the noise comes from
-        errors: of the machine; the default of `MachineErrors` where not given
-        step: between two samples (m)
+        random: random generator for the noise
+        errors: errors of the machine; by default those of `MachineErrors`
+        step: travel between two samples (m)
     """
     machine = errors or MachineErrors()
     up = np.arange(0.0, _TURN, step)

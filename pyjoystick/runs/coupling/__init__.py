@@ -1,1 +1,1 @@
-"""Several FMUs as one system: its description, SSP archives, and a master that runs it by co-simulation."""
+"""Coupled systems of FMUs: description, SSP archives, and a co-simulation master."""

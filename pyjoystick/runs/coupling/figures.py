@@ -20,10 +20,10 @@ _MARKERS: Final = {
 
 
 def plot_step_errors(errors: pd.DataFrame) -> Figure:
-    """The coupling error of the angle against the communication step, both logarithmic.
+    """Plot the coupling error of the angle over the communication step, log-log.
 
     Args:
-        errors: as by `coupling_errors`, of an angle
+        errors: from `coupling_errors`, for an angle
     """
     figure = Figure(figsize=(5.6, 4.2), layout="constrained")
     axes = figure.add_subplot()
@@ -41,10 +41,10 @@ def plot_step_errors(errors: pd.DataFrame) -> Figure:
 
 
 def plot_operated_joystick(run: pd.DataFrame) -> Figure:
-    """Wanted and actual angle, and the torque of the operator.
+    """Plot wanted and actual angle, and the torque of the operator.
 
     Args:
-        run: of `operator_and_joystick`
+        run: run of `operator_and_joystick`
     """
     figure = Figure(figsize=(6.0, 4.6), layout="constrained")
     angle, torque = figure.subplots(2, 1, sharex=True)

@@ -1,4 +1,4 @@
-"""The system of this project: a person who moves the joystick, as two FMUs."""
+"""The coupled system of this project: operator and joystick, as two FMUs."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ def operator_and_joystick(
     operator: Mapping[str, Value] | None = None,
     joystick: Mapping[str, Value] | None = None,
 ) -> CoupledSystem:
-    """The operator's torque drives the joystick, whose angle and angular velocity the operator feels.
+    """Couple operator and joystick: the torque drives the joystick, whose angle and velocity are fed back.
 
-    ``PreloadedSprings.Examples.OperatedJoystick`` is the same system as one model.
+    ``PreloadedSprings.Examples.OperatedJoystick`` is the same system as a single model.
 
     Args:
-        operator: parameters of the FMU ``Operator`` that differ from its own, such as ``handArm.K``
-        joystick: parameters of the FMU ``Joystick`` that differ from its own
+        operator: changed parameters of the FMU ``Operator``, such as ``handArm.K``
+        joystick: changed parameters of the FMU ``Joystick``
     """
     return CoupledSystem(
         name="operator_and_joystick",

@@ -1,4 +1,4 @@
-"""The master: FMUs of a system run side by side and exchange their signals at communication points."""
+"""Co-simulation master: FMUs step in parallel and exchange signals at communication points."""
 
 from __future__ import annotations
 
@@ -29,20 +29,20 @@ def run_coupled(
     """Run a system of FMUs by co-simulation from 0 s.
 
     All FMUs step independently from one communication point to the next (Jacobi's method); outputs are then
-    copied to the inputs that they feed.
+    copied to the connected inputs.
 
     Args:
         system: the FMUs and their connections
-        step: communication step H (s); the last one is shorter where it does not divide the duration
-        scheme: what the FMUs know of their inputs within a step, a name in `SCHEMES`. FMUs of FMI 3.0 have no
-            input derivatives, so that they take part in ``delay`` and ``hold``.
-        outputs: variables to record as ``component.variable``; default: all outputs of all components
-        duration: end of the run (s); default: the system's stop time
-        tolerance: of the FMUs' own integrators
+        step: communication step H (s); the last one is shorter if it does not divide the duration
+        scheme: what the FMUs know of their inputs within a step, a name in `SCHEMES`. FMI 3.0 FMUs have no
+            input derivatives, so they only support ``delay`` and ``hold``.
+        outputs: variables to record as ``component.variable``; by default all outputs of all components
+        duration: end of the run (s); by default the system's stop time
+        tolerance: tolerance of the FMUs' own integrators
 
     Returns:
-        a table with a row for every communication point, the first at 0; ``attrs["steps"]`` is how often FMUs
-        were stepped in all
+        a table with a row for every communication point, the first at 0; ``attrs["steps"]`` is the total
+        number of FMU steps
 
     Raises:
         ParameterError: the step, duration, tolerance or scheme is not allowed
@@ -79,7 +79,7 @@ def run_coupled(
 
 
 def communication_points(step: float, end: float) -> list[float]:
-    """Instants from 0 to `end` (s), `step` (s) apart; the last distance may be shorter.
+    """Times from 0 to `end` (s), `step` (s) apart; the last interval may be shorter.
 
     Raises:
         ParameterError: there would be more than ten million

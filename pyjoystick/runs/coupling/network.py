@@ -1,4 +1,4 @@
-"""The FMUs of a run, stepped from outside, and the signals between them."""
+"""The FMUs of a coupled run, and the signals between them."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class Participant:
         description: the FMU
         inputs, outputs: the connected variables, in the order of `set` and `get`
         time: the communication point (s)
-        steps: how often it was stepped
+        steps: number of steps so far
     """
 
     def __init__(
@@ -37,7 +37,7 @@ class Participant:
         Raises:
             UnsupportedFmuError: no Co-Simulation, or no binary for this machine
             FmuFileError: it is broken or cannot be instantiated
-            FmuRunError: it refuses the parameters
+            FmuRunError: it rejects the parameters
         """
         self.description = description
         self.inputs = [description.variables[name] for name in inputs]
@@ -51,42 +51,42 @@ class Participant:
             self._stack = stack.pop_all()
 
     def set(self, values: Sequence[float]) -> None:
-        """Give the inputs their values at the present communication point."""
+        """Set the inputs at the current communication point."""
         with self._instance.reporting(self.time):
             self._instance.set(self.inputs, values)
 
     def set_rates(self, rates: Sequence[float]) -> None:
-        """Let the real inputs change within the next step at these rates (unit of the input per s)."""
+        """Set the rates of the real inputs for the next step (unit of the input per s)."""
         moving = {i: variable for i, variable in enumerate(self.inputs) if variable.type in REALS}
         with self._instance.reporting(self.time):
             self._instance.set_input_derivatives(list(moving.values()), [rates[i] for i in moving])
 
     def get(self, names: Sequence[str] | None = None) -> list[float]:
-        """Values of the connected outputs, or of any variables by name."""
+        """Get the connected outputs, or any variables by name."""
         variables = self.outputs if names is None else [self.description.variables[name] for name in names]
         with self._instance.reporting(self.time):
             return self._instance.get(variables)
 
     def step(self, end: float) -> None:
-        """Go on to the communication point `end` (s); raises FmuRunError where the FMU cannot."""
+        """Step to the communication point `end` (s); raises FmuRunError if the FMU cannot."""
         with self._instance.reporting(self.time):
             self._instance.step(self.time, end - self.time)
         self.time = end
         self.steps += 1
 
     def save(self) -> tuple[Any, float]:
-        """The state of the FMU, for `restore`; to be given to `forget`."""
+        """Save the state of the FMU, for `restore`; to be freed by `forget`."""
         with self._instance.reporting(self.time):
             return self._instance.save(), self.time
 
     def restore(self, saved: tuple[Any, float]) -> None:
-        """Be again as when `saved` was made."""
+        """Restore a saved state."""
         with self._instance.reporting(self.time):
             self._instance.restore(saved[0])
         self.time = saved[1]
 
     def forget(self, saved: tuple[Any, float]) -> None:
-        """Free what `save` made."""
+        """Free a saved state."""
         self._instance.forget(saved[0])
 
     def close(self) -> None:
@@ -97,10 +97,10 @@ class Participant:
 class Network:
     """The FMUs of a system, loaded and initialized; a context manager that unloads them.
 
-    A signal is an input that is fed: arrays of signals are in the order of the system's connections.
+    A signal is a connected input; arrays of signals are in the order of the system's connections.
 
     Attributes:
-        system: what they are
+        system: the system
         participants: by name of the component
     """
 
@@ -134,7 +134,7 @@ class Network:
             self._stack = stack.pop_all()
 
     def copy(self) -> FloatArray:
-        """Copy the outputs, as they are at the present communication point, to the inputs.
+        """Copy the outputs at the current communication point to the inputs.
 
         Returns:
             the signals, shape (n,)
@@ -146,14 +146,14 @@ class Network:
     def exchange(self) -> FloatArray:
         """Copy outputs to inputs until nothing changes.
 
-        An output may depend on inputs at once, as a torque does on an angle; one pass for each component is
+        An output may depend directly on inputs, as a torque does on an angle; one pass per component is
         enough unless such dependencies form a loop.
 
         Returns:
             the signals, shape (n,)
 
         Raises:
-            CouplingError: the outputs depend on each other in a loop without a state in it
+            CouplingError: the outputs form an algebraic loop
         """
         signals = self._outputs()
         for _ in self.participants:
@@ -171,26 +171,26 @@ class Network:
         return np.array([values[name][i] for name, i in self._fed_by])
 
     def set(self, signals: FloatArray) -> None:
-        """Give every input its value."""
+        """Set every input."""
         for name, participant in self.participants.items():
             participant.set(signals[self._signals[name]].tolist())
 
     def set_rates(self, rates: FloatArray) -> None:
-        """Give every input its rate of change within the next step (unit of the input per s)."""
+        """Set the rate of every input for the next step (unit of the input per s)."""
         for name, participant in self.participants.items():
             participant.set_rates(rates[self._signals[name]].tolist())
 
     def step(self, end: float) -> None:
-        """Let every FMU go on to the communication point `end` (s), for itself."""
+        """Step every FMU independently to the communication point `end` (s)."""
         for participant in self.participants.values():
             participant.step(end)
 
     def save(self) -> dict[str, Any]:
-        """The states of all FMUs, for `restore` and `forget`."""
+        """Save the states of all FMUs, for `restore` and `forget`."""
         return {name: participant.save() for name, participant in self.participants.items()}
 
     def restore(self, saved: dict[str, Any]) -> None:
-        """Put every FMU back to its saved state."""
+        """Restore the saved state of every FMU."""
         for name, participant in self.participants.items():
             participant.restore(saved[name])
 

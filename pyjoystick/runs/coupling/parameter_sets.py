@@ -1,4 +1,4 @@
-"""Values of the parameters of a component, within a system's description or in a file of their own (SSV)."""
+"""Parameter values of a component, within a system's description or in a file of their own (SSV)."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from pyjoystick.runs.coupling.system import Component
 from pyjoystick.support import InputFileError
 
 SspVersion = Literal["1.0", "2.0"]
-#: The namespaces of both versions of the standard, and OMSimulator's.
+#: Namespaces of both versions of the standard, and OMSimulator's.
 NAMESPACES: Final = {
     "ssc": "http://ssp-standard.org/SSP1/SystemStructureCommon",
     "ssd": "http://ssp-standard.org/SSP1/SystemStructureDescription",
@@ -25,20 +25,20 @@ NAMESPACES: Final = {
     "oms": "https://raw.githubusercontent.com/OpenModelica/OMSimulator/master/schema/oms.xsd",
 }
 _BASE_UNITS: Final = ("kg", "m", "s", "A", "K", "mol", "cd", "rad", "factor", "offset")
-#: One name for the values of all components: ecos applies the sets of one name, which it is given.
+#: One name for the values of all components, because ecos applies only the sets of a given name.
 _PARAMETERS: Final = "parameters"
 _SET_TYPE: Final = "application/x-ssp-parameter-set"
-#: Of the annotation that says how sure a value is.
+#: Namespace of the annotation with the uncertainty of a value.
 _MEASURED: Final = "pyjoystick.measured"
 
 
 @dataclass(frozen=True, slots=True)
 class ParameterNote:
-    """What is known of a value beside itself.
+    """Uncertainty and origin of a value.
 
     Attributes:
-        uncertainty: its standard uncertainty, in its unit; None where it is not known
-        source: where it is from; may be empty
+        uncertainty: its standard uncertainty, in its unit; None if unknown
+        source: its origin; may be empty
     """
 
     uncertainty: float | None
@@ -51,10 +51,11 @@ def parameter_set_xml(
     notes: Mapping[str, ParameterNote],
     version: SspVersion,
 ) -> bytes:
-    """The values of a component as an SSV file.
+    """Values of a component as an SSV file.
 
-    The standard has no place for uncertainties: they stand in the description of a parameter, for people, and
-    in an annotation, ``<pj:Measured standardUncertainty="..." source="..."/>``.
+    The standard has no place for uncertainties: they are written to the description of a parameter, for
+        people,
+    and to an annotation, ``<pj:Measured standardUncertainty="..." source="..."/>``.
     """
     root = parameter_set(component, description, version)
     for parameter in root.iter(tag("ssv:Parameter")):
@@ -81,7 +82,7 @@ def _annotate(parameter: Element, note: ParameterNote) -> None:
 
 
 def parameter_set(component: Component, description: FmuDescription, version: SspVersion) -> Element:
-    """The values of a component as a set."""
+    """Values of a component as a parameter set."""
     found = Element(tag("ssv:ParameterSet"), version=version, name=_PARAMETERS)
     parameters = SubElement(found, tag("ssv:Parameters"))
     for name, value in component.parameters.items():
@@ -91,7 +92,7 @@ def parameter_set(component: Component, description: FmuDescription, version: Ss
 
 
 def bind(element: Element, source: str | Element) -> None:
-    """Bind values to a component: a set, or the name of the file that has it."""
+    """Bind values to a component: a set, or the name of the file that contains it."""
     bindings = SubElement(element, tag("ssd:ParameterBindings"))
     if isinstance(source, str):
         SubElement(bindings, tag("ssd:ParameterBinding"), type=_SET_TYPE, source=source)
@@ -114,7 +115,7 @@ def _text(value: Value) -> str:
 
 
 def add_units(root: Element, name: str, descriptions: Iterable[FmuDescription]) -> None:
-    """Every unit that an FMU declares, by its exponents of the SI base units."""
+    """All units declared by an FMU, with their exponents of SI base units."""
     declared = {
         unit.name: unit.baseUnit
         for description in descriptions
@@ -130,15 +131,15 @@ def add_units(root: Element, name: str, descriptions: Iterable[FmuDescription]) 
 
 
 def bound_values(path: Path, element: Element, read: Callable[[str], bytes]) -> Iterator[tuple[str, Value]]:
-    """The values that are bound to a component.
+    """Values bound to a component.
 
     Args:
         path: the archive
         element: the component
-        read: reads a file of the archive; raises KeyError where there is none
+        read: reads a file of the archive; raises KeyError if there is none
 
     Raises:
-        InputFileError: something in the binding is not supported, or not allowed
+        InputFileError: something in the binding is not supported or not allowed
     """
     for binding in element.iterfind("ssd:ParameterBindings/ssd:ParameterBinding", NAMESPACES):
         source = PurePosixPath(binding.get("source", ""))
@@ -176,7 +177,7 @@ def _value(path: Path, parameter: Element) -> Value:
 
 
 def xml_file(root: Element) -> bytes:
-    """An element as the content of a file, with the prefixes that tools look for."""
+    """An element as the content of a file, with the namespace prefixes that tools expect."""
     for prefix, uri in NAMESPACES.items():
         ElementTree.register_namespace(prefix, uri)
     ElementTree.indent(root)

@@ -1,7 +1,7 @@
-"""How a master takes its FMUs from one communication point to the next.
+"""Coupling schemes: how a master steps its FMUs from one communication point to the next.
 
-Within a step, an FMU knows of its inputs only what the master set beforehand. That determines the order of
-the coupling error in the step length H.
+Within a step, an FMU knows only what the master has set about its inputs. This determines the order of the
+coupling error in the step length H.
 """
 
 from __future__ import annotations
@@ -18,33 +18,33 @@ from pyjoystick.runs.coupling.network import Network
 from pyjoystick.runs.errors import CouplingError
 from pyjoystick.support import FloatArray
 
-#: Relative and absolute tolerance to which the ends of two iterations of a step must agree.
+#: Relative and absolute tolerance for the agreement of two iterations at the end of a step.
 _RELATIVE, _ABSOLUTE = 1e-9, 1e-12
 _MOST_ITERATIONS: Final = 50
 
 
 @dataclass(slots=True)
 class Past:
-    """What a scheme remembers of the step before: its length (s) and the signals at its beginning."""
+    """Memory of the previous step: its length (s) and the signals at its start."""
 
     length: float
     signals: FloatArray
 
 
-#: Lets the FMUs go from a communication point to another (s), with the signals at the first.
+#: Steps the FMUs from a communication point to another (s), given the signals at the first.
 Advance = Callable[[Network, float, float, FloatArray, Past | None], None]
 
 
 @dataclass(frozen=True, slots=True)
 class Scheme:
-    """A way of coupling.
+    """A coupling scheme.
 
     Attributes:
         name: in `SCHEMES`
-        description: a line on it
+        description: one line
         advance: makes one step
         exchange: copies outputs to inputs before a step and returns the signals
-        needs_rates: FMUs with real inputs must follow input derivatives, which FMI 3.0 does not have
+        needs_rates: FMUs with real inputs must use input derivatives, which FMI 3.0 does not have
         needs_states: the FMUs must save and restore their state
     """
 
@@ -56,7 +56,7 @@ class Scheme:
     needs_states: bool = False
 
     def require(self, network: Network) -> None:
-        """Raise `UnsupportedFmuError` where an FMU cannot do what the scheme needs."""
+        """Raise `UnsupportedFmuError` if an FMU does not support what the scheme needs."""
         for participant in network.participants.values():
             description = participant.description
             has_real_inputs = any(variable.type in REALS for variable in participant.inputs)
@@ -85,8 +85,8 @@ def _iterate(network: Network, begin: float, end: float, signals: FloatArray, pa
     at_end = signals + length * _rates(signals, past)
     saved = network.save()
     try:
-        # Broyden's method for: what the FMUs answer at the end = what was assumed there. The first correction
-        # takes the answer as it is.
+        # Broyden's method for: outputs at the end of the step = outputs assumed there. The first correction
+        # is a plain fixed-point iteration.
         jacobian: FloatArray = -np.eye(len(signals))
         correction: FloatArray = np.zeros_like(signals)
         residual: FloatArray = np.zeros_like(signals)
@@ -110,7 +110,7 @@ def _iterate(network: Network, begin: float, end: float, signals: FloatArray, pa
 
 
 def _rates(signals: FloatArray, past: Past | None) -> FloatArray:
-    """Rates of the signals over the step before; none at the beginning."""
+    """Rates of the signals over the previous step; zero at the start."""
     return np.zeros_like(signals) if past is None else (signals - past.signals) / past.length
 
 
@@ -139,5 +139,5 @@ _SCHEMES: Final = (
         needs_states=True,
     ),
 )
-#: The schemes by name.
+#: Schemes by name.
 SCHEMES: Final = MappingProxyType({scheme.name: scheme for scheme in _SCHEMES})

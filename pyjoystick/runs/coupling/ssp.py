@@ -38,13 +38,13 @@ from pyjoystick.support import (
 )
 
 _FMU_TYPE: Final = "application/x-fmu-sharedlibrary"
-#: What the schema allows only with something in it.
+#: Elements that the schema does not allow to be empty.
 _LISTS: Final = ("ssd:Connectors", "ssd:Elements", "ssd:Connections", "ssd:Units")
 
-#: What an archive may unpack to (bytes).
+#: Limit of an archive's unpacked size (bytes).
 _LARGEST: Final = 1_000_000_000
 _STRUCTURE: Final = "SystemStructure.ssd"
-#: The least date that a ZIP archive can hold: equal systems give equal bytes.
+#: The earliest date in a ZIP archive, fixed so that equal systems give equal bytes.
 _NO_DATE: Final = (1980, 1, 1, 0, 0, 0)
 
 
@@ -55,14 +55,14 @@ def write_ssp(
     version: SspVersion = "1.0",
     notes: Mapping[str, Mapping[str, ParameterNote]] | None = None,
 ) -> None:
-    """Write a system with its FMUs into one SSP archive, whole or not at all.
+    """Write a system with its FMUs into one SSP archive, atomically.
 
     Args:
-        system: what to write
+        system: the system
         path: the .ssp file
-        version: of the SSP standard; FMPy 0.3 and ecos 0.7 open 1.0 only
-        notes: on values, by component and parameter; the values of such a component are in a file of their
-            own, ``resources/<component>.ssv``
+        version: version of the SSP standard; FMPy 0.3 and ecos 0.7 only open 1.0
+        notes: notes on values, by component and parameter; the values of such components are written to
+            their own files, ``resources/<component>.ssv``
 
     Raises:
         CouplingError, FmuNotFoundError, FmuFileError, ParameterError, UnknownParameterError: as
@@ -99,15 +99,15 @@ def _add(archive: zipfile.ZipFile, name: str, content: bytes) -> None:
 
 
 def read_ssp(path: str | PathLike[str], folder: str | PathLike[str]) -> CoupledSystem:
-    """Read an SSP archive whose components are FMUs, connected output to input, in one system.
+    """Read an SSP archive with one system of FMUs that are connected output to input.
 
     Args:
         path: the .ssp file
-        folder: receives the FMUs; made where it is missing
+        folder: receives the FMUs; created if missing
 
     Raises:
-        InputFileError: the file is no SSP archive, or holds what this reader does not understand (systems
-            within systems, other components than FMUs, mappings, unit conversions): it is named
+        InputFileError: the file is not an SSP archive, or has unsupported contents (nested systems, other
+            components than FMUs, mappings, unit conversions), which the message names
     """
     path, folder = Path(path), Path(folder)
     try:
@@ -129,12 +129,12 @@ def read_ssp(path: str | PathLike[str], folder: str | PathLike[str]) -> CoupledS
 
 
 def structure_xml(system: CoupledSystem, version: SspVersion, in_files: Collection[str] = ()) -> bytes:
-    """The content of SystemStructure.ssd; raises as `CoupledSystem.describe`.
+    """Make the content of SystemStructure.ssd; raises as `CoupledSystem.describe`.
 
     Args:
         system: the system
-        version: of the standard
-        in_files: names of the components whose values are in files of their own
+        version: version of the standard
+        in_files: names of the components whose values are in their own files
     """
     described = system.describe()
     root = Element(
@@ -173,7 +173,7 @@ def structure_xml(system: CoupledSystem, version: SspVersion, in_files: Collecti
 
 
 def _add_omsimulator(top: Element) -> None:
-    """Without this annotation OMSimulator takes the system for none that it can run."""
+    """Add the annotation without which OMSimulator refuses to run the system."""
     annotations = SubElement(top, tag("ssd:Annotations"))
     annotation = SubElement(annotations, tag("ssc:Annotation"), type="org.openmodelica")
     information = SubElement(SubElement(annotation, tag("oms:Annotations")), tag("oms:SimulationInformation"))
@@ -196,7 +196,7 @@ def _add_component(
     *,
     in_file: bool,
 ) -> None:
-    """An FMU with connectors for its outputs and the inputs that are `fed`; FMPy cannot open any others."""
+    """An FMU with connectors for its outputs and `fed` inputs; FMPy cannot open other connectors."""
     element = SubElement(
         elements,
         tag("ssd:Component"),
@@ -222,10 +222,10 @@ def _add_component(
 
 
 def system_of(path: Path, root: Element, folder: Path, read: Callable[[str], bytes]) -> CoupledSystem:
-    """The system of a SystemStructure.ssd, its FMUs as files under `folder`; `read` reads other files.
+    """Make the system of a SystemStructure.ssd with FMUs under `folder`; `read` reads other files.
 
     Raises:
-        InputFileError: the XML of the archive `path` has something that is not supported
+        InputFileError: the XML of the archive `path` is not supported
     """
     top = root.find("ssd:System", NAMESPACES)
     if top is None:

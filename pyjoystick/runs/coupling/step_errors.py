@@ -1,4 +1,4 @@
-"""How far a coupled run is from the same system as one model, over communication steps and schemes."""
+"""Coupling errors relative to the same system as one model, over communication steps and schemes."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from pyjoystick.runs.coupling.schemes import SCHEMES
 from pyjoystick.runs.coupling.system import CoupledSystem
 from pyjoystick.support import FloatArray
 
-#: Of the FMUs in such runs, so that their own errors do not count.
+#: Tolerance of the FMUs in such runs, tight so that their own errors do not matter.
 _TOLERANCE = 1e-10
 
 
@@ -24,17 +24,17 @@ def coupling_errors(
     monolithic: Fmu,
     steps: Sequence[float] = (2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4),
 ) -> pd.DataFrame:
-    """The largest coupling error of a variable at the communication points, by each of the `SCHEMES`.
+    """Largest coupling error of a variable at the communication points, for each of the `SCHEMES`.
 
     Args:
-        system: as FMUs
-        variable: what is compared, ``component.variable``
-        monolithic: the FMU of the same system as one model, in which the variable has the same name
+        system: the system of FMUs
+        variable: variable to compare, ``component.variable``
+        monolithic: FMU of the same system as one model, in which the variable has the same name
         steps: communication steps (s)
 
     Returns:
         a row for each scheme and step with ``scheme``, ``step`` (s), ``error`` (unit of the variable) and
-        ``fmu_steps``, how often FMUs were stepped in all
+        ``fmu_steps``, the total number of FMU steps
 
     Raises:
         as `run_coupled` and `Fmu.run`
@@ -50,7 +50,7 @@ def coupling_errors(
 
 
 def orders(errors: pd.DataFrame) -> dict[str, float]:
-    """The order of each scheme: slope of the error over the two shortest steps, logarithmically."""
+    """Order of each scheme: log-log slope of the error over the two shortest steps."""
     found = {}
     for scheme, rows in errors.groupby("scheme", sort=False):
         short: FloatArray = rows.nsmallest(2, "step")[["step", "error"]].to_numpy()

@@ -1,4 +1,4 @@
-"""A system of FMUs: its components, and which output feeds which input."""
+"""A system of FMUs: components and connections."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from pyjoystick.fmu import FmuDescription, Value, Variable, checked_parameters, 
 from pyjoystick.runs.errors import CouplingError
 from pyjoystick.support import UnknownNameError
 
-#: Types of FMI 2 that FMI 3 has under another name.
+#: FMI 2 types with another name in FMI 3.
 _FMI3_NAMES: Final = {"Real": "Float64", "Integer": "Int32"}
 
 
@@ -21,7 +21,7 @@ class Component:
     """An FMU in a system.
 
     Attributes:
-        name: of its own in the system, without a dot
+        name: unique in the system, without a dot
         fmu: a name such as ``Joystick``, or the path of an FMU (FMI 2.0 or 3.0) with Co-Simulation
         parameters: values of parameters and start values by name, in the units of the FMU
     """
@@ -47,11 +47,11 @@ class CoupledSystem:
     """FMUs and the connections between them.
 
     Attributes:
-        name: of the system
+        name: name of the system
         components: in the order in which a master calls them
         connections: an output may feed several inputs; an input has one source or none
         stop_time: end of the proposed experiment (s), which starts at 0
-        description: a line on the system
+        description: one-line description
     """
 
     name: str
@@ -61,11 +61,11 @@ class CoupledSystem:
     description: str = ""
 
     def describe(self) -> dict[str, FmuDescription]:
-        """The descriptions of the FMUs by name of the component, after a check of the whole system.
+        """Check the whole system and return the descriptions of the FMUs by name of the component.
 
         Raises:
             CouplingError: two components share a name; a connection does not lead from an output to an input
-                of a component, of the same type and unit; an input is fed twice
+                of a component with the same type and unit; an input has two sources
             FmuNotFoundError, FmuFileError: an FMU is missing or broken
             UnknownParameterError, ParameterError: a parameter is unknown or its value is not allowed
         """

@@ -1,1 +1,1 @@
-"""Two FMUs of the same model compared, as when they come from different compilers."""
+"""Comparison of two FMUs of the same model, for example from different compilers."""

@@ -1,4 +1,4 @@
-"""Two FMUs compared over the same experiments, interface by interface and variable by variable."""
+"""Comparison of two FMUs over the same experiments, for each interface and variable."""
 
 from __future__ import annotations
 
@@ -28,14 +28,14 @@ INTERFACES: Final[tuple[Interface, ...]] = ("ModelExchange", "CoSimulation")
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """What is allowed between two FMUs.
+    """Limits for the differences between two FMUs.
 
     Attributes:
-        absolute: largest difference by name of the variable, in its unit, in place of the others below
-        relative: for every other variable, in parts of its largest value. The angle ``theta`` of a joystick
-            has a limit of its own, see `angle_limit`: about 1e-6 rad for a release at 20 degrees.
-        co_simulation: limits for Co-Simulation, by name. Nothing else is judged there: each FMU has its own
-            solver and step, which may be explicit Euler at the communication step.
+        absolute: largest difference by name of the variable, in its unit; overrides the others
+        relative: for all other variables, relative to their largest value. The angle ``theta`` of a joystick
+            has its own limit, see `angle_limit`: about 1e-6 rad for a release at 20 degrees.
+        co_simulation: limits for Co-Simulation, by name. Other variables have none there, because each FMU
+            has its own solver and step, which may be explicit Euler at the communication step.
     """
 
     absolute: Mapping[str, float] = field(default_factory=dict)
@@ -45,13 +45,13 @@ class Limits:
 
 @dataclass(frozen=True, slots=True)
 class RunComparison:
-    """One experiment through one interface.
+    """Comparison of one experiment through one interface.
 
     Attributes:
         interface: ``ModelExchange`` or ``CoSimulation``
         experiment: its label
         differences: one per variable; their limits determine when the FMUs part
-        judged: names of the variables that must keep their limit
+        judged: names of the variables that have a limit to keep
         failures: messages of FMUs that did not reach the end of the run
     """
 
@@ -63,19 +63,19 @@ class RunComparison:
 
     @property
     def within_limits(self) -> bool:
-        """Both FMUs reached the end, and every judged variable is within its limit."""
+        """Whether both FMUs reached the end with every judged variable within its limit."""
         kept = all(one.within_limit for one in self.differences if one.variable in self.judged)
         return kept and not self.failures
 
 
 @dataclass(frozen=True, slots=True)
 class FmuComparison:
-    """Two FMUs side by side.
+    """Comparison of two FMUs.
 
     Attributes:
         first, second: the FMUs
-        declarations: what they declare
-        tolerances: what the integrators were asked to keep
+        declarations: comparison of their declarations
+        tolerances: tolerances of the integrators
         runs: one per interface and experiment
     """
 
@@ -87,7 +87,7 @@ class FmuComparison:
 
     @property
     def within_limits(self) -> bool:
-        """Every run is within its limits."""
+        """Whether every run is within its limits."""
         return all(one.within_limits for one in self.runs)
 
 
@@ -102,17 +102,17 @@ def compare_fmus(
     tolerances: Tolerances | None = None,
     on_run: Callable[[str], None] = lambda _: None,
 ) -> FmuComparison:
-    """Run two FMUs through the same experiments and compare what they give.
+    """Run two FMUs through the same experiments and compare the results.
 
     Args:
         first: name or path of an FMU, see `pyjoystick.fmu.find_fmu`
-        second: that of the other
-        experiments: what to run; by default those of `experiments_for`
-        interfaces: ``ModelExchange`` (FMI 2.0, by CVode), ``CoSimulation``; by default those that both have
-        variables: names of the variables to compare; by default the outputs that both have or, without any,
-            the local variables that both have
-        limits: what is allowed
-        tolerances: what the integrators are asked to keep
+        second: the other FMU
+        experiments: experiments to run; by default those of `experiments_for`
+        interfaces: ``ModelExchange`` (FMI 2.0, with CVode), ``CoSimulation``; by default those that both have
+        variables: names of the variables to compare; by default the outputs that both have or, if there are
+            none, the common local variables
+        limits: limits for the differences
+        tolerances: tolerances of the integrators
         on_run: called with a description of each run before it starts
 
     Raises:
@@ -153,7 +153,7 @@ def _interfaces(a: FmuDescription, b: FmuDescription) -> tuple[Interface, ...]:
 def _variables(
     a: FmuDescription, b: FmuDescription, declarations: Declarations, names: Iterable[str] | None
 ) -> tuple[str, ...]:
-    """The names of what is compared; both FMUs have them."""
+    """Names of the variables to compare, which both FMUs have."""
     pairs = [(a.variables[name], b.variables[name]) for name in declarations.shared]
     shared = {
         part.name: (part, second)
@@ -200,7 +200,7 @@ def _compare_run(
             failures.append(f"{which} FMU, {error}")
     if failures:
         return RunComparison(interface, experiment.label, failures=tuple(failures))
-    # Where units differ, which the declarations say, the numbers are compared as they are.
+    # Numbers are compared as they are, even if units differ; the declarations report that.
     tables[1].attrs["units"] = tables[0].attrs["units"]
     allowed = _allowed(fmus, tables, interface, limits, tolerances)
     differences = compare(tables[0], tables[1], limits=allowed)

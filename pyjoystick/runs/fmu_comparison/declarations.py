@@ -1,4 +1,4 @@
-"""What two FMUs declare: which variables both have, which only one, and where their attributes differ."""
+"""Comparison of two FMUs' declarations: common variables, others, and different attributes."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ _SAME_NUMBER = 1e-12
 
 @dataclass(frozen=True, slots=True)
 class AttributeDifference:
-    """An attribute that both FMUs declare otherwise for one variable; what is not declared is empty.
+    """An attribute that two FMUs declare differently for a variable; empty if not declared.
 
     Attributes:
         variable: name of the variable
         attribute: ``type``, ``unit``, ``causality``, ``start``, ``min`` or ``max``
-        first, second: as the FMUs have it
+        first, second: values in the FMUs
     """
 
     variable: str
@@ -30,14 +30,14 @@ class AttributeDifference:
 
 @dataclass(frozen=True, slots=True)
 class Declarations:
-    """How the variables of two FMUs go together, each group in the order of the FMU it comes from.
+    """Comparison of the variables of two FMUs, each group in the order of the FMU it comes from.
 
     Attributes:
-        shared: names that both have
-        only_first, only_second: names of inputs, outputs and parameters that one has alone
-        internal_only_first, internal_only_second: the same of local variables and calculated parameters,
-            which are each tool's own
-        differences: where shared variables differ
+        shared: names of common variables
+        only_first, only_second: names of inputs, outputs and parameters in only one FMU
+        internal_only_first, internal_only_second: the same for local variables and calculated parameters,
+            which depend on the tool
+        differences: differing attributes of shared variables
     """
 
     shared: tuple[str, ...]
@@ -49,7 +49,7 @@ class Declarations:
 
 
 def compare_declarations(first: FmuDescription, second: FmuDescription) -> Declarations:
-    """Set the variables of two FMUs side by side."""
+    """Compare the variables of two FMUs."""
     shared = tuple(name for name in first.variables if name in second.variables)
     only_first = tuple(_alone(first, second, internal=False))
     only_second = tuple(_alone(second, first, internal=False))
@@ -64,7 +64,7 @@ def compare_declarations(first: FmuDescription, second: FmuDescription) -> Decla
 
 def _alone(one: FmuDescription, other: FmuDescription, *, internal: bool) -> Iterator[str]:
     for name, variable in one.variables.items():
-        # Whether time is listed among the variables is left to the tool.
+        # Tools may or may not list time among the variables.
         if name in other.variables or variable.causality == "independent":
             continue
         if _is_internal(variable) is internal:
@@ -80,7 +80,7 @@ def _differences(first: Variable, second: Variable) -> Iterator[AttributeDiffere
     }
     if not (_is_internal(first) and _is_internal(second)):
         pairs["causality"] = (first.causality, second.causality)
-    # The start of anything else is a first guess, or tells what comes out.
+    # Other start values are only guesses or results.
     if all(one.settable_at_start or one.causality == "input" for one in (first, second)):
         pairs["start"] = (first.start or "", second.start or "")
     for attribute, (mine, others) in pairs.items():

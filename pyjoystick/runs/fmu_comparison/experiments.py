@@ -1,4 +1,4 @@
-"""Experiments that two FMUs are put through alike, and one run of them through either interface."""
+"""Experiments for comparing two FMUs, and their execution through either interface."""
 
 from __future__ import annotations
 
@@ -39,10 +39,10 @@ from pyjoystick.support import (
 CVODE_TOLERANCE: Final = 1e-10
 
 
-#: Angles (rad) at which joysticks are let go, small and large ones on both sides.
+#: Release angles (rad), small and large, on both sides.
 RELEASE_ANGLES: Final = tuple(math.radians(degrees) for degrees in (-20.0, -10.0, 5.0, 15.0))
 
-# Hz. Its passages of the middle, where C may jump, fall between the instants of usual output intervals.
+# Hz. Its crossings of the middle, where C may jump, fall between samples at usual output intervals.
 _FREQUENCY: Final = 2.1
 _TORQUE: Final = 2.0
 _MOTION: Final = ("theta", "omega", "alpha")
@@ -52,13 +52,13 @@ _MOST_STEPS: Final = 10_000_000
 
 @dataclass(frozen=True, slots=True)
 class Experiment:
-    """What both FMUs are to do.
+    """An experiment for both FMUs.
 
     Attributes:
-        label: a few words on it
-        time: instants to compare at (s), equally spaced, shape (n,), n >= 2
-        parameters: values by name; those not given keep each FMU's own
-        inputs: see `pyjoystick.fmu.Inputs`; those not given keep each FMU's own
+        label: short description
+        time: times to compare (s), equally spaced, shape (n,), n >= 2
+        parameters: values by name; others keep each FMU's own
+        inputs: see `pyjoystick.fmu.Inputs`; others keep each FMU's own
     """
 
     label: str
@@ -68,12 +68,12 @@ class Experiment:
 
 
 def is_joystick(fmu: FmuDescription) -> bool:
-    """It has what a free oscillation sets and reads."""
+    """Whether it has what a free oscillation sets and reads."""
     return {"theta_start", *COLUMNS} <= set(fmu.variables)
 
 
 def is_inverse(fmu: FmuDescription) -> bool:
-    """Its inputs are a motion, as those of ``JoystickInverse``."""
+    """Whether its inputs are a motion, as in ``JoystickInverse``."""
     return set(fmu.names("input")) == set(_MOTION)
 
 
@@ -87,24 +87,24 @@ def experiments_for(
     settings: Mapping[str, float] | None = None,
     inputs: pd.DataFrame | None = None,
 ) -> list[Experiment]:
-    """The experiments by which two FMUs are compared by default.
+    """Default experiments for the comparison of two FMUs.
 
     Joysticks are released at several angles, and driven from rest in the middle by a sinusoidal torque.
-    ``JoystickInverse`` follows a sine of several amplitudes. Any other FMU runs the first one's default
-    experiment, else the second one's, else 1 s.
+    ``JoystickInverse`` follows sines of several amplitudes. Any other FMU runs the first FMU's default
+    experiment, or else the second's, or else 1 s.
 
     Args:
         first: one FMU
         second: the other
-        release_angles: angles of release, or amplitudes (rad); `RELEASE_ANGLES` if not given
+        release_angles: release angles, or amplitudes (rad); by default `RELEASE_ANGLES`
         duration: length of each run (s)
-        output_interval: time between two instants (s); rounded so that it divides the duration
-        settings: parameters by name and inputs that are to be held, the same in all experiments
-        inputs: a table of inputs over time (s), which takes the place of the sines; joysticks are then let
-            go in the middle unless `release_angles` says where
+        output_interval: sampling interval (s); rounded so that it divides the duration
+        settings: parameters by name and constant inputs, the same in all experiments
+        inputs: a table of inputs over time (s), which replaces the sines; joysticks are then released
+            in the middle unless `release_angles` is given
 
     Raises:
-        ParameterError: a value is not allowed, or `release_angles` are given for FMUs that are no joysticks
+        ParameterError: a value is not allowed, or `release_angles` are given for FMUs that are not joysticks
     """
     given = _typed(first, settings or {})
     held = {name: value for name, value in given.items() if _is_input(first, name)}
@@ -188,7 +188,7 @@ def _is_input(fmu: FmuDescription, name: str) -> bool:
 
 
 def _typed(fmu: FmuDescription, settings: Mapping[str, float]) -> dict[str, Value]:
-    """Numbers in the types of the variables: whole ones for integers, 0 and 1 for Booleans."""
+    """Numbers in the types of the variables: integers, and 0 and 1 for Booleans."""
     return {
         name: _in_type(fmu.variables[name], value) if name in fmu.variables else value
         for name, value in settings.items()
@@ -208,10 +208,10 @@ def _in_type(variable: Variable, value: float) -> Value:
 
 @dataclass(frozen=True, slots=True)
 class Tolerances:
-    """What integrators are asked to keep.
+    """Tolerances of integrators.
 
     Attributes:
-        co_simulation: those inside the FMUs
+        co_simulation: inside the FMUs
         model_exchange: CVode
     """
 
@@ -222,12 +222,12 @@ class Tolerances:
 def run(
     fmu: Path, interface: Interface, experiment: Experiment, outputs: Sequence[str], tolerances: Tolerances
 ) -> pd.DataFrame:
-    """Put an FMU through an experiment; in Co-Simulation the instants are the communication points.
+    """Run an FMU through an experiment; in Co-Simulation, its times are the communication points.
 
     Raises:
-        UnknownNameError, ParameterError, SeriesError: the FMU does not take the experiment
+        UnknownNameError, ParameterError, SeriesError: the FMU does not accept the experiment
         FmuFileError, UnsupportedFmuError: the FMU cannot be loaded, or lacks the interface
-        SimulationError: the FMU refuses its settings, fails or ends the run by itself
+        SimulationError: the FMU rejects its settings, fails or terminates the run
     """
     if interface == "ModelExchange":
         return run_model_exchange(

@@ -1,4 +1,4 @@
-"""An FMU of the joystick compared with the pure-Python reference."""
+"""Comparison of a joystick's FMU with the pure-Python reference."""
 
 from __future__ import annotations
 
@@ -33,24 +33,24 @@ def compare_with_reference(
     tolerances: Tolerances | None = None,
     on_run: Callable[[str], None] = lambda _: None,
 ) -> list[RunComparison]:
-    """Free oscillations on an FMU against the reference.
+    """Compare free oscillations on an FMU with the reference.
 
     Args:
         fmu: name or path of an FMU with the interface of ``Joystick`` and the damping law of `joystick`
-        joystick: the parameters of both
-        release_angles: angles at which the joystick is released (rad)
+        joystick: parameters for both
+        release_angles: release angles (rad)
         duration: length of each run (s)
-        output_interval: time between two instants (s)
-        interface: how the FMU is run
-        limits: largest difference allowed by name of the variable, in its unit. Where ``theta`` is not among
-            them, it has the one that the errors of the integrator explain, see `angle_limit`.
-        tolerances: what the integrators are asked to keep
+        output_interval: sampling interval (s)
+        interface: interface for running the FMU
+        limits: largest allowed difference by name of the variable, in its unit; by default ``theta`` has
+            the limit that integration errors explain, see `angle_limit`
+        tolerances: tolerances of the integrators
         on_run: called with a description of each run before it starts
 
     Raises:
-        FmuNotFoundError, FmuFileError, UnsupportedFmuError: the FMU cannot be opened, or is no joystick
-        ParameterError, UnknownNameError: a setting is not allowed, or a limit is on no variable
-        SimulationError: the FMU refuses the parameters or fails, or the reference reaches 90 degrees
+        FmuNotFoundError, FmuFileError, UnsupportedFmuError: the FMU cannot be opened, or is not a joystick
+        ParameterError, UnknownNameError: a setting is not allowed, or a limit is for an unknown variable
+        SimulationError: the FMU rejects the parameters or fails, or the reference reaches 90 degrees
     """
     description = read_description(find_fmu(fmu))
     require_joystick(description)
@@ -75,7 +75,7 @@ def compare_with_reference(
 def _accuracy(
     interface: Interface, joystick: JoystickParameters, tolerances: Tolerances
 ) -> tuple[float, float]:
-    """Tolerance of the integrator, and its largest error in parts of tolerance times angle."""
+    """Tolerance of the integrator, and its largest error in units of tolerance times angle."""
     if interface == "ModelExchange":
         return tolerances.model_exchange, MODEL_EXCHANGE
     constant = isinstance(joystick.damping, ConstantDamping)

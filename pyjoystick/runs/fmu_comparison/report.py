@@ -1,4 +1,4 @@
-"""A comparison as JSON, for programs that act on it."""
+"""A comparison as JSON."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ def as_json(
 ) -> str:
     """All results of a comparison as JSON.
 
-    Differences that are not finite are null; ``parted_at`` is null where the limit is kept.
+    Differences that are not finite are null; ``parted_at`` is null if the limit is kept.
 
     Args:
         fmus: two FMUs, or one that was compared with the reference
         runs: the compared runs
         tolerances: tolerances of the integrators
-        declarations: what the FMUs declare, where there are two
-        notes: what was noted on it
+        declarations: comparison of the declarations of two FMUs
+        notes: notes on the comparison
     """
     content: dict[str, Any] = {
         "fmus": [one.identity for one in fmus],

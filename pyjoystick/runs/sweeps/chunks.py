@@ -1,4 +1,4 @@
-"""The runs that are left, handed out in chunks that take about the same time each."""
+"""Division of the remaining runs into chunks of similar duration."""
 
 from __future__ import annotations
 
@@ -7,27 +7,27 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-#: A chunk has at most this many times the runs of the largest one timed so far.
+#: Largest growth of a chunk over the largest one timed so far.
 _GROWTH: Final = 32
-#: The last chunks take at least this fraction of the time of others; sending smaller ones would not pay.
+#: Smallest duration of the last chunks, relative to others; smaller ones do not pay.
 _SMALLEST: Final = 0.1
 
 
 class Chunks:
-    """Runs still to be done.
+    """The remaining runs.
 
-    The rate is measured as the work goes on. Chunks become smaller towards the end, so that all threads or
+    The rate is measured during the work. Chunks become smaller towards the end, so that all threads or
     workers finish at about the same time.
     """
 
     def __init__(self, runs: NDArray[np.int64], *, seconds: float, slots: int, least: int = 1) -> None:
-        """Take up the runs.
+        """Start with the given runs.
 
         Args:
-            runs: numbers of the runs, in the order in which they are handed out
+            runs: numbers of the runs, in the order of execution
             seconds: target duration of a chunk (s)
             slots: number of chunks worked on at a time
-            least: smallest number of runs in a chunk, also that of the first chunks
+            least: smallest number of runs in a chunk, and the size of the first chunks
         """
         self._runs = runs
         self._seconds = seconds
@@ -38,11 +38,11 @@ class Chunks:
 
     @property
     def left(self) -> int:
-        """Number of runs not handed out."""
+        """Number of runs not handed out yet."""
         return int(self._runs.size)
 
     def take(self) -> NDArray[np.int64]:
-        """The next chunk, empty when there are no more."""
+        """Return the next chunk, empty if there are no more runs."""
         full = min(int(self._rate * self._seconds), _GROWTH * self._largest)
         wanted = full if self.slots == 1 else min(full, -(-self.left // (2 * self.slots)))
         size = max(wanted, int(_SMALLEST * full), self._least)
@@ -50,6 +50,6 @@ class Chunks:
         return chunk
 
     def timed(self, runs: int, seconds: float) -> None:
-        """Learn from a finished chunk."""
+        """Update the rate from a finished chunk."""
         self._rate = runs / max(seconds, 1e-9)
         self._largest = max(self._largest, runs)

@@ -33,11 +33,11 @@ except ImportError as error:
 
 #: Target duration of a chunk (s); at most this much work is lost with a worker.
 _CHUNK: Final = 1.0
-#: Chunks sent for each thread of a worker, so that none has to wait for the next.
+#: Number of chunks sent per thread of a worker, so that threads need not wait for the next one.
 _AHEAD: Final = 2
 #: Time to reach the scheduler (s).
 _TIMEOUT: Final = 5.0
-#: How often all workers are spoken to if some are lost meanwhile, and the pause before each repetition (s).
+#: Number of attempts to call all workers if some are lost meanwhile, and pause between attempts (s).
 _ATTEMPTS: Final = 5
 _PAUSE: Final = 0.5
 
@@ -53,18 +53,18 @@ def run_on_cluster(
     on_progress: Callable[[int], None],
     on_note: OnNote,
 ) -> Generator[Part]:
-    """Carry out the runs with the given numbers; chunks of a lost worker are done by the others.
+    """Execute the runs with the given numbers; chunks of lost workers are given to others.
 
     Args:
         sweep: the sweep
         pending: numbers of the runs
-        address: of the scheduler, such as ``tcp://10.0.0.1:8786``
-        on_progress: called with the number of runs done so far
+        address: address of the scheduler, such as ``tcp://10.0.0.1:8786``
+        on_progress: called with the number of finished runs
         on_note: called with notes on differing versions and on a cluster without workers
 
     Raises:
-        ClusterError: the scheduler is not reached or has no workers, the versions do not match, the
-            connection is lost, or a chunk takes worker after worker with it
+        ClusterError: the scheduler cannot be reached or has no workers, the versions do not match, the
+            connection is lost, or a chunk crashes worker after worker
         FmuFileError, UnsupportedFmuError, ParameterError: the workers cannot run the FMU with these settings
     """
     content = sweep.settings.fmu.path.read_bytes()
@@ -93,7 +93,7 @@ def _carry_out(work: _Work, on_progress: Callable[[int], None], on_note: OnNote)
 
 
 class _Work:
-    """The chunks that are under way."""
+    """The chunks in progress."""
 
     def __init__(
         self, client: Client, address: str, sweep: Sweep, name: str, pending: NDArray[np.int64]
@@ -106,7 +106,7 @@ class _Work:
         self._futures: dict[Future[Any], NDArray[np.int64]] = {}
 
     def proceed(self, on_note: OnNote) -> bool:
-        """Send what the workers have room for and wait a moment; False when all is done."""
+        """Send chunks to workers with free slots and wait briefly; False when everything is done."""
         slots = sum(self._client.nthreads().values())
         self._chunks.slots = max(slots, 1)
         while len(self._futures) < _AHEAD * self._chunks.slots and (runs := self._chunks.take()).size:
@@ -118,13 +118,13 @@ class _Work:
             return False
         if not slots:
             on_note("the cluster has no workers; waiting for one (Ctrl-C keeps what is done)")
-        # A lost connection cancels the futures; `finished` then says so.
+        # A lost connection cancels the futures; `finished` then reports it.
         with self._client.as_current(), suppress(TimeoutError, concurrent.futures.CancelledError):
             wait(list(self._futures), timeout=1.0, return_when="FIRST_COMPLETED")
         return True
 
     def finished(self) -> Iterator[Part]:
-        """The chunks that have come back since."""
+        """Chunks that have returned since the last call."""
         for future in [one for one in self._futures if one.done()]:
             part, seconds = self._result(future)
             del self._futures[future]
@@ -152,19 +152,19 @@ class _Work:
         except PyJoystickError:
             raise
         except (CommClosedError, concurrent.futures.CancelledError) as error:
-            # Lost after `cancelled` has been asked for.
+            # Lost after the check of `cancelled`.
             raise ClusterError(self._address, _LOST) from error
-        except Exception as error:  # whatever goes wrong on a worker
+        except Exception as error:  # any failure on a worker
             raise ClusterError(self._address, f"a worker failed: {type(error).__name__}: {error}") from error
         return result
 
 
 @contextmanager
 def _connected(address: str, on_note: OnNote) -> Iterator[Client]:
-    """A client of the scheduler."""
+    """Connect a client to the scheduler."""
     log = logging.getLogger("distributed.client")
     level = log.level
-    # What it would log is in the errors that are raised.
+    # Its log messages are already in the errors that it raises.
     log.setLevel(logging.CRITICAL)
     try:
         client = _client(address, on_note)
@@ -178,7 +178,7 @@ def _connected(address: str, on_note: OnNote) -> Iterator[Client]:
 
 def _client(address: str, on_note: OnNote) -> Client:
     try:
-        # A client that cannot understand its address would hang when it is collected.
+        # A client with an invalid address would hang during garbage collection.
         get_address_host_port(address)
     except ValueError as error:
         raise ClusterError(address, f"is not an address like tcp://HOST:PORT: {error}") from error
@@ -196,7 +196,7 @@ def _client(address: str, on_note: OnNote) -> Client:
 
 @contextmanager
 def _shipped(client: Client, sweep: Sweep, content: bytes) -> Iterator[str]:
-    """Send the FMU to every worker; the name of the plugin that has it there."""
+    """Send the FMU to every worker; returns the name of the plugin that provides it."""
     name = f"pyjoystick-{uuid.uuid4().hex}"
     plugin = FmuPlugin(name, content, sweep.task)
     try:
@@ -204,7 +204,7 @@ def _shipped(client: Client, sweep: Sweep, content: bytes) -> Iterator[str]:
         yield name
     finally:
         if client.status == "running":
-            # A worker lost now takes its FMU with it; one that was never reached has none.
+            # A worker lost now loses its FMU too; one that was never reached has none.
             with suppress(OSError, ValueError):
                 client.unregister_worker_plugin(name)
 

@@ -1,4 +1,4 @@
-"""Results of sweeps as Parquet or CSV files that carry their settings."""
+"""Results of sweeps as Parquet or CSV files that include their settings."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _SUFFIXES: Final = (".parquet", ".csv")
 
 
 def check_target(path: Path) -> None:
-    """Raise unless the name says a format that can be written.
+    """Check that the suffix is a format that can be written.
 
     Raises:
         OutputFileError: another suffix than .parquet or .csv
@@ -33,14 +33,14 @@ def check_target(path: Path) -> None:
 
 
 def write_sweep(path: Path, table: pd.DataFrame) -> None:
-    """Write the results of a sweep with its settings, whole or not at all.
+    """Write the results of a sweep with its settings, atomically.
 
-    Parquet keeps the settings as JSON in its metadata, where pandas keeps ``DataFrame.attrs``; CSV in lines
-    that begin with ``#``.
+    Parquet stores the settings as JSON in its metadata, where pandas keeps ``DataFrame.attrs``; CSV in lines
+    that start with ``#``.
 
     Args:
         path: the file, .parquet or .csv
-        table: as `Sweep.table` makes it
+        table: from `Sweep.table`
 
     Raises:
         OutputFileError: the file cannot be written
@@ -53,12 +53,12 @@ def write_sweep(path: Path, table: pd.DataFrame) -> None:
             with temporary.open("w", encoding="utf-8", newline="") as file:
                 document = json.dumps(table.attrs[ATTRIBUTE], indent=2)
                 file.writelines(f"# {line}\n" for line in document.splitlines())
-                # Quoted text may hold a "#" without beginning a comment.
+                # Quoted text may contain a "#" without starting a comment.
                 table.to_csv(file, quoting=csv.QUOTE_NONNUMERIC, lineterminator="\n")
 
 
 def read_sweep(path: str | PathLike[str]) -> pd.DataFrame:
-    """The results of a sweep, one row a run; ``attrs["sweep"]`` has its settings, FMU, versions and units.
+    """Read the results of a sweep, one row per run; ``attrs["sweep"]`` has settings, FMU, versions and units.
 
     The columns are the varied parameters, the results, ``failed`` and ``message``; the index is ``run``.
 
@@ -72,7 +72,7 @@ def read_sweep(path: str | PathLike[str]) -> pd.DataFrame:
         table = pd.read_parquet(path, engine="pyarrow") if _is_parquet(path) else _read_csv(path)
     except FileNotFoundError as error:
         raise SweepFileError(path, "the file does not exist") from error
-    except Exception as error:  # pandas and pyarrow raise whatever they stumble over
+    except Exception as error:  # pandas and pyarrow raise many types
         raise SweepFileError(path, f"is not a result of a sweep: {error}") from error
     if not isinstance(table.attrs.get(ATTRIBUTE), dict):
         raise SweepFileError(path, "is not a result of a sweep: it has no settings")
@@ -90,7 +90,7 @@ def _read_csv(path: Path) -> pd.DataFrame:
             if not line.startswith("#"):
                 break
             header.append(line.removeprefix("#"))
-    # As text first: Python's own conversion gives back every digit, whatever the version of pandas.
+    # Read as text first: Python's conversion restores every digit, whatever the version of pandas.
     text = pd.read_csv(path, comment="#", index_col="run", dtype=str, keep_default_na=False)
     table = text.apply(_converted).set_axis(text.index.astype(np.int64), axis=0).rename_axis("run")
     if header:
@@ -99,7 +99,7 @@ def _read_csv(path: Path) -> pd.DataFrame:
 
 
 def _converted(column: pd.Series[str]) -> pd.Series[Any]:
-    """A column of text as numbers or Booleans, but for the messages."""
+    """Convert a column of text to numbers or Booleans, except messages."""
     if column.name == "message":
         return column
     if column.isin(["True", "False"]).all():

@@ -1,4 +1,4 @@
-"""The finished runs of an unfinished sweep, in a folder beside the file that they will become."""
+"""Finished runs of an unfinished sweep, in a folder next to the target file."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _PARTS: Final = "from-*.npz"
 
 
 class Parts:
-    """The folder of parts. Each is written whole or not at all, so that a kill loses only unfinished runs.
+    """The folder of parts. Each is written atomically, so that a killed process loses only unfinished runs.
 
     Attributes:
         target: the file of the finished sweep
@@ -34,19 +34,19 @@ class Parts:
 
     @property
     def begun(self) -> bool:
-        """There are parts of some sweep."""
+        """Whether there are parts of some sweep."""
         return (self.folder / _IDENTITY).exists()
 
     @contextmanager
     def opened(self, identity: Document, *, anew: bool = False) -> Iterator[None]:
-        """Make the folder of a sweep, or continue with it, and lock out other processes meanwhile.
+        """Create or reopen the folder of a sweep, and lock it against other processes meanwhile.
 
         Args:
             identity: see `Sweep.identity`
-            anew: drop the parts that are there
+            anew: discard existing parts
 
         Raises:
-            ChangedSweepError: the parts are those of another sweep
+            ChangedSweepError: the parts belong to another sweep
             SweepFileError: another process is working on this sweep, or the folder cannot be read
             OutputFileError: the folder cannot be created
         """
@@ -65,16 +65,16 @@ class Parts:
             yield
 
     def _lock(self) -> AbstractContextManager[FileLock]:
-        """The system releases it when this process ends, however it ends."""
+        """Lock the folder; the system releases the lock when this process ends for any reason."""
         return FileLock(self.folder / _LOCK).acquire(timeout=0)
 
     def _drop(self) -> None:
-        """Delete the parts, those that a kill cut short too, and then what says whose they are."""
+        """Delete the parts, including truncated ones, and then the identity of their sweep."""
         for file in (*self.folder.glob(f"*{_PARTS}"), self.folder / _IDENTITY):
             file.unlink(missing_ok=True)
 
     def _require(self, identity: Document) -> bool:
-        """Whether the folder is of this sweep or of none yet; raises as `opened` where it is of another."""
+        """Whether the folder belongs to this sweep; False if new; raises as `opened` if it is of another."""
         file = self.folder / _IDENTITY
         if not file.exists():
             if any(self.folder.glob(_PARTS)):
@@ -91,7 +91,7 @@ class Parts:
         return True
 
     def save(self, part: Part) -> None:
-        """Keep finished runs; raises OutputFileError where they cannot be written."""
+        """Save finished runs; raises OutputFileError if they cannot be written."""
         if not part.runs.size:
             return
         said = np.array([message for message in part.messages if message], dtype=np.str_)
@@ -99,9 +99,9 @@ class Parts:
             np.savez(temporary, runs=part.runs, values=part.values, failed=part.failed, said=said)
 
     def whole(self, runs: int, columns: int) -> tuple[Part, np.ndarray[Any, np.dtype[np.bool_]]]:
-        """All `runs` runs with what is kept of them, and which of them are kept, shape (runs,).
+        """All `runs` runs with the saved results, and which of them are saved, shape (runs,).
 
-        A part that cannot be read counts as not done.
+        An unreadable part counts as not done.
         """
         done = np.zeros(runs, dtype=np.bool_)
         values = np.full((runs, columns), np.nan)
@@ -116,19 +116,19 @@ class Parts:
         return Part(np.arange(runs), values, failed, messages), done
 
     def _load(self, runs: int, columns: int) -> Iterator[Part]:
-        """Every part, with the messages of its failed runs alone; what is no such part is deleted."""
+        """All parts, with messages of failed runs only; deletes files that are not valid parts."""
         for file in sorted(self.folder.glob(_PARTS)):
             try:
                 with file.open("rb") as stream, np.load(stream) as kept:
                     part = Part(kept["runs"], kept["values"], kept["failed"], kept["said"].tolist())
                     _require_part(part, runs, columns)
-            except Exception:  # NumPy raises whatever it stumbles over
+            except Exception:  # NumPy raises many types
                 file.unlink(missing_ok=True)
             else:
                 yield part
 
     def remove(self, identity: Document | None = None) -> None:
-        """Forget what is kept, of this sweep alone where given; a folder in use by another process stays."""
+        """Delete the folder, if it belongs to the given sweep; a folder in use by another process stays."""
         try:
             with self._lock():
                 if identity is not None:
@@ -137,14 +137,14 @@ class Parts:
         except (Timeout, OSError, ChangedSweepError, SweepFileError):
             return
         with suppress(OSError):
-            # After the lock, as not every system deletes a file that is open, and only an empty folder:
-            # another process may have begun here since.
+            # After unlocking, as not every system can delete an open file; and only if empty, since another
+            # process may have started here.
             (self.folder / _LOCK).unlink(missing_ok=True)
             self.folder.rmdir()
 
 
 def _require_part(part: Part, runs: int, columns: int) -> None:
-    """Raise ValueError where arrays are not those of some of so many runs with so many results."""
+    """Raise ValueError unless the arrays fit this number of runs and results."""
     count = len(part.runs)
     sound = (
         [one.dtype.kind for one in (part.runs, part.values, part.failed)] == ["i", "f", "b"]
@@ -157,10 +157,10 @@ def _require_part(part: Part, runs: int, columns: int) -> None:
 
 
 def require_same(target: Path, kept: Mapping[str, Any], identity: Mapping[str, Any]) -> None:
-    """Raise ChangedSweepError where `kept` differs from `identity` in one of the latter's keys."""
+    """Raise ChangedSweepError if `kept` differs from `identity` in one of the latter's keys."""
     differences = list(_differences({key: kept.get(key) for key in identity}, identity, ""))
     if any(one.startswith("settings ") for one in differences):
-        # Then it needs no saying that the runs are others.
+        # This implies that the runs differ.
         differences = [one for one in differences if not one.startswith("runs ")]
     if differences:
         raise ChangedSweepError(target, tuple(differences[:5]))

@@ -15,7 +15,7 @@ from pyjoystick.support import AMBER, BLUE, VERMILION, ParameterError, UnknownVa
 _FIRST: Final = BLUE
 _TOTAL: Final = AMBER
 _FAILED: Final = VERMILION
-#: Results and parameters that a figure has room for.
+#: Maximum number of results and of parameters in a figure.
 MOST_RESULTS: Final = 6
 MOST_PARAMETERS: Final = 8
 _MOST_POINTS: Final = 5000
@@ -23,11 +23,11 @@ _LONGEST_LINE: Final = 24
 
 
 def plot_sensitivity(indices: pd.DataFrame, *, title: str = "") -> Figure:
-    """First-order and total Sobol indices as bars with their confidence intervals, one panel a result.
+    """Plot first-order and total Sobol indices as bars with confidence intervals, one panel per result.
 
     Args:
-        indices: as `sensitivity` returns them, `MOST_RESULTS` results at most
-        title: a line above the figure
+        indices: from `sensitivity`, with at most `MOST_RESULTS` results
+        title: title of the figure
 
     Raises:
         ParameterError: too many results
@@ -58,15 +58,15 @@ def plot_sensitivity(indices: pd.DataFrame, *, title: str = "") -> Figure:
 
 
 def plot_scatter(table: pd.DataFrame, results: Sequence[str], *, title: str = "") -> Figure:
-    """Results over parameters, one row a result and one column a parameter; a dot is a run.
+    """Plot results over parameters, one row per result and one column per parameter; each dot is a run.
 
-    Failed runs are marked at the foot of each panel, which has neither result nor height for them.
+    Failed runs, which have no result, are marked at the bottom of each panel.
 
     Args:
-        table: as `read_sweep` returns it, with `MOST_PARAMETERS` parameters at most; of more than 5000 runs
-            that many are drawn, equally spaced
-        results: names of the results, `MOST_RESULTS` at most
-        title: a line above the figure
+        table: from `read_sweep`, with at most `MOST_PARAMETERS` parameters; at most 5000 runs
+            are drawn, equally spaced
+        results: names of the results, at most `MOST_RESULTS`
+        title: title of the figure
 
     Raises:
         ParameterError: too many results or parameters, or no result
@@ -103,7 +103,7 @@ def _bars(axes: Axes, indices: pd.DataFrame) -> None:
         ("total", "with interactions (total)", _TOTAL, 0.2),
     ):
         low, value, high = (indices[column].to_numpy() for column in (f"{name}_low", name, f"{name}_high"))
-        # The percentiles of a bootstrap need not enclose the estimate.
+        # Bootstrap percentiles need not enclose the estimate.
         error = np.clip([value - low, high - value], 0.0, None)
         axes.barh(
             place + shift,
@@ -138,7 +138,7 @@ def _dots(axes: Axes, table: pd.DataFrame, parameter: str, result: str) -> None:
 
 
 def _labeled(name: str, units: dict[str, str]) -> str:
-    """Name and unit; long names are broken so that labels side by side do not meet."""
+    """Name and unit; long names are wrapped so that adjacent labels do not overlap."""
     unit = f"({units[name]})" if units.get(name) else ""
     if len(name) + len(unit) <= _LONGEST_LINE:
         return f"{name} {unit}".rstrip()

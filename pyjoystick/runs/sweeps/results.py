@@ -1,4 +1,4 @@
-"""What is kept of a run: the tables [[results]] of the settings file, and the columns they make."""
+"""Results of a run: the tables [[results]] of the settings file, and their columns."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _LIMITS: Final = ("minimum_height", "minimum_prominence")
 
 
 def read_results(tables: Iterable[Table], description: FmuDescription) -> tuple[Reduction, ...]:
-    """The tables [[results]].
+    """Read the tables [[results]].
 
     Raises:
         SettingsError: an unknown kind or variable, or the same result twice
@@ -35,12 +35,12 @@ def read_results(tables: Iterable[Table], description: FmuDescription) -> tuple[
 
 
 def columns_of(results: Sequence[Reduction]) -> list[str]:
-    """Names of all numbers that are kept of a run."""
+    """Names of the result columns."""
     return [column for result in results for column in result.columns]
 
 
 def variables_of(results: Sequence[Reduction]) -> list[str]:
-    """Names of the variables that the results are taken from."""
+    """Names of the variables from which the results are computed."""
     names = [name for one in results for name in (one.variable, getattr(one, "derivative", None)) if name]
     return list(dict.fromkeys(names))
 
@@ -78,5 +78,5 @@ def _limit(table: Table, key: str, description: FmuDescription, variable: str) -
 
 
 def _described(name: str, description: FmuDescription) -> Variable:
-    """A variable, which may be an element of an array."""
+    """Description of a variable, which may be an element of an array."""
     return checked_outputs(description, [name])[0]

@@ -1,4 +1,4 @@
-"""Carrying out a sweep: what is done is kept, what is left is done, and the file is written."""
+"""Execution of sweeps: runs are saved as they finish and resumed after an interruption."""
 
 from __future__ import annotations
 
@@ -28,22 +28,22 @@ _LOG = logging.getLogger(__name__)
 _CHUNK: Final = 2.0
 
 
-#: Called with the number of runs that are done, those of an earlier session included.
+#: Called with the number of finished runs, including those of an earlier session.
 OnProgress = Callable[[int], None]
 
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """How far a sweep has come.
+    """Progress or result of a sweep.
 
     Attributes:
-        path: file of the results; there unless `interrupted`
-        table: the results, see `read_sweep`; None where `interrupted`
-        done: number of runs done, failed ones included
-        failed: number of failed runs among them
-        messages: messages of failed runs, by the number of the run
-        interrupted: stopped by Ctrl-C; the same call goes on where it stopped
-        found: number of runs that were done before this call
+        path: file of the results; written unless `interrupted`
+        table: the results, see `read_sweep`; None if `interrupted`
+        done: number of finished runs, including failed ones
+        failed: number of failed runs
+        messages: messages of failed runs, by run number
+        interrupted: stopped by Ctrl-C; the same call continues from there
+        found: number of runs that were finished before this call
     """
 
     path: Path
@@ -65,26 +65,26 @@ def run_sweep(
     on_progress: OnProgress = lambda _: None,
     on_note: Callable[[str], None] = lambda _: None,
 ) -> Outcome:
-    """Carry out a sweep, or what is left of it, and write its file.
+    """Execute a sweep, or the rest of it, and write its file.
 
-    Finished runs are kept in the folder ``TARGET.parts`` until the file is written. The results do not depend
-    on where the sweep ran, nor on where and how often it was interrupted.
+    Finished runs are saved in the folder ``TARGET.parts`` until the file is written. The results do not
+    depend on where the sweep ran, nor on where and how often it was interrupted.
 
     Args:
         sweep: the sweep
         target: the file, .parquet or .csv
-        threads: number of threads on this machine; all cores where not given
+        threads: number of threads on this machine; by default all cores
         scheduler: address of a Dask scheduler (``tcp://...``) whose workers do the runs instead
         overwrite: discard saved progress and results, and start over
-        on_progress: called with the number of runs done
+        on_progress: called with the number of finished runs
         on_note: called with any other message
 
     Raises:
         OutputFileError, SweepFileError: a file cannot be written or read
-        ChangedSweepError: what is kept or written belongs to other settings or another FMU
+        ChangedSweepError: existing progress or results belong to other settings or another FMU
         MissingPackageError: Parquet without pyarrow, or a scheduler without distributed
-        ClusterError: the cluster cannot be used or was lost; what was finished is kept
-        FmuFileError, UnsupportedFmuError, ParameterError: the FMU cannot be run with these settings
+        ClusterError: the cluster cannot be used or was lost; finished runs are saved
+        FmuFileError, UnsupportedFmuError, ParameterError: the FMU cannot run with these settings
     """
     target = Path(target)
     check_target(target)
@@ -124,7 +124,7 @@ def _carry_out(
     on_progress: OnProgress,
     on_note: Callable[[str], None],
 ) -> bool:
-    """Do the pending runs and keep them; returns whether Ctrl-C stopped it."""
+    """Execute the pending runs and save them; returns whether Ctrl-C stopped it."""
     if scheduler is None:
         finished = run_locally(sweep, pending, threads, on_progress)
     else:
@@ -141,10 +141,9 @@ def _carry_out(
 
 
 def _finished(sweep: Sweep, parts: Parts) -> pd.DataFrame | None:
-    """The results of this sweep that are there already, or None.
+    """Existing results of this sweep, or None.
 
-    Those of another sweep are refused, unless there are parts: then it was said before that they are to be
-    replaced.
+    Results of another sweep are an error unless there are parts, which mean that overwriting was requested.
     """
     if not parts.target.exists():
         return None
@@ -160,7 +159,7 @@ def _finished(sweep: Sweep, parts: Parts) -> pd.DataFrame | None:
 
 
 def _require_whole(sweep: Sweep, path: Path, table: pd.DataFrame) -> None:
-    """Raise SweepFileError where the rows of a file are not those that its settings make."""
+    """Raise SweepFileError if the rows of a file do not match its settings."""
     columns = [*sweep.design, *sweep.columns, "failed", "message"]
     kinds = dict.fromkeys(sweep.columns, "fiub") | {"failed": "b"}
     if (
@@ -189,18 +188,18 @@ def _unfinished(path: Path, whole: Part, done: int, found: int, interrupted: boo
 def run_locally(
     sweep: Sweep, pending: NDArray[np.int64], threads: int | None, on_progress: Callable[[int], None]
 ) -> Generator[Part]:
-    """Carry out the runs with the given numbers, chunk by chunk.
+    """Execute the runs with the given numbers, chunk by chunk.
 
     Args:
         sweep: the sweep
         pending: numbers of the runs
-        threads: number of threads; the cores that this process may use where not given
-        on_progress: called with the number of runs done so far
+        threads: number of threads; by default the cores available to this process
+        on_progress: called with the number of finished runs
 
     Raises:
-        KeyboardInterrupt: on Ctrl-C, after the runs that were finished have been handed over
+        KeyboardInterrupt: on Ctrl-C, after the finished runs have been yielded
         FmuFileError, UnsupportedFmuError: the FMU cannot be run here
-        ParameterError: the FMU refuses the settings of every run
+        ParameterError: the FMU rejects the settings of every run
     """
     least = threads or os.cpu_count() or 1
     chunks = Chunks(pending, seconds=_CHUNK, slots=1, least=least)

@@ -1,4 +1,4 @@
-"""Which runs a sweep makes: one row of parameter values a run."""
+"""Sampling of the runs: one row of parameter values per run."""
 
 from __future__ import annotations
 
@@ -18,20 +18,20 @@ from pyjoystick.support import FloatArray, ParameterError
 
 Method = Literal["grid", "random", "latin-hypercube", "sobol", "saltelli"]
 METHODS: Final = get_args(Method)
-#: Methods whose `count` must be a power of two, which the balance of Sobol sequences needs.
+#: Methods whose `count` must be a power of two, for the balance of Sobol sequences.
 POWERS_OF_TWO: Final = ("sobol", "saltelli")
 
 
 @dataclass(frozen=True, slots=True)
 class Sampling:
-    """How the runs are chosen.
+    """How to choose the runs.
 
     Attributes:
         method: ``grid``: every combination of the levels. ``random``, ``latin-hypercube``, ``sobol``: `count`
             runs from the distributions. ``saltelli``: the design for sensitivity indices (Saltelli et al.,
             Comput. Phys. Commun. 181 (2010) 259-270), `count` * (parameters + 2) runs.
-        count: of samples; not used by ``grid``
-        seed: of the samples; the same seed gives the same runs
+        count: number of samples; not used by ``grid``
+        seed: seed of the samples; the same seed gives the same runs
     """
 
     method: Method
@@ -45,7 +45,7 @@ class Sampling:
         return self.count * (len(varied) + 2) if self.method == "saltelli" else self.count
 
     def check(self, varied: Mapping[str, Variation]) -> None:
-        """Raise ParameterError where the method does not suit the parameters, or the runs are too many."""
+        """Raise ParameterError if the method does not suit the parameters, or there are too many runs."""
         method, count = self.method, self.count
         if method == "grid":
             for name, variation in varied.items():
@@ -65,10 +65,10 @@ class Sampling:
 
 
 def design(varied: Mapping[str, Variation], sampling: Sampling) -> pd.DataFrame:
-    """The parameters of every run, shape [runs, varied], indexed by ``run`` = 0, 1, ...
+    """Parameters of every run, shape [runs, varied], indexed by ``run`` = 0, 1, ...
 
-    A grid has its last parameter change fastest. A ``saltelli`` design has the matrix A, then B, then for
-    each parameter A with the column of that parameter from B, `sampling.count` rows each.
+    In a grid, the last parameter changes fastest. A ``saltelli`` design consists of the matrix A, then B,
+    then, for each parameter, A with the column of that parameter from B; `sampling.count` rows each.
 
     Args:
         varied: how each parameter varies, one or more; `Levels` for a grid
@@ -94,7 +94,7 @@ def design(varied: Mapping[str, Variation], sampling: Sampling) -> pd.DataFrame:
 
 
 def digest(table: pd.DataFrame) -> str:
-    """SHA-256 of the values of a design, in hexadecimal digits."""
+    """SHA-256 of the values of a design, in hexadecimal."""
     total = hashlib.sha256()
     for name in table:
         column = np.ascontiguousarray(table[name].to_numpy())

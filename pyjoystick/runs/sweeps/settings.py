@@ -1,4 +1,4 @@
-"""The settings of a sweep: a TOML file, checked against the FMU that it names."""
+"""Settings of a sweep: a TOML file, checked against its FMU."""
 
 from __future__ import annotations
 
@@ -38,27 +38,27 @@ from pyjoystick.support import (
     read_toml,
 )
 
-#: Tolerances that an integrator can keep.
+#: Range of tolerances that integrators can achieve.
 _TOLERANCES: Final = (1e-13, 1e-2)
 
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """What a settings file says.
+    """Contents of a settings file.
 
     Attributes:
         path: the file
-        title: a line for people
+        title: title for people
         fmu: the FMU; ``fmu.path`` is its file
-        time: samples of a run (s), shape (n,), which the reductions are taken over
-        tolerance: what the FMU's integrator is asked to keep
-        time_limit: what a run may take by the clock (s), see `Fmu`; None where the file gives none
-        parameters: those that are the same in every run, in the FMU's units
-        inputs: the same in every run
+        time: samples of a run (s), shape (n,), from which the reductions are computed
+        tolerance: tolerance of the FMU's integrator
+        time_limit: wall-clock limit of a run (s), see `Fmu`; None if the file has none
+        parameters: parameters that are the same in every run, in the FMU's units
+        inputs: inputs, the same in every run
         varied: how the other parameters vary
         sampling: how the runs are chosen
-        results: what is kept of a run
-        document: the file as TOML has it, for the record
+        results: what to keep of a run
+        document: the file as parsed from TOML, for the record
     """
 
     path: Path
@@ -79,12 +79,12 @@ def read_settings(path: str | PathLike[str] | Table, find: Callable[[str], Path]
     """Read the settings of a sweep; docs/sweeps.md describes the file.
 
     Args:
-        path: the TOML file; the paths in it are relative to its folder
-        find: from the name or path of an FMU to its file
+        path: the TOML file; paths in it are relative to its folder
+        find: function that returns the file for the name or path of an FMU
 
     Raises:
         InputFileError: the file cannot be read
-        SettingsError: something in it is not allowed
+        SettingsError: a setting is not allowed
         FmuNotFoundError, FmuFileError: there is no such FMU, or it is broken
     """
     root = read_toml(path)
@@ -112,7 +112,7 @@ def read_settings(path: str | PathLike[str] | Table, find: Callable[[str], Path]
 
 
 def _time(experiment: Table, fmu: FmuDescription) -> FloatArray:
-    """Times of the samples; what is not given is what the FMU proposes."""
+    """Times of the samples; missing settings are those that the FMU proposes."""
     proposed = fmu.experiment
     start = experiment.number("start", proposed.start_time or 0.0)
     end = proposed.stop_time
@@ -149,9 +149,9 @@ def _parameters(table: Table, fmu: FmuDescription) -> dict[str, Value]:
 
 
 def _inputs(experiment: Table, constants: Table, fmu: FmuDescription) -> Inputs:
-    """The constants of [inputs], and the series of the CSV file that [experiment] names as ``input_file``.
+    """Constants of [inputs], and series of the CSV file that [experiment] names as ``input_file``.
 
-    The file is as `pyjoystick.fmu.read_inputs` takes it.
+    The file has the format of `pyjoystick.fmu.read_inputs`.
     """
     values: dict[str, Value] = {}
     known = fmu.names("input")

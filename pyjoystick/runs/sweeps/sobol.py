@@ -1,4 +1,4 @@
-"""Sobol indices: which parameters the variance of a result comes from."""
+"""Sobol indices: contributions of parameters to the variance of results."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from scipy.stats import bootstrap, sobol_indices
 from pyjoystick.runs.errors import SensitivityError
 from pyjoystick.support import FloatArray, UnknownVariableError
 
-#: Resamples of the bootstrap, and the seed that makes its intervals repeatable.
+#: Number of bootstrap resamples, and the seed that makes the intervals reproducible.
 _RESAMPLES: Final = 999
 _SEED: Final = 20040701
-#: Results beyond this have squares that are beyond all numbers.
+#: The squares of larger results overflow.
 _LARGEST: Final = 1e150
 _Matrix = Literal["f_A", "f_B", "f_AB"]
 _NOT_RESULTS: Final = ("failed", "message")
@@ -27,23 +27,23 @@ def sensitivity(
 ) -> pd.DataFrame:
     """First-order and total Sobol indices of the results of a ``saltelli`` sweep, with confidence intervals.
 
-    The first-order index is the part of the variance that a parameter explains by itself, the total index the
-    part that it has a share in. The estimators are those of Saltelli et al. (Comput. Phys. Commun. 181 (2010)
-    259-270), as SciPy has them; the intervals are percentiles of a bootstrap over the samples, always with
-    the same seed. Indices below 0 or above 1 by less than their interval are chance.
+    The first-order index is the part of the variance that a parameter explains alone, the total index the
+    part to which it contributes. The estimators are those of Saltelli et al. (Comput. Phys. Commun. 181
+    (2010) 259-270), as implemented in SciPy; the intervals are bootstrap percentiles with a fixed seed.
+    Indices below 0 or above 1 by less than their interval are due to chance.
 
     Args:
-        table: as `read_sweep` returns it
-        results: names of result columns; all that have an index where not given
-        confidence: of the intervals, between 0 and 1
+        table: from `read_sweep`
+        results: names of result columns; by default all that have an index
+        confidence: confidence level of the intervals, between 0 and 1
 
     Returns:
         a table with the columns ``result``, ``parameter``, ``first``, ``first_low``, ``first_high``,
-        ``total``, ``total_low``, ``total_high``; ``attrs["left_out"]`` says by name why a result has none
+        ``total``, ``total_low``, ``total_high``; ``attrs["left_out"]`` explains by name why a result has none
 
     Raises:
-        SensitivityError: the design is another, a run failed, or a result that was asked for has no indices
-            because it is missing in some run, too large, or the same in all
+        SensitivityError: the design is another, a run failed, or a requested result has no indices
+            because it is missing in some run, too large, or constant
         UnknownVariableError: there is no result of that name
     """
     parameters, found = _columns(table)
@@ -99,10 +99,10 @@ def _why_not(values: FloatArray) -> str:
 
 
 def _indices(values: FloatArray, confidence: float) -> pd.DataFrame:
-    """Indices of one result; `values` has the rows A, B and one a parameter, shape (parameters + 2, n)."""
+    """Indices of one result; `values` has the rows A, B and one per parameter, shape (parameters + 2, n)."""
 
     def estimate(chosen: NDArray[np.intp]) -> FloatArray:
-        """Shape (2, parameters): first order and total."""
+        """Indices, shape (2, parameters): first order and total."""
         drawn = values[:, chosen]
         func: dict[_Matrix, FloatArray] = {"f_A": drawn[:1], "f_B": drawn[1:2], "f_AB": drawn[2:, np.newaxis]}
         found = sobol_indices(func=func, n=chosen.size)

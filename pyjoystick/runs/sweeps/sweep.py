@@ -1,4 +1,4 @@
-"""A sweep: settings, the runs that follow from them, and a fingerprint."""
+"""A sweep: settings, the resulting runs, and a fingerprint."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from pyjoystick.runs.sweeps.settings import Settings
 from pyjoystick.support import FloatArray, versions
 
 Document = dict[str, Any]
-#: Where ``DataFrame.attrs`` has what a file of results says of itself.
+#: Key of ``DataFrame.attrs`` for the description of a result file.
 ATTRIBUTE: Final = "sweep"
 
 
@@ -33,7 +33,7 @@ class Part:
         runs: their numbers, shape (n,)
         values: the results, shape (n, columns), NaN in failed runs
         failed: shape (n,)
-        messages: one a run, empty for a sound run
+        messages: one per run, empty for a successful run
     """
 
     runs: NDArray[np.int64]
@@ -44,7 +44,7 @@ class Part:
 
 @dataclass(frozen=True, slots=True)
 class Task:
-    """What all runs of a sweep share; see `Fmu.plan` and, for the time limit of a run (s), `Fmu`."""
+    """Settings common to all runs of a sweep; see `Fmu.plan` and, for the time limit of a run (s), `Fmu`."""
 
     time: FloatArray
     varied: tuple[str, ...]
@@ -60,7 +60,7 @@ class Task:
         return Fmu(path) if self.time_limit is None else Fmu(path, time_limit=self.time_limit)
 
     def plan(self, fmu: Fmu) -> Plan:
-        """The prepared run on an open FMU, which must be that of the sweep."""
+        """Prepare the runs on an open FMU, which must be that of the sweep."""
         return fmu.plan(
             self.time,
             varied=self.varied,
@@ -72,13 +72,13 @@ class Task:
 
 
 class Sweep:
-    """Settings with the runs that follow from them.
+    """A sweep: settings with the resulting runs.
 
     Attributes:
-        settings: what to do
-        design: the parameters of every run, see `sampling.design`
+        settings: settings of the sweep
+        design: parameters of every run, see `sampling.design`
         columns: names of the results of a run
-        fmu_sha256: of the FMU's file
+        fmu_sha256: hash of the FMU's file
     """
 
     def __init__(self, settings: Settings) -> None:
@@ -89,7 +89,7 @@ class Sweep:
 
     @property
     def task(self) -> Task:
-        """What is prepared once, on this machine or on each worker of a cluster."""
+        """Task to prepare once, on this machine or on each worker of a cluster."""
         one = self.settings
         return Task(
             time=one.time,
@@ -104,7 +104,7 @@ class Sweep:
 
     @cached_property
     def identity(self) -> Document:
-        """What must not change between the beginning and the end of a sweep, as JSON has it."""
+        """What must not change between the start and the end of a sweep, as JSON data."""
         fmu = self.settings.fmu
         inputs = self.settings.inputs
         document = {
@@ -125,9 +125,9 @@ class Sweep:
         return cleaned
 
     def table(self, whole: Part) -> pd.DataFrame:
-        """The results of all runs: parameters, results, ``failed``, ``message``; indexed by ``run``.
+        """Results of all runs: parameters, results, ``failed``, ``message``; indexed by ``run``.
 
-        ``attrs["sweep"]`` has what `identity` says, with the versions of packages and the units of columns.
+        ``attrs["sweep"]`` has the contents of `identity`, versions of packages and units of columns.
         """
         results = pd.DataFrame(whole.values, index=self.design.index, columns=self.columns)
         table = pd.concat([self.design, results], axis=1)
@@ -140,7 +140,7 @@ class Sweep:
 
 
 def part_of(result: BatchResult, runs: NDArray[np.int64]) -> Part:
-    """The finished runs of a reduced batch whose rows are the runs with these numbers."""
+    """Finished runs of a reduced batch whose rows are the runs with these numbers."""
     if result.reduced is None:
         raise ValueError("the batch was not reduced")
     done = np.flatnonzero(result.done)

@@ -1,4 +1,4 @@
-"""How one parameter varies: levels, or a distribution given by its quantiles; how settings give it."""
+"""Variation of a parameter: levels, or a distribution given by its quantile function."""
 
 from __future__ import annotations
 
@@ -16,61 +16,61 @@ from pyjoystick.runs.fmu_settings import difference_of, number_of, value_of
 from pyjoystick.support import FloatArray, ParameterError, Table
 
 _DISTRIBUTIONS: Final = ("uniform", "loguniform", "normal", "lognormal")
-#: More runs, and more levels of one parameter, are taken for a mistake.
+#: More runs, or more levels of one parameter, are taken for a mistake.
 MOST_RUNS: Final = 10_000_000
 _FORMS: Final = "values = [...], or from, to and count, or distribution = ..."
 
-#: The open interval of probabilities that every quantile is finite on.
+#: Open interval of probabilities for which every quantile is finite.
 _SMALLEST: Final = 2.0**-54
 
 
 @dataclass(frozen=True, slots=True)
 class Levels:
-    """Given values: the levels of a grid, or a choice with equal chances where runs are sampled.
+    """Given values: levels of a grid, or a choice with equal probabilities in sampled designs.
 
     Attributes:
-        values: the levels, each once, numbers or Booleans
+        values: distinct levels, numbers or Booleans
     """
 
     values: tuple[Any, ...]
 
     def quantile(self, probability: FloatArray) -> NDArray[Any]:
-        """The value at each probability in [0, 1), in the order of the levels."""
+        """Value at each probability in [0, 1), in the order of the levels."""
         index = np.minimum((probability * len(self.values)).astype(np.intp), len(self.values) - 1)
-        # Unlike NumPy, pandas leaves large whole numbers whole.
+        # Unlike NumPy, pandas keeps large integers exact.
         return pd.Series(self.values).to_numpy()[index]
 
 
 @dataclass(frozen=True, slots=True)
 class Uniform:
-    """Equal density from `low` to `high`."""
+    """Uniform density from `low` to `high`."""
 
     low: float
     high: float
 
     def quantile(self, probability: FloatArray) -> FloatArray:
-        """The value at each probability in [0, 1)."""
+        """Value at each probability in [0, 1)."""
         return self.low + (self.high - self.low) * probability
 
 
 @dataclass(frozen=True, slots=True)
 class LogUniform:
-    """Equal density of the logarithm from `low` to `high`, both above zero."""
+    """Uniform density of the logarithm from `low` to `high`, both above zero."""
 
     low: float
     high: float
 
     def quantile(self, probability: FloatArray) -> FloatArray:
-        """The value at each probability in [0, 1)."""
+        """Value at each probability in [0, 1)."""
         exponent = math.log(self.low) + math.log(self.high / self.low) * probability
         return np.clip(np.exp(exponent), self.low, self.high)
 
 
 @dataclass(frozen=True, slots=True)
 class Normal:
-    """The normal distribution, truncated to `low` .. `high`, which may be infinite.
+    """Normal distribution, truncated to `low` .. `high`, which may be infinite.
 
-    `mean` and `deviation` are those before it is truncated; `mean` lies from `low` to `high`.
+    `mean` and `deviation` are those before truncation; `mean` is between `low` and `high`.
     """
 
     mean: float
@@ -79,7 +79,7 @@ class Normal:
     high: float = math.inf
 
     def quantile(self, probability: FloatArray) -> FloatArray:
-        """The value at each probability in [0, 1)."""
+        """Value at each probability in [0, 1)."""
         below, upto = (special.ndtr((end - self.mean) / self.deviation) for end in (self.low, self.high))
         inside = below + (upto - below) * np.clip(probability, _SMALLEST, 1.0 - _SMALLEST)
         return np.clip(self.mean + self.deviation * special.ndtri(inside), self.low, self.high)
@@ -87,12 +87,12 @@ class Normal:
 
 @dataclass(frozen=True, slots=True)
 class LogNormal:
-    """The logarithm is normal; truncated to `low` .. `high`, `low` zero or more.
+    """Log-normal distribution, truncated to `low` .. `high`, with `low` zero or more.
 
     Attributes:
-        median: before it is truncated, above zero and from `low` to `high`
-        log_deviation: standard deviation of the natural logarithm; where small, the relative deviation
-        low, high: the ends, `high` may be infinite
+        median: before truncation, above zero and between `low` and `high`
+        log_deviation: standard deviation of the natural logarithm; if small, the relative deviation
+        low, high: limits; `high` may be infinite
     """
 
     median: float
@@ -101,7 +101,7 @@ class LogNormal:
     high: float = math.inf
 
     def quantile(self, probability: FloatArray) -> FloatArray:
-        """The value at each probability in [0, 1)."""
+        """Value at each probability in [0, 1)."""
         ends = [math.log(end) if end > 0.0 else -math.inf for end in (self.low, self.high)]
         logarithm = Normal(math.log(self.median), self.log_deviation, *ends)
         return np.clip(np.exp(logarithm.quantile(probability)), self.low, self.high)
@@ -111,10 +111,10 @@ Variation = Levels | Uniform | LogUniform | Normal | LogNormal
 
 
 def read_variation(table: Table, name: str, fmu: FmuDescription) -> Variation:
-    """One table [vary.name].
+    """Read one table [vary.name].
 
     Raises:
-        SettingsError: the FMU has no such parameter, or the table is not as docs/sweeps.md says
+        SettingsError: the FMU has no such parameter, or the table does not conform to docs/sweeps.md
     """
     with table.at():
         try:
@@ -190,7 +190,7 @@ def _ends(table: Table, variable: Variable) -> tuple[float, float]:
 
 
 def _truncation(table: Table, variable: Variable) -> tuple[float, float]:
-    """The ends given or, where not, those of the FMU's range."""
+    """Given limits or, by default, those of the FMU's range."""
     low = -math.inf if variable.minimum is None else variable.minimum
     high = math.inf if variable.maximum is None else variable.maximum
     if "low" in table:

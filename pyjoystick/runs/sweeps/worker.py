@@ -1,4 +1,4 @@
-"""The workers of a Dask cluster: what each does, and whether it is set up like this machine."""
+"""Workers of a Dask cluster: their tasks, and a check of their installation."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from pyjoystick.runs.errors import ClusterError
 from pyjoystick.runs.sweeps.sweep import Part, Task, part_of
 from pyjoystick.support import version_of
 
-#: Where these differ, the last digits of results may.
+#: Packages whose versions may affect the last digits of results.
 _NUMERICAL: Final = ("Python", "numpy", "scipy")
 
 
@@ -29,8 +29,8 @@ class FmuPlugin(WorkerPlugin):
         """Prepare the plugin.
 
         Args:
-            name: by which chunks find it
-            content: the bytes of the .fmu file
+            name: name by which chunks find it
+            content: bytes of the .fmu file
             task: the plan
         """
         self.name = name
@@ -39,7 +39,7 @@ class FmuPlugin(WorkerPlugin):
         self._version = version_of("pyjoystick")
 
     def setup(self, worker: Worker) -> None:
-        """Write the FMU's file; called by Dask on every worker, those that join later included."""
+        """Write the FMU's file; called by Dask on every worker, including those that join later."""
         self._lock = threading.Lock()
         self._plan: Plan | None = None
         self._fmu: Fmu | None = None
@@ -53,9 +53,9 @@ class FmuPlugin(WorkerPlugin):
         self._path.unlink(missing_ok=True)
 
     def run(self, runs: NDArray[np.int64], table: pd.DataFrame) -> tuple[Part, float]:
-        """Carry out the runs of a table; also the time it took (s).
+        """Execute the runs of a table; also returns the time it took (s).
 
-        It takes one thread: Dask gives each of the worker's threads a chunk of its own.
+        It uses one thread: Dask gives each of the worker's threads its own chunk.
         """
         here = version_of("pyjoystick")
         if here != self._version:
@@ -66,7 +66,7 @@ class FmuPlugin(WorkerPlugin):
         return part_of(result, runs), time.perf_counter() - begin
 
     def _opened(self) -> Plan:
-        """The plan that all threads share; the FMU is opened by the first of them."""
+        """The plan that all threads share; the first of them opens the FMU."""
         with self._lock:
             if self._plan is None:
                 self._fmu = self._task.open(self._path)
@@ -75,7 +75,7 @@ class FmuPlugin(WorkerPlugin):
 
 
 def run_chunk(name: str, runs: NDArray[np.int64], table: pd.DataFrame) -> tuple[Part, float]:
-    """The task of Dask: a chunk of runs on the plugin with this name."""
+    """Dask task: a chunk of runs on the plugin with this name."""
     plugin = get_worker().plugins[name]
     assert isinstance(plugin, FmuPlugin)
     return plugin.run(runs, table)
@@ -86,7 +86,7 @@ def check_workers(client: Any, address: str, on_note: Callable[[str], None]) -> 
 
     Args:
         client: a connected ``distributed.Client``
-        address: of its scheduler, for messages
+        address: address of its scheduler, for messages
         on_note: called with a note on each difference that is not fatal
 
     Raises:
@@ -109,7 +109,7 @@ def check_workers(client: Any, address: str, on_note: Callable[[str], None]) -> 
 
 
 def _versions_function() -> Any:
-    # A function within a function is sent as code, so that it runs where pyjoystick is not installed.
+    # A nested function is sent as code, so that it runs where pyjoystick is not installed.
     def versions() -> dict[str, str]:
         import platform
         from importlib import metadata
@@ -123,7 +123,7 @@ def _versions_function() -> Any:
 
         packages = ("numpy", "scipy", "numba")
         found = {name: version(name) for name in packages} | {"Python": platform.python_version()}
-        # From a bare checkout it can be imported without being installed.
+        # In a bare checkout it can be imported without being installed.
         is_there = find_spec("pyjoystick") is not None
         found["pyjoystick"] = version("pyjoystick") if is_there else "not installed at all"
         return found

@@ -57,8 +57,8 @@ def test_a_path_and_square_brackets(command: Command, fmus_by_name: Path, tmp_pa
 @pytest.mark.parametrize(
     ("replacement", "way"),
     [
-        ("false", "in a process of its own, as another tool made it; each on a new instance"),
-        ("true", "each in a new process of its own, as the FMU takes one instance a process"),
+        ("false", "in a separate process, as another tool made it; each on a new instance"),
+        ("true", "each in a new process, as the FMU allows one instance per process"),
     ],
 )
 def test_where_an_fmu_of_another_tool_runs(

@@ -16,7 +16,7 @@ def test_the_motions_at_one_frequency(command: Command, tmp_path: Path) -> None:
     assert outcome.code == 0
     assert "| periodic, T |               25.57 |" in outcome.out
     assert "| chaotic" in outcome.out
-    assert "no period is claimed" in outcome.err
+    assert "motions that did not become periodic are listed without a period" in outcome.err
     content = json.loads((tmp_path / "r.json").read_text())
     large, small = content["attractors"]
     assert large["exponents"][0][0] == pytest.approx(-0.5 * 0.045 / 0.01135, rel=1e-6)

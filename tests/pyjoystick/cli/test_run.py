@@ -106,7 +106,7 @@ def test_ctrl_c(command: Command, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(project, "run_project", stopped)
     outcome = command("run")
     assert outcome.code == 130
-    assert "stopped; the next `pyjoystick run` goes on from here" in outcome.err
+    assert "stopped; the next `pyjoystick run` continues from here" in outcome.err
 
 
 @pytest.mark.usefixtures("small")

@@ -1,1 +1,1 @@
-"""Whether a fit can be trusted, and what the model may lack where it cannot."""
+"""Checks of whether a fit can be trusted, and of what the model may lack."""

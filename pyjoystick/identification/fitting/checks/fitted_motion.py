@@ -1,4 +1,4 @@
-"""The motion that was fitted to a record, at fine steps, and its changes as the record shows them."""
+"""The fitted motion of a record on a fine time grid, and how changes of it show in the record."""
 
 from __future__ import annotations
 
@@ -10,23 +10,23 @@ from pyjoystick.identification.fitting.problem.instrument import Instrument
 from pyjoystick.identification.fitting.problem.trajectory_prediction import TrajectoryPredictor
 from pyjoystick.support import FloatArray
 
-#: Size of a moment that is tried (N m): small, so that the motion changes in proportion. 1e-3 is too much.
+#: Size of trial moments (N m): small, so that the motion responds linearly; 1e-3 is too large.
 _MOMENT: Final = 2e-5
-#: The motion is followed in steps of this (s), but in no more of them than this.
+#: Time step of the fine grid (s), and the largest number of steps.
 _STEP: Final = 1e-3
 _MOST_STEPS: Final = 20_000
 
 
 class FittedMotion:
-    """The fitted motion of one record at fine steps.
+    """The fitted motion of one record on a fine time grid.
 
     Attributes:
-        predictor: of the record
+        predictor: predictor of the record
         row: parameters at the minimum, shape (varied,)
-        instrument: of the record
-        late: times of the samples after the origin of the motion (s), shape (n,)
-        step: between the fine steps (s)
-        time: times of the fine steps and of the samples after the origin, which is first (s), shape (m,)
+        instrument: instrument of the record
+        late: sample times after the origin of the motion (s), shape (n,)
+        step: step of the fine grid (s)
+        time: fine grid and sample times after the origin, which comes first (s), shape (m,)
     """
 
     def __init__(self, predictor: TrajectoryPredictor, row: FloatArray, instrument: Instrument) -> None:
@@ -50,38 +50,38 @@ class FittedMotion:
         return set(names) <= set(self._names)
 
     def series(self, name: str) -> FloatArray:
-        """A variable of the FMU along the motion, shape (m,)."""
+        """Values of an FMU variable along the motion, shape (m,)."""
         return self._values[:, self._names.index(name)]
 
     def shown(self, values: FloatArray) -> FloatArray:
-        """Changes of the outputs along the motion, as the record shows them, shape (n,)."""
+        """Convert changes of the outputs along the motion to those in the record, shape (n,)."""
         own = values[self._places, : len(self.predictor.outputs)].copy()
         own[:, 0] *= 1.0 + self.instrument.angle_scale
         return np.concatenate(list(own.T))
 
     def first(self) -> FloatArray:
-        """The first output along the motion, shape (m,)."""
+        """Values of the first output along the motion, shape (m,)."""
         return self._values[:, 0]
 
     def only_first(self, change: FloatArray) -> FloatArray:
-        """A change of the first output alone, as the record shows it, shape (n,)."""
+        """Convert a change of the first output alone to that in the record, shape (n,)."""
         values = np.zeros((len(change), len(self.predictor.outputs)))
         values[:, 0] = change
         return self.shown(values)
 
     def with_moment(self, shape: FloatArray) -> FloatArray:
-        """Derivative with respect to the size of a moment along the motion, shape (m,); shape (n,)."""
+        """Derivative of the record, shape (n,), with respect to the size of a moment of shape (m,)."""
         size = _MOMENT / max(float(np.max(np.abs(shape))), 1e-300)
         return self._changed(added=("T", size * shape)) / size
 
     def with_parameter(self, name: str, change: float) -> FloatArray:
-        """Derivative with respect to a parameter of the FMU, by this change of it, shape (n,)."""
+        """Derivative of the record by an FMU parameter, from a difference of this size; shape (n,)."""
         return self._changed(moved=(name, change)) / change
 
     def _changed(
         self, added: tuple[str, FloatArray] | None = None, moved: tuple[str, float] | None = None
     ) -> FloatArray:
-        """By how much the record shows another motion where something is changed, shape (n,)."""
+        """Change of the record when one thing in the run is changed, shape (n,)."""
         outputs = self.predictor.outputs
         motion = self.predictor.motion
         plan = motion.plan(self.instrument, self._late, outputs, added=added, moved=moved)

@@ -1,4 +1,4 @@
-"""What a record may show otherwise than it is, each as a suspect."""
+"""Suspects in the instrument: ways in which a record may distort the motion."""
 
 from __future__ import annotations
 
@@ -24,15 +24,15 @@ from pyjoystick.identification.fitting.problem.least_squares import Problem
 from pyjoystick.identification.fitting.problem.settings import Free
 from pyjoystick.support import FloatArray
 
-#: -3 dB frequencies of low-pass filters (Hz), and their order, once forward and once backward.
+#: Cutoff (-3 dB) frequencies of low-pass filters (Hz), and their order; applied forward and backward.
 _CUTOFFS: Final = (20.0, 13.0, 8.0, 5.0)
 _ORDER: Final = 4
-#: Plays of a loose sensor, as parts of the largest angle.
+#: Backlash of a loose sensor, relative to the largest angle.
 _PLAYS: Final = (0.003, 0.01, 0.03)
 
 
 def instruments(problem: Problem, x: FloatArray, motions: Sequence[FittedMotion]) -> Iterator[Suspect]:
-    """What the record shows otherwise than it is."""
+    """Possible distortions by the instrument."""
     slopes = problem.model.instrument_slopes(x)
     unit = Unit(problem.predictors[0].labels[0])
 
@@ -67,7 +67,7 @@ def instruments(problem: Problem, x: FloatArray, motions: Sequence[FittedMotion]
 
 
 def _backlash(motions: Sequence[FittedMotion], play: float, unit: Unit) -> Suspect:
-    """A sensor that hangs loosely on the handle: it moves on when the handle has crossed the play."""
+    """A sensor loosely attached to the handle: it moves only after the handle has crossed the backlash."""
     return Suspect(
         "backlash of the sensor",
         each(motions, lambda one: one.only_first((_dragged(one.first(), play) - one.first()) / play)),
@@ -78,7 +78,7 @@ def _backlash(motions: Sequence[FittedMotion], play: float, unit: Unit) -> Suspe
 
 
 def _dragged(values: FloatArray, play: float) -> FloatArray:
-    """What a sensor with this play shows of a motion, which it follows from its middle."""
+    """What a sensor with this backlash shows of a motion; it starts in the middle of the backlash."""
     shown, last = np.empty_like(values), float(values[0])
     for k, value in enumerate(values.tolist()):
         last = min(max(last, value - 0.5 * play), value + 0.5 * play)
@@ -97,11 +97,11 @@ def _clipping(motions: Sequence[FittedMotion], limit: float, unit: Unit) -> Susp
 
 
 def _filters(motions: Sequence[FittedMotion]) -> Iterator[Suspect]:
-    """A low-pass filter without delay, as recorded angles are smoothed."""
+    """A zero-phase low-pass filter, as used to smooth recorded angles."""
     interval = max(float(np.median(np.diff(one.late))) for one in motions)
     duration = min(float(np.ptp(one.late)) for one in motions)
     for cutoff in _CUTOFFS:
-        # Shorter records show nothing of it.
+        # Records shorter than this do not show the filter.
         if 1.0 / duration < cutoff < 0.5 / interval:
             yield Suspect(
                 "a low-pass filter",

@@ -1,4 +1,4 @@
-"""The noise as the residuals show it: its outliers, its color and its level."""
+"""The noise estimated from the residuals: outliers, color and level."""
 
 from __future__ import annotations
 
@@ -13,28 +13,29 @@ from pyjoystick.identification.fitting.problem.noise_model import NoiseModel, re
 from pyjoystick.identification.fitting.problem.settings import FitSettings
 from pyjoystick.support import FloatArray
 
-#: Levels that change by less than this part, and shares and correlations by less than this, have settled.
+#: The noise has settled when levels change by less than this part, and weights and correlations by less than
+#: this.
 _LEVEL_CHANGE = 1e-4
 _SHAPE_CHANGE = 1e-3
-#: Noise is called colored if white noise would look like it once in this many fits.
+#: Noise is called colored if white noise would look like it in at most one of this many fits.
 _COLORED = 2.0 * CHANCE
 
 
 def with_noise_of(problem: Problem, x: FloatArray, settings: FitSettings, least: float) -> Problem:
-    """The problem with the noise that the residuals at x show.
+    """Return the problem with the noise estimated from the residuals at x.
 
     Args:
-        problem: with the noise that was assumed so far
+        problem: the problem with the noise assumed so far
         x: the minimum
-        settings: what of the noise is known, and what may be assumed
-        least: residuals no larger than this (in the unit of the data) are no noise
+        settings: what is known and what may be assumed about the noise
+        least: residuals up to this size (in the unit of the data) are not noise
     """
     noise, peaks = settings.noise, settings.comparison == "peaks"
     if not peaks and _largest(problem, x) > least:
         before = problem.noise
         if noise.robust:
             problem = _without_outliers(problem, x)
-        # The color of residuals that outliers still pull at is not that of the noise.
+        # Estimate the color only after the outliers have settled, because they distort it.
         if noise.colored and _change_of_shares(before, problem.noise) < _SHAPE_CHANGE:
             problem = _colored(problem, x)
     if not noise.sigma:
@@ -44,8 +45,8 @@ def with_noise_of(problem: Problem, x: FloatArray, settings: FitSettings, least:
 
 
 def has_settled(before: Problem, after: Problem, settings: FitSettings) -> bool:
-    """Whether the minimum stays where it is with the noise of `after`."""
-    # One level for all is a common factor.
+    """Whether the noise of `after` would leave the minimum where it is."""
+    # A common factor of all levels does not move the minimum.
     ratios = _levels(after, settings) / _levels(before, settings)
     return (
         bool(np.allclose(ratios, ratios[:1], rtol=_LEVEL_CHANGE, atol=0.0))
@@ -57,15 +58,16 @@ def has_settled(before: Problem, after: Problem, settings: FitSettings) -> bool:
 def estimated_sigmas(
     problem: Problem, x: FloatArray, *, per_record: bool, combined: bool
 ) -> list[dict[str, float]]:
-    """Standard deviations by record and series, from the residuals at x.
+    """Estimate standard deviations by record and series from the residuals at x.
 
-    The variables that were fitted are taken off the number of samples, in proportion to those of each group.
+    The fitted variables are subtracted from the number of samples, in proportion to the samples of each
+    group.
 
     Args:
         problem: the problem
         x: the minimum
         per_record: estimate for each record separately
-        combined: one for all series, as for the relative errors of peaks
+        combined: one value for all series, as for the relative errors of peaks
     """
     sums: dict[tuple[int, str], list[float]] = {}
     for k, predicted in enumerate(problem.predictions(x)):
@@ -79,7 +81,7 @@ def estimated_sigmas(
             group[0] += float(np.sum(scaled[labels == label] ** 2))
             group[1] += float(np.sum(shares[labels == label] ** 2))
     samples = sum(group[1] for group in sums.values())
-    # What is known beforehand is no freedom that the samples give.
+    # Prior knowledge of a variable uses up no degree of freedom of the samples.
     freedom = max(samples - (len(x) - len(problem.prior)), 1.0) / samples
     sigma = {key: float(np.sqrt(total / (count * freedom))) for key, (total, count) in sums.items()}
     return [
@@ -92,7 +94,7 @@ def estimated_sigmas(
 
 
 def _without_outliers(problem: Problem, x: FloatArray) -> Problem:
-    """The problem in which outliers count less, if there are few, and others again in full."""
+    """Reduce the weights of outliers if there are few; otherwise restore full weights."""
     outliers = ResidualView(problem, x).outliers()
     in_full = all(bool(np.all(one == 1.0)) for one in problem.noise.shares)
     if not outliers.few or (in_full and not outliers.any):
@@ -101,7 +103,7 @@ def _without_outliers(problem: Problem, x: FloatArray) -> Problem:
 
 
 def _colored(problem: Problem, x: FloatArray) -> Problem:
-    """The problem with the correlation of its residuals, if white noise would hardly look like them."""
+    """Give the problem the residuals' correlation, if white noise would hardly look like them."""
     view = ResidualView(problem, x)
     if problem.noise.correlation == 0.0 and whiteness(view.series()).chance >= _COLORED:
         return problem
@@ -113,7 +115,7 @@ def _change_of_shares(before: NoiseModel, after: NoiseModel) -> float:
 
 
 def _levels(problem: Problem, settings: FitSettings) -> FloatArray:
-    """One standard deviation for each series of each record, but for a factor that stays the same."""
+    """Standard deviation of each series of each record, up to a common factor."""
     if settings.noise.sigma:
         return np.ones(1)
     found = []

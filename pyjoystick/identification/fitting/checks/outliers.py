@@ -1,4 +1,4 @@
-"""Samples that are no part of the noise, and how much they count."""
+"""Outliers: samples that are not part of the noise, and their weights."""
 
 from __future__ import annotations
 
@@ -10,25 +10,25 @@ from scipy import stats
 
 from pyjoystick.support import FloatArray
 
-#: A normal sample beyond the limit is seen once in this many fits.
+#: A normal sample exceeds the limit in one of this many fits.
 _CHANCE: Final = 1e-3
-#: Samples count in full up to so many standard deviations, and not at all from so many on (Hampel).
+#: Hampel's weights: 1 up to the first limit, 0 beyond the second (standard deviations).
 _FULL: Final = 3.5
 _NONE: Final = 6.0
-#: More of them than this part, or so many in a row, are no outliers but a misfit.
+#: A larger share of outliers, or a longer run of them, is a misfit instead.
 _MOST: Final = 0.05
 _LONGEST: Final = 3
-#: Median of the magnitude of a normal variable.
+#: Median absolute value of a standard normal variable.
 _MEDIAN: Final = 0.6744897501960817
 
 
 class Outliers(NamedTuple):
-    """Samples beyond what normal noise gives.
+    """Samples that normal noise does not explain.
 
     Attributes:
         deviations: residuals by record in robust standard deviations, shape (n,) each
-        limit: in standard deviations
-        few: whether they are single samples, few of all
+        limit: threshold in standard deviations
+        few: whether the outliers are few and isolated
     """
 
     deviations: tuple[FloatArray, ...]
@@ -37,11 +37,11 @@ class Outliers(NamedTuple):
 
     @property
     def any(self) -> bool:
-        """Whether there are any."""
+        """Whether there are any outliers."""
         return any(bool(np.any(np.abs(one) > self.limit)) for one in self.deviations)
 
     def shares(self) -> list[FloatArray]:
-        """How much each residual counts, 0 to 1, by record."""
+        """Weight of each residual, 0 to 1, by record."""
         return [
             np.sqrt(np.clip((_NONE - np.abs(one)) / (_NONE - _FULL), 0.0, 1.0)) for one in self.deviations
         ]
@@ -56,10 +56,11 @@ class Outliers(NamedTuple):
 
 
 def find_outliers(residuals: Sequence[FloatArray]) -> Outliers:
-    """The outliers among residuals.
+    """Find the outliers among residuals.
 
     Args:
-        residuals: data less prediction by record, in units of the noise but for a factor, shape (n,) each
+        residuals: data minus prediction by record, in units of the noise up to a common factor, shape (n,)
+            each
     """
     joined = np.concatenate(residuals)
     size = float(np.median(np.abs(joined))) / _MEDIAN
@@ -72,7 +73,7 @@ def find_outliers(residuals: Sequence[FloatArray]) -> Outliers:
 
 
 def _longest(flags: Sequence[bool]) -> int:
-    """The longest stretch of true values."""
+    """Length of the longest run of true values."""
     longest = now = 0
     for flag in flags:
         now = now + 1 if flag else 0

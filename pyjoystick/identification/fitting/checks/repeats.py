@@ -1,4 +1,4 @@
-"""Records that repeat each other: what they have in common, and what differs."""
+"""Repeated records: their common part and their scatter."""
 
 from __future__ import annotations
 
@@ -11,20 +11,20 @@ from numpy.typing import NDArray
 
 from pyjoystick.support import FloatArray
 
-#: Records repeat each other if their motions differ by less than this part of their root mean square.
+#: Records are repeats if their motions differ by less than this part of their root mean square,
 _ALIKE: Final = 0.3
-#: Their intervals between samples differ by less than this part.
+#: and their sampling intervals by less than this part.
 _SAME_RATE: Final = 1e-3
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Repeats:
-    """Samples of different records that belong together: the same series, the same time after the release.
+    """Corresponding samples of repeated records: the same series at the same time after the release.
 
     Attributes:
-        places: for each record, the number of the group that each sample belongs to, -1 for none
-        counts: how many records each group has, 2 or more, shape (groups,)
-        releases: how many records repeat each of the releases that were repeated
+        places: for each record, the group number of each sample, -1 for none
+        counts: number of records in each group, 2 or more, shape (groups,)
+        releases: number of records that repeat each repeated release
     """
 
     places: tuple[NDArray[np.intp], ...]
@@ -37,14 +37,14 @@ class Repeats:
         return bool(self.counts.size)
 
     def means(self, values: Sequence[FloatArray]) -> FloatArray:
-        """Mean over each group, of one array a record, shape (groups, ...)."""
+        """Mean of each group, given one array per record, shape (groups, ...)."""
         total = np.zeros((len(self.counts), *values[0].shape[1:]))
         for places, own in zip(self.places, values, strict=True):
             np.add.at(total, places[places >= 0], own[places >= 0])
         return np.asarray(total / self.counts.reshape(-1, *(1,) * (total.ndim - 1)))
 
     def deviations(self, values: Sequence[FloatArray]) -> list[FloatArray]:
-        """The values less the mean of their group, where they have one."""
+        """The values minus the mean of their group, if they belong to one."""
         means = self.means(values)
         found = []
         for places, own in zip(self.places, values, strict=True):
@@ -54,7 +54,7 @@ class Repeats:
         return found
 
     def sizes(self, record: int) -> FloatArray:
-        """How many records the group of each sample has, 1 where it has none, shape (n,)."""
+        """Number of records in the group of each sample, 1 for samples without a group, shape (n,)."""
         places = self.places[record]
         if not self.any:
             return np.ones(len(places))
@@ -64,12 +64,12 @@ class Repeats:
 def find_repeats(
     labels: Sequence[Sequence[str]], late: Sequence[FloatArray], motions: Sequence[FloatArray]
 ) -> Repeats:
-    """The records that repeat each other, by their fitted motions.
+    """Find records that repeat each other, by their fitted motions.
 
     Args:
         labels: name of the series of each sample, by record
-        late: its time after the release (s), by record
-        motions: the fitted motion at it, by record
+        late: time of each sample after the release (s), by record
+        motions: fitted motion at each sample, by record
     """
     keys = [_keys(*one) for one in zip(labels, late, strict=True)]
     steps = [_step(*one) for one in zip(labels, late, strict=True)]
@@ -104,7 +104,7 @@ def find_repeats(
 
 
 def _step(labels: Sequence[str], late: FloatArray) -> float:
-    """The usual time between two samples (s)."""
+    """The usual sampling interval (s)."""
     own = late[np.array(labels) == labels[0]]
     return float(np.median(np.diff(own))) if len(own) > 1 else 1.0
 
@@ -121,7 +121,7 @@ def _alike(
     others: Sequence[tuple[str, int]],
     other: FloatArray,
 ) -> bool:
-    """Whether two motions are the same but for small differences, over at least half of the samples."""
+    """Whether two motions agree up to small differences, over at least half of the samples."""
     place = {key: i for i, key in enumerate(keys)}
     pairs = [(place[key], i) for i, key in enumerate(others) if key in place]
     if 2 * len(pairs) < max(len(keys), len(others)):

@@ -1,4 +1,4 @@
-"""Checks of the residuals: are they noise, or something that the model lacks."""
+"""Checks of whether residuals are noise or show something that the model lacks."""
 
 from __future__ import annotations
 
@@ -15,24 +15,24 @@ from pyjoystick.identification.fitting.checks.trust import Check
 from pyjoystick.identification.fitting.checks.unseen import Unseen
 from pyjoystick.support import FloatArray
 
-#: A sound fit fails each of these checks in this part of all cases, "missing physics" in twice as many.
+#: A sound fit fails each of these checks at this rate, and "missing physics" at twice this rate.
 CHANCE: Final = 5e-3
-#: Numbers of lags, short for single samples and long for slow waves, as far as a series has room for them.
+#: Numbers of lags, few for short correlations and many for slow waves, as far as the series is long enough.
 _LAGS: Final = (5, 20)
 _SHORTEST: Final = 10
-#: Outliers and clipped records that are named.
+#: Number of outliers and clipped records that are listed.
 _NAMED: Final = 5
-#: So many samples at the very largest or smallest value are clipped, if the resolution is finer than this
-#: part of the noise.
+#: A series is clipped if this many samples have exactly the largest or smallest value, provided that its
+#: resolution is finer than this part of the noise.
 _CLIPPED: Final = 3
 _FINE: Final = 0.1
 
 
 class Series(NamedTuple):
-    """The residuals of one series of one record, each what is new in it.
+    """Residuals of one series of one record, as innovations (decorrelated).
 
     Attributes:
-        name: of the record, and the series if there are several
+        name: name of the record, and of the series if there are several
         values: in standard deviations, shape (n,)
         basis: orthonormal columns that span what was fitted, shape (n, rank)
     """
@@ -43,10 +43,10 @@ class Series(NamedTuple):
 
 
 class Whiteness(NamedTuple):
-    """Whether samples depend on each other.
+    """Result of the test for correlated samples.
 
     Attributes:
-        chance: that white noise looks like this
+        chance: probability that white noise looks like this
         correlation: from sample to sample, over all series
         worst: the series with the largest correlation
     """
@@ -57,11 +57,12 @@ class Whiteness(NamedTuple):
 
 
 def whiteness(series: Sequence[Series]) -> Whiteness:
-    """Autocorrelations of all series: each by Ljung and Box, pooled by Fisher's method, and averaged.
+    """Test all series for autocorrelation: Ljung-Box for each, pooled by Fisher's method, and averaged.
 
-    What fitting takes away from the correlations is taken into account: their expectations under white noise
-    are those of residuals, and not zero. The least of three chances counts three times: Fisher's with few
-    lags (with many, the chances of single records are too small by half), averages with few and with many.
+    Fitting correlates residuals; the test uses their expected correlations under white noise, not zero. The
+    smallest of three probabilities is multiplied by three: Fisher's with few lags (with many, the
+        probabilities
+    of single records are too small by half), averages with few and with many.
     """
     judged = [one for one in series if len(one.values) > _SHORTEST and one.values @ one.values > 0.0]
     if not judged:
@@ -92,7 +93,7 @@ def whiteness(series: Sequence[Series]) -> Whiteness:
 
 
 def _products(one: Series, lags: int) -> tuple[FloatArray, float]:
-    """Sums of products of samples some lags apart, less what they would be for white noise, and the power."""
+    """Sums of lagged products minus their expectation for white noise, and the power."""
     values = one.values
     freedom = max(len(values) - float(np.sum(one.basis**2)), 1.0)
     power = float(values @ values)
@@ -102,11 +103,11 @@ def _products(one: Series, lags: int) -> tuple[FloatArray, float]:
 
 
 def check_whiteness(found: Whiteness, correlation: float) -> Check:
-    """Whether the residuals look like independent samples, or what is new in them does.
+    """Check whether the residuals, or their innovations, look like independent samples.
 
     Args:
-        found: their autocorrelations
-        correlation: of the noise from sample to sample as it was estimated; 0 for white noise
+        found: autocorrelations of the residuals
+        correlation: estimated correlation of the noise from sample to sample; 0 for white noise
     """
     noise = (
         f" beside noise with a correlation of {correlation:.2f} from sample to sample" if correlation else ""
@@ -121,15 +122,15 @@ def check_whiteness(found: Whiteness, correlation: float) -> Check:
 
 
 def check_repeats(repeats: Repeats, innovations: Sequence[FloatArray], shared: int, own: int) -> Check | None:
-    """Whether records that repeat each other deviate from the fit in the same way (lack of fit).
+    """Check repeated records for a common deviation from the fit (lack of fit).
 
-    The mean over the repeats against their scatter (F test): noise does not repeat itself.
+    An F test of the means over the repeats against their scatter; noise does not repeat itself.
 
     Args:
-        repeats: which samples belong together
-        innovations: residuals by record, each what is new in it
+        repeats: which samples correspond
+        innovations: innovations of the residuals, by record
         shared: number of variables that all records share
-        own: number of variables that each record has for itself
+        own: number of variables of each record alone
     """
     if not repeats.any:
         return None
@@ -151,15 +152,15 @@ def check_repeats(repeats: Repeats, innovations: Sequence[FloatArray], shared: i
 
 
 def repeats_freedom(repeats: Repeats, shared: int, own: int) -> tuple[float, float]:
-    """Degrees of freedom of the means over repeats and of the scatter around them.
+    """Degrees of freedom of the means over repeats and of the scatter about them.
 
-    Each release that was repeated takes the variables of one record from the means, those of the other
-    records from the scatter.
+    For each repeated release, the variables of one record are subtracted from the means, and those of the
+    other records from the scatter.
 
     Args:
-        repeats: which samples belong together
+        repeats: which samples correspond
         shared: number of variables that all records share
-        own: number of variables that each record has for itself
+        own: number of variables of each record alone
     """
     groups, samples, releases = len(repeats.counts), float(np.sum(repeats.counts)), len(repeats.releases)
     return groups - shared - own * releases, samples - groups - own * (sum(repeats.releases) - releases)
@@ -168,13 +169,13 @@ def repeats_freedom(repeats: Repeats, shared: int, own: int) -> tuple[float, flo
 def check_suspects(
     causes: Sequence[Finding], judged: int, imitated: Sequence[str], missed: Sequence[Unseen]
 ) -> Check:
-    """Whether something that the model lacks would explain the residuals better than noise.
+    """Check whether something that the model lacks would explain the residuals better than noise.
 
     Args:
         causes: what would, most likely first
-        judged: how many suspects could be told from the fitted variables
-        imitated: names of the others
-        missed: what may be there all the same, unseen
+        judged: number of suspects that can be distinguished from the fitted variables
+        imitated: names of the other suspects
+        missed: effects that may be present but unseen
     """
     if causes:
         return Check("missing physics", False, f"the residuals are not noise: {explanation(causes)}")
@@ -188,13 +189,13 @@ def check_suspects(
 def check_outliers(
     found: Outliers, names: Sequence[str], times: Sequence[FloatArray], *, robust: bool
 ) -> Check:
-    """Whether outliers are few, and were given less weight.
+    """Check whether outliers are few and have reduced weights.
 
     Args:
         found: the outliers
-        names: of the records
-        times: instants of the residuals by record (s)
-        robust: whether they count less
+        names: names of the records
+        times: times of the residuals by record (s)
+        robust: whether outliers have reduced weights
     """
     places = found.places()
     if not places:
@@ -210,14 +211,14 @@ def check_outliers(
 
 
 def check_clipping(names: Sequence[str], data: Sequence[FloatArray], sigmas: Sequence[float]) -> Check:
-    """Whether a record stays at its largest or smallest value, as a saturated instrument does.
+    """Check whether a record stays at its largest or smallest value, as with a saturated instrument.
 
-    Noise that is finer than its resolution does not give the same value twice. Records without such noise are
-    not judged: they do stay at the angle at which they were held.
+    Noise coarser than the resolution does not repeat a value exactly. Records without such noise are not
+    judged, because they stay at the angle at which the joystick is held.
 
     Args:
-        names: of the series
-        data: what was measured, shape (n,) each
+        names: names of the series
+        data: measured values, shape (n,) each
         sigmas: standard deviations of the noise
     """
     clipped = []

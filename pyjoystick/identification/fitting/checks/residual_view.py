@@ -1,4 +1,4 @@
-"""What is left over at a point, as the checks and the model of the noise look at it."""
+"""Residuals at a point, in the forms that the checks and the noise model need."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ from pyjoystick.support import FloatArray
 
 
 class ResidualView:
-    """Residuals, data less prediction, and their derivatives at a point.
+    """Residuals (data minus prediction) and their derivatives at a point.
 
     Attributes:
-        innovations: residuals as they count, what is new in each, by record
-        residuals: all of them, and behind them those of what is known beforehand, shape (terms,)
-        jacobian: derivatives of the predictions as they count, and of what is known, shape (terms, variables)
+        innovations: weighted residuals, decorrelated, by record
+        residuals: all of them, followed by those of prior knowledge, shape (terms,)
+        jacobian: derivatives of the weighted predictions and of prior knowledge, shape (terms, variables)
     """
 
     def __init__(self, problem: Problem, x: FloatArray) -> None:
@@ -37,12 +37,12 @@ class ResidualView:
         self.jacobian = np.concatenate([*counted, known])
 
     def outliers(self) -> Outliers:
-        """Samples that are no part of the noise, whatever they count."""
+        """Outliers, found without regard to the present weights."""
         weights = self._problem.noise.weights
         return find_outliers([one * weight for one, weight in zip(self._left, weights, strict=True)])
 
     def series(self) -> list[Series]:
-        """What is new in each series of each record."""
+        """Innovations of each series of each record."""
         basis = np.split(column_space(self.jacobian), np.cumsum([len(one) for one in self.innovations]))
         found = []
         for k, predictor in enumerate(self._problem.predictors):
@@ -65,7 +65,7 @@ class ResidualView:
         return find_repeats([one.labels for one in predictors], late, self._predicted)
 
     def correlation(self) -> float:
-        """The correlation of the noise from sample to sample; with repeats, of what differs between them."""
+        """Correlation of the noise from sample to sample; with repeats, that of their differences."""
         problem, repeats = self._problem, self.repeats
         scaled = [
             [problem.noise.scaled(one, k) for k, one in enumerate(parts)]

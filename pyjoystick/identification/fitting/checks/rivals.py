@@ -1,4 +1,4 @@
-"""Suspects as free parameters: the fit repeated with the number that the model may lack."""
+"""Suspects as free parameters: the fit repeated with a parameter that the model may lack."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from pyjoystick.support import FloatArray, ParameterError
 _FRICTION: Final = "friction."
 _EVALUATIONS: Final = 40
 _ANGLE: Final = "theta"
-#: What turns round with the sign of the angle.
+#: Parameters that change sign with the angle.
 _TURNED: Final = ("theta_start", "omega_start", ZERO_OFFSET)
 
 
@@ -34,9 +34,9 @@ class Make(Protocol):
     """Makes the problem of other settings on the same records."""
 
     def __call__(self, settings: FitSettings, fmu: Fmu | None, /, *, mirrored: bool = False) -> Problem:
-        """The problem, with another FMU than that of the fit if one is given.
+        """Make the problem, with the given FMU instead of that of the fit if there is one.
 
-        Mirrored, the records count angles the other way round.
+        If mirrored, the sign of the angle is reversed in the records.
         """
         ...
 
@@ -49,16 +49,16 @@ def tried(
     x: FloatArray,
     make: Make,
 ) -> list[Finding]:
-    """The findings, most likely first, with those that can be fitted as fits have them.
+    """Refine findings by actual fits where possible, most likely first.
 
-    A score test is linear: for a large effect it gives too small a size, and perhaps the wrong order.
+    The score test is linear: it underestimates large effects and may order them wrongly.
 
     Args:
-        findings: of the score test, all of them significant
-        suspects: by name
-        problem: that of the fit, with the weights of its noise
-        settings: of the fit
-        x: where it ended
+        findings: significant findings of the score test
+        suspects: suspects by name
+        problem: problem of the fit, weighted by its noise
+        settings: settings of the fit
+        x: minimum of the fit
         make: makes the problem of other settings on the same records
     """
     with ExitStack() as stack:
@@ -91,7 +91,7 @@ def _refitted(
     with_friction: Fmu | None,
     make: Make,
 ) -> Finding:
-    """The finding as a fit has it, or as it was where that fit cannot be made or explains no more."""
+    """Refine the finding by a fit, or return it unchanged if the fit is impossible or explains no more."""
     needs_friction = any(
         one.name.startswith(_FRICTION) and not _has(problem, one.name) for one in suspect.free
     )
@@ -116,16 +116,16 @@ def _refitted(
 
 
 def _has(problem: Problem, name: str) -> bool:
-    """The fit's own FMU has the parameter."""
+    """Whether the fit's own FMU has the parameter."""
     return any(
         isinstance(one, TrajectoryPredictor) and name in one.motion.known for one in problem.predictors
     )
 
 
 def _mirrored(problem: Problem, settings: FitSettings, x: FloatArray, make: Make) -> Finding | None:
-    """The records with the angle counted the other way round, if that explains anything.
+    """Try the records with the sign of the angle reversed; None unless this explains anything.
 
-    No derivative leads there: a scale of -1 is far from one of 1.
+    No derivative leads there, because a scale of -1 is far from 1.
     """
     if settings.outputs[0] != _ANGLE:
         return None
@@ -140,7 +140,7 @@ def _mirrored(problem: Problem, settings: FitSettings, x: FloatArray, make: Make
 
 
 def _turned(settings: FitSettings) -> FitSettings:
-    """The settings with starts, bounds and fixed values for the angle counted the other way round."""
+    """Settings with starts, bounds and fixed values for the reversed angle."""
     fixed = {name: -float(value) if name in _TURNED else value for name, value in settings.fixed.items()}
     return replace(settings, free=tuple(map(_turned_variable, settings.free)), fixed=fixed)
 
@@ -155,7 +155,7 @@ def _turned_variable(one: Free) -> Free:
 def _better(
     rival: Problem, start: FloatArray, problem: Problem, settings: FitSettings, x: FloatArray
 ) -> tuple[FloatArray, float]:
-    """Where a rival's search ends, and the part of the sum of squares of the fit that it takes away."""
+    """Minimum of the rival fit, and the part of the original sum of squares that it removes."""
     steps = choose_steps(rival.model, start, central=False).steps
     rival = replace(rival, noise=problem.noise, steps=steps)
     best = staged_search(rival, start, evaluations=_EVALUATIONS, stages=settings.search.stages)

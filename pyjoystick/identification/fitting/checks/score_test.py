@@ -1,4 +1,4 @@
-"""Which suspect would explain the residuals: a score test of each number that the model lacks."""
+"""Score test: which missing parameter would explain the residuals."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from pyjoystick.identification.fitting.checks.suspect import Suspect
 from pyjoystick.identification.fitting.problem.least_squares import Problem
 from pyjoystick.support import FloatArray
 
-#: A column that the variables imitate to within this part of it cannot be told from them.
+#: A column that the variables imitate up to this part of it cannot be distinguished from them.
 DISTINCT: Final = 1e-2
-#: Suspects whose evidence is within this of the best one's are named beside it, up to so many.
+#: Suspects whose evidence is this close to the best are also listed, up to this many.
 _ALIKE: Final = 6.0
 _NAMED: Final = 2
 
@@ -26,11 +26,11 @@ class Finding:
     """What a suspect explains.
 
     Attributes:
-        name: of the suspect
-        size: how large it would be, a part of a sentence; perhaps empty
-        explained: the part of the sum of squares that it would take away, to first order
-        evidence: by how much Schwarz's criterion (BIC) would fall
-        chance: that noise alone explains as much, for this suspect and its alternatives
+        name: name of the suspect
+        size: its size, as part of a sentence; may be empty
+        explained: part of the sum of squares that it would remove, to first order
+        evidence: decrease of Schwarz's criterion (BIC)
+        chance: probability that noise alone explains as much, for this suspect and its alternatives
     """
 
     name: str
@@ -46,12 +46,12 @@ class Finding:
 def score_test(
     problem: Problem, residuals: FloatArray, jacobian: FloatArray, found: Iterable[Suspect]
 ) -> list[Finding]:
-    """The suspects that can be told from the fitted variables, each with what it explains.
+    """Test the suspects that can be distinguished from the fitted variables.
 
     Args:
-        problem: its weights, shares and memories make the columns comparable with the residuals
-        residuals: data less prediction as they count, and of what is known beforehand, shape (terms,)
-        jacobian: of the predictions as they count, and of what is known, shape (terms, variables)
+        problem: provides the weights and correlations that make columns comparable with residuals
+        residuals: weighted data minus prediction, and those of prior knowledge, shape (terms,)
+        jacobian: of the weighted predictions and of prior knowledge, shape (terms, variables)
         found: the suspects
     """
     basis = column_space(jacobian)
@@ -77,10 +77,10 @@ def column_space(jacobian: FloatArray) -> FloatArray:
 def _tested(
     problem: Problem, suspect: Suspect, left: FloatArray, basis: FloatArray, total: float, freedom: int
 ) -> Finding | None:
-    """What a suspect explains, nothing where its size makes no sense; None where the variables imitate it."""
+    """Test one suspect: None if the variables imitate it; explains nothing if its size makes no sense."""
     counted = [problem.noise.counted(own, k) for k, own in enumerate(suspect.columns)]
     columns = _side_by_side(counted) if suspect.own else np.concatenate(counted)
-    # What is known beforehand does not hang on what the model lacks.
+    # Prior knowledge does not depend on the suspect.
     columns = np.pad(columns, ((0, len(left) - len(columns)), (0, 0)))
     lengths = np.linalg.norm(columns, axis=0)
     if not np.all(np.isfinite(lengths)) or not lengths.any():
@@ -108,7 +108,7 @@ def _tested(
 
 
 def _side_by_side(blocks: Sequence[FloatArray]) -> FloatArray:
-    """Columns of their own for each block."""
+    """Block-diagonal arrangement: separate columns for each block."""
     rows, wide = sum(len(one) for one in blocks), blocks[0].shape[1]
     found = np.zeros((rows, wide * len(blocks)))
     row = 0
@@ -119,13 +119,13 @@ def _side_by_side(blocks: Sequence[FloatArray]) -> FloatArray:
 
 
 def significant(findings: Sequence[Finding], level: float) -> list[Finding]:
-    """Those that noise looks like in this part of all fits, counted by the suspects that explain anything."""
+    """Findings significant at this rate of false alarms per fit, corrected for the number of suspects."""
     tried = sum(one.explained > 0.0 for one in findings)
     return [one for one in findings if one.chance * tried < level]
 
 
 def explanation(findings: Sequence[Finding]) -> str:
-    """What would explain the residuals best, in words, of findings with the best one first."""
+    """Sentence about the findings that explain the residuals best; the best one is first."""
     best, *others = findings
     part = f"{100.0 * best.explained:.0f} %" if best.explained >= 0.005 else "less than 1 %"
     text = f"{best} would explain them best, {part} of their sum of squares"

@@ -1,4 +1,4 @@
-"""A suspect: something that a model may lack, as the change of the residuals that it would make."""
+"""A suspect: something that a model may lack, as the change of the residuals that it would cause."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from pyjoystick.identification.fitting.checks.fitted_motion import FittedMotion
 from pyjoystick.identification.fitting.problem.settings import Free
 from pyjoystick.support import FloatArray
 
-#: Stops and limits are looked for at these parts of the largest angle on either side.
+#: Stops and limits are tried at these parts of the largest angle on either side.
 LEVELS: Final = (0.9, 0.75, 0.6)
 
 
@@ -22,14 +22,13 @@ class Suspect:
     """Something that the model may lack.
 
     Attributes:
-        name: what it is
-        columns: by record
-        says: the sentence part that gives its size, from the estimates of its columns; empty where there is
-            none to give
+        name: name of the suspect
+        columns: columns by record
+        says: part of a sentence that gives its size, from the estimates of its columns; empty if it has none
         one_sided: whether only a positive size makes sense
-        own: whether each record has a size of its own
-        free: the parameters of a fit that tries it in earnest; none where no FMU has them
-        alternatives: how many others of its kind are tried
+        own: whether each record has its own size
+        free: free parameters of a fit that includes it; empty if no FMU has them
+        alternatives: number of other suspects of its kind
     """
 
     name: str
@@ -44,12 +43,12 @@ class Suspect:
 def each(
     motions: Sequence[FittedMotion], column: Callable[[FittedMotion], FloatArray]
 ) -> tuple[FloatArray, ...]:
-    """One column for each motion, as a suspect has them."""
+    """One column for each motion, as a suspect needs them."""
     return tuple(column(one)[:, np.newaxis] for one in motions)
 
 
 def limits(values: Sequence[FloatArray]) -> list[float]:
-    """Angles on either side within the motions."""
+    """Trial limits of the angle on either side, within the motions."""
     joined = np.concatenate(values)
     ends = (max(float(np.max(joined)), 0.0), min(float(np.min(joined)), 0.0))
     return [
@@ -58,18 +57,18 @@ def limits(values: Sequence[FloatArray]) -> list[float]:
 
 
 def beyond(values: FloatArray, limit: float) -> FloatArray:
-    """By how much values are beyond a limit, on its side of zero, else 0."""
+    """Excess of values over a limit, on its side of zero, else 0."""
     return np.asarray(np.sign(limit) * np.maximum(np.sign(limit) * values - abs(limit), 0.0))
 
 
 def largest(sizes: FloatArray) -> float:
-    """The size that is furthest from zero, with its sign."""
+    """The value of largest magnitude, with its sign."""
     return float(sizes[np.argmax(np.abs(sizes))])
 
 
 @dataclass(frozen=True, slots=True)
 class Unit:
-    """Numbers of an output as text: angles in degrees."""
+    """Formats values of an output as text: angles in degrees."""
 
     output: str
 

@@ -1,8 +1,8 @@
-"""What a model may lack: physics and instruments, each as the change of the residuals that it would make.
+"""What a model may lack, in physics and instruments, each as the change of the residuals that it would cause.
 
-Every suspect is one or more columns, the derivatives of what the records show with respect to a number that
-is zero in the model. A moment that the model lacks acts through the input `T` of the FMU, along the motion
-that was fitted: to first order that is its derivative.
+A suspect has one or more columns: the derivatives of the record with respect to a number that is zero in the
+model. A missing moment is applied to the input `T` of the FMU along the fitted motion, which gives the
+derivative to first order.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from pyjoystick.identification.fitting.problem.least_squares import Problem
 from pyjoystick.identification.fitting.problem.trajectory_prediction import TrajectoryPredictor
 from pyjoystick.support import FloatArray
 
-#: Parameters are moved by this part, velocities by this (rad/s).
+#: Relative change of parameters, and change of velocities (rad/s).
 _PART: Final = 1e-4
 _VELOCITY: Final = 1e-2
 _SPRINGS: Final = tuple(
@@ -32,7 +32,7 @@ _SPRINGS: Final = tuple(
 
 
 def suspects(problem: Problem, x: FloatArray) -> Iterator[Suspect]:
-    """Everything that can be tried with the FMU of a problem, at a point."""
+    """All suspects that can be tried with the FMU of a problem, at a point."""
     predictors = [one for one in problem.predictors if isinstance(one, TrajectoryPredictor)]
     variables = problem.variables
     motions = [
@@ -72,13 +72,13 @@ def _friction(motions: Sequence[FittedMotion]) -> Iterator[Suspect]:
 
 
 def _lever(motion: FittedMotion) -> FloatArray:
-    """dx/dtheta (m) of the plunger in contact: the contact moment by its force; 0 without contact."""
+    """dx/dtheta (m) of the plunger in contact, which is contact moment over force; 0 without contact."""
     moment, force = motion.series("M_s"), motion.series("f_x")
     return np.abs(np.divide(moment, force, out=np.zeros_like(moment), where=force > 0.0))
 
 
 def _damping(motions: Sequence[FittedMotion]) -> Iterator[Suspect]:
-    """A coefficient that depends on the angle, on its side or on the speed, each to first order."""
+    """A damping coefficient that depends on the angle, its side or the speed, each to first order."""
 
     def columns(one: FittedMotion) -> FloatArray:
         theta, omega = one.series("theta"), one.series("omega")
@@ -92,7 +92,7 @@ def _damping(motions: Sequence[FittedMotion]) -> Iterator[Suspect]:
 
 
 def _stops(motions: Sequence[FittedMotion]) -> Iterator[Suspect]:
-    """An elastic stop within the motion, on one side."""
+    """An elastic stop within the range of motion, on one side."""
     for limit in limits([one.series("theta") for one in motions]):
         yield _stop(motions, limit)
 
@@ -108,7 +108,7 @@ def _stop(motions: Sequence[FittedMotion], limit: float) -> Suspect:
 
 
 def _torque(motions: Sequence[FittedMotion]) -> Iterator[Suspect]:
-    """Errors of the torque that was measured."""
+    """Errors of the measured torque."""
     yield Suspect(
         "an error of the torque's scale",
         each(
@@ -125,7 +125,7 @@ def _torque(motions: Sequence[FittedMotion]) -> Iterator[Suspect]:
 
 
 def _parameters(problem: Problem, motions: Sequence[FittedMotion]) -> Iterator[Suspect]:
-    """Parameters of the joystick that the settings leave at what they are."""
+    """Joystick parameters that the fit does not vary."""
     predictor = motions[0].predictor
 
     def free(name: str) -> bool:
@@ -161,7 +161,7 @@ def _parameters(problem: Problem, motions: Sequence[FittedMotion]) -> Iterator[S
 
 
 def _differing(problem: Problem, x: FloatArray) -> Iterator[Suspect]:
-    """What all records share, with a value of its own for each: they may not be of one joystick."""
+    """Shared parameters with a value for each record: the records may be of different joysticks."""
     slopes = problem.jacobians(x)
     names = [one.record.name for one in problem.predictors]
     for place, free in enumerate(problem.variables.free):
@@ -175,16 +175,16 @@ def _differing(problem: Problem, x: FloatArray) -> Iterator[Suspect]:
 
 
 def _spread(names: Sequence[str], value: float, sizes: FloatArray) -> str:
-    """Where the value is lowest and where highest."""
+    """Records with the lowest and the highest value."""
     low, high = int(np.argmin(sizes)), int(np.argmax(sizes))
     return f"{value + sizes[low]:.4g} in {names[low]}, {value + sizes[high]:.4g} in {names[high]}"
 
 
 def _moving_at_release(motions: Sequence[FittedMotion]) -> Suspect:
-    """A hold at another angle than that at which the motion would have begun at rest.
+    """A hold at another angle than the one from which the motion seems to start at rest.
 
-    A velocity at the release is, to first order, an earlier release at a larger angle, to which the free
-    parameters adapt: what is left is the angle of the hold.
+    A velocity at the release is, to first order, an earlier release from a larger angle. The free parameters
+    adapt to that, which leaves only the angle of the hold.
     """
     start = motions[0]
     omega = start.series("omega")

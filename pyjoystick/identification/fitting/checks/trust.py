@@ -17,22 +17,22 @@ from pyjoystick.identification.fitting.solution.search import Minimum
 from pyjoystick.identification.fitting.solution.uncertainty import Identifiability
 from pyjoystick.support import FloatArray
 
-#: A sound fit of white noise fails a test of the residuals once in this many.
+#: A sound fit of white noise fails a test of the residuals once in this many fits.
 _CHANCE: Final = 1e-3
-#: An offset of so many of its standard errors is not chance.
+#: An offset of more than this many standard errors is not chance.
 _OFFSET: Final = 4.0
-#: Standard errors between records and what was measured beforehand: by chance once in a hundred
-#: known parameters.
+#: Limit of the difference between records and prior measurement, in standard errors: exceeded by chance for
+#: one in a hundred known parameters.
 _FAR: Final = 2.576
-#: Records that take less than this part off the variance of what was measured say nothing of it.
+#: Records that reduce the variance of a prior measurement by less than this part have no say about it.
 _SAYING: Final = 1e-3
-#: Residuals of more than this part of the largest value measured are no noise.
+#: Residuals above this part of the largest measured value are not noise.
 _LARGE: Final = 0.05
-#: Average error of peaks that no longer counts as agreement.
+#: Average error of peaks above which they do not agree.
 _LARGE_PEAK_ERROR: Final = 0.2
-#: Variables this close to a bound, in parts of their scale, are at it.
+#: A variable this close to a bound, relative to its scale, is at the bound.
 _AT_BOUND: Final = 1e-6
-#: A sum of squares this much lower, in variances of the noise, is another minimum.
+#: A sum of squares lower by this, in variances of the noise, belongs to another minimum.
 _UNDERCUT: Final = 0.01
 
 
@@ -41,9 +41,9 @@ class Check:
     """One reason for or against trusting a fit.
 
     Attributes:
-        name: what was checked
-        passed: whether it is in order
-        message: what was found, and where it failed what to do
+        name: name of the check
+        passed: whether it passed
+        message: what was found, and what to do if it failed
         unseen: what a check that passed may have missed
     """
 
@@ -54,13 +54,13 @@ class Check:
 
 
 def check_convergence(minimum: Minimum) -> Check:
-    """Whether the search converged."""
+    """Check whether the search converged."""
     advice = "" if minimum.converged else ": allow more evaluations or begin nearer"
     return Check("converged", minimum.converged, f"{minimum.message}{advice}")
 
 
 def check_bounds(variables: Variables, x: FloatArray) -> Check:
-    """Whether a variable ended at one of its bounds."""
+    """Check whether a variable ended at one of its bounds."""
     at = [
         f"{one.label} = {value:.6g}"
         for one, value in zip(variables.free, x, strict=True)
@@ -73,16 +73,16 @@ def check_bounds(variables: Variables, x: FloatArray) -> Check:
 
 
 def check_rank(known: Identifiability) -> Check:
-    """Whether the data determine every variable."""
+    """Check whether the data determine every variable."""
     if known.deficient:
         return Check("rank", False, f"rank {known.rank} of {known.variables}: " + "; ".join(known.sentences))
     return Check("rank", True, f"full rank, {known.rank}; condition {known.condition:.3g}")
 
 
 def check_precision(variables: Sequence[Variable], x: FloatArray, errors: FloatArray) -> Check:
-    """Whether every standard error is below the value itself, beyond full rank.
+    """Check whether every standard error is below the value itself.
 
-    What belongs to a record or an instrument may well be zero.
+    Values of a record or an instrument are exempt, because they may well be zero.
     """
     poor = [
         f"{one.label} = {value:.4g} +- {error:.2g}"
@@ -96,9 +96,9 @@ def check_precision(variables: Sequence[Variable], x: FloatArray, errors: FloatA
 
 
 def check_known(variables: Sequence[Variable], x: FloatArray, errors: FloatArray) -> Check:
-    """Whether the records agree with what was measured beforehand.
+    """Check whether the records agree with prior measurements.
 
-    Where it is measured well it pulls the fit to itself; only the difference to the records alone shows.
+    A precise prior pulls the fit towards itself, so it is compared with what the records alone give.
     """
     found = [
         (one.label, away_from_known(one, value, error))
@@ -113,10 +113,10 @@ def check_known(variables: Sequence[Variable], x: FloatArray, errors: FloatArray
 
 
 def away_from_known(one: Variable, x: float, error: float) -> float | None:
-    """How far the records alone are from what was measured beforehand, in standard errors of the difference.
+    """Difference between the records alone and a prior measurement, in standard errors.
 
-    The fit is the weighted mean of both, so x - measured has the variance u^2 - error^2. None where the
-    records say next to nothing of the parameter, or it is not known beforehand.
+    The fit is the weighted mean of both, so x - measured has the variance u^2 - error^2. None if there is no
+    prior measurement or the records say next to nothing about the parameter.
     """
     if one.uncertainty is None:
         return None
@@ -125,11 +125,11 @@ def away_from_known(one: Variable, x: float, error: float) -> float | None:
 
 
 def check_chi_squared(cost: float, freedom: int) -> Check:
-    """Whether the residuals are as small as the given noise.
+    """Check whether the residuals are as small as the given noise.
 
     Args:
         cost: sum of squares in units of the noise
-        freedom: samples less variables
+        freedom: number of samples minus number of variables
     """
     chance = float(stats.chi2.sf(cost, freedom))
     message = f"chi-squared {cost:.4g} for {freedom} degrees of freedom (chance {chance:.2g})"
@@ -139,11 +139,11 @@ def check_chi_squared(cost: float, freedom: int) -> Check:
 
 
 def check_size(residuals: Sequence[FloatArray], data: Sequence[FloatArray]) -> Check:
-    """Whether the residuals are small, where the noise is not known.
+    """Check whether the residuals are small, if the noise is unknown.
 
     Args:
-        residuals: data less prediction, by record
-        data: what was measured
+        residuals: data minus prediction, by record
+        data: measured values
     """
     parts = [
         float(np.sqrt(np.mean(one * one)) / np.max(np.abs(values)))
@@ -154,7 +154,7 @@ def check_size(residuals: Sequence[FloatArray], data: Sequence[FloatArray]) -> C
 
 
 def check_peak_errors(relative: Sequence[FloatArray]) -> Check:
-    """Whether the peaks agree as well as the paper's did: 20 % on average.
+    """Check whether the peaks agree as well as the paper's: within 20 % on average.
 
     Args:
         relative: relative errors of heights and times by record
@@ -165,7 +165,7 @@ def check_peak_errors(relative: Sequence[FloatArray]) -> Check:
 
 
 def check_zero(offsets: Sequence[tuple[Variable, float, float]]) -> Check:
-    """Records whose zero is off; the fit corrects them.
+    """Check for records with a zero offset, which the fit corrects.
 
     Args:
         offsets: each variable with its value and its standard error
@@ -187,7 +187,7 @@ def _amount(one: Variable, value: float) -> str:
 
 
 def check_profiles(labels: Sequence[str], profiles: Mapping[int, Profile]) -> Check:
-    """Whether the profiles confirm the minimum and could be followed."""
+    """Check whether the profiles confirm the minimum and could be followed."""
     undercut = [f"{labels[j]} (by {one.lower:.2g})" for j, one in profiles.items() if one.lower > _UNDERCUT]
     lost = [labels[j] for j, one in profiles.items() if not one.converged]
     if undercut:
@@ -200,7 +200,7 @@ def check_profiles(labels: Sequence[str], profiles: Mapping[int, Profile]) -> Ch
 
 
 def check_peaks(missing: Sequence[tuple[str, int]]) -> Check:
-    """Whether the run has a peak for every measured one."""
+    """Check whether the run has a peak for every measured one."""
     lacking = [f"{count} of {name}" for name, count in missing if count]
     if lacking:
         message = f"the run has no peak to pair with {', '.join(lacking)}"

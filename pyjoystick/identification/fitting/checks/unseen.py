@@ -1,4 +1,4 @@
-"""What a fit that passes may still hide: sizes that its score test would miss, and what they move."""
+"""What a fit that passes may still hide: effects too small for the score test, and the bias they cause."""
 
 from __future__ import annotations
 
@@ -13,21 +13,21 @@ from pyjoystick.identification.fitting.checks.suspect import Suspect
 from pyjoystick.identification.fitting.problem.least_squares import Problem
 from pyjoystick.support import FloatArray
 
-#: The test sees a size in this part of all sets of records.
+#: Power: the test detects the reported size in this part of all sets of records.
 _POWER: Final = 0.9
-#: Shifts of fewer standard errors than this are in the interval as it is.
+#: Shifts below this many standard errors are covered by the interval.
 _NOTED: Final = 3.0
 
 
 class Unseen(NamedTuple):
-    """A suspect at the size that the test sees nine times in ten; a smaller one moves less, and passes more.
+    """A suspect at the size that the test detects nine times in ten; smaller ones shift less but pass more.
 
     Attributes:
         suspect: its name
-        size: in words
-        parameter: which of the values that all records share it moves most, in standard errors
-        part: by what part of the value
-        errors: by how many standard errors
+        size: its size as text
+        parameter: shared parameter that it shifts most, in standard errors
+        part: relative shift of the value
+        errors: shift in standard errors
     """
 
     suspect: str
@@ -40,23 +40,23 @@ class Unseen(NamedTuple):
 def unseen(
     problem: Problem, x: FloatArray, jacobian: FloatArray, found: Iterable[Suspect], level: float
 ) -> list[Unseen]:
-    """The suspects of one size in all records, where what the test misses is more than the intervals say.
+    """Suspects (of one size in all records) that can go unseen and bias a parameter beyond its interval.
 
-    To first order in the size: a column that the variables imitate but for a rest of length r (in standard
-    deviations of the noise) is seen at z/r, where z is the normal quantile of the test and its power; the
-    variables move by the rest of the column, as in any linear fit.
+    To first order in the size: a column that the variables imitate except for a residue of length r (in
+    standard deviations of the noise) is detected at z/r, where z is the sum of the normal quantiles of level
+    and power. The imitated part shifts the variables as in any linear fit.
 
     Args:
-        problem: its weights make the columns comparable with the noise
+        problem: provides the weights that make columns comparable with the noise
         x: the minimum
-        jacobian: of the predictions as they count, and of what is known, shape (terms, variables)
+        jacobian: of the weighted predictions and of prior knowledge, shape (terms, variables)
         found: the suspects
-        level: chance of the test for one suspect to be called out by noise
+        level: false-alarm probability of the test for one suspect
     """
     basis = column_space(jacobian)
     lengths = np.linalg.norm(jacobian, axis=0)
     solve = np.linalg.pinv(jacobian / np.where(lengths > 0.0, lengths, 1.0))
-    errors = np.linalg.norm(solve, axis=1)  # of the variables times their lengths
+    errors = np.linalg.norm(solve, axis=1)  # of the variables, times the column lengths
     shared = [j for j, one in enumerate(problem.variables.free) if one.record is None and lengths[j] > 0.0]
     quantile = float(stats.norm.isf(0.5 * level) + stats.norm.ppf(_POWER))
     missed = []

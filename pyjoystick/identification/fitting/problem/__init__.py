@@ -1,1 +1,1 @@
-"""What is minimized: records, predictions by the FMU, weights, and the free numbers."""
+"""The least-squares problem: records, predictions by the FMU, weights, and free variables."""

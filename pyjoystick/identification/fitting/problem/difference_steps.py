@@ -1,4 +1,4 @@
-"""Steps of differences, measured where derivatives are taken."""
+"""Choice of finite-difference steps by trial at the point of interest."""
 
 from __future__ import annotations
 
@@ -10,21 +10,21 @@ import numpy as np
 from pyjoystick.identification.fitting.problem.forward_model import RATIO, ForwardModel, slope
 from pyjoystick.support import FloatArray
 
-#: Steps before they are measured, relative to the scale of a variable.
+#: Initial steps, relative to the scale of a variable.
 FIRST_STEP: Final = 1e-4
-#: Steps that are tried, relative to the scale of a variable; each is `RATIO` times the one before.
+#: Steps to try, relative to the scale of a variable; each is `RATIO` times the one before.
 LADDER: FloatArray = 10.0**-6.5 * RATIO ** np.arange(10)
 
 
 @dataclass(frozen=True, slots=True)
 class StepChoice:
-    """Steps of differences.
+    """Chosen difference steps and their errors.
 
     Attributes:
         steps: relative to the scale of each variable, shape (variables,)
         errors: estimated relative error of each column of the Jacobian, shape (variables,)
         noise: scatter of the predicted values at the smallest step, in the unit of the data
-        tolerance: of the FMU's integrator, at which they hold
+        tolerance: tolerance of the FMU's integrator for which the steps are valid
     """
 
     steps: FloatArray
@@ -33,22 +33,23 @@ class StepChoice:
     tolerance: float
 
     def least(self, tolerance: float) -> float:
-        """Residuals up to this size are the error of the integration and no noise."""
+        """Residuals up to this size are integration errors, not noise."""
         return max(100.0 * self.noise, tolerance)
 
 
 def choose_steps(model: ForwardModel, x: FloatArray, *, central: bool = True) -> StepChoice:
-    """Measure the best steps at x, on one record for each kind of variable.
+    """Find the best steps at x, on one record for each kind of variable.
 
-    The results of an adaptive integrator with events scatter at the level of its tolerance: too small a step
-    differentiates that scatter, too large a one the curvature. So the derivative is taken at a ladder of
-    steps; where it changes least from one step to the next, both errors together are smallest, and the change
-    estimates them.
+    Results of an adaptive integrator with events scatter at the level of its tolerance: too small a step
+    differentiates this scatter, too large a one suffers from curvature. The derivative is therefore computed
+    for a ladder of steps. Where it changes least from one step to the next, the total error is smallest, and
+    the change is an estimate of it.
 
     Args:
-        model: whose predictions are differentiated
+        model: model whose predictions are differentiated
         x: the point
-        central: for central differences; without, for one-sided ones, whose best step is smaller
+        central: choose steps for central differences; otherwise for one-sided ones, whose best step is
+            smaller
     """
     variables = model.variables
     count = len(variables.free)
@@ -70,7 +71,7 @@ def choose_steps(model: ForwardModel, x: FloatArray, *, central: bool = True) ->
 def _of_variable(
     model: ForwardModel, x: FloatArray, variable: int, record: int, *, central: bool
 ) -> tuple[float, float, float]:
-    """Best step, the relative error of the derivative there, and the scatter of the values."""
+    """Best step, relative error of the derivative at that step, and scatter of the values."""
     one = model.variables.free[variable]
     below, above = x[variable] - one.minimum, one.maximum - x[variable]
     ladder = [float(step) * one.scale for step in LADDER]

@@ -1,4 +1,4 @@
-"""Runs of the FMU of a fit, for many rows of parameters at once."""
+"""Runs of the fitted FMU for several rows of parameters at once."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from pyjoystick.fmu import Fmu, FmuRunError, Plan, Reduction, Value
 from pyjoystick.identification.errors import FitInterruptedError
 from pyjoystick.support import FloatArray
 
-#: Up to so many runs are done one after the other.
+#: Up to this many runs are done one after the other.
 _FEW: Final = 24
 
 
 class FmuSettings(NamedTuple):
-    """What all runs of a fit share: the open FMU, varied and constant parameters, and its tolerance."""
+    """Common to all runs of a fit: the open FMU, varied and constant parameters, and the tolerance."""
 
     fmu: Fmu
     varied: tuple[str, ...]
@@ -25,7 +25,7 @@ class FmuSettings(NamedTuple):
     tolerance: float
 
     def ranges(self) -> tuple[FloatArray, FloatArray]:
-        """What the FMU allows for the varied parameters: least and largest values, shape (varied,) each."""
+        """Smallest and largest values that the FMU allows for the varied parameters, shape (varied,) each."""
         known = [self.fmu.description.variables[name] for name in self.varied]
         low = np.array([-np.inf if one.minimum is None else one.minimum for one in known])
         high = np.array([np.inf if one.maximum is None else one.maximum for one in known])
@@ -33,11 +33,11 @@ class FmuSettings(NamedTuple):
 
 
 class Runs(NamedTuple):
-    """The runs of a few rows.
+    """Results of runs for some rows.
 
     Attributes:
-        numbers: the samples, shape (rows, samples, outputs), or what the reduction kept, shape
-            (rows, columns); NaN in rows that failed
+        numbers: the samples, shape (rows, samples, outputs), or the reduced values, shape (rows, columns);
+            NaN in rows that failed
         message: why the first row failed, else empty
     """
 
@@ -46,7 +46,7 @@ class Runs(NamedTuple):
 
 
 def run_rows(plan: Plan, rows: FloatArray, settings: FmuSettings, reduction: Reduction | None = None) -> Runs:
-    """Run some rows; one outside the ranges of the FMU, as ties may lead to, counts as failed.
+    """Run some rows; a row outside the ranges of the FMU, as ties may produce, counts as failed.
 
     Raises:
         FitInterruptedError: Ctrl-C was pressed
@@ -71,7 +71,7 @@ def run_rows(plan: Plan, rows: FloatArray, settings: FmuSettings, reduction: Red
 def _few_runs(
     plan: Plan, rows: FloatArray, allowed: NDArray[np.bool_], numbers: FloatArray, message: str
 ) -> Runs:
-    """Runs one after the other: for a handful of them the threads of a batch take longer than they save."""
+    """Run one after the other: for a few runs, starting the threads of a batch takes longer than it saves."""
     try:
         for i in np.flatnonzero(allowed):
             try:

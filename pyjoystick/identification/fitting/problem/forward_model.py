@@ -1,4 +1,4 @@
-"""The forward model: what is predicted for all records at a point x, and its derivatives."""
+"""The forward model: predictions for all records at a point x, and their derivatives."""
 
 from __future__ import annotations
 
@@ -13,20 +13,20 @@ from pyjoystick.identification.fitting.problem.predictor import Prediction, Pred
 from pyjoystick.identification.fitting.problem.variables import Variables
 from pyjoystick.support import FloatArray
 
-#: The outer by the inner step of a difference where both are on one side, at a bound.
+#: Ratio of the outer to the inner step of a one-sided difference at a bound.
 RATIO: Final = 10.0**0.5
 
 
 class ForwardModel:
     """Predictions of all records as functions of x, in the units of the data.
 
-    It never changes, but for the last prediction of each record, which it keeps.
+    Immutable except for a cache of the last prediction of each record.
 
     Attributes:
-        variables: what x means
+        variables: meaning of x
         predictors: one for each record
-        exact: whether the derivatives by a variable are exact, by variable; the others are differences
-        tolerance: of the FMU's integrator
+        exact: for each variable, whether derivatives are exact; the others are differences
+        tolerance: tolerance of the FMU's integrator
     """
 
     def __init__(
@@ -40,11 +40,11 @@ class ForwardModel:
 
     @property
     def runs(self) -> int:
-        """FMU runs so far."""
+        """Number of FMU runs so far."""
         return sum(predictor.runs for predictor in self.predictors)
 
     def at(self, x: FloatArray, record: int) -> Prediction:
-        """The prediction of one record at x; the last one is kept, for the Jacobian at the same point."""
+        """Prediction of one record at x; the last one is cached for the Jacobian at the same point."""
         last, prediction = self._last[record]
         if last is None or not np.array_equal(last, x):
             prediction = self._predict([x], record)
@@ -53,7 +53,7 @@ class ForwardModel:
         return prediction
 
     def predictions(self, x: FloatArray) -> list[FloatArray]:
-        """The predictions at x by record; raises FitError where a run fails."""
+        """Predictions at x by record; raises FitError if a run fails."""
         found = []
         for k, predictor in enumerate(self.predictors):
             prediction = self.at(x, k)
@@ -63,32 +63,32 @@ class ForwardModel:
         return found
 
     def moved(self, x: FloatArray, variable: int, moves: Sequence[float], record: int) -> FloatArray:
-        """Predictions of one record with one variable changed by each move, and at x itself.
+        """Predictions of one record with one variable changed by each of some amounts, and at x itself.
 
         Args:
             x: the point
-            variable: which variable is changed
+            variable: index of the variable to change
             moves: absolute changes, length k
-            record: which record
+            record: index of the record
 
         Returns:
-            shape (k + 1, n), x itself at the end
+            shape (k + 1, n), with x itself last
         """
         return self._predict([_moved(x, variable, move) for move in (*moves, 0.0)], record).values
 
     def jacobian(self, x: FloatArray, record: int, steps: FloatArray, *, central: bool = True) -> FloatArray:
         """Derivatives of the prediction of one record, shape (n, variables).
 
-        Those of the instrument are exact, and where the FMU has sensitivities those of its parameters. Each
-        other one is the slope, at x, of the polynomial through the predictions at x and at the points of
-        `_moves` that are within the bounds and whose run does not fail.
+        Derivatives with respect to the instrument are exact, and, if the FMU has sensitivities, so are those
+        with respect to its parameters. The others are slopes at x of the polynomial through the predictions
+        at x and at those points of `_moves` that are within the bounds and whose run succeeds.
 
         Args:
             x: the point
-            record: which record
-            steps: of the differences, relative to the scale of each variable, shape (variables,)
-            central: two points, for an error of the second order in the steps; without, one point, for an
-                error of the first order at half the runs, and sensitivities at a larger tolerance
+            record: index of the record
+            steps: difference steps, relative to the scale of each variable, shape (variables,)
+            central: use two points, for an error of second order in the steps; otherwise one point, for an
+                error of first order with half the runs, and sensitivities at a larger tolerance
         """
         base = self.at(x, record)
         block = np.zeros((base.values.shape[1], len(x)))
@@ -109,16 +109,16 @@ class ForwardModel:
         return np.where(np.isfinite(block), block, 0.0)
 
     def instrument_slopes(self, x: FloatArray) -> list[Mapping[str, FloatArray]]:
-        """Derivatives of the predictions with respect to the numbers of the instrument, by record."""
+        """Derivatives of the predictions with respect to the instrument's numbers, by record."""
         return [self.at(x, k).slopes for k in range(len(self.predictors))]
 
     def _predict(self, points: Sequence[FloatArray], record: int) -> Prediction:
-        """The prediction at points that share their instrument."""
+        """Predictions at points that share their instrument."""
         rows = np.array([self.variables.row(point, record) for point in points])
         return self.predictors[record].predict(rows, self.variables.instrument(points[0], record))
 
     def _exact_columns(self, x: FloatArray, record: int, *, rough: bool) -> dict[int, FloatArray]:
-        """The derivatives of one record's prediction that need no differences, by place of the variable."""
+        """Derivatives of one record's prediction that need no differences, by index of the variable."""
         slopes = self.at(x, record).slopes
         found = {j: slopes[name] for name, j in self.variables.instrument_places(record).items()}
         if any(self.exact[j] and j not in found for j in range(len(x)) if self.variables.concerns(j, record)):
@@ -130,13 +130,13 @@ class ForwardModel:
         return found
 
     def _is_differentiable(self, name: str) -> bool:
-        """Whether every FMU has the derivatives; of what ties use, they would have to follow the ties."""
+        """Whether every FMU has the derivative and no tie uses the variable (ties have none)."""
         return name not in self.variables.in_ties and all(
             name in one.differentiable for one in self.predictors
         )
 
     def _moves(self, x: FloatArray, variable: int, steps: FloatArray, *, central: bool) -> tuple[float, ...]:
-        """By how much a variable is changed for its derivative: within its bounds."""
+        """Changes of a variable for its derivative, within its bounds."""
         one = self.variables.free[variable]
         below, above = x[variable] - one.minimum, one.maximum - x[variable]
         step = min(float(steps[variable]) * one.scale, max(below, above) / RATIO)
@@ -153,12 +153,12 @@ def _moved(x: FloatArray, variable: int, move: float) -> FloatArray:
 
 
 def slope(points: Sequence[tuple[float, FloatArray]]) -> FloatArray:
-    """The slope at the first place, 0, of the polynomial through values at places, (place, values) each."""
+    """Slope at 0 of the polynomial through (place, values) pairs; the first place is 0."""
     (_, base), *others = points
     if not others:
         return np.zeros_like(base)
     places = np.array([place for place, _ in others])
     size = float(np.max(np.abs(places)))
-    # Of differences from the base, so that what changes nothing has a slope of exactly 0.
+    # Subtract the base, so that a variable without influence has a slope of exactly 0.
     weights = np.linalg.inv(np.vander(places / size, len(places) + 1, increasing=True)[:, 1:])[0] / size
     return np.asarray(weights @ np.array([values - base for _, values in others]))

@@ -1,32 +1,32 @@
-"""How a record shows a motion: its clock, its zero and its scale."""
+"""The instrument: how a record shows a motion, with its clock, zero and scale."""
 
 from __future__ import annotations
 
 from typing import Final, NamedTuple
 
-#: The instant of a record's clock at which the FMU starts; until then the record shows the start values.
+#: Time on the record's clock at which the FMU starts; before it, the record shows the start values.
 RELEASE_TIME: Final = "release_time"
-#: What the first output shows where it is zero, in its unit.
+#: Reading of the first output where it is zero, in its unit.
 ZERO_OFFSET: Final = "zero_offset"
-#: By what part the first output is shown too large.
+#: Relative excess of the first output's reading.
 ANGLE_SCALE: Final = "angle_scale"
-#: By what part the record's clock runs slow: the motion lasts 1 + time_base as long as it shows.
+#: Relative slowness of the record's clock: the motion lasts 1 + time_base times as long as shown.
 TIME_BASE: Final = "time_base"
-#: By how much the outputs lag behind the inputs (s).
+#: Lag of the outputs behind the inputs (s).
 DELAY: Final = "delay"
 
 
 class Instrument(NamedTuple):
-    """What a record shows of an output y of the FMU, which starts at the release, at the instant t.
+    """Reading, at time t, of an output y of the FMU, which starts at the release.
 
-    (1 + angle_scale)*y((1 + time_base)*(t - release_time - delay)) + zero_offset; scale and zero are those of
-    the first output. Inputs are read at (1 + time_base)*(t - release_time).
+    It is (1 + angle_scale)*y((1 + time_base)*(t - release_time - delay)) + zero_offset, where scale and zero
+    apply to the first output only. Inputs are read at (1 + time_base)*(t - release_time).
 
     Attributes:
-        release_time: instant at which the FMU starts (s)
+        release_time: time at which the FMU starts (s)
         zero_offset: in the unit of the first output
         angle_scale, time_base: relative
-        delay: of the outputs behind the inputs (s)
+        delay: lag of the outputs behind the inputs (s)
     """
 
     release_time: float = 0.0
@@ -37,16 +37,16 @@ class Instrument(NamedTuple):
 
     @property
     def origin(self) -> float:
-        """The instant of the record (s) at which the outputs begin to move."""
+        """Time on the record's clock (s) at which the outputs start to move."""
         return self.release_time + self.delay
 
     @property
     def clock(self) -> tuple[float, float, float]:
-        """What decides at which instants the FMU is to be sampled."""
+        """The numbers that determine at which times the FMU is sampled."""
         return self.release_time, self.time_base, self.delay
 
 
-#: The names of its numbers, as settings of a fit have them.
+#: Names of the instrument's numbers in the settings of a fit.
 INSTRUMENT: Final = Instrument._fields
-#: Those that act through the clock: their derivatives need that of the output.
+#: Numbers that act through the clock; their derivatives need the output's time derivative.
 CLOCK: Final = (RELEASE_TIME, TIME_BASE, DELAY)

@@ -1,4 +1,4 @@
-"""Fits of the joystick: what is free in them by damping law, dry friction and kind of record."""
+"""Settings for fits of the joystick: free parameters by damping law, dry friction and kind of record."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from pyjoystick.identification.fitting.problem.settings import FitSettings, Free
 from pyjoystick.runs import FMU_WITH_FRICTION
 from pyjoystick.support import ParameterError
 
-#: What belongs to each record of a release: its angle, its instant, and what the record shows in the middle.
+#: Numbers of each record of a release: its angle, its time, and the reading in the middle position.
 RELEASE: Final = (
     Free("theta_start", per_record=True),
     Free(RELEASE_TIME, per_record=True),
@@ -22,8 +22,8 @@ CONSTANT_DAMPING: Final = FitSettings(
     fmu="Joystick", free=(Free("damping.C", start=0.05, minimum=0.0, maximum=0.5), *RELEASE)
 )
 
-#: Eq. (11). Only the products alpha*A and (1 - alpha)*B act on the motion, so that alpha cannot be fitted
-#: beside A and B: it is fixed at the paper's 0.9.
+#: Eq. (11). Only the products alpha*A and (1 - alpha)*B affect the motion, so alpha cannot be fitted together
+#: with A and B: it is fixed at the paper's 0.9.
 POWER_LAW_DAMPING: Final = FitSettings(
     fmu="JoystickPowerLaw",
     fixed={"damping.alpha": 0.9},
@@ -36,30 +36,30 @@ POWER_LAW_DAMPING: Final = FitSettings(
         Free("damping.m", start=0.0, minimum=-1.0, maximum=1.0),
         *RELEASE,
     ),
-    # With the sides exchanged eq. (11) has a second minimum that looks right at 0.1 degree of noise.
+    # With the sides exchanged, eq. (11) has a second minimum that looks right at 0.1 degree of noise.
     search=Search(exchanges=(("damping.A_pos", "damping.A_neg"), ("damping.n_pos", "damping.n_neg"))),
-    # Six parameters along a curved valley: their profiles take minutes, and are there where asked for.
+    # Six parameters along a curved valley: their profiles take minutes and are computed only on request.
     uncertainty=Uncertainty(profiles=()),
 )
 
-#: The displacement terms of eq. (11) alone, at alpha = 1: four records of 0.1 degree of noise determine them.
+#: The displacement terms of eq. (11) alone (alpha = 1); four records with 0.1 degree of noise determine them.
 DISPLACEMENT_DAMPING: Final = dataclasses.replace(
     POWER_LAW_DAMPING,
     fixed={"damping.alpha": 1.0},
     free=tuple(one for one in POWER_LAW_DAMPING.free if one.name not in ("damping.B", "damping.m")),
 )
 
-#: What belongs to each record of a driven motion: where it begins, at rest, and what it shows in the middle.
+#: Numbers of each record of a driven motion: where it starts, at rest, and the reading in the middle.
 DRIVEN: Final = (Free("theta_start", per_record=True), Free(ZERO_OFFSET, per_record=True))
 _DRIVEN_STAGES: Final = (0.1, 0.2, 0.4, 0.7)
 
 
 def driven(settings: FitSettings) -> FitSettings:
-    """Settings for releases as settings for records with the torque that drove the joystick, column ``T``.
+    """Adapt settings for releases to records that contain the driving torque, column ``T``.
 
-    The torque says how large moments are, so that the moment of inertia is fitted too; and so is the delay of
-    the angle behind the torque, which all records share. Records begin at rest, unless `omega_start` is made
-    free as well.
+    The torque sets the scale of all moments, so that the moment of inertia can be fitted too, as can the
+    delay of the angle behind the torque, which all records share. Records start at rest unless `omega_start`
+    is also made free.
     """
     own = tuple(one for one in settings.free if not one.per_record)
     delay = Free(DELAY, start=0.0, minimum=-0.05, maximum=0.05)
@@ -67,7 +67,7 @@ def driven(settings: FitSettings) -> FitSettings:
         settings,
         free=(*own, Free("J"), delay, *DRIVEN),
         inputs=("T",),
-        # A drive passes the middle again and again, at instants on which all that follows depends.
+        # A driven joystick passes the middle repeatedly, at times that affect all that follows.
         search=dataclasses.replace(settings.search, stages=_DRIVEN_STAGES),
     )
 
@@ -78,7 +78,7 @@ PLUNGER_FRICTION: Final = Free("friction.F_c", start=0.2, minimum=0.0, maximum=5
 
 
 def with_friction(settings: FitSettings, *friction: Free) -> FitSettings:
-    """The same fit with dry friction: that at the pivot where nothing is said.
+    """Add dry friction to the settings, by default only that at the pivot.
 
     Raises:
         ParameterError: the FMU has no counterpart with friction

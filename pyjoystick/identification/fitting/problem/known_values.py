@@ -1,4 +1,4 @@
-"""Settings of a fit with values that are known from elsewhere."""
+"""Adding known values to the settings of a fit."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from pyjoystick.identification.fitting.problem.settings import FitSettings, Free
 def with_values(
     settings: FitSettings, values: Mapping[str, Value], *, replace_starts: bool = False
 ) -> FitSettings:
-    """The settings with values for all that they leave to the FMU.
+    """Fill in values for everything that the settings leave to the FMU.
 
     Args:
         settings: what they fix or tie themselves stays
@@ -43,11 +43,11 @@ def _started(free: Free, start: float, *, replaced: bool) -> Free:
 def with_known(
     settings: FitSettings, values: Mapping[str, float], uncertainties: Mapping[str, float]
 ) -> FitSettings:
-    """The settings with parameters that are fitted although they were measured: each counts as a measurement.
+    """Fit parameters that were also measured: each measured value counts as one measurement.
 
     Args:
-        settings: what they fix or do not mention becomes free
-        values: of the parameters, in the units of the FMU
+        settings: parameters that they fix or do not mention become free
+        values: measured values, in the units of the FMU
         uncertainties: their standard uncertainties, by the same names
 
     Raises:

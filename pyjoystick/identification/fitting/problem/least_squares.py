@@ -15,26 +15,26 @@ from pyjoystick.identification.fitting.problem.predictor import Predictor
 from pyjoystick.identification.fitting.problem.variables import Variables
 from pyjoystick.support import FloatArray
 
-#: A point at which the FMU fails counts as differing by this many times the data, and no search ends there.
+#: If the FMU fails, residuals are set to this multiple of the data, so that no search ends there.
 _FAILED: Final = 1e3
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Problem:
-    """Residuals r(x) = weight*share*(prediction - data), one block after the other for the records.
+    """Residuals r(x) = weight*share*(prediction - data), one block per record.
 
-    Where the noise has a memory, a residual is what is new in it. What is known of variables beforehand
-    follows at the end: (x - measured)/uncertainty.
+    For autocorrelated noise, residuals are innovations. Prior knowledge of variables is appended:
+    (x - measured)/uncertainty.
 
-    A problem never changes. Each stage of a fit makes the next one from it by `dataclasses.replace`: with
-    other steps, with the noise that the residuals show, or with data drawn anew. All share the model.
+    A problem is immutable. Each stage of a fit derives the next problem from it by `dataclasses.replace`:
+    with other steps, with the noise that the residuals show, or with resampled data. All share the model.
 
     Attributes:
-        model: the predictions
-        noise: what is assumed of it
-        data: the measured numbers, by record
-        measured: what was measured beforehand, by variable; only those with an uncertainty count
-        steps: of the differences, relative to the scale of each variable, shape (variables,)
+        model: the forward model
+        noise: model of the noise
+        data: measured numbers, by record
+        measured: prior measurements, by variable; only those with an uncertainty count
+        steps: difference steps, relative to the scale of each variable, shape (variables,)
     """
 
     model: ForwardModel
@@ -45,7 +45,7 @@ class Problem:
 
     @classmethod
     def of(cls, model: ForwardModel, noise: NoiseModel) -> Problem:
-        """The first problem: the data of the records, the starts of variables, the first steps."""
+        """The initial problem: data of the records, start values of variables, first steps."""
         return cls(
             model,
             noise,
@@ -56,21 +56,21 @@ class Problem:
 
     @property
     def variables(self) -> Variables:
-        """What x means."""
+        """Meaning of x."""
         return self.model.variables
 
     @property
     def predictors(self) -> tuple[Predictor, ...]:
-        """One for each record."""
+        """Predictors, one for each record."""
         return self.model.predictors
 
     def predictions(self, x: FloatArray) -> list[FloatArray]:
-        """The predictions at x by record; raises FitError where a run fails."""
+        """Predictions at x by record; raises FitError if a run fails."""
         return self.model.predictions(x)
 
     @property
     def size(self) -> int:
-        """Number of residuals that count."""
+        """Number of residuals with nonzero weight."""
         return sum(
             int(np.count_nonzero(weight * share))
             for weight, share in zip(self.noise.weights, self.noise.shares, strict=True)
@@ -78,17 +78,17 @@ class Problem:
 
     @property
     def terms(self) -> int:
-        """Number of residuals that count, with those of what is known beforehand."""
+        """Number of residuals with nonzero weight, including those of prior knowledge."""
         return self.size + len(self.prior)
 
     @property
     def prior(self) -> FloatArray:
-        """Derivatives of the residuals of what is known beforehand, shape (known, variables)."""
+        """Derivatives of the prior-knowledge residuals, shape (known, variables)."""
         uncertainties = np.array([one.uncertainty or math.inf for one in self.variables.free])
         return np.asarray(np.diag(1.0 / uncertainties)[np.isfinite(uncertainties)])
 
     def residuals(self, x: FloatArray) -> FloatArray:
-        """All weighted residuals, shape (samples of all records + variables known beforehand,).
+        """All weighted residuals, shape (samples of all records + known variables,).
 
         A failing run gives residuals of a thousand times the data, so that a search turns back.
         """
@@ -100,19 +100,19 @@ class Problem:
         return np.concatenate((*found, self.prior @ (x - self.measured)))
 
     def jacobian(self, x: FloatArray, *, central: bool = True) -> FloatArray:
-        """Derivatives of all residuals, shape (samples of all records + what is known beforehand, variables).
+        """Derivatives of all residuals, shape (samples of all records + known variables, variables).
 
         Args:
             x: the point
-            central: whether derivatives are good to the second order; see `ForwardModel.jacobian`
+            central: use second-order derivatives; see `ForwardModel.jacobian`
         """
         blocks = self.jacobians(x, central=central)
         return np.concatenate((*(self.noise.counted(block, k) for k, block in enumerate(blocks)), self.prior))
 
     def jacobians(self, x: FloatArray, *, central: bool = True) -> list[FloatArray]:
-        """Derivatives of the predictions in the unit of the data, one array a record."""
+        """Derivatives of the predictions in the unit of the data, one array per record."""
         return [self.model.jacobian(x, k, self.steps, central=central) for k in range(len(self.predictors))]
 
     def with_weights(self, weights: tuple[FloatArray, ...]) -> Problem:
-        """The problem with other weights of the residuals, by record."""
+        """Return the problem with other weights of the residuals, by record."""
         return replace(self, noise=replace(self.noise, weights=weights))

@@ -1,4 +1,4 @@
-"""What is fitted: series of samples by the names of the FMU's variables, and a guess of their release."""
+"""Measurements: series of samples by names of FMU variables, and the guess of their release."""
 
 from __future__ import annotations
 
@@ -32,13 +32,13 @@ class Measurement:
     """One measured run.
 
     Attributes:
-        name: what it is called in reports
-        time: instants (s), shape (n,), increasing
+        name: name in reports
+        time: sample times (s), shape (n,), increasing
         columns: series by the name of the FMU's variable, in its unit, shape (n,) each
 
     Raises:
-        ParameterError: the time does not increase
-        SeriesError: a series has another length, or NaN or infinity in it
+        ParameterError: the times do not increase
+        SeriesError: a series has another length or contains NaN or infinity
     """
 
     name: str
@@ -51,14 +51,14 @@ class Measurement:
         object.__setattr__(self, "columns", checked)
 
     def series(self, name: str) -> FloatArray:
-        """A column by name; raises UnknownVariableError where there is none."""
+        """Return a column by name; raises UnknownVariableError if there is none."""
         if name not in self.columns:
             raise UnknownVariableError(name, self.columns)
         return self.columns[name]
 
     @classmethod
     def from_record(cls, record: Record) -> Measurement:
-        """The angle (rad) of a record and, where it was measured, its angular velocity (rad/s)."""
+        """Take the angle (rad) and, if measured, the angular velocity (rad/s) from a record."""
         columns = {"theta": record.theta}
         if record.omega is not None:
             columns["omega"] = record.omega
@@ -66,12 +66,12 @@ class Measurement:
 
     @classmethod
     def from_table(cls, name: str, table: pd.DataFrame) -> Measurement:
-        """A table indexed by time (s) with columns in the units of the FMU, as its runs give."""
+        """Take a table indexed by time (s) with columns in the units of the FMU, as its runs return."""
         columns = {str(column): table[column].to_numpy(dtype=np.float64) for column in table.columns}
         return cls(name, table.index.to_numpy(dtype=np.float64), columns)
 
     def mirrored(self) -> Measurement:
-        """The same with the angle and its derivatives counted the other way round."""
+        """Reverse the sign of the angle and its derivatives."""
         columns = {name: -one if name in _TURNED else one for name, one in self.columns.items()}
         return Measurement(self.name, self.time, columns)
 
@@ -86,12 +86,12 @@ class Measurement:
 
 
 def read_table_record(path: Path, names: Sequence[str], fmu: FmuDescription) -> Measurement:
-    """Read variables of an FMU from a CSV file, as `pyjoystick.fmu.read_variables` does."""
+    """Read variables of an FMU from a CSV file with `pyjoystick.fmu.read_variables`."""
     return Measurement.from_table(path.stem, read_variables(path, fmu, names))
 
 
 def measurements(records: Iterable[Record | Measurement]) -> tuple[Measurement, ...]:
-    """Records and measurements as measurements with names that differ; ParameterError for anything else."""
+    """Convert records to measurements and make names unique; ParameterError for any other type."""
     if not isinstance(records, Iterable) or isinstance(records, pd.DataFrame):
         raise ParameterError("records", type_text(records), _RECORDS)
     found: list[Measurement] = []
@@ -107,27 +107,27 @@ def measurements(records: Iterable[Record | Measurement]) -> tuple[Measurement, 
     return tuple(found)
 
 
-#: Parts of the angle of release: the fall has reached the half where a sample is below it, and has begun
-#: where one is below the first, or below what `_CLEAR` standard deviations of the noise may reach.
+#: Fractions of the release angle: the fall has reached half when a sample is below the first, and the fall
+#: has started when one is below the second or below what `_CLEAR` standard deviations of the noise can reach.
 _HALF: Final = 0.5
 _BEGUN: Final = 0.9
 _CLEAR: Final = 4.0
 _LEAST_BEGUN: Final = 0.7
-#: Samples of the hold lie above this part of the largest.
+#: Samples during the hold are above this fraction of the largest.
 _HELD: Final = 0.8
-#: Samples that show how far they scatter.
+#: Number of samples used to estimate the scatter.
 _FEWEST: Final = 5
-#: Samples that show whether a record begins with the hold.
+#: Number of samples used to decide whether a record starts with the hold.
 _BEGINNING: Final = 3
 
 
 class Release(NamedTuple):
-    """How a record begins.
+    """How a record starts.
 
     Attributes:
         angle: before the release (rad)
-        time: instant of the release on the clock of the record (s)
-        spread: how far off the angle may be (rad); 0 where that follows from the angle
+        time: time of the release on the record's clock (s)
+        spread: uncertainty range of the angle (rad); 0 if it follows from the angle
     """
 
     angle: float
@@ -136,17 +136,17 @@ class Release(NamedTuple):
 
 
 def guess_release(time: FloatArray, theta: FloatArray) -> Release:
-    """The release of a free oscillation.
+    """Guess the release of a free oscillation.
 
-    The angle is the median of the samples before the fall. A motion that begins at rest falls as the square
-    of time at first; the instants at which the angle has fallen to half of it, and before that to 0.9 of it
-    or to what the noise leaves clear of the hold, give the beginning. Single outliers have no influence.
+    The angle is the median of the samples before the fall. From rest, the angle first falls as the square of
+    time, so the start follows from the times at which it has fallen to half and, before that, to 0.9 or
+    to what is clear of the noise of the hold. Single outliers have no influence.
 
-    The hold is the first swing and not the largest: where one side has the weaker springs, or the zero is
-    off, the joystick may go further on the other side than it was held.
+    The hold is found as the first swing, not the largest: if the springs of one side are weaker, or the zero
+    is off, the joystick may swing farther on the other side than it was held.
 
     Args:
-        time: instants (s), shape (n,)
+        time: sample times (s), shape (n,)
         theta: angle (rad), shape (n,), with the release in the first swing or at the first sample
     """
     padded = np.concatenate((theta[:1], theta, theta[-1:]))
@@ -172,14 +172,14 @@ def guess_release(time: FloatArray, theta: FloatArray) -> Release:
 
 
 def _scatter(series: FloatArray) -> float:
-    """Standard deviation of the noise of a series that hardly changes from sample to sample."""
+    """Standard deviation of the noise of a series that changes slowly."""
     if len(series) < _FEWEST:
         return 0.0
     return 1.4826 * float(np.median(np.abs(np.diff(series, 2)))) / math.sqrt(6.0)
 
 
 def _last_crossing(time: FloatArray, ratio: FloatArray, level: float, fallen: int) -> float:
-    """Where the series falls to `level` for the last time before index `fallen`, straight between samples."""
+    """Time of the last fall through `level` before index `fallen`, with linear interpolation."""
     above = np.flatnonzero(ratio[:fallen] >= level)
     i = int(above[-1]) + 1 if above.size else 0
     if i in (0, len(time)):

@@ -1,4 +1,4 @@
-"""Noise whose samples depend on each other: first-order autoregressive, and what makes it white again."""
+"""Autocorrelated noise: first-order autoregressive, and the filter that whitens it."""
 
 from __future__ import annotations
 
@@ -11,29 +11,29 @@ from scipy.optimize import minimize_scalar
 
 from pyjoystick.support import FloatArray
 
-#: Correlations from sample to sample that are looked for.
+#: Range of correlations from sample to sample that is searched.
 _RANGE: Final = (-0.9, 0.995)
-#: Singular values below this part of the largest are zero.
+#: Singular values below this part of the largest count as zero.
 _ZERO: Final = 1e-8
 
 
 class Memory(NamedTuple):
-    """Correlation of each sample with the one before it, and nothing further: an AR(1) process.
+    """An AR(1) process: each sample is correlated with the one before it.
 
     Attributes:
-        previous: correlation with the sample before; 0 where a series begins, shape (n,)
+        previous: correlation with the sample before; 0 where a series starts, shape (n,)
     """
 
     previous: FloatArray
 
     @classmethod
     def of(cls, labels: Sequence[str], correlation: float) -> Memory:
-        """The same correlation within each series of a record, none from one series to the next."""
+        """Use the same correlation within each series of a record, and none between series."""
         same = np.array([False, *(a == b for a, b in zip(labels[1:], labels[:-1], strict=True))])
         return cls(np.where(same, correlation, 0.0))
 
     def innovations(self, values: FloatArray) -> FloatArray:
-        """What is new in each sample, in the same standard deviation; an array of shape (n, ...)."""
+        """Innovation of each sample, with the same standard deviation; an array of shape (n, ...)."""
         if not self.previous.any():
             return values
         shape = (-1, *(1,) * (values.ndim - 1))
@@ -42,7 +42,7 @@ class Memory(NamedTuple):
         return np.asarray((values - rho * before) / np.sqrt(1.0 - rho**2))
 
     def noise(self, innovations: FloatArray) -> FloatArray:
-        """The samples that have these innovations, shape (n,)."""
+        """Samples that have these innovations, shape (n,)."""
         found = innovations.copy()
         for i in np.flatnonzero(self.previous):
             rho = float(self.previous[i])
@@ -51,13 +51,13 @@ class Memory(NamedTuple):
 
 
 class Block(NamedTuple):
-    """The residuals of one record.
+    """Residuals of one record.
 
     Attributes:
-        labels: name of the series of each, length n
+        labels: name of the series of each residual, length n
         residuals: in standard deviations of the noise, shape (n,)
         jacobian: their derivatives with respect to the variables, shape (n, variables)
-        repeats: how many records the mean was taken off of, 1 where it was not
+        repeats: number of records whose mean was subtracted, 1 if none was
     """
 
     labels: Sequence[str]
@@ -67,11 +67,11 @@ class Block(NamedTuple):
 
 
 def estimated_correlation(blocks: Sequence[Block]) -> float:
-    """The correlation from sample to sample by restricted maximum likelihood.
+    """Estimate the correlation from sample to sample by restricted maximum likelihood.
 
-    The likelihood is that of what the fitted variables leave over, so that fitting many of them does not make
-    the noise look whiter than it is. Where the mean over repeats was taken off, what all repeats have in
-    common, such as physics that the model lacks, does not count as noise.
+    It uses the likelihood of what the fitted variables cannot explain, so that fitting many of them does not
+    make the noise look whiter than it is. Where the mean over repeats was subtracted, effects common to all
+    repeats, such as missing physics, do not count as noise.
     """
     lengths = np.linalg.norm(np.concatenate([one.jacobian for one in blocks]), axis=0)
     scale = np.where(lengths > 0.0, lengths, 1.0)
@@ -94,7 +94,7 @@ def estimated_correlation(blocks: Sequence[Block]) -> float:
 
 
 def _left_over(residuals: FloatArray, jacobian: FloatArray) -> tuple[float, FloatArray]:
-    """The sum of squares that the columns cannot explain, and their singular values but zeros."""
+    """Sum of squares that the columns cannot explain, and their nonzero singular values."""
     basis, values, _ = np.linalg.svd(jacobian[:, jacobian.any(axis=0)], full_matrices=False)
     kept = values > _ZERO * max(values, default=0.0)
     explained = basis[:, kept].T @ residuals

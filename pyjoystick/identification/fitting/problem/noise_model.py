@@ -1,4 +1,4 @@
-"""What is assumed of the noise: its level, how much each sample counts, and its memory."""
+"""Noise model: level, weights of samples, and correlation."""
 
 from __future__ import annotations
 
@@ -13,19 +13,19 @@ from pyjoystick.identification.fitting.problem.predictor import Predictor
 from pyjoystick.identification.fitting.problem.settings import Noise
 from pyjoystick.support import FloatArray
 
-#: Relative to the largest value, what the noise is taken to be before there is an estimate.
+#: Assumed noise relative to the largest value, before there is an estimate.
 _FIRST_GUESS = 1e-2
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class NoiseModel:
-    """How residuals count in the sum of squares.
+    """Weighting of residuals in the sum of squares.
 
     Attributes:
-        weights: by record, shape (n,) each; the reciprocal of the noise's standard deviation where known
-        shares: how much each residual counts, by record: 1, and less for outliers
-        memories: of the noise, by record
-        correlation: from sample to sample, that of the memories
+        weights: by record, shape (n,) each; the reciprocal of the noise's standard deviation if known
+        shares: further weights of residuals, by record: 1, or less for outliers
+        memories: correlation structure of the noise, by record
+        correlation: correlation from sample to sample in `memories`
     """
 
     weights: tuple[FloatArray, ...]
@@ -43,36 +43,36 @@ class NoiseModel:
         )
 
     def colored(self, predictors: Sequence[Predictor], correlation: float) -> NoiseModel:
-        """The same with this correlation within each series; 0 makes it white."""
+        """Return the noise with this correlation within each series; 0 makes it white."""
         memories = tuple(Memory.of(one.labels, correlation) for one in predictors)
         return replace(self, memories=memories, correlation=correlation)
 
     def scaled(self, values: FloatArray, record: int) -> FloatArray:
-        """Values of one record in the unit of the data, shape (n, ...), weighted by weights and shares."""
+        """Multiply values of one record in the unit of the data, shape (n, ...), by weights and shares."""
         weights = self.weights[record] * self.shares[record]
         return values * weights.reshape(-1, *(1,) * (values.ndim - 1))
 
     def counted(self, values: FloatArray, record: int) -> FloatArray:
-        """The same as they count in the sum of squares: what is new in each of them."""
+        """As `scaled`, then decorrelated: as values enter the sum of squares."""
         return self.memories[record].innovations(self.scaled(values, record))
 
 
 def relative_sizes(predictor: Predictor) -> FloatArray:
-    """What one residual is measured in: the noise is `sigma` of these, shape (n,)."""
+    """Unit of each residual: the noise is `sigma` times this, shape (n,)."""
     if isinstance(predictor, PeakPredictor):
         return predictor.normalization
     return np.ones(len(predictor.data))
 
 
 def first_noise(predictors: Sequence[Predictor], noise: Noise) -> NoiseModel:
-    """White noise before the first search: with exact weights where its standard deviation is given."""
+    """White noise before the first search, with exact weights if its standard deviation is given."""
     found = []
     for predictor in predictors:
         labels = np.array(predictor.labels)
         sigma = np.full(len(labels), _FIRST_GUESS)
-        # The errors of peaks are relative already, and heights and times count alike.
+        # Errors of peaks are relative already; heights and times count alike.
         for label in dict.fromkeys(predictor.labels if not isinstance(predictor, PeakPredictor) else ()):
-            # One size for all records, so that none counts more before anything is known.
+            # One size for all records, so that none counts more before the noise is estimated.
             largest = max(_largest(other, label) for other in predictors)
             sigma[labels == label] = noise.sigma.get(label, _FIRST_GUESS * largest)
         found.append(1.0 / (sigma * relative_sizes(predictor)))
@@ -82,7 +82,7 @@ def first_noise(predictors: Sequence[Predictor], noise: Noise) -> NoiseModel:
 def weights_of(
     predictors: Sequence[Predictor], sigmas: Sequence[Mapping[str, float]]
 ) -> tuple[FloatArray, ...]:
-    """The weights that make residuals count in standard deviations.
+    """Weights that express residuals in standard deviations.
 
     Args:
         predictors: one for each record

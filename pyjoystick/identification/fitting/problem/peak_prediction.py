@@ -1,4 +1,4 @@
-"""Peaks of a run against the measured ones, matched by order and sign, as eqs. (12a, b) compare them."""
+"""Comparison of simulated with measured peaks, matched by order and sign, as in eqs. (12a, b)."""
 
 from __future__ import annotations
 
@@ -21,20 +21,20 @@ from pyjoystick.identification.fitting.problem.predictor import Prediction
 from pyjoystick.motion import Record, measured_peaks
 from pyjoystick.support import FloatArray
 
-#: Time between two samples of the runs in which peaks are found (s); `find_peaks` refines between them.
+#: Sampling interval of runs in which peaks are found (s); `find_peaks` interpolates.
 _INTERVAL: Final = 1e-3
 
 
 class PeakPredictor:
-    """Heights and times of the first peaks, on the clock of the record.
+    """Heights and times of the first peaks, on the record's clock.
 
-    The release of the record is no peak. The first peak of a run is on the other side of it, and so must be
-    that of the record; from there on the signs alternate in both, so that the i-th belong together.
+    The release is not a peak. In both run and record, the first peak is on the opposite side of it and the
+    signs alternate from there, so that the i-th peaks correspond.
 
     Attributes:
-        normalization: what differences are divided by: the height of the measured peak, and its time less
-            that of the one before (of the release for the first), shape (2*peaks,)
-        differentiable: nothing: a peak that comes or goes has no derivative
+        normalization: divisors of the differences: the height of the measured peak, and the time since the
+            previous peak (or the release, for the first), shape (2*peaks,)
+        differentiable: empty, because peaks that appear or vanish have no derivative
     """
 
     differentiable: tuple[str, ...] = ()
@@ -68,18 +68,18 @@ class PeakPredictor:
         )
 
     def predict(self, rows: FloatArray, instrument: Instrument) -> Prediction:
-        """See `Predictor`. A peak that does not come counts as one of no height, a whole spacing late."""
+        """See `Predictor`. A missing peak counts as one of zero height, late by a whole spacing."""
         runs = run_rows(self._plan, rows, self._settings, self._reduction)
         self.runs += len(rows)
         cells = runs.numbers
         late = cells[:, 1::2] / (1.0 + instrument.time_base)
         heights, times = cells[:, 0::2] + instrument.zero_offset, late + instrument.origin
         count = heights.shape[1]
-        # Pairs of different signs are no pairs either.
+        # Peaks of different signs do not correspond.
         absent = ~(np.sign(heights) == np.sign(self.data[:count]))
         latest = self.data[count:] + self.normalization[count:]
         found = np.hstack((np.where(absent, 0.0, heights), np.where(absent, latest, times)))
-        # A run whose every peak is missing has failed, or does not swing at all.
+        # If every peak is missing, the run has failed or does not swing at all.
         found[np.all(np.isnan(cells), axis=1)] = np.nan
         there, none = np.where(absent[0], 0.0, 1.0), np.zeros(count)
         slower = np.where(absent[0], 0.0, -late[0] / (1.0 + instrument.time_base))
@@ -98,12 +98,12 @@ class PeakPredictor:
 
 
 def missing_peaks(predicted: FloatArray) -> int:
-    """How many measured peaks a prediction (heights, then times) does not have: theirs are exactly zero."""
+    """Number of measured peaks missing in a prediction (heights, then times), where they are exactly zero."""
     return int(np.count_nonzero(predicted[: len(predicted) // 2] == 0.0))
 
 
 def _measured(record: Measurement, output: str, count: int) -> tuple[FloatArray, FloatArray, float]:
-    """Heights and times of the first peaks and the instant of release."""
+    """Heights and times of the first peaks, and the time of release."""
     if output not in ("theta", "omega"):
         raise FitError(record.name, f"peaks of {output} cannot be measured, only those of theta and omega")
     found = measured_peaks(Record(record.name, record.time, record.series("theta"), source=record.name))

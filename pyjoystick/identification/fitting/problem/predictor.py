@@ -1,4 +1,4 @@
-"""Predictors: the numbers that are compared with one record, for many rows of parameters at once."""
+"""Predictors: the numbers to compare with one record, for several rows of parameters at once."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from pyjoystick.support import FloatArray
 
 
 class Prediction(NamedTuple):
-    """The numbers that are compared with one record.
+    """The numbers to compare with one record.
 
     Attributes:
         values: shape (rows, n); NaN in rows whose run failed
-        slopes: derivatives of the first row with respect to numbers of the instrument, shape (n,) each;
-            those that act through the clock only where the derivatives of the outputs are known
+        slopes: derivatives of the first row with respect to the instrument's numbers, shape (n,) each;
+            those that act through the clock only if the derivatives of the outputs are known
         message: why the first row failed, else empty
     """
 
@@ -26,14 +26,14 @@ class Prediction(NamedTuple):
 
 
 class Predictor(Protocol):
-    """Predicts what one record shows.
+    """Predicts the readings of one record.
 
     Attributes:
-        record: what was measured
-        data: the measured numbers that a prediction is compared with, shape (n,)
+        record: the measured record
+        data: measured numbers that a prediction is compared with, shape (n,)
         labels: name of the series that each of them belongs to, length n
-        times: the instant (s) of the record that each of them belongs to, shape (n,)
-        differentiable: varied parameters whose derivatives `derivatives` has
+        times: time (s) in the record that each of them belongs to, shape (n,)
+        differentiable: varied parameters for which `derivatives` works
     """
 
     record: Measurement
@@ -44,7 +44,7 @@ class Predictor(Protocol):
 
     @property
     def runs(self) -> int:
-        """FMU runs so far."""
+        """Number of FMU runs so far."""
         ...
 
     def predict(self, rows: FloatArray, instrument: Instrument) -> Prediction:
@@ -54,8 +54,8 @@ class Predictor(Protocol):
     def derivatives(
         self, row: FloatArray, instrument: Instrument, *, rough: bool = False
     ) -> Mapping[str, FloatArray]:
-        """Derivatives of the prediction by `differentiable`, shape (n,) each; none where the run fails.
+        """Derivatives of the prediction by `differentiable`, shape (n,) each; none if the run fails.
 
-        Rough ones are good for five digits and take half the time.
+        Rough ones are accurate to five digits and take half the time.
         """
         ...

@@ -1,4 +1,4 @@
-"""Runs of the FMU at the samples of one record, driven by its columns, on its clock."""
+"""Runs of the FMU sampled at the times of one record and driven by its columns."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ from pyjoystick.support import FloatArray
 
 
 class RecordRuns:
-    """Runs of the FMU for one record: its variables as they are, not as an instrument shows them.
+    """Runs of the FMU for one record, giving the true variables and not an instrument's readings.
 
     Attributes:
         settings: the FMU
-        record: what was measured
-        count: runs so far
+        record: the measured record
+        count: number of runs so far
     """
 
     def __init__(self, settings: FmuSettings, record: Measurement, inputs: Sequence[str]) -> None:
@@ -40,12 +40,12 @@ class RecordRuns:
         return self.settings.fmu.description.variables
 
     def value(self, name: str) -> float:
-        """A parameter that is not varied."""
+        """Value of a parameter that is not varied."""
         value = self.settings.constants.get(name, self.known[name].start)
         return float(value or 0.0)
 
     def input_at(self, name: str, instrument: Instrument, late: FloatArray) -> FloatArray:
-        """A column that drives the FMU, at instants after `Instrument.origin` (s)."""
+        """A column that drives the FMU, at times after `Instrument.origin` (s)."""
         times = late + instrument.release_time
         return np.asarray(np.interp(times, self.record.time, self.record.series(name)))
 
@@ -55,21 +55,21 @@ class RecordRuns:
         names: Sequence[str],
         plan: Plan,
     ) -> FloatArray:
-        """Variables of the FMU at the release and at instants after it, from one run.
+        """Variables of the FMU at the release and at later times, from one run.
 
         Args:
             row: parameters, shape (varied,)
-            names: of the variables, perhaps one more than once
-            plan: made by `plan` for these variables and n instants
+            names: names of the variables; repeats are allowed
+            plan: made by `plan` for these variables and n times
 
         Returns:
-            shape (n + 1, names); NaN where the run fails
+            shape (n + 1, names); NaN if the run fails
         """
         found = self.run(plan, row[np.newaxis]).numbers[0]
         return np.asarray(found[:, [plan.outputs.index(one) for one in names]])
 
     def run(self, plan: Plan, rows: FloatArray) -> Runs:
-        """Run rows of parameters, shape (rows, varied), and count them."""
+        """Run rows of parameters, shape (rows, varied), and count the runs."""
         self.count += len(rows)
         return run_rows(plan, rows, self.settings)
 
@@ -83,15 +83,15 @@ class RecordRuns:
         moved: tuple[str, float] | None = None,
         settings: FmuSettings | None = None,
     ) -> Plan:
-        """A plan of runs that record variables at the release and at instants after it.
+        """Make a plan of runs that record variables at the release and at later times.
 
         Args:
-            instrument: of the record
-            late: instants after `Instrument.origin` on the clock of the record (s), shape (n,), increasing
-            names: of the variables
-            added: an input and what is added to it at the release and at those instants, shape (n + 1,)
-            moved: a parameter that is not varied and what is added to it
-            settings: where not those of the fit
+            instrument: instrument of the record
+            late: times after `Instrument.origin` on the record's clock (s), shape (n,), increasing
+            names: names of the variables
+            added: an input and what to add to it at the release and at those times, shape (n + 1,)
+            moved: a parameter that is not varied and what to add to it
+            settings: if not those of the fit
         """
         rate = 1.0 + instrument.time_base
         instants = np.concatenate(([0.0], rate * late))
@@ -118,7 +118,7 @@ class RecordRuns:
 def _with_added(
     inputs: pd.DataFrame | None, instants: FloatArray, name: str, values: FloatArray
 ) -> pd.DataFrame:
-    """The inputs, straight between their samples, with something added to one of them."""
+    """The inputs, linear between their samples, with something added to one of them."""
     if inputs is None:
         return pd.DataFrame({name: values}, index=instants)
     index = np.union1d(inputs.index, instants)

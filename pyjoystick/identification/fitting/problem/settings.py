@@ -19,22 +19,22 @@ from pyjoystick.support import ParameterError, finite, positive, whole_number
 
 Comparison = Literal["trajectory", "peaks"]
 Resampling = Literal["records", "residuals"]
-#: Dry friction that does not depend on the speed, by its names in the FMUs.
+#: Dry friction that does not depend on the speed: its parameters in the FMUs.
 _SLIDING: Final = ("friction.T_c", "friction.F_c")
 
 
 @dataclass(frozen=True, slots=True)
 class Free:
-    """A parameter that is fitted.
+    """A fitted parameter.
 
     Attributes:
         name: a parameter or start value of the FMU, or a number of the `Instrument`
-        start: where the search begins, in the unit of the FMU; where None, the FMU's own value, or for the
-            release of a free oscillation a guess from each record
-        minimum, maximum: bounds; where None those of the FMU, or a range about the guess for the release
-        per_record: one value for each record, as the release has, instead of one for all
-        uncertainty: standard uncertainty of `start`, where that was measured independently of the records;
-            it then counts as one more measurement, of normal distribution
+        start: start of the search, in the unit of the FMU; if None, the FMU's own value or, for the
+            release of a free oscillation, a guess from each record
+        minimum, maximum: bounds; if None, those of the FMU or, for the release, a range about the guess
+        per_record: one value for each record, as for the release, instead of one for all
+        uncertainty: standard uncertainty of `start`, if that was measured independently of the records;
+            it then counts as one more measurement, normally distributed
 
     Raises:
         ParameterError: a value is not finite, the start is not within the bounds, or an uncertainty is not
@@ -76,15 +76,15 @@ class Free:
 
 @dataclass(frozen=True, slots=True)
 class Noise:
-    """What is known of the noise.
+    """What is known or assumed about the noise.
 
     Attributes:
-        sigma: standard deviation by output, in the unit of the output; where empty it is estimated from what
-            the fit leaves over
-        per_record: whether it is estimated for each record separately, so that a noisy record counts less
-        colored: whether samples may depend on each other: where they do, as first-order autoregressive noise
-            whose correlation is estimated; without, the noise is taken to be white
-        robust: whether outliers, where there are any, count less (Hampel's weights)
+        sigma: standard deviation by output, in the unit of the output; if empty, it is estimated from the
+            residuals
+        per_record: estimate it for each record separately, so that a noisy record counts less
+        colored: allow for autocorrelation: if there is any, the noise is modelled as first-order
+            autoregressive with an estimated correlation; otherwise it is taken to be white
+        robust: reduce the weights of outliers, if there are any (Hampel's weights)
     """
 
     sigma: Mapping[str, float] = field(default_factory=dict)
@@ -101,19 +101,18 @@ class Noise:
 
 @dataclass(frozen=True, slots=True)
 class Search:
-    """How the minimum is looked for.
+    """How to search for the minimum.
 
     Attributes:
         starts: number of searches: the first from the start values, the others from a Latin hypercube over
             the bounds of the parameters that all records share
-        seed: of the hypercube and of the bootstrap
-        evaluations: most evaluations of the residuals in one search
+        seed: seed of the hypercube and of the bootstrap
+        evaluations: maximum number of evaluations of the residuals in one search
         stages: parts of the records on which each search begins, see `staged_search`; increasing, below 1
-        exchanges: pairs of free parameters, those of the two sides of a mechanism for one, that a last search
-            begins with exchanged
-        scan: parameters that are tried at other values after the search, all multiplied by one factor, where
-            a motion comes to rest within its record, see `scan`; where None, the dry friction of the joystick
-            as far as it is fitted
+        exchanges: pairs of free parameters, such as those of the two sides of a mechanism, whose values are
+            exchanged at the start of a last search
+        scan: parameters that are multiplied by a range of common factors after the search, if a motion
+            comes to rest within its record, see `scan`; if None, the fitted dry friction of the joystick
     """
 
     starts: int = 1
@@ -141,13 +140,13 @@ class Search:
 
 @dataclass(frozen=True, slots=True)
 class Uncertainty:
-    """What is computed beside the standard errors.
+    """What to compute in addition to standard errors.
 
     Attributes:
         level: confidence level of all intervals
-        profiles: names of shared parameters whose profile likelihood is computed; all of them where None
+        profiles: names of shared parameters whose profile likelihood is computed; if None, all of them
         bootstrap: number of bootstrap fits, 0 for none
-        resampling: what the bootstrap draws anew: whole records, or the residuals within each record
+        resampling: what the bootstrap resamples: whole records, or the residuals within each record
     """
 
     level: float = 0.95
@@ -171,19 +170,18 @@ class FitSettings:
 
     Attributes:
         fmu: name or path of a Co-Simulation FMU
-        free: the parameters that are fitted
+        free: the fitted parameters
         fixed: values of other parameters, in the units of the FMU
-        ties: parameters computed from others, as expressions in their names: a fixed ratio is
+        ties: parameters computed from others, as expressions in their names; a fixed ratio is
             ``{"damping.A_neg": "0.4 * damping.A_pos"}``
-        outputs: the outputs that the records have as columns and that are compared
-        derivatives: output that is the derivative with respect to time of another; needed for a free release
-            time
-        inputs: columns of the records that drive inputs of the FMU, straight between the samples
+        outputs: the outputs that are compared; the records must have them as columns
+        derivatives: output that is the time derivative of another; required for a free release time
+        inputs: columns of the records that drive inputs of the FMU, linear between the samples
         comparison: ``trajectory`` compares every sample, ``peaks`` the heights and times of the first peaks
-            relative to the measured ones, as eqs. (12a, b) do, in the sense of least squares
-        peaks: how many peaks are compared
+            relative to the measured ones as in eqs. (12a, b), by least squares
+        peaks: number of peaks to compare
         tolerance: relative tolerance of the FMU's integrator
-        noise, search, uncertainty: see there
+        noise, search, uncertainty: see the classes
 
     Raises:
         ParameterError: nothing is free, a name is given twice, or a choice does not exist
@@ -227,7 +225,7 @@ class FitSettings:
 
     @property
     def scanned(self) -> tuple[str, ...]:
-        """The parameters of `Search.scan`, by default the fitted dry friction."""
+        """Parameters of `Search.scan`, by default the fitted dry friction."""
         if self.search.scan is not None:
             return self.search.scan
         return tuple(one.name for one in self.free if one.name in _SLIDING and not one.per_record)
@@ -240,7 +238,7 @@ class FitSettings:
             raise ParameterError("noise.sigma", dict(self.noise.sigma), allowed)
 
     def _check_instrument(self, given: Set[str]) -> None:
-        """The numbers of the instrument go with what is compared."""
+        """Check that the instrument's numbers match the comparison."""
         for name in (RELEASE_TIME, TIME_BASE) if self.inputs else ():
             if name in given:
                 raise ParameterError(name, "given", "left out where inputs drive the FMU")
@@ -253,7 +251,7 @@ class FitSettings:
                 raise ParameterError(f"ties.{name}", self.ties[name], "fixed or free, not tied")
 
     def _check_names(self) -> None:
-        """The parameters that are exchanged and profiled are free ones."""
+        """Check that the exchanged and profiled parameters are free ones."""
         free = [one.name for one in self.free]
         for name in (name for pair in self.search.exchanges for name in pair):
             if name not in free:
@@ -271,5 +269,5 @@ class FitSettings:
 
 
 def _names(given: object) -> bool:
-    """Whether something is a tuple of names."""
+    """Whether an object is a tuple of names."""
     return isinstance(given, tuple) and all(isinstance(name, str) for name in given)

@@ -1,4 +1,4 @@
-"""Records, settings and an FMU -> the least-squares problem."""
+"""Setup of the least-squares problem from records, settings and an FMU."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from pyjoystick.support import ParameterError, UnknownVariableError
 
 
 def make_problem(records: Iterable[Record | Measurement], settings: FitSettings, fmu: Fmu) -> Problem:
-    """The least-squares problem that `fit` solves; raises as it does."""
+    """Make the least-squares problem that `fit` solves; raises as it does."""
     measured = measurements(records)
     if not measured:
         raise FitError("records", "there is none")
@@ -43,7 +43,7 @@ def _predictor(
 ) -> Predictor:
     known = shared.fmu.description.variables
     is_needed = free_clock or settings.comparison == "peaks"
-    # Driven, a motion before its origin came along as it goes on, where its slope is known.
+    # A driven motion is extrapolated before its origin if its slope is known.
     is_useful = bool(settings.inputs) and all(
         settings.derivatives.get(one) in known for one in settings.outputs
     )

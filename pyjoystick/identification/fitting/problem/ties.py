@@ -18,14 +18,14 @@ _NAME = re.compile(r"[A-Za-z_][\w.\[\]]*")
 
 
 def names_in(expressions: Iterable[str]) -> set[str]:
-    """Everything in the expressions that may be a name."""
+    """All identifiers in the expressions that may be names."""
     return {name for expression in expressions for name in _NAME.findall(expression)}
 
 
 class Ties:
-    """Values of tied parameters from those of the free ones, by expressions.
+    """Computes tied parameters from the free ones by expressions.
 
-    Names in expressions are identifiers; those of the FMU, with dots, are translated.
+    Names in expressions must be identifiers, so the FMU's names with dots are translated.
     """
 
     def __init__(self, names: Sequence[str], ties: Mapping[str, str], description: FmuDescription) -> None:
@@ -33,12 +33,12 @@ class Ties:
 
         Args:
             names: the free parameters, in the order in which `values` takes them
-            ties: expressions by the parameter that they give; each may use those before it
-            description: the FMU
+            ties: expressions by tied parameter; each may use the ones before it
+            description: description of the FMU
 
         Raises:
             UnknownParameterError: the FMU has no such parameter, or an expression uses one that is not free
-            ParameterError: an expression cannot be understood
+            ParameterError: an expression cannot be parsed
         """
         self._own = [_identifier(name) for name in names]
         self._expressions: dict[str, tuple[str, ast.expr]] = {}
@@ -62,16 +62,16 @@ class Ties:
                 raise ParameterError(f"ties.{name}", expression, allowed) from None
 
     def values(self, own: Sequence[float]) -> list[float]:
-        """The tied values for the values of the free parameters; NaN where an expression has none."""
+        """Tied values for given values of the free parameters; NaN where an expression has no value."""
         if not self._expressions:
             return []
         self._interpreter.symtable.update(zip(self._own, map(float, own), strict=True))
         return [self._evaluate(name) for name in self._expressions]
 
     def _evaluate(self, name: str) -> float:
-        """A tied value, for those after it too; NaN where there is none, as for 1/0: the run then fails."""
+        """Evaluate a tied value, also for later ties; NaN if there is none (1/0), so that the run fails."""
         text, parsed = self._expressions[name]
-        # The interpreter collects what it has seen, and does nothing after an error.
+        # The interpreter keeps its errors, and does nothing after the first.
         self._interpreter.code_text, self._interpreter.error = [], []
         try:
             with np.errstate(all="ignore"):

@@ -1,4 +1,4 @@
-"""What one record shows of the FMU's motion, sample by sample."""
+"""Prediction of one record sample by sample."""
 
 from __future__ import annotations
 
@@ -27,17 +27,17 @@ from pyjoystick.identification.fitting.problem.record_runs import RecordRuns
 from pyjoystick.motion import GAP
 from pyjoystick.support import FloatArray
 
-#: Plans of the last clocks are kept: a search comes back to the point that it left.
+#: Plans for the last clocks are cached, because a search returns to the point that it left.
 _PLANS_KEPT: Final = 4
-#: The tolerance of rough derivatives is larger by this factor.
+#: Rough derivatives use a tolerance larger by this factor.
 _ROUGH: Final = 100.0
-#: Curves are drawn in steps of this (s), and of no more points than this.
+#: Time step of plotted curves (s), and their largest number of points.
 _CURVE_STEP: Final = 1e-3
 _MOST_POINTS: Final = 20_000
 
 
 class TrajectoryPredictor:
-    """The outputs at the samples of a record. Before the release it is at its start values.
+    """Outputs at the samples of a record. Before the release, the record shows the start values.
 
     Attributes:
         motion: runs of the FMU for this record
@@ -53,13 +53,13 @@ class TrajectoryPredictor:
         derivatives: Mapping[str, str],
         inputs: Sequence[str],
     ) -> None:
-        """Take the columns of the record that are needed.
+        """Take the required columns of the record.
 
         Args:
             settings: the FMU
-            record: what was measured
-            outputs: the series that are compared
-            derivatives: output that is the derivative of another; empty where the clock is fixed and nothing
+            record: the measured record
+            outputs: series to compare
+            derivatives: output that is the derivative of another; empty if the clock is fixed and nothing
                 drives the FMU
             inputs: columns that drive the FMU
         """
@@ -71,7 +71,7 @@ class TrajectoryPredictor:
         self.inputs = tuple(inputs)
         self.motion = RecordRuns(settings, record, inputs)
         self._slopes = tuple(derivatives[name] for name in outputs) if derivatives else ()
-        # Driven, a motion was not at rest before its origin, and its slope there says where it was.
+        # A driven motion was not at rest before its origin; its slope there is used to extrapolate.
         self._is_driven = bool(inputs) and bool(self._slopes)
         self._plans: dict[tuple[float, ...], Plan] = {}
         self._sensitive = settings.fmu.sensitive
@@ -79,7 +79,7 @@ class TrajectoryPredictor:
 
     @property
     def runs(self) -> int:
-        """FMU runs so far."""
+        """Number of FMU runs so far."""
         return self.motion.count
 
     def predict(self, rows: FloatArray, instrument: Instrument) -> Prediction:
@@ -92,7 +92,7 @@ class TrajectoryPredictor:
         plan = self._plan(instrument, late[moving])
         found = self.motion.run(plan, rows)
         series = found.numbers[:, _places(moving), :]
-        # An output may be the derivative of another, and is recorded once.
+        # An output may also be the derivative of another; it is recorded once.
         motions, rates = (
             series[:, :, [plan.outputs.index(one) for one in names]] for names in (self.outputs, self._slopes)
         )
@@ -107,7 +107,7 @@ class TrajectoryPredictor:
     def _slopes_of(
         self, motion: FloatArray, rate: FloatArray, instrument: Instrument, late: FloatArray
     ) -> dict[str, FloatArray]:
-        """Derivatives of what is shown with respect to the numbers of the instrument."""
+        """Derivatives of the readings with respect to the instrument's numbers."""
         first = np.zeros_like(motion)
         first[:, 0] = 1.0
         found = {ZERO_OFFSET: first, ANGLE_SCALE: first * motion}
@@ -122,7 +122,7 @@ class TrajectoryPredictor:
     def derivatives(
         self, row: FloatArray, instrument: Instrument, *, rough: bool = False
     ) -> Mapping[str, FloatArray]:
-        """See `Predictor`; by the sensitivities of the FMU."""
+        """See `Predictor`; uses the sensitivities of the FMU."""
         if self._sensitive is None or not self.differentiable:
             return {}
         settings = self.motion.settings
@@ -141,7 +141,7 @@ class TrajectoryPredictor:
     def _derivative(
         self, parameter: str, columns: Mapping[str, FloatArray], late: FloatArray, instrument: Instrument
     ) -> FloatArray:
-        """The derivatives of the outputs by a parameter as the record shows them, one after the other."""
+        """Derivatives of the readings of all outputs with respect to a parameter, concatenated."""
         motions, rates = (
             [columns[sensitivity_name(one, parameter)] for one in names]
             for names in (self.outputs, self._slopes if self._is_driven else ())
@@ -153,7 +153,7 @@ class TrajectoryPredictor:
         return np.concatenate(list(shown.T))
 
     def _sensitivities(self, parameters: Sequence[str]) -> tuple[str, ...]:
-        """The outputs of the sensitive FMU that derivatives by these parameters take."""
+        """Outputs of the sensitive FMU from which derivatives by these parameters are computed."""
         series = (*self.outputs, *(self._slopes if self._is_driven else ()))
         return tuple(dict.fromkeys(sensitivity_name(one, name) for name in parameters for one in series))
 
@@ -164,9 +164,9 @@ class TrajectoryPredictor:
         return tuple(name for name in varied if known >= set(self._sensitivities([name])))
 
     def curve(self, row: FloatArray, instrument: Instrument) -> pd.DataFrame:
-        """What is shown for one row of parameters at every millisecond of the record, NaN where samples lack.
+        """Readings for one row of parameters at every millisecond of the record, NaN in gaps.
 
-        At most 20 000 instants, evenly spaced, for long records.
+        Long records have at most 20 000 points, evenly spaced.
         """
         start, end = self.record.time[0], self.record.time[-1]
         time = np.linspace(
@@ -198,9 +198,9 @@ class TrajectoryPredictor:
 
 
 def _places(moving: NDArray[np.bool_]) -> NDArray[np.intp]:
-    """Numbers of the samples of a run that a record shows.
+    """Indices of the samples of a run that a record shows.
 
-    The first is the state at the release, which the record shows from its beginning.
+    Index 0 is the state at the release, which the record shows from its start.
     """
     return np.concatenate(
         (np.zeros(np.count_nonzero(~moving), dtype=np.intp), 1 + np.arange(np.count_nonzero(moving)))
@@ -208,25 +208,25 @@ def _places(moving: NDArray[np.bool_]) -> NDArray[np.intp]:
 
 
 def _shown(motions: FloatArray, instrument: Instrument) -> FloatArray:
-    """Outputs as the record shows them, the first one with its scale and zero; shape (..., outputs)."""
+    """Readings of outputs: scale and zero applied to the first one; shape (..., outputs)."""
     shown = motions.copy()
     shown[..., 0] = (1.0 + instrument.angle_scale) * motions[..., 0] + instrument.zero_offset
     return shown
 
 
 def _is_in_gap(time: FloatArray, samples: FloatArray) -> NDArray[np.bool_]:
-    """Whether instants lie where samples lack, shape of `time`."""
+    """Whether times are where samples are missing, shape of `time`."""
     steps = np.diff(samples)
     before = np.clip(np.searchsorted(samples, time, side="right") - 1, 0, len(steps) - 1)
     return np.asarray((steps[before] > GAP * np.median(steps)) & ~np.isin(time, samples))
 
 
 def _came_along(rates: FloatArray, late: FloatArray, instrument: Instrument) -> FloatArray:
-    """What a driven motion still had to go before its origin, to first order; 0 after it.
+    """Displacement of a driven motion from its origin before its start, to first order; 0 after it.
 
     Args:
-        rates: its velocity, and that at its origin before it, shape (..., n, outputs)
-        late: time after the origin on the clock of the record (s), shape (n,)
-        instrument: of the record
+        rates: its velocity, which before the origin is that at the origin, shape (..., n, outputs)
+        late: time after the origin on the record's clock (s), shape (n,)
+        instrument: instrument of the record
     """
     return (1.0 + instrument.time_base) * np.minimum(late, 0.0)[:, np.newaxis] * rates

@@ -1,4 +1,4 @@
-"""The variables of a search: their starts and bounds, and how they map to parameters of the FMU."""
+"""The variables of a search: starts, bounds, and their mapping to parameters of the FMU."""
 
 from __future__ import annotations
 
@@ -22,27 +22,27 @@ from pyjoystick.identification.fitting.problem.settings import FitSettings, Free
 from pyjoystick.identification.fitting.problem.ties import Ties, names_in
 from pyjoystick.support import FloatArray, ParameterError, UnknownParameterError, UnknownVariableError
 
-#: The release time may differ from its guess by this much (s), the angle by these factors.
+#: Range of the release time about its guess (s), and factors that bound the release angle.
 _TIME_RANGE = 0.15
 _ANGLE_RANGE = (0.7, 1.6)
-#: The zero may differ from 0 by this part of the largest value measured; parts and seconds by this.
+#: Range of the zero relative to the largest measured value; range of relative values and of times (s).
 _ZERO_RANGE = 0.25
 _INSTRUMENT_RANGE = 0.2
-#: A value below this part of its scale may be zero.
+#: A value below this part of its scale counts as possibly zero.
 _ROUNDING = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
 class Variable:
-    """One number that the search changes.
+    """One variable of the search.
 
     Attributes:
         name: parameter of the FMU, or number of the `Instrument`
-        record: index of the record that it belongs to; None where all records share it
+        record: index of the record that it belongs to; None if all records share it
         label: its name in reports
         unit: its unit, empty for a pure number
-        start, minimum, maximum: where the search begins, and its bounds, perhaps infinite
-        uncertainty: standard uncertainty of the start, where that was measured; else None
+        start, minimum, maximum: start of the search and bounds, which may be infinite
+        uncertainty: standard uncertainty of the start, if that was measured; else None
     """
 
     name: str
@@ -56,10 +56,10 @@ class Variable:
 
     @property
     def scale(self) -> float:
-        """How much of a change is a large one.
+        """Typical magnitude of a large change.
 
-        The start value; where that is 0 a tenth of the range, or 1 without bounds. A tenth of a second for
-        the instant of release.
+        The start value; if that is 0, a tenth of the range, or 1 without bounds. A tenth of a second for
+        the time of release.
         """
         if self.name == RELEASE_TIME:
             return 0.1
@@ -69,9 +69,9 @@ class Variable:
         return 0.1 * width if math.isfinite(width) else 1.0
 
     def size(self, value: float) -> float:
-        """What a percentage of a value refers to: the value, or the scale where that is zero or an instant.
+        """Reference for percentages: the value, or the scale if the value is zero or a time.
 
-        The zero of an instant is where the clock has it.
+        The zero of a time is arbitrary.
         """
         zero = self.name == RELEASE_TIME or abs(value) <= _ROUNDING * self.scale
         return self.scale if zero else abs(value)
@@ -83,19 +83,19 @@ class Variable:
 
 
 class Variables:
-    """All variables of a fit, in the order of the vectors x that the rest of the package works with.
+    """All variables of a fit, in the order of the vectors x used throughout the package.
 
     Attributes:
-        free: the variables; besides parameters of the FMU they may be auxiliary ones that only ties use
+        free: the variables: parameters of the FMU, and auxiliary ones that only ties use
         varied: the FMU's parameters that they determine, ties included
-        tied: those of them that are computed from others
+        tied: the varied parameters that are computed from others
         in_ties: names that these computations use
     """
 
     def __init__(
         self, settings: FitSettings, description: FmuDescription, records: Sequence[Measurement]
     ) -> None:
-        """Raises ParameterError, UnknownParameterError where a name, bound or expression is not allowed."""
+        """Raises ParameterError or UnknownParameterError if a name, bound or expression is not allowed."""
         self._count = len(records)
         for name in (*(one.name for one in settings.free), *settings.fixed):
             if name in INSTRUMENT and name in description.variables:
@@ -134,77 +134,77 @@ class Variables:
 
     @property
     def start(self) -> FloatArray:
-        """The start values, shape (variables,)."""
+        """Start values, shape (variables,)."""
         return np.array([variable.start for variable in self.free])
 
     @property
     def lower(self) -> FloatArray:
-        """The lower bounds, shape (variables,)."""
+        """Lower bounds, shape (variables,)."""
         return np.array([variable.minimum for variable in self.free])
 
     @property
     def upper(self) -> FloatArray:
-        """The upper bounds, shape (variables,)."""
+        """Upper bounds, shape (variables,)."""
         return np.array([variable.maximum for variable in self.free])
 
     @property
     def origins(self) -> FloatArray:
-        """What a search counts x from, shape (variables,): the guess for an instant, 0 for all else."""
+        """Origins from which a search counts x, shape (variables,): the guess for a time, else 0."""
         return np.array([one.start if one.name == RELEASE_TIME else 0.0 for one in self.free])
 
     @property
     def labels(self) -> tuple[str, ...]:
-        """The names for reports."""
+        """Names for reports."""
         return tuple(variable.label for variable in self.free)
 
     def row(self, x: FloatArray, record: int) -> FloatArray:
-        """The values of `varied` for one record, shape (len(varied),)."""
+        """Values of `varied` for one record, shape (len(varied),)."""
         own = [float(x[place]) for place in self._places[record] if place is not None]
         return np.array([own[k] for k in self._settable] + self._ties.values(own))
 
     def tied_values(self, x: FloatArray, record: int) -> FloatArray:
-        """The values of `tied` for one record, shape (len(tied),)."""
+        """Values of `tied` for one record, shape (len(tied),)."""
         return self.row(x, record)[len(self.varied) - len(self.tied) :]
 
     def instrument(self, x: FloatArray, record: int) -> Instrument:
-        """How a record shows the motion; without a release time, the FMU starts with the record."""
+        """The instrument of a record; without a release time, the FMU starts with the record."""
         free = {name: float(x[place]) for name, place in self._instrument_places[record].items()}
         return Instrument(**({RELEASE_TIME: self._starts[record]} | self._instrument | free))
 
     def instrument_places(self, record: int) -> Mapping[str, int]:
-        """Places of the free numbers of a record's instrument among the variables, by name."""
+        """Indices of the variables that belong to a record's instrument, by name."""
         return self._instrument_places[record]
 
     def concerns(self, variable: int, record: int) -> bool:
-        """Whether a variable has an influence on a record."""
+        """Whether a variable affects a record."""
         return self.free[variable].record in (None, record)
 
     def place(self, name: str, record: int) -> int | None:
-        """Place of the variable of this name that a record depends on; None where it is not free."""
+        """Index of the variable of this name that affects a record; None if it is not free."""
         return next(
             (i for i, v in enumerate(self.free) if v.name == name and v.record in (None, record)), None
         )
 
 
 def _release_of(settings: FitSettings, record: Measurement) -> Release | None:
-    """The guess, where the release is among what is fitted."""
+    """Guess of the release, if the release is fitted."""
     wanted = {one.name for one in settings.free} & {RELEASE_TIME, "theta_start"}
     if not wanted or "theta" not in record.columns:
         return None
     theta = record.series("theta")
     if settings.inputs:
-        # Driven, it begins anywhere.
+        # A driven motion may start anywhere.
         return Release(float(theta[0]), float(record.time[0]), _ZERO_RANGE * float(np.max(np.abs(theta))))
     return guess_release(record.time, theta)
 
 
 def _largest(record: Measurement, output: str) -> float:
-    """The largest value of an output, 1 where the record does not have it."""
+    """The largest value of an output, 1 if the record does not have it."""
     return float(np.max(np.abs(record.series(output)))) if output in record.columns else 1.0
 
 
 class _Seen(NamedTuple):
-    """What a record shows: its release, if that is wanted, and its largest value."""
+    """What a record shows: its release, if required, and its largest value."""
 
     release: Release | None
     largest: float

@@ -1,1 +1,1 @@
-"""The minimum of a fit, and how sure it is."""
+"""The solution of a fit: the minimum and its uncertainty."""

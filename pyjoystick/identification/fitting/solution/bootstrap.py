@@ -1,4 +1,4 @@
-"""The bootstrap: the fit repeated on data drawn anew from what was measured."""
+"""Bootstrap: the fit repeated on resampled data."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ _EVALUATIONS = 60
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Bootstrap:
-    """Fits of data drawn anew.
+    """Fits of resampled data.
 
     Attributes:
-        resampling: what was drawn
-        fits: the variables of each fit that converged, shape (fits, variables); NaN for those of a record
+        resampling: what was resampled
+        fits: variables of each fit that converged, shape (fits, variables); NaN for those of a record
             that was not drawn
-        failed: number of fits that did not
+        failed: number of fits that did not converge
     """
 
     resampling: Resampling
@@ -31,13 +31,13 @@ class Bootstrap:
     failed: int
 
     def errors(self) -> FloatArray:
-        """Standard deviation of each variable over the fits, shape (variables,); NaN where fewer than two."""
+        """Standard deviation of each variable over the fits, shape (variables,); NaN with fewer than two."""
         return np.array(
             [np.std(found, ddof=1) if len(found) > 1 else np.nan for found in self._by_variable()]
         )
 
     def intervals(self, level: float) -> FloatArray:
-        """Percentiles, shape (variables, 2); NaN where there are fewer than two fits."""
+        """Percentile intervals, shape (variables, 2); NaN with fewer than two fits."""
         tail = 0.5 * (1.0 - level)
         nothing = np.full(2, np.nan)
         return np.array(
@@ -61,10 +61,10 @@ def bootstrap(
 ) -> Bootstrap:
     """Repeat the fit `count` times from x.
 
-    Whole records are drawn with replacement: this asks how far the answer depends on which repeats were
-    measured, and trusts no noise model; few records allow few draws (four: 35). Residuals are drawn within
-    each series of a record, in standard deviations of its noise, and added to the prediction: this trusts
-    what is assumed of the noise. In either way, what was measured beforehand is drawn anew too.
+    Records are resampled whole, with replacement: this shows how the answer depends on which repeats were
+    measured and relies on no noise model, but few records allow few draws (four: 35). Residuals are resampled
+    within each series of a record, in standard deviations of its noise, and added to the prediction: this
+    relies on the noise model. Prior measurements are resampled in both cases.
     """
     random = np.random.default_rng(seed)
     errors = np.array([one.uncertainty or 0.0 for one in problem.variables.free])
@@ -74,7 +74,7 @@ def bootstrap(
     fits, failed = [], 0
     for number in range(count):
         drawn = replace(problem, measured=x + errors * random.standard_normal(len(x)))
-        # The release of a record that was not drawn has nothing to go by.
+        # Nothing determines the release of a record that was not drawn.
         idle: list[int] = []
         if resampling == "records":
             counts = np.bincount(random.integers(records, size=records), minlength=records)
@@ -99,7 +99,7 @@ def bootstrap(
 def _drawn_anew(
     random: np.random.Generator, problem: Problem, record: int, predicted: FloatArray
 ) -> FloatArray:
-    """Data of a record with other noise, drawn from what is new in each residual; outliers are not drawn."""
+    """Data of a record with noise resampled from the innovations of its residuals, without outliers."""
     memory, weights = problem.noise.memories[record], problem.noise.weights[record]
     innovations = memory.innovations((problem.data[record] - predicted) * weights)
     full = problem.noise.shares[record] == 1.0

@@ -1,4 +1,4 @@
-"""Profile likelihood: how much worse the best fit gets as one parameter is held away from its best value."""
+"""Profile likelihood: increase of the best cost as one parameter is held away from its best value."""
 
 from __future__ import annotations
 
@@ -15,29 +15,29 @@ from pyjoystick.support import FloatArray
 
 #: The first step on either side, in half-widths of the linear interval.
 _FIRST_STEP: Final = 0.55
-#: A step is to make the distance grow by this part of the quantile; more than the second is too much.
+#: Target and largest growth of the distance in one step, as parts of the quantile.
 _GROWTH: Final = 0.55
 _LARGEST_GROWTH: Final = 0.9
 _SHORTER: Final = 0.35
 _MOST_POINTS: Final = 14
 _EVALUATIONS: Final = 40
-#: Change of the sum of squares, in parts of it, at which a search ends.
+#: Relative change of the sum of squares at which a search ends.
 _TOLERANCE: Final = 1e-6
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Profile:
-    """The profile of one variable.
+    """Profile of one variable.
 
     Attributes:
-        variable: its place
-        values: where it was held, increasing, shape (n,)
-        distances: sqrt of the increase of the sum of squares over that of the minimum, in standard deviations
-            of the noise, negative below the best value, shape (n,): a straight line where the model is linear
-        interval: where the distance is that of the confidence level; infinite where that is not reached
-        bounded: whether the search reached a bound of the variable on the lower and on the upper side
-        lower: by how much the sum of squares fell below that of the minimum, 0 where it did not: a minimum
-            that a profile undercuts was none
+        variable: index of the variable
+        values: values at which it was held, increasing, shape (n,)
+        distances: square root of the increase of the sum of squares over the minimum, in standard deviations
+            of the noise, negative below the best value, shape (n,); a straight line if the model is linear
+        interval: values at which the distance reaches the confidence level; infinite if it does not
+        bounded: whether the search reached the lower and the upper bound of the variable
+        lower: by how much the sum of squares fell below that of the minimum, else 0; if it fell, the
+            minimum was none
         converged: whether every search over the others converged; otherwise the interval is too narrow
     """
 
@@ -51,19 +51,19 @@ class Profile:
 
 
 def profile(problem: Problem, x: FloatArray, cost: float, variable: int, errors: StandardErrors) -> Profile:
-    """Hold a variable at values on either side of its best one and search over the others.
+    """Hold a variable at values on either side of its best one and minimize over the others.
 
     Args:
         problem: residuals in units of the noise's standard deviation
         x: the minimum
         cost: its sum of squares
-        variable: place of the variable
-        errors: standard errors at the minimum; where that of the variable is infinite, the profile begins
-            with a tenth of its scale
+        variable: index of the variable
+        errors: standard errors at the minimum; if that of the variable is infinite, the first step is
+            a tenth of its scale
     """
     one = problem.variables.free[variable]
     error, quantile = float(errors.errors[variable]), errors.quantile
-    # How the others go along with it, in the linear approximation.
+    # Slopes of the other variables along the profile, in the linear approximation.
     slope = np.nan_to_num(errors.covariance[:, variable] / error**2)
     first = quantile * error if np.isfinite(error) and error > 0.0 else 0.1 * one.scale
     values, distances = [float(x[variable])], [0.0]
@@ -100,13 +100,13 @@ def _side(
     quantile: float,
     slope: FloatArray,
 ) -> tuple[list[tuple[float, float]], float, bool]:
-    """From the best value outward, until the quantile is passed or a bound is met.
+    """Walk from the best value outward until the quantile is passed or a bound is reached.
 
-    A step that makes the distance grow by too much is taken back and shortened: the search over the others
-    has then begun too far away, or the interval would be interpolated over too wide a gap.
+    A step that makes the distance grow too much is retried with a shorter one; otherwise the search over the
+    others would start too far away, or the interval would be interpolated across too wide a gap.
 
     Returns:
-        values and distances; the least sum of squares; whether every search converged
+        values and distances; the smallest sum of squares; whether every search converged
     """
     found: list[tuple[float, float]] = []
     least, converged = cost, True
@@ -138,7 +138,7 @@ def _side(
 
 
 def _end(points: list[tuple[float, float]], wanted: float) -> float:
-    """Where the distance passes the wanted one, on a straight line between two points."""
+    """Value at which the distance passes the target, by linear interpolation."""
     sign = float(np.sign(wanted))
     for (value, distance), (next_value, next_distance) in pairwise(points):
         if abs(next_distance) >= abs(wanted):

@@ -1,8 +1,8 @@
-"""Other minima along a valley: friction that is a little stronger stops a motion one swing earlier.
+"""Other minima along a valley: slightly stronger friction stops a motion one swing earlier.
 
-Where a joystick comes to rest within a record, the swing after which it sticks depends on the friction, and
-the sum of squares has a minimum for each number of swings. Friction and damping compensate for each other
-there: the minima lie along a valley, a few percent of the friction apart.
+If a joystick comes to rest within a record, the swing after which it sticks depends on the friction, and the
+sum of squares has a minimum for each number of swings. Friction and damping compensate for each other, so
+these minima lie along a valley, a few percent of the friction apart.
 """
 
 from __future__ import annotations
@@ -18,35 +18,35 @@ from pyjoystick.identification.fitting.problem.least_squares import Problem
 from pyjoystick.identification.fitting.solution.search import Minimum, search
 from pyjoystick.support import FloatArray
 
-#: Beside the minimum so many standard errors away, and further away by these factors, on either side.
+#: Scanned distances from the minimum in standard errors, and factors farther away, on either side.
 _NEAR: Final = (1.5, 3.0, 4.5, 6.0)
 _FACTOR: Final = 1.05
 _FACTORS: Final = 10
-#: A motion counts as one that may come to rest if it does with so much more friction.
+#: A motion may come to rest if it does so with friction larger by this factor.
 _MORE: Final = 1.5
-#: Evaluations of the residuals with the friction held, and the change of the sum of squares that ends them.
+#: Evaluations with the friction held, and the relative change of the sum of squares that ends them.
 _EVALUATIONS: Final = 3
 _TOLERANCE: Final = 1e-3
-#: A dip is followed to its minimum where the sum of squares is not larger than this many times the least.
+#: A dip is followed to its minimum if its sum of squares is at most this multiple of the smallest.
 _DEEP: Final = 3.0
-#: A value below this part of its scale is scanned from there on.
+#: A value below this part of its scale is scanned starting from that part.
 _LEAST: Final = 0.1
 
 
 def scan(problem: Problem, best: Minimum, names: Sequence[str], evaluations: int) -> list[Minimum]:
-    """The minima along the valley in which other parameters compensate for a common factor on some.
+    """Find minima along the valley in which other parameters compensate for a common factor on some.
 
-    Nothing is run where no motion comes to rest within its record.
+    Does nothing if no motion comes to rest within its record.
 
     Args:
-        problem: what is minimized
-        best: where a search has ended
-        names: the parameters; those that all records share count
-        evaluations: most evaluations of the residuals for each minimum
+        problem: the problem
+        best: the minimum found by a search
+        names: the parameters; only those that all records share are used
+        evaluations: maximum number of evaluations of the residuals for each minimum
     """
     free = problem.variables.free
     shared = [j for j, one in enumerate(free) if one.name in names and one.record is None]
-    # What is known beforehand would hide the dips of the others.
+    # Prior knowledge would hide the dips of the other minima.
     places = [j for j in shared if free[j].uncertainty is None] or shared
     if not places:
         return []
@@ -63,14 +63,14 @@ def scan(problem: Problem, best: Minimum, names: Sequence[str], evaluations: int
 
 
 def _with(problem: Problem, x: FloatArray, places: Sequence[int], values: FloatArray) -> FloatArray:
-    """X with other values at some places, within the bounds."""
+    """X with some values replaced, within the bounds."""
     point = x.copy()
     point[places] = values
     return np.clip(point, problem.variables.lower, problem.variables.upper)
 
 
 def _may_stick(problem: Problem, x: FloatArray) -> bool:
-    """Whether two samples in a row of a record that moves are predicted to be the same to the bit."""
+    """Whether any two consecutive predicted samples of a moving record are bitwise equal."""
     try:
         predictions = problem.predictions(x)
     except FitError:
@@ -84,7 +84,7 @@ def _may_stick(problem: Problem, x: FloatArray) -> bool:
 
 
 def _factors(problem: Problem, best: Minimum, places: Sequence[int], base: FloatArray) -> FloatArray:
-    """By what the parameters are multiplied: close by in standard errors, further away in equal parts."""
+    """Factors for the parameters: close by, in standard errors; farther away, in equal ratios."""
     far: FloatArray = np.power(_FACTOR, np.arange(1.0, _FACTORS + 1.0))
     far = np.concatenate((1.0 / far[::-1], far))
     jacobian = problem.jacobian(best.x, central=False)
@@ -106,7 +106,7 @@ def _factors(problem: Problem, best: Minimum, places: Sequence[int], base: Float
 def _walked(
     problem: Problem, best: Minimum, places: Sequence[int], base: FloatArray, factors: FloatArray
 ) -> list[Minimum]:
-    """What the other variables can do where the parameters are held, step by step away from the minimum."""
+    """Minimize over the other variables with the parameters held, step by step away from the minimum."""
     found: list[Minimum] = []
     x = best.x
     for factor in factors:
@@ -119,6 +119,6 @@ def _walked(
 
 
 def _dips(line: Sequence[Minimum]) -> list[Minimum]:
-    """Those whose sum of squares is less than that of both neighbours, or of the one at an end."""
+    """Points whose sum of squares is smaller than at both neighbors, or at the only one at an end."""
     costs = np.array([math.inf, *(one.cost for one in line), math.inf])
     return [one for i, one in enumerate(line) if costs[i + 1] < min(costs[i], costs[i + 2])]

@@ -16,34 +16,34 @@ from pyjoystick.identification.fitting.problem.least_squares import Problem
 from pyjoystick.identification.fitting.problem.settings import Search
 from pyjoystick.support import FloatArray
 
-#: Minima are the same if their sums of squares differ by less than this part and their variables, in parts of
-#: their scale, by less than this.
+#: Minima are the same if their sums of squares differ by less than this part and their variables by less than
+#: this part of their scale.
 _SAME_COST: Final = 1e-6
 _SAME_PLACE: Final = 1e-3
-#: A search ends where the sum of squares changes by less than this part, or the variables; exact data, whose
-#: sum goes to zero, are followed all the way.
+#: Relative change of the sum of squares or the variables at which a search ends. For exact data, whose sum
+#: goes to zero, the search continues as far as it can.
 TOLERANCE: Final = 1e-6
-#: The same where the minimum is refined: about a thousandth of a standard error for a few hundred samples.
+#: The same for refinement: about a thousandth of a standard error for a few hundred samples.
 REFINED: Final = 1e-8
-#: The same with exact derivatives, from which `stationary_point` goes on.
+#: The same with exact derivatives, after which `stationary_point` continues.
 EXACT: Final = 1e-10
 _STEP_TOLERANCE: Final = 1e-10
 
-#: Called with the number of finished searches and of all of them.
+#: Called with the number of finished searches and of all searches.
 OnStart = Callable[[int, int], None]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Minimum:
-    """Where a search ended.
+    """Result of a search.
 
     Attributes:
         x: the variables, shape (variables,)
         cost: sum of the squared weighted residuals
         converged: the search met its criteria; False if it ran out of evaluations
         message: how it ended
-        evaluations: evaluations of the residuals
-        found: how many searches ended here
+        evaluations: number of evaluations of the residuals
+        found: number of searches that ended here
     """
 
     x: FloatArray
@@ -63,15 +63,15 @@ def search(
     tolerance: float = TOLERANCE,
     central: bool = False,
 ) -> Minimum:
-    """One search by SciPy's ``least_squares`` (trust region reflective, which keeps the bounds).
+    """Run one search with SciPy's ``least_squares`` (trust region reflective, which respects bounds).
 
     Args:
-        problem: what is minimized
-        x: where to begin
-        evaluations: most evaluations of the residuals
-        held: variables that keep a value, by place
+        problem: the problem
+        x: start of the search
+        evaluations: maximum number of evaluations of the residuals
+        held: values of variables that are held, by index
         tolerance: relative change of the sum of squares at which the search ends
-        central: whether derivatives are central differences; see `ForwardModel.jacobian`
+        central: use central differences for derivatives; see `ForwardModel.jacobian`
     """
     held = dict(held or {})
     places = [j for j in range(len(x)) if j not in held]
@@ -83,7 +83,7 @@ def search(
 
     best = _Best(full, math.inf)
 
-    # SciPy ends a search where steps are small beside x; the zero of a clock must not count there.
+    # SciPy ends a search when steps are small relative to x; the arbitrary zero of a clock must not matter.
     origins = problem.variables.origins[places]
 
     def point(own: FloatArray) -> FloatArray:
@@ -117,15 +117,15 @@ def search(
 
 
 def staged_search(problem: Problem, x: FloatArray, *, evaluations: int, stages: Sequence[float]) -> Minimum:
-    """A search on growing parts of the records, each from where the one before ended.
+    """Search on growing parts of the records, each search starting at the result of the one before.
 
-    Late samples of an oscillation are many periods away from the start, so that far from the solution they
-    pull toward a motion with a wrong number of swings. The first part of a record has no such minima.
+    Late samples of an oscillation are many periods away from the start. Far from the solution, they attract
+    the search to motions with a wrong number of swings. The first part of a record has no such minima.
 
     Args:
-        problem: what is minimized
-        x: where to begin
-        evaluations: most evaluations on the whole records; a fifth of them on a part
+        problem: the problem
+        x: start of the search
+        evaluations: maximum number of evaluations on the whole records; a fifth of it on a part
         stages: parts of the duration after the release, increasing, below 1
     """
     for stage in stages:
@@ -140,13 +140,13 @@ def staged_search(problem: Problem, x: FloatArray, *, evaluations: int, stages: 
 
 
 def _begins(times: FloatArray, release: float, stage: float) -> NDArray[np.bool_]:
-    """Which samples belong to the first part of a record."""
+    """Mask of the samples in the first part of a record."""
     return times <= release + stage * (np.max(times) - release)
 
 
 @dataclass(slots=True)
 class _Best:
-    """The best point so far: a search that is cut short would else end at its last trial."""
+    """The best point so far; without it, a search that is cut short would end at its last trial."""
 
     x: FloatArray
     cost: float
@@ -159,13 +159,13 @@ class _Best:
 def multi_start(
     problem: Problem, x: FloatArray, wanted: Search, on_start: OnStart | None = None
 ) -> list[Minimum]:
-    """Searches from x and from a Latin hypercube over the bounds of the shared variables.
+    """Search from x and from a Latin hypercube over the bounds of the shared variables.
 
-    Only shared variables with two finite bounds are spread; the others begin where x has them. Where there
-    are exchanges, a last search begins at the best minimum with the variables of each pair exchanged.
+    Only shared variables with two finite bounds are spread; the others start at their values in x. If there
+    are exchanges, a last search starts at the best minimum with the variables of each pair exchanged.
 
     Returns:
-        the minima that differ, best first, each with the number of searches that ended in it
+        the distinct minima, best first, each with the number of searches that ended in it
     """
     minima: list[Minimum] = []
     for number, start in enumerate(start_points(problem, x, wanted.starts, wanted.seed)):
@@ -210,7 +210,7 @@ def start_points(problem: Problem, x: FloatArray, starts: int, seed: int) -> lis
 
 
 def merge(minima: list[Minimum], found: Minimum, problem: Problem) -> None:
-    """Count a search with the minimum that it ended in, or add it as another."""
+    """Count a search for the minimum at which it ended, or add a new minimum."""
     scales = np.array([variable.scale for variable in problem.variables.free])
     for i, known in enumerate(minima):
         close = abs(known.cost - found.cost) <= _SAME_COST * max(known.cost, found.cost)

@@ -1,8 +1,8 @@
-"""The minimum to rounding errors: the point where the gradient of the sum of squares vanishes.
+"""Refinement of the minimum to rounding errors: the point where the gradient vanishes.
 
-A search ends where the sum of squares no longer falls. Near the minimum rounding errors exceed its changes,
-and in a flat, curved valley they leave a variable uncertain by a thousandth of its standard error. The
-gradient is more sensitive.
+A search ends when the sum of squares no longer falls. Near the minimum its changes drown in rounding errors,
+which leaves variables uncertain by a thousandth of a standard error along a flat, curved valley. The gradient
+is more sensitive.
 """
 
 from __future__ import annotations
@@ -18,29 +18,29 @@ from pyjoystick.identification.fitting.problem.least_squares import Problem
 from pyjoystick.identification.fitting.solution.search import Minimum
 from pyjoystick.support import FloatArray
 
-#: The gradient by variables in units of standard errors that counts as zero.
+#: A gradient below this counts as zero, with variables in units of standard errors.
 _ZERO: Final = 1e-8
 _MOST_STEPS: Final = 20
-#: A point further away than this, in standard errors, or with a sum larger by this part, is another one.
+#: A point farther away than this, in standard errors, or with a larger sum by this part, is another one.
 _FAR: Final = 0.1
 _WORSE: Final = 1e-9
-#: A variable this close to a bound, in parts of its scale, is held there.
+#: A variable this close to a bound, relative to its scale, is held there.
 _AT_BOUND: Final = 1e-9
-#: Combinations that the data determine less than this, of columns of length 1, stay as they are.
+#: Combinations that the data determine less than this, with columns of length 1, are left alone.
 _UNDETERMINED: Final = 1e-6
 
 
 def stationary_point(problem: Problem, minimum: Minimum) -> Minimum:
-    """The point beside a minimum where the gradient vanishes, by Broyden's method; else the minimum itself.
+    """Find the point near a minimum where the gradient vanishes, by Broyden's method; else the minimum.
 
-    It needs exact derivatives. Variables at their bounds stay there.
+    Requires exact derivatives. Variables at their bounds stay there.
 
     Args:
-        problem: what is minimized
-        minimum: where a search has ended, within a tenth of a standard error
+        problem: the problem
+        minimum: result of a search, within a tenth of a standard error
     """
     start, variables = minimum.x, problem.variables
-    # A search stays within the bounds, by rounding errors where it is drawn to them.
+    # A search that is drawn to a bound stays inside it by rounding errors.
     margin = _AT_BOUND * np.array([one.scale for one in variables.free])
     free = (start > variables.lower + margin) & (start < variables.upper - margin)
     jacobian, residuals = problem.jacobian(start)[:, free], problem.residuals(start)
@@ -51,7 +51,7 @@ def stationary_point(problem: Problem, minimum: Minimum) -> Minimum:
     _, values, rows = np.linalg.svd(jacobian / lengths, full_matrices=False)
     if values[-1] < _UNDETERMINED:
         return minimum
-    # Columns are one standard error long in all directions: there the Hessian is 1 but for the curvature.
+    # With columns one standard error long, the Hessian is the identity except for curvature.
     directions = math.sqrt(variance) * (rows / values[:, None]).T / lengths[:, None]
 
     def at(move: FloatArray) -> FloatArray:
@@ -66,7 +66,7 @@ def stationary_point(problem: Problem, minimum: Minimum) -> Minimum:
         slopes = problem.jacobian(point)[:, free] @ directions
         return np.asarray(slopes.T @ problem.residuals(point) / variance)
 
-    # `alpha` is minus the reciprocal of the Hessian to begin with.
+    # `alpha` starts as minus the reciprocal of the Hessian.
     options: Any = {
         "fatol": _ZERO,
         "maxiter": _MOST_STEPS,
@@ -74,7 +74,7 @@ def stationary_point(problem: Problem, minimum: Minimum) -> Minimum:
         "jac_options": {"alpha": -1.0},
     }
     try:
-        # Steps of rounding errors alone lead nowhere, and are not a number.
+        # Steps of the size of rounding errors lead nowhere and give NaN.
         with np.errstate(divide="ignore", invalid="ignore"):
             found = root(gradient, np.zeros(len(values)), method="broyden2", options=options)
     except _LostError:
@@ -86,4 +86,4 @@ def stationary_point(problem: Problem, minimum: Minimum) -> Minimum:
 
 
 class _LostError(Exception):
-    """The iteration has left the surroundings of the minimum."""
+    """The iteration has left the neighborhood of the minimum."""

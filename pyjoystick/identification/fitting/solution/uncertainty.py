@@ -1,4 +1,4 @@
-"""Which variables the data determine, and how well, from the Jacobian at the minimum."""
+"""Identifiability and standard errors from the Jacobian at the minimum."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from scipy import stats
 
 from pyjoystick.support import FloatArray
 
-#: Singular values below this many times the error of the Jacobian are zero, and in any case below the least.
+#: Singular values below this multiple of the error of the Jacobian, or below the floor, count as zero.
 _MARGIN: Final = 10.0
 _LEAST: Final = 1e-6
-#: A column this much smaller than the largest, each for a change by the variable's own size, is no influence.
+#: A column smaller than the largest by this factor, both scaled by the variable's size, is no influence.
 _NO_INFLUENCE: Final = 1e-10
-#: A column with this relative error shows the scatter of the FMU's results and no influence.
+#: A column with this relative error reflects the scatter of the FMU's results, not an influence.
 SCATTER: Final = 0.1
-#: Shares of a combination below this are left out of the sentence.
+#: Contributions to a combination below this are omitted from the sentence.
 _SHARE: Final = 0.02
 
 
@@ -29,13 +29,13 @@ class Identifiability:
 
     Attributes:
         singular_values: of the Jacobian with its columns scaled to length 1, descending, shape (variables,)
-        condition: the largest by the smallest of those that are not zero
-        rank: how many are not zero
+        condition: ratio of the largest to the smallest nonzero singular value
+        rank: number of nonzero singular values
         variables: number of variables
-        threshold: below this a singular value counts as zero
+        threshold: singular values below this count as zero
         undetermined: for each variable, whether the data leave it undetermined, shape (variables,)
-        sentences: what the data cannot determine, a sentence each
-        weakest: the worst-determined combination among those that are determined
+        sentences: what the data cannot determine, one sentence each
+        weakest: the worst-determined of the determined combinations
     """
 
     singular_values: FloatArray
@@ -56,11 +56,11 @@ class Identifiability:
 def identifiability(
     jacobian: FloatArray, sizes: FloatArray, labels: Sequence[str], errors: FloatArray
 ) -> Identifiability:
-    """Rank and null space of the Jacobian.
+    """Compute rank and null space of the Jacobian.
 
     Args:
         jacobian: shape (residuals, variables)
-        sizes: what percentages of each variable refer to, above 0, shape (variables,)
+        sizes: references for percentages of each variable, above 0, shape (variables,)
         labels: names of the variables
         errors: relative error of each column, shape (variables,)
     """
@@ -72,7 +72,7 @@ def identifiability(
     rank = int(np.sum(values > threshold))
     null = np.zeros((len(sizes) - rank, len(sizes)))
     null[: len(values) - rank] = rows[rank:]
-    # In parts of each variable's size: a change of all of them at once that the data do not notice.
+    # In fractions of each variable's size: a joint change that the data do not notice.
     relative = null / (safe * sizes)
     basis = _sparse(relative)
     sentences = tuple(_sentence(vector, labels) for vector in basis)
@@ -93,7 +93,7 @@ def identifiability(
 
 
 def _sparse(vectors: FloatArray) -> FloatArray:
-    """A basis of the same space, each vector with a 1 where the others have 0 (Gauss-Jordan)."""
+    """Basis of the same space in which each vector has a 1 where the others have 0 (Gauss-Jordan)."""
     basis = vectors.copy()
     used: list[int] = []
     for i in range(len(basis)):
@@ -121,7 +121,7 @@ def _sentence(vector: FloatArray, labels: Sequence[str]) -> str:
 
 
 def _combination(vector: FloatArray, labels: Sequence[str]) -> str:
-    """``J +1 %, damping.C +1 %``."""
+    """Text such as ``J +1 %, damping.C +1 %``."""
     ranked: list[int] = np.argsort(-np.abs(vector), kind="stable").tolist()
     order = [j for j in ranked if abs(vector[j]) > _SHARE]
     turn = np.sign(vector[order[0]]) if order else 1.0
@@ -130,14 +130,14 @@ def _combination(vector: FloatArray, labels: Sequence[str]) -> str:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class StandardErrors:
-    """The linear approximation of the uncertainty.
+    """Uncertainty in the linear approximation.
 
     Attributes:
-        errors: standard errors, shape (variables,); infinite where a variable is undetermined
+        errors: standard errors, shape (variables,); infinite for undetermined variables
         covariance: shape (variables, variables); rows and columns of undetermined variables are NaN
-        correlation: the same, scaled; the diagonal is 1
-        quantile: half-width of an interval in standard errors: Student's t where the noise was estimated
-        degrees_of_freedom: samples less variables
+        correlation: correlation matrix, with ones on the diagonal
+        quantile: half-width of an interval in standard errors: Student's t if the noise was estimated
+        degrees_of_freedom: number of samples minus number of variables
     """
 
     errors: FloatArray
@@ -147,14 +147,14 @@ class StandardErrors:
     degrees_of_freedom: int
 
     def intervals(self, x: FloatArray) -> FloatArray:
-        """Lower and upper ends, shape (variables, 2)."""
+        """Lower and upper limits, shape (variables, 2)."""
         half = self.quantile * self.errors
         return np.column_stack((x - half, x + half))
 
     def of(self, slope: FloatArray) -> float:
         """Standard error of a number whose derivatives with respect to the variables are `slope`.
 
-        Infinite where it depends on an undetermined variable.
+        Infinite if it depends on an undetermined variable.
         """
         used = slope != 0.0
         variance = float(slope[used] @ self.covariance[np.ix_(used, used)] @ slope[used])
@@ -164,14 +164,14 @@ class StandardErrors:
 def standard_errors(
     jacobian: FloatArray, known: Identifiability, samples: int, level: float, *, sigma_known: bool
 ) -> StandardErrors:
-    """Standard errors from a Jacobian of residuals in units of the noise's standard deviation.
+    """Compute standard errors from a Jacobian of residuals in units of the noise's standard deviation.
 
     Args:
         jacobian: shape (residuals, variables)
-        known: rank of that Jacobian
-        samples: number of residuals that count
+        known: rank and null space of that Jacobian
+        samples: number of residuals with nonzero weight
         level: confidence level of the intervals
-        sigma_known: the noise was given and not estimated
+        sigma_known: whether the noise was given rather than estimated
     """
     lengths = np.linalg.norm(jacobian, axis=0)
     safe = np.where(lengths > 0.0, lengths, 1.0)
