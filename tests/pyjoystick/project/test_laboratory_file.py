@@ -135,7 +135,7 @@ def test_what_is_commented_out_in_the_template_is_right_too(tmp_path: Path) -> N
         text = text.replace(first, "")
     lab = read_laboratory(_write(tmp_path, re.sub(r"^# (?=\w+ = |\[)", "", text, flags=re.MULTILINE)))
     assert (lab.base_file, lab.fit.file, lab.fmus.name) == ("base.toml", "fit.toml", "LeftStick")
-    assert set(lab.given.values) == {"m", "h", "a", "b"}
+    assert set(lab.given.values) == {"m", "h", "a", "b", "pivot_to_top"}
     assert lab.swing is not None
     assert lab.swing.swings == 10
     assert lab.markers[0].radius_uncertainty == 0.0005
