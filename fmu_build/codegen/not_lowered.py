@@ -107,6 +107,18 @@ def _dependent_equations(_: CompiledModel, message: re.Match[str]) -> Obstacles:
     )
 
 
+def _matrix_powers(_: CompiledModel, __: re.Match[str]) -> Obstacles:
+    yield "powers of matrices are not supported; write A*A for A^2", None
+
+
+def _absent_elements(_: CompiledModel, message: re.Match[str]) -> Obstacles:
+    yield (
+        f"the index {message[1]} is outside of 1 to {message[2]}, if only in a branch that is never taken; "
+        "write the equations of such elements outside of the loop",
+        None,
+    )
+
+
 def _reinitialized_dependents(_: CompiledModel, __: re.Match[str]) -> Obstacles:
     yield (
         "reinit() is not supported for a variable that follows from a state by a constraint; "
@@ -124,6 +136,8 @@ _FINDERS: tuple[tuple[str, Callable[[CompiledModel, re.Match[str]], Obstacles]],
     ("String values", _strings_in_equations),
     ("coupled discrete Real", _discrete_loops),
     ("clock activation owners", _partly_sampled_clauses),
+    ("matrix power", _matrix_powers),
+    (r"index (-?\d+) is outside an axis of extent (\d+)", _absent_elements),
     ("missing state mapping for event reinitialization", _reinitialized_dependents),
     (r"structurally singular system: (\d+) matched out of (\d+) equations", _dependent_equations),
 )

@@ -58,15 +58,53 @@ MEANINGS = (
     Meaning(
         rf"sequential read of `{_NAME}`",
         UnsupportedModelError,
-        "an algorithm section that uses the value of `{name}` and then assigns it again is not supported; "
-        "use a separate variable for the first value",
+        "an algorithm section that uses the value of `{name}` and then assigns it again, or assigns other "
+        "variables too, is not supported; use a variable for the first value, and a section for each",
         (r"(?<![\w.])NAME\s*(?:\[[^\[\]]*\]\s*)?(?=:=)",),
     ),
     Meaning(
         r"unsupported model algorithm",
         UnsupportedModelError,
-        "this algorithm section is not supported; assign every variable once, or write a function",
+        "this algorithm section is not supported: outside of when-clauses one sets a single variable that is "
+        "no array, without loops; write a section for each variable, equations, or a function",
         (r"\balgorithm\b",),
+    ),
+    Meaning(
+        r"initial algorithm target `(?:[^`']*\.)?(?P<name>\w+)` has role",
+        UnsupportedModelError,
+        "an initial algorithm can set discrete variables and parameters with fixed = false; write an initial "
+        "equation for {name}",
+        (r"(?<![\w.])NAME\s*(?=:=)",),
+    ),
+    Meaning(
+        r"duplicate condition clock owner",
+        UnsupportedModelError,
+        "a when-clause with several sample() in its condition is not supported; sample at a common period "
+        "and count",
+        (r"\bwhen\s*\{[^{}]*\bsample\s*\([^{}]*\}",),
+    ),
+    Meaning(
+        r"conditional component `(?P<name>\w+)` requires parameter expression",
+        UnsupportedModelError,
+        "the condition of {name} is not evaluated; supported are parameters that are no arrays",
+        (r"(?<![\w.])NAME\s+if\b[^;]*\[", r"(?<![\w.])NAME\s+if\b[^;]*"),
+        only_there=True,
+    ),
+    Meaning(
+        r"unresolved Flat reference `(?P<name>\w+)`",
+        UnsupportedModelError,
+        "a function of {name} inside of a sum, product, max or min over {name} is not supported; give its "
+        "values to an array first",
+        (r"\b(?:sum|product|max|min)\s*\((?=[^;]*\bfor\s+NAME\s+in\b)",),
+        only_there=True,
+    ),
+    Meaning(
+        r"unresolved Flat reference `(?P<whole>(?:[^`]*\.)?(?P<name>\w+)\.\w+)`",
+        UnsupportedModelError,
+        "{whole}: members of a record that is a constant of a package are not supported; declare it in the "
+        "model, or its members as constants",
+        (r"\bconstant\s+[\w.]+\s+NAME\b",),
+        only_there=True,
     ),
     Meaning(
         r"owned by clock identity",

@@ -30,6 +30,48 @@ def _function(body: str, local: str = "") -> str:
 
 
 _CASES = {
+    "an algorithm section of two variables": Case(
+        "Real y; Real z;",
+        "algorithm z := time; y := z;",
+        UnsupportedModelError,
+        "M.mo:4:3: this algorithm section is not supported: outside of when-clauses one sets",
+    ),
+    "a state in an initial algorithm": Case(
+        "Real x;",
+        "der(x) = -x; initial algorithm x := 3;",
+        UnsupportedModelError,
+        "M.mo:4:34: an initial algorithm can set discrete variables and parameters with fixed = false; write",
+    ),
+    "two samples in one condition": Case(
+        _N,
+        "when {sample(0, 0.2), sample(0.1, 0.5)} then n = pre(n) + 1; end when;",
+        UnsupportedModelError,
+        "M.mo:4:3: a when-clause with several sample() in its condition is not supported",
+    ),
+    "an element as the condition of a component": Case(
+        "parameter Boolean u[2] = {true, false}; Real y if u[1];",
+        "",
+        UnsupportedModelError,
+        "M.mo:2:48: the condition of y is not evaluated; supported are parameters that are no arrays",
+    ),
+    "a function of the iterator of a sum": Case(
+        _function("y := 2*x;") + " Real z = sum(f(i*time) for i in 1:3);",
+        "y = z;",
+        UnsupportedModelError,
+        "M.mo:2:88: a function of i inside of a sum, product, max or min over i is not supported",
+    ),
+    "a constant record of a package": Case(
+        "record R Real a = 4; end R; package P constant R r(a = 7); end P; Real y = P.r.a;",
+        "",
+        UnsupportedModelError,
+        "M.mo:2:41: P.r.a: members of a record that is a constant of a package are not supported",
+    ),
+    "an index that is out of its array in one branch": Case(
+        "Real x[3](each start = 0, each fixed = true);",
+        "for i in 1:3 loop der(x[i]) = if i == 1 then 1 else x[i - 1]; end for;",
+        UnsupportedModelError,
+        "M.mo: the index 0 is outside of 1 to 3, if only in a branch that is never taken",
+    ),
     "redeclared by a class of its own with the same members": Case(
         "model A Real z = time; end A; model B Real z = 2*time; end B; "
         "model C replaceable A a; end C; C c(redeclare B a);",
@@ -216,7 +258,7 @@ _CASES = {
         "Real w[2, 2];",
         "w = [time, 1; 2, 3]^2;",
         UnsupportedModelError,
-        "M.mo: rumoca cannot lower this model: matrix power",
+        "M.mo: powers of matrices are not supported; write A*A for A^2",
     ),
     "derivative of an input through a variable": Case(
         "input Real u; Real w; Real y;",
