@@ -152,7 +152,7 @@ class MountedHandle:
             ParameterError: a frequency is not above 0
         """
         rates = _checked(frequencies)
-        return self._table(rates, np.array([self._response(float(frequency)) for frequency in rates]))
+        return self._table(rates, self._responses(rates))
 
     def driven(self, frequencies: ArrayLike, acceleration: float) -> pd.DataFrame:
         """What vibrations of any size do: the fundamental of the steady motion, from runs of the FMU.
@@ -177,14 +177,17 @@ class MountedHandle:
         table["theta_min"] = [low for _, _, low in found]
         return table
 
-    def _response(self, frequency: float) -> complex:
+    def _responses(self, frequencies: FloatArray) -> np.ndarray[tuple[int], np.dtype[np.complex128]]:
         """The angle over the base's acceleration, of small ones."""
-        found = self.linearization
-        shares = self.direction.shares(frequency, self.joystick.g)
-        names, parts = list(shares), np.array(list(shares.values()))
-        a, b = found.A.to_numpy(), found.B[names].to_numpy() @ parts
-        c, d = found.C.to_numpy()[0], found.D[names].to_numpy()[0] @ parts
-        return complex(c @ np.linalg.solve(2j * np.pi * frequency * np.eye(len(a)) - a, b) + d)
+        found, gravity = self.linearization, self.joystick.g
+        names = list(self.direction.shares(1.0, gravity))
+        a, b, c, d = (one.to_numpy() for one in (found.A, found.B[names], found.C, found.D[names]))
+        responses = []
+        for frequency in frequencies:
+            parts = np.array(list(self.direction.shares(float(frequency), gravity).values()))
+            states = np.linalg.solve(2j * np.pi * frequency * np.eye(len(a)) - a, b @ parts)
+            responses.append(complex(c[0] @ states + d[0] @ parts))
+        return np.array(responses)
 
     def _fundamental(self, frequency: float, acceleration: float) -> tuple[complex, float, float]:
         """The angle over the acceleration as `small` has it, and the largest and smallest angle (rad)."""
@@ -201,8 +204,9 @@ class MountedHandle:
         """The angle (rad) in the last two of 3 or more periods from rest, shape (2, `ROWS`)."""
         inputs = self._shaking(frequency, acceleration, periods).assign(**self._inputs)
         time = np.append(0.0, inputs.index[-2 * ROWS - 1 :])
-        run = self.fmu.run(time, parameters=self._parameters, inputs=inputs, outputs=["theta"])
-        return run["theta"].to_numpy()[-2 * ROWS :].reshape(2, ROWS)
+        plan = self.fmu.plan(time, parameters=self._parameters, inputs=inputs, outputs=["theta"])
+        # By the compiled loop, which a single `Fmu.run` does without: there are 1e5 rows and more.
+        return plan.run()[-2 * ROWS :].reshape(2, ROWS)
 
     def _shaking(self, frequency: float, acceleration: float, periods: int) -> pd.DataFrame:
         """The base's acceleration as inputs of the FMU, see `sine_table`; raises ParameterError."""
