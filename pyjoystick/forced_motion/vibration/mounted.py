@@ -1,9 +1,9 @@
-"""Vibration feedthrough: motion of a handle, relative to its base and in space, when the base vibrates.
+"""Vibration feedthrough: how far a handle moves, relative to its base and in space, when the base shakes.
 
-The base moves in one of three directions in the plane of the handle; inertia acts on the handle with the
-moment m*h*(a_base_z*sin(theta) - a_base*cos(theta)) - J*alpha_base. A hand holds the handle at an angle: a
-spring and a damper about the pivot, whose other end moves with the base, as the operator's seat does, and a
-mass at the grip.
+The base moves in one of three directions in the plane of the handle, and with the moment
+m*h*(a_base_z*sin(theta) - a_base*cos(theta)) - J*alpha_base leaves the handle behind. A hand holds the handle
+at an angle: a spring and a damper about the pivot whose other end moves with the base, as the operator's seat
+does, and a mass at the grip.
 """
 
 from __future__ import annotations
@@ -24,11 +24,11 @@ from pyjoystick.forced_motion.vibration.direction import ALONG, TURNING, UPWARD,
 from pyjoystick.model import PIVOT_TO_TOP, JoystickParameters, values_for
 from pyjoystick.support import FloatArray, ParameterError, angle, not_negative, positive
 
-#: Fraction of the initial transient that may remain in measured periods, and relative change of the
-#: fundamental from one period to the next.
+#: The part of the motion at the beginning that may be left in what is measured, and in its fundamental from
+#: one period to the next.
 _TRANSIENT: Final = 1e-5
 _STEADY: Final = 1e-3
-#: Additional periods to run if a motion is not steady when small ones would be.
+#: Periods of further runs where a motion is not steady when small ones would be.
 _LONGER: Final = (50, 200)
 _NEEDED: Final = (ALONG, UPWARD, TURNING, "theta_ref", "grip", "hand.K", "hand.D", "stops.theta_stop")
 
@@ -38,9 +38,9 @@ class Hand:
     """A hand that holds the handle.
 
     Attributes:
-        stiffness: stiffness of hand and arm about the pivot (N m/rad), 0 or more; by default the library's
-        damping: damping of hand and arm (N m s/rad), 0 or more
-        mass: mass of hand and arm that moves with the handle (kg), 0 or more; its weight rests on the handle
+        stiffness: of hand and arm about the pivot (N m/rad), 0 or more; the default is the library's
+        damping: the same (N m s/rad), 0 or more
+        mass: what of hand and arm moves with the handle (kg), 0 or more; its weight rests on the handle
         distance: from the pivot to the grip (m), above 0
 
     Raises:
@@ -59,7 +59,7 @@ class Hand:
         positive("distance", self.distance, "m")
 
     def on(self, joystick: JoystickParameters) -> JoystickParameters:
-        """The joystick with the mass of the hand added to its handle at the grip."""
+        """The joystick with the mass of the hand at the grip as a part of its handle."""
         mass = joystick.m + self.mass
         moment = joystick.m * joystick.h + self.mass * self.distance
         inertia = joystick.J + self.mass * self.distance**2
@@ -67,7 +67,7 @@ class Hand:
 
 
 class MountedHandle:
-    """A handle held at an angle on a vibrating base.
+    """A handle that is held at an angle on a base that shakes.
 
     A steady torque balances springs and weight at that angle; the hand, if there is one, is relaxed there.
     """
@@ -82,20 +82,20 @@ class MountedHandle:
         direction: Direction = Direction.HORIZONTAL,
         pivot_to_top: float = PIVOT_TO_TOP,
     ) -> None:
-        """Linearize the motion about the angle.
+        """Find how small motions about the angle go.
 
         Args:
-            fmu: ``MountedJoystick`` or ``MountedJoystickPowerLaw``, according to the joystick's damping law
+            fmu: ``MountedJoystick`` or ``MountedJoystickPowerLaw``, as the joystick's damping law is
             joystick: the joystick, without dry friction
             held: the angle (rad)
-            hand: the hand; None if only the torque holds the handle
-            direction: direction of the base's vibration; pitch is about the pivot
-            pivot_to_top: distance of the point whose motion in space is computed (m)
+            hand: the hand; None where nothing but the torque holds the handle
+            direction: how the base shakes; pitch is about the pivot
+            pivot_to_top: where the handle's motion in space is seen (m)
 
         Raises:
             UnsupportedFmuError: the FMU has no base or no hand
-            ParameterError: the joystick has dry friction, which makes small motions stick; the angle is
-                beyond a stop; or the handle would not stay there
+            ParameterError: the joystick has dry friction, by which small motions stick; the angle is beyond a
+                stop; or the handle would not stay there
         """
         missing = [name for name in _NEEDED if name not in fmu.description.variables]
         if missing:
@@ -128,25 +128,25 @@ class MountedHandle:
 
     @cached_property
     def linearization(self) -> Linearization:
-        """Linearization about the angle, from the FMU's derivatives."""
+        """Small motions about the angle, from the FMU's derivatives."""
         return self.fmu.linearize(parameters=self._parameters, inputs=self._inputs, outputs=["theta"])
 
     @property
     def decay(self) -> float:
-        """Decay rate (1/s) of the slowest mode of small motions."""
+        """The rate (1/s) at which the slowest part of a small motion decays."""
         return -float(self.linearization.poles()["real"].max())
 
     def small(self, frequencies: ArrayLike) -> pd.DataFrame:
-        """Response to small vibrations: the frequency response of the linearized joystick.
+        """What small vibrations do: the frequency response of the linearized joystick.
 
         Args:
             frequencies: Hz, above 0, shape (n,)
 
         Returns:
-            indexed by ``frequency`` (Hz): ``gain``, the amplitude of the angle divided by that of the base's
-            acceleration (rad per `Direction.unit`); ``phase`` of the angle relative to it (rad); and
-            ``transmissibility``, the acceleration in space divided by that of the base (1): that of the top
-            in the same direction or, with pitch, the handle's angular acceleration
+            indexed by ``frequency`` (Hz): ``gain``, the amplitude of the angle over that of the base's
+            acceleration (rad over `Direction.unit`); ``phase`` of the angle against it (rad); and
+            ``transmissibility``, the acceleration in space over that of the base (1): that of the top in the
+            same direction, with pitch the handle's angular acceleration
 
         Raises:
             ParameterError: a frequency is not above 0
@@ -155,20 +155,19 @@ class MountedHandle:
         return self._table(rates, self._responses(rates))
 
     def driven(self, frequencies: ArrayLike, acceleration: float) -> pd.DataFrame:
-        """Response to vibrations of any size: the fundamental of the steady motion, from runs of the FMU.
+        """What vibrations of any size do: the fundamental of the steady motion, from runs of the FMU.
 
         Args:
             frequencies: Hz, above 0, shape (n,)
             acceleration: amplitude of the base's acceleration (`Direction.unit`), above 0
 
         Returns:
-            the columns of `small`, and ``theta_max`` and ``theta_min`` (rad); NaN if the motion does not
-            become
-            periodic within 200 periods of the base: it is chaotic, or takes several of them to repeat
+            the columns of `small`, and ``theta_max`` and ``theta_min`` (rad); NaN where the motion does not
+            repeat with its period within 200 periods: it is chaotic, or takes several periods to repeat
 
         Raises:
             ParameterError: a frequency or the acceleration is not above 0, or the base would turn over
-            FmuRunError: a run fails, for example because the handle falls to pi/2
+            FmuRunError: a run fails, as where the handle falls to pi/2
         """
         size = positive("acceleration", acceleration, self.direction.unit)
         rates = _checked(frequencies)
@@ -178,17 +177,20 @@ class MountedHandle:
         table["theta_min"] = [low for _, _, low in found]
         return table
 
-    def _response(self, frequency: float) -> complex:
-        """Angle per base acceleration, for small vibrations."""
-        found = self.linearization
-        shares = self.direction.shares(frequency, self.joystick.g)
-        names, parts = list(shares), np.array(list(shares.values()))
-        a, b = found.A.to_numpy(), found.B[names].to_numpy() @ parts
-        c, d = found.C.to_numpy()[0], found.D[names].to_numpy()[0] @ parts
-        return complex(c @ np.linalg.solve(2j * np.pi * frequency * np.eye(len(a)) - a, b) + d)
+    def _responses(self, frequencies: FloatArray) -> np.ndarray[tuple[int], np.dtype[np.complex128]]:
+        """The angle over the base's acceleration, of small ones."""
+        found, gravity = self.linearization, self.joystick.g
+        names = list(self.direction.shares(1.0, gravity))
+        a, b, c, d = (one.to_numpy() for one in (found.A, found.B[names], found.C, found.D[names]))
+        responses = []
+        for frequency in frequencies:
+            parts = np.array(list(self.direction.shares(float(frequency), gravity).values()))
+            states = np.linalg.solve(2j * np.pi * frequency * np.eye(len(a)) - a, b @ parts)
+            responses.append(complex(c[0] @ states + d[0] @ parts))
+        return np.array(responses)
 
     def _fundamental(self, frequency: float, acceleration: float) -> tuple[complex, float, float]:
-        """Angle per acceleration as in `small`, and the largest and smallest angle (rad)."""
+        """The angle over the acceleration as `small` has it, and the largest and smallest angle (rad)."""
         turn = np.exp(-2j * np.pi * np.arange(1, ROWS + 1) / ROWS)
         small = math.ceil(frequency * -math.log(_TRANSIENT) / self.decay) + 2
         for periods in (small, *(longer for longer in _LONGER if longer > small)):
@@ -199,7 +201,7 @@ class MountedHandle:
         return complex(math.nan, math.nan), math.nan, math.nan
 
     def _last_periods(self, frequency: float, acceleration: float, periods: int) -> FloatArray:
-        """Angle (rad) in the last two of 3 or more periods from rest, shape (2, `ROWS`)."""
+        """The angle (rad) in the last two of 3 or more periods from rest, shape (2, `ROWS`)."""
         inputs = self._shaking(frequency, acceleration, periods).assign(**self._inputs)
         time = np.append(0.0, inputs.index[-2 * ROWS - 1 :])
         plan = self.fmu.plan(time, parameters=self._parameters, inputs=inputs, outputs=["theta"])

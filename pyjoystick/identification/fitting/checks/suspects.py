@@ -157,7 +157,14 @@ def _parameters(problem: Problem, motions: Sequence[FittedMotion]) -> Iterator[S
         )
     springs = [name for name in _SPRINGS if free(name)]
     if springs:
-        yield Suspect("other preloads or stiffnesses of the return springs", columns(springs))
+        values = np.array([predictor.motion.value(name) for name in springs])
+        yield Suspect(
+            "other preloads or stiffnesses of the return springs",
+            columns(springs),
+            lambda s: ", ".join(
+                f"{name} {part:+.2g} %" for name, part in zip(springs, 100.0 * s / values, strict=True)
+            ),
+        )
 
 
 def _differing(problem: Problem, x: FloatArray) -> Iterator[Suspect]:

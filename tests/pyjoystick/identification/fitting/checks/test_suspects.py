@@ -143,7 +143,8 @@ _CLIPPED = -0.75 * math.radians(20.0)
         (
             lambda: _other(forward__returnSpring__F_0=1.0005 * 52.7808125),
             "other preloads or stiffnesses of the return springs",
-            "",
+            "forward.returnSpring.F_0 +0.049 %, forward.returnSpring.k_s +0.0021 %, "
+            "backward.returnSpring.F_0 +0.00034 %, backward.returnSpring.k_s -0.0039 %",
         ),
         (
             lambda: _records(dataclasses.replace(NOMINAL, damping=_LAW)),
