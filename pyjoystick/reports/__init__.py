@@ -1,4 +1,4 @@
-"""Documents made from numbers: the paper's claims, a joystick as one page of HTML."""
+"""Output for other people and tools: the paper's claims, HTML reports, live pages, exported FMUs."""
 
 import lazy_loader
 

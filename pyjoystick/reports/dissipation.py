@@ -1,4 +1,4 @@
-"""Where a free oscillation loses its energy: the steps of Fig. 12 and the damping function of Fig. 13."""
+"""Energy loss in a free oscillation: the steps of Fig. 12 and the damping function of Fig. 13."""
 
 from __future__ import annotations
 
@@ -13,24 +13,26 @@ from matplotlib.figure import Figure
 from pyjoystick.model import PAPER_STEP, JoystickParameters, Trajectory, simulate
 from pyjoystick.support import BLACK, GRAY, LAWS, SKY, SOLID, dress, legend_above
 
-#: The energy rests where it falls less than this part of as fast as it does at most in the swings beside it.
+#: A plateau is where the energy falls more slowly than this part of the largest rate in the adjacent swings.
 REST: Final = 0.05
 
 _COLUMNS: Final = ["time", "theta", "energy", "start", "end", "lost", "swing_lost"]
 
 
-#: Time between samples away from events (s), and how near to each event the samples begin and end (s).
+#: Sampling interval away from events (s), and first and last distance of samples from each event (s).
 _INTERVAL: Final = 0.1e-3
 _NEAREST: Final = 1e-9
 
 
 def sampled_closely(joystick: JoystickParameters, *, release_angle: float, duration: float) -> Trajectory:
-    """A free oscillation by the reference, sampled ever more closely toward its events and turning points.
+    """Simulate a free oscillation with samples ever closer to its events and turning points.
 
-    There eq. (11) has jumps and spikes that last microseconds, which evenly spaced samples meet by chance.
+    There eq. (11) has jumps and spikes that last microseconds, which evenly spaced samples would meet by
+    chance.
 
     Args:
         joystick: the joystick
+        release_angle: release angle (rad)
         release_angle: angle of release (rad)
         duration: length of the run (s)
 
@@ -48,16 +50,16 @@ def sampled_closely(joystick: JoystickParameters, *, release_angle: float, durat
 
 
 def plateaus(run: Trajectory) -> pd.DataFrame:
-    """The plateau around each turning point of a free oscillation that starts at rest.
+    """Find the plateau around each turning point of a free oscillation that starts at rest.
 
     Args:
-        run: a motion without torque; the ends of plateaus lie on its instants, which `sampled_closely` has
-            close together there
+        run: a motion without torque; plateaus end at its samples, which `sampled_closely` makes
+            dense there
 
     Returns:
-        one row a turning point with a swing before and after it: ``time`` (s), ``theta`` (rad), ``energy``
-        (J) there, ``start`` and ``end`` of the plateau (s), ``lost`` on it (J), and ``swing_lost`` (J), what
-        the swing before the turning point takes from the energy; empty where no energy is taken
+        one row per turning point with a swing before and after it: ``time`` (s), ``theta`` (rad), ``energy``
+        (J) there, ``start`` and ``end`` of the plateau (s), ``lost`` on it (J), and ``swing_lost`` (J), the
+        energy lost in the swing before the turning point; empty if no energy is lost
     """
     power = np.abs((run.M_d + run.M_f) * run.omega)
     if not power.any():
@@ -65,7 +67,7 @@ def plateaus(run: Trajectory) -> pd.DataFrame:
     points = run.turning_points
     turns = np.array([run.time[0], *(point.time for point in points)])
     at = np.searchsorted(run.time, turns)
-    # No power is taken where the velocity is zero: between samples the energy is level.
+    # No power is dissipated at zero velocity: between samples the energy is level.
     energy = np.interp(turns, run.time, run.E)
     lost = -np.diff(energy)
     rows = []
@@ -88,17 +90,17 @@ def plateaus(run: Trajectory) -> pd.DataFrame:
 
 
 def damping_jumps(run: Trajectory) -> pd.DataFrame:
-    """How far C changes within the paper's time step of each zero of the angle and of the velocity.
+    """Change of C within the paper's time step around each zero of the angle and of the velocity.
 
     Eq. (11) jumps where theta = 0, from one side to the other, and has a peak where omega = 0. With negative
-    exponents only eps_theta and eps_omega keep either finite, so that the sizes depend on them.
+    exponents, only eps_theta and eps_omega keep it finite, so the sizes depend on them.
 
     Args:
-        run: a motion without torque, as `sampled_closely` gives it
+        run: a motion without torque, from `sampled_closely`
 
     Returns:
-        one row a zero in order of time: ``time`` (s), ``zero`` (``theta`` or ``omega``), ``amplitude``
-        (rad; of the turning point that comes before, or is there) and ``jump``, the largest less the smallest
+        one row per zero in order of time: ``time`` (s), ``zero`` (``theta`` or ``omega``), ``amplitude``
+        (rad; of the turning point before it, or at it) and ``jump``, the largest minus the smallest
         C (N m s/rad)
     """
     middles = [(event.time, "theta", math.nan) for event in run.events if event.kind == "theta = 0"]
@@ -118,10 +120,10 @@ def mean_damping(run: Trajectory) -> float:
 
 
 def equivalent_damping(run: Trajectory) -> float:
-    """The constant that takes as much energy along the same motion (N m s/rad).
+    """Constant that dissipates as much energy along the same motion (N m s/rad).
 
-    As dE/dt = -C*omega^2, it is what the energy falls by over the integral of omega^2; what dry friction
-    takes counts as damping.
+    As dE/dt = -C*omega^2, it is the energy loss divided by the integral of omega^2; dissipation by dry
+    friction counts as damping.
     """
     return float((run.E[0] - run.E[-1]) / np.trapezoid(run.omega**2, run.time))
 
@@ -131,12 +133,12 @@ _MJ: Final = 1e3
 
 
 def plot_energy(run: Trajectory, rests: pd.DataFrame, *, title: str = "") -> Figure:
-    """Energy over time with its plateaus shaded, and below it the power that damping and dry friction take.
+    """Plot energy over time with shaded plateaus and, below, the power dissipated by damping and friction.
 
     Args:
         run: a free oscillation
         rests: its `plateaus`
-        title: a line above the figure
+        title: title of the figure
     """
     figure = Figure(figsize=(7.0, 5.4), layout="constrained")
     above, below = figure.subplots(2, 1, sharex=True, height_ratios=[3, 2])
@@ -158,13 +160,13 @@ def plot_energy(run: Trajectory, rests: pd.DataFrame, *, title: str = "") -> Fig
 
 
 def plot_damping_function(run: Trajectory, *, constant: float, equivalent: float, title: str = "") -> Figure:
-    """C over time beside constants, and below it the angle, which says where the jumps are.
+    """Plot C over time with constants and, below, the angle, which shows where the jumps are.
 
     Args:
         run: a free oscillation with the power law
         constant: a constant C (N m s/rad) to compare with
-        equivalent: the one that takes as much energy (N m s/rad), see `equivalent_damping`
-        title: a line above the figure
+        equivalent: the one that dissipates as much energy (N m s/rad), see `equivalent_damping`
+        title: title of the figure
     """
     figure = Figure(figsize=(7.0, 5.4), layout="constrained")
     above, below = figure.subplots(2, 1, sharex=True, height_ratios=[3, 2])

@@ -1,1 +1,1 @@
-"""The paper's statements, each checked by a small function that computes numbers and decides by them."""
+"""The paper's claims, each checked by a small function that computes numbers and decides by them."""

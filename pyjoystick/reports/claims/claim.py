@@ -1,4 +1,4 @@
-"""A statement of the paper that can be checked, the verdict, and the runs that several claims share."""
+"""Claims of the paper, their verdicts, and runs that several claims share."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ from pyjoystick.motion import ReleasePeaks, find_peaks, peaks_of_run
 from pyjoystick.reports.dissipation import sampled_closely
 from pyjoystick.runs import reference_free_oscillation
 
-#: Released backward, as the paper's joystick was.
+#: Released backward, like the paper's joystick.
 RELEASE: Final = -STOP_ANGLE
-#: Peaks that eqs. (12a, b) judge.
+#: Number of peaks compared by eqs. (12a, b).
 PEAKS: Final = 9
 _INTERVAL: Final = 0.25e-3
 _DURATION: Final = 1.5
@@ -34,21 +34,21 @@ class Workbench:
 
     @cached_property
     def constant(self) -> pd.DataFrame:
-        """The table of the run with the constant C."""
+        """Table of the run with the constant C."""
         return reference_free_oscillation(RELEASE, parameters=NOMINAL, output_interval=_INTERVAL)
 
     @cached_property
     def power_law(self) -> pd.DataFrame:
-        """The table of the run with eq. (11) at alpha = 0.9."""
+        """Table of the run with eq. (11) at alpha = 0.9."""
         return reference_free_oscillation(RELEASE, parameters=NOMINAL_POWER_LAW, output_interval=_INTERVAL)
 
     @cached_property
     def trajectory(self) -> Trajectory:
-        """The run with eq. (11) with its events and turning points, and samples close to them."""
+        """Run with eq. (11), sampled closely around its events and turning points."""
         return self.smoothed(1.0)
 
     def smoothed(self, factor: float) -> Trajectory:
-        """As `trajectory`, with `factor` times the smoothing of eq. (11) at zero angle and zero velocity."""
+        """The same, with `factor` times the smoothing of eq. (11) at zero angle and zero velocity."""
         if factor not in self._smoothed:
             law = cast("PowerLawDamping", NOMINAL_POWER_LAW.damping)
             joystick = NOMINAL_POWER_LAW.replace(
@@ -77,16 +77,16 @@ class Workbench:
 
     @cached_property
     def periods(self) -> pd.DataFrame:
-        """Undamped periods from 20 degrees down to 0.2 degrees (backward releases), amplitudes rising.
+        """Undamped periods from 20 degrees down to 0.2 degrees (backward releases), by increasing amplitude.
 
-        They are close together where the balance springs engage.
+        They are closely spaced where the balance springs engage.
         """
         angles = np.geomspace(0.2, math.degrees(STOP_ANGLE), 400), np.linspace(6.8, 7.6, 161)
         return period_table(NOMINAL, -np.radians(np.unique(np.concatenate(angles))))
 
 
 class Verdict(StrEnum):
-    """How a statement fares."""
+    """Agreement with a claim."""
 
     AGREES = "agrees"
     IN_PART = "in part"
@@ -97,12 +97,12 @@ class Verdict(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """What comes out for one statement.
+    """Result for one claim.
 
     Attributes:
-        verdict: how the statement fares, decided by `numbers`
-        here: what we get, numbers and words; the first letter may be small
-        remark: why it does not agree, or what else to know; sentences without the last period
+        verdict: agreement, decided by numbers
+        here: our result as text; the first letter may be lower-case
+        remark: why it does not agree, or other remarks; sentences without the last period
     """
 
     verdict: Verdict
@@ -111,20 +111,20 @@ class Finding:
 
     @property
     def text(self) -> str:
-        """The result, and the remark behind it as sentences."""
-        # A capital letter, except in symbols such as f_n.
+        """The result, followed by the remark, as sentences."""
+        # Capitalize, except for symbols such as f_n.
         first = re.sub(r"^[a-z](?=[a-z',]* )", lambda letter: letter[0].upper(), self.here)
         return f"{first}. {self.remark}." if self.remark else first
 
 
 @dataclass(frozen=True, slots=True)
 class Claim:
-    """A statement and the function that checks it.
+    """A claim of the paper and the function that checks it.
 
     Attributes:
         where: section, figure, table or equation of the paper
-        statement: what it says, in our words
-        check: gives the finding from the runs of a workbench
+        statement: the claim in our words
+        check: returns the finding, given the runs of a workbench
     """
 
     where: str
@@ -133,12 +133,12 @@ class Claim:
 
 
 def claim(where: str, statement: str) -> Callable[[Callable[[Workbench], Finding]], Claim]:
-    """Decorator that makes a claim of the function that checks it."""
+    """Decorator that makes a claim from the function that checks it."""
     return lambda check: Claim(where, statement, check)
 
 
 def verdict(agrees: bool, in_part: bool = False) -> Verdict:
-    """The verdict of what numbers say: fully, in part, or not."""
+    """Verdict from numbers: true, partly true, or false."""
     if agrees:
         return Verdict.AGREES
     return Verdict.IN_PART if in_part else Verdict.DISAGREES

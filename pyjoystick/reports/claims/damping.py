@@ -26,10 +26,10 @@ from pyjoystick.runs import SimulatedReleases, reference_free_oscillation
 
 _PRINTED: Final = cast("PowerLawDamping", NOMINAL_POWER_LAW.damping)
 _C: Final = cast("ConstantDamping", NOMINAL.damping).C
-#: Dry friction at the pivot (N m), alone and beside a constant C (N m s/rad).
+#: Dry friction at the pivot (N m), alone and together with a constant C (N m s/rad).
 _DRY: Final = 0.08
 _WITH_DRY: Final = 0.02
-#: The first nine peaks come within this time (s).
+#: Time within which the first nine peaks occur (s).
 _NINE_PEAKS: Final = 0.75
 
 
@@ -54,7 +54,7 @@ def linear_envelope(bench: Workbench) -> Finding:
     "where the period falls",
 )
 def viscous_or_dry(bench: Workbench) -> Finding:
-    """How well an exponential and a straight line over time fit the peaks of one side above 2 degrees."""
+    """Fit an exponential and a straight line over time to the peaks of one side above 2 degrees."""
     dry = NOMINAL.replace({"damping.C": 0.0, "friction.T_c": _DRY})
     fits = [_fits_of_peaks(joystick) for joystick in (NOMINAL, dry)]
     (exponential, straight), (curved, linear) = fits
@@ -71,7 +71,7 @@ def viscous_or_dry(bench: Workbench) -> Finding:
 
 
 def _fits_of_peaks(joystick: JoystickParameters) -> tuple[float, float]:
-    """Relative errors (rms) of an exponential and of a straight line through the peaks of the worse side."""
+    """Relative rms errors of an exponential and of a straight line, for the peaks of the worse side."""
     run = simulate(joystick, time=[0.0, 3.0], theta_start=RELEASE)
     errors = []
     for sign in (1.0, -1.0):
@@ -86,7 +86,7 @@ def _fits_of_peaks(joystick: JoystickParameters) -> tuple[float, float]:
 
 @claim("3.3, Fig. 9, eq. (11)", "the slopes of the lines are those of a viscous damping that varies")
 def friction_in_the_exponents(bench: Workbench) -> Finding:
-    """The result of eqs. (9), (10) for a joystick with a constant C and dry friction at the pivot."""
+    """Apply eqs. (9), (10) to a joystick with a constant C and dry friction at the pivot."""
     joystick = NOMINAL.replace({"damping.C": _WITH_DRY, "friction.T_c": _DRY})
     run = reference_free_oscillation(RELEASE, parameters=joystick, output_interval=0.25e-3)
     found = estimate_damping([peaks_of_run(run, name="dry friction")], joystick.J)
@@ -108,7 +108,7 @@ def friction_in_the_exponents(bench: Workbench) -> Finding:
 
 @claim("eqs. (9), (10)", "peaks and their times give C, though the frequency is not constant")
 def peak_method(bench: Workbench) -> Finding:
-    """The method on a motion whose C is known."""
+    """Apply the method to a motion with known C."""
     constants = estimate_damping([bench.constant_release], NOMINAL.J).constants
     ratios = {name: constants[name].value / _C for name in ("displacement", "velocity")}
     here = (
@@ -123,7 +123,7 @@ def peak_method(bench: Workbench) -> Finding:
 
 @claim("3.3, Fig. 9", "the lines have slight negative slopes")
 def negative_slopes(bench: Workbench) -> Finding:
-    """The printed exponents, and those that the peak method finds in a motion made with them."""
+    """Compare the printed exponents with those that the peak method finds in a motion made with them."""
     lines = estimate_damping([bench.power_law_release], NOMINAL.J).lines
     found = {name: lines[name].exponent for name in ("positive", "negative", "velocity")}
     here = (
@@ -141,7 +141,7 @@ def negative_slopes(bench: Workbench) -> Finding:
 
 @claim("3.3, Fig. 9a", "there is more damping for positive angles than for negative ones")
 def more_damping_forward(bench: Workbench) -> Finding:
-    """Where the two displacement terms are equal."""
+    """Find where the two displacement terms are equal."""
     equal = (_PRINTED.A_neg / _PRINTED.A_pos) ** (1.0 / (_PRINTED.n_pos - _PRINTED.n_neg))
     angles = np.radians(np.geomspace(1.0, 20.0, 100))
     forward, backward = (_displacement_term(sign * angles) for sign in (1.0, -1.0))
@@ -152,7 +152,7 @@ def more_damping_forward(bench: Workbench) -> Finding:
 
 @claim("3.3, Fig. 9a", "the damping rises slightly as the amplitude falls, except for the highest peaks")
 def damping_rises(bench: Workbench) -> Finding:
-    """The displacement terms at 2 degrees over those at 15 degrees."""
+    """Displacement terms at 2 degrees relative to those at 15 degrees."""
     ratios = [
         float(_displacement_term(sign * math.radians(2.0)) / _displacement_term(sign * math.radians(15.0)))
         for sign in (1.0, -1.0)
@@ -167,7 +167,7 @@ def damping_rises(bench: Workbench) -> Finding:
 
 @claim("3.3", "negative exponents give very high C where angle or velocity is near zero")
 def singular(bench: Workbench) -> Finding:
-    """The displacement term of the backward side at the rounding-off angle."""
+    """Displacement term of the backward side at the smoothing angle."""
     near = float(_displacement_term(-1e-12))
     far = float(_displacement_term(math.radians(-10.0)))
     here = f"backward, at zero angle: {near / far:.1f} times the value at 10 degrees, with |theta| smoothed"
@@ -180,7 +180,7 @@ def singular(bench: Workbench) -> Finding:
 
 @claim("4", "the discontinuities of the damping function have very little effect")
 def discontinuities_do_little(bench: Workbench) -> Finding:
-    """Nine peaks with ten times the rounding off, which takes the spikes away."""
+    """Compare nine peaks with ten times the smoothing, which removes the spikes."""
     rounder = NOMINAL_POWER_LAW.replace({"damping.eps_theta": 1e-3, "damping.eps_omega": 1e-2})
     other = peaks_of_run(reference_free_oscillation(RELEASE, parameters=rounder, output_interval=0.5e-3))
     errors = peak_errors(other, bench.power_law_release)
@@ -193,7 +193,7 @@ def discontinuities_do_little(bench: Workbench) -> Finding:
 
 @claim("4, Fig. 13", "C jumps most where the velocity is zero, little where the displacement is")
 def where_it_jumps(bench: Workbench) -> Finding:
-    """How far C changes within the paper's time step of each zero."""
+    """Change of C within the paper's time step around each zero."""
     found = {
         factor: damping_jumps(bench.smoothed(factor)).groupby("zero")["jump"].max()
         for factor in (1.0, 10.0, 0.1)
@@ -215,7 +215,7 @@ def where_it_jumps(bench: Workbench) -> Finding:
 
 @claim("4, Fig. 13", "C = 0.045 is about the mean of the damping function")
 def mean_of_the_function(bench: Workbench) -> Finding:
-    """Mean over time over nine peaks, and the constant that takes as much energy."""
+    """Mean over time for nine peaks, and the constant that dissipates as much energy."""
     time = np.linspace(0.0, _NINE_PEAKS, 3001)
     run = simulate(NOMINAL_POWER_LAW, time=time, theta_start=RELEASE)
     mean, equivalent = mean_damping(run), equivalent_damping(run)
@@ -226,7 +226,7 @@ def mean_of_the_function(bench: Workbench) -> Finding:
 
 @claim("4, Fig. 10", "the simulations with alpha = 0.9 and with C = 0.045 both match the same record")
 def both_match(bench: Workbench) -> Finding:
-    """Eqs. (12a, b) between the two simulations."""
+    """Apply eqs. (12a, b) to the two simulations."""
     errors = peak_errors(bench.constant_release, bench.power_law_release)
     here = (
         f"they differ from each other by {errors.displacement:.0f} % in nine peaks and "
@@ -236,14 +236,14 @@ def both_match(bench: Workbench) -> Finding:
     remark = (
         "With the printed numbers both therefore cannot lie within 12 to 14 % (5 % in time) of one record"
     )
-    # Two simulations within these errors of one record lie within their sum of one another.
+    # Two simulations within these errors of one record are within their sum of each other.
     near = errors.displacement < 11.9 + 13.6 and errors.displacement_time < 5.1 + 5.4
     return Finding(verdict(near), here, remark)
 
 
 @claim("4, Fig. 11", "the error depends little on the damping law; a constant does nearly as well")
 def constant_does(bench: Workbench) -> Finding:
-    """The constant that comes closest to eq. (11), and its errors."""
+    """Find the constant closest to eq. (11), and its errors."""
     values = np.linspace(0.05, 0.08, 31)
     with SimulatedReleases() as simulated:
         runs = simulated.vary(NOMINAL, RELEASE, "damping.C", values)
@@ -260,7 +260,7 @@ def constant_does(bench: Workbench) -> Finding:
 
 @claim("4, Fig. 11", "least errors 5.1 % (time, alpha = 0.9) and 11.9 % (displacement, alpha = 1)")
 def least_errors(bench: Workbench) -> Finding:
-    """There is nothing to compute without the records."""
+    """Not checkable without the records."""
     here = "the paper's records are not published"
     remark = (
         "The same holds for 5.4 % at C = 0.045, 13.6 % at C = 0.050 and the errors of the velocity. In "
@@ -270,7 +270,7 @@ def least_errors(bench: Workbench) -> Finding:
 
 
 def _displacement_term(theta: float | np.ndarray) -> np.ndarray:
-    """The term of eq. (11) in theta alone (N m s/rad)."""
+    """The part of eq. (11) that depends on theta (N m s/rad)."""
     return damping_coefficient(replace(_PRINTED, alpha=1.0), theta, 0.0)
 
 

@@ -34,7 +34,7 @@ from them. `make claims` writes the page, and a test keeps it up to date.
 
 
 class Findings(dict[str, list[tuple[Claim, Finding]]], Shown):
-    """Claims and what came of them, by chapter, in order."""
+    """Claims and their findings, by chapter, in order."""
 
     _shown_by = "pyjoystick.reports.claims.notebook"
 
@@ -48,7 +48,7 @@ def findings(bench: Workbench | None = None) -> Findings:
 
 
 def claims_page(found: Mapping[str, Sequence[tuple[Claim, Finding]]]) -> str:
-    """The page: an introduction, how many claims fare how, and a table a chapter."""
+    """The page: an introduction, the number of claims by verdict, and a table per chapter."""
     counted = Counter(finding.verdict for chapter in found.values() for _, finding in chapter)
     total = ", ".join(f"{one} {counted[one]}" for one in Verdict if counted[one])
     parts = [_INTRODUCTION, f"Of {counted.total()} statements: {total}.\n"]
@@ -68,5 +68,5 @@ def text_of(finding: Finding) -> str:
 
 
 def _cell(text: str) -> str:
-    """Text as it is written in a cell: a bar would end it, two products would be an emphasis."""
+    """Escape text for a cell: a bar would end it, and two products would be emphasis."""
     return re.sub(r"[|*]", r"\\\g<0>", text)

@@ -1,4 +1,4 @@
-"""Sections 2 and 4: the energy, and the effect of the measuring chain on a motion."""
+"""Sections 2 and 4: the energy, and the effect of the measuring chain."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from pyjoystick.reports.dissipation import REST, plateaus
 
 @claim("4, Fig. 12", "the energy falls gradually and never rises")
 def energy_falls(bench: Workbench) -> Finding:
-    """The largest rise between samples of either run, of the energy at the release."""
+    """Largest rise between samples of either run, relative to the energy at the release."""
     rises = [
         float(np.max(np.diff(run["E"]))) / float(run["E"].iloc[0])
         for run in (bench.constant, bench.power_law)
@@ -28,7 +28,7 @@ def energy_falls(bench: Workbench) -> Finding:
 
 @claim("4, Fig. 12", "it falls in steps, with plateaus near zero velocity")
 def energy_steps(bench: Workbench) -> Finding:
-    """What the plateaus around the first turning points take, beside the swings."""
+    """Energy lost on the plateaus around the first turning points, compared with the swings."""
     found = {}
     for factor in (1.0, 10.0, 0.1):
         rests = plateaus(bench.smoothed(factor)).head(PEAKS)
@@ -50,7 +50,7 @@ def energy_steps(bench: Workbench) -> Finding:
 
 @claim("4, Fig. 12", "the energy computed from the measured motion rises")
 def measured_energy_rises(bench: Workbench) -> Finding:
-    """The paper's chain on a simulated motion."""
+    """Apply the paper's chain to a simulated motion."""
     effect = _through(Chain())
     part = 100.0 * effect.energy_rise / effect.energy_start
     here = (
@@ -62,7 +62,7 @@ def measured_energy_rises(bench: Workbench) -> Finding:
 
 @claim("4, Fig. 12", "the cause is that numerical differentiation underestimates the peak velocities")
 def cause_of_the_rise(bench: Workbench) -> Finding:
-    """The chain as it is, and the rule of differentiation alone."""
+    """Compare the chain with its rule of differentiation alone."""
     chain = Chain()
     effect = _through(chain)
     run = effect.run
@@ -86,7 +86,7 @@ def cause_of_the_rise(bench: Workbench) -> Finding:
 
 @claim("4, Fig. 10b", "simulated velocities have sharper peaks than measured ones")
 def sharper_peaks(bench: Workbench) -> Finding:
-    """What the chain leaves of the peaks."""
+    """Compute how much of the peaks the chain keeps."""
     shortfall = _through(Chain()).shortfall[:PEAKS]
     here = (
         f"the signal chain removes {100.0 * shortfall.min():.0f} to {100.0 * shortfall.max():.0f} % of the "
@@ -97,7 +97,7 @@ def sharper_peaks(bench: Workbench) -> Finding:
 
 @claim("2", "low-pass at 13 Hz, a fourth-order Butterworth filter run forward and reverse")
 def cutoff(bench: Workbench) -> Finding:
-    """The response of both runs together at 13 Hz."""
+    """Response of both passes together at 13 Hz."""
     chain = Chain()
     response = float(chain.low_pass.response(np.array([chain.low_pass.cutoff]), chain.rate)[0])
     half_power = chain.low_pass.half_power_frequency(chain.rate)

@@ -1,4 +1,4 @@
-"""How a notebook shows the paper's claims."""
+"""Display of the paper's claims in notebooks."""
 
 from __future__ import annotations
 
@@ -8,5 +8,5 @@ from pyjoystick.reports.claims.document import Findings, claims_page
 
 
 def summary(found: Findings) -> str:
-    """The page without the remark for those who would edit it."""
+    """The page without the remark for editors."""
     return re.sub(r"<!--.*?-->\n+", "", claims_page(found))

@@ -32,7 +32,7 @@ _SPRINGS = [f"{side}.{name}Spring" for side in ("forward", "backward") for name 
 
 @claim("abstract, 2, 3.1, 6", "the period falls steadily as the amplitude falls")
 def falling_period(bench: Workbench) -> Finding:
-    """The undamped period over the amplitude, and the periods of the first peaks with damping."""
+    """Undamped period over amplitude, and the damped periods of the first peaks."""
     table = bench.periods
     shortest = table.iloc[int(np.argmin(table["period"]))]
     above = table[table["amplitude"] > shortest["amplitude"]]
@@ -61,13 +61,13 @@ def falling_period(bench: Workbench) -> Finding:
 
 
 def _deepest(periods: FloatArray) -> float:
-    """The largest fall below an earlier value, in parts of it, rounded up to 0.1 %."""
+    """Largest relative fall below an earlier value, rounded up to 0.1 %."""
     return math.ceil(1e3 * float(np.max(1.0 - periods / np.maximum.accumulate(periods)))) / 1e3
 
 
 @claim("abstract, 3.1", "the restrained preload is what makes the period fall")
 def preload_is_the_cause(bench: Workbench) -> Finding:
-    """The same joystick without any preload, both without weight."""
+    """Compare with the same joystick without any preload, both without weight."""
     weightless = NOMINAL.replace({"g": 0.0})
     ratios = []
     for joystick in (weightless, weightless.replace({f"{spring}.F_0": 0.0 for spring in _SPRINGS})):
@@ -83,7 +83,7 @@ def preload_is_the_cause(bench: Workbench) -> Finding:
 
 @claim("1", "the effect of the clearance is minor")
 def clearance(bench: Workbench) -> Finding:
-    """Periods with and without the clearance of 0.075 mm."""
+    """Compare periods with and without the clearance of 0.075 mm."""
     changes = {}
     for angle in (20.0, 5.0, 1.0, 0.5):
         without = NOMINAL.replace({f"{side}.returnSpring.x_0": 0.0 for side in ("forward", "backward")})
@@ -100,7 +100,7 @@ def clearance(bench: Workbench) -> Finding:
 
 @claim("2", "the falling period is more typical of bouncing balls")
 def bouncing_ball(bench: Workbench) -> Finding:
-    """The exponent of the period over the amplitude, which a constant force makes 1/2."""
+    """Exponent of the period over the amplitude, which is 1/2 for a constant force."""
     between = bench.periods["amplitude"].between(math.radians(1.0), math.radians(5.0)).to_numpy()
     slopes = exponent(bench.periods)[between]
     here = (
@@ -113,7 +113,7 @@ def bouncing_ball(bench: Workbench) -> Finding:
 
 @claim("2", "the natural frequency depends highly on the amplitude")
 def frequency(bench: Workbench) -> Finding:
-    """The frequency at 1 degree over that at 20 degrees."""
+    """Frequency at 1 degree relative to that at 20 degrees."""
     frequencies = [1.0 / undamped_oscillation(NOMINAL, math.radians(-angle)).period for angle in (20.0, 1.0)]
     here = f"{frequencies[0]:.1f} Hz at 20 degrees, {frequencies[1]:.1f} Hz at 1 degree"
     return Finding(verdict(frequencies[1] > 1.5 * frequencies[0]), here)
@@ -121,7 +121,7 @@ def frequency(bench: Workbench) -> Finding:
 
 @claim("3.1", "the average stiffness rises as the amplitude falls")
 def average_stiffness(bench: Workbench) -> Finding:
-    """The linear stiffness with the same period, J*(2*pi/T)^2."""
+    """Linear stiffness with the same period, J*(2*pi/T)^2."""
     stiffness = {
         angle: NOMINAL.J * (2.0 * math.pi / undamped_oscillation(NOMINAL, math.radians(-angle)).period) ** 2
         for angle in (20.0, 5.0, 1.0)
@@ -134,7 +134,7 @@ def average_stiffness(bench: Workbench) -> Finding:
 
 @claim("2, Fig. 4a", "the first positive and the first negative peak are nearly equal, and so on in pairs")
 def pairs_of_peaks(bench: Workbench) -> Finding:
-    """The ratios of neighboring peaks: positive to negative beside negative to positive."""
+    """Compare ratios of successive peaks: positive to negative and negative to positive."""
     found = {}
     for law, run in (("constant C", bench.constant), ("eq. (11)", bench.power_law)):
         heights = bench.heights(run)
@@ -156,7 +156,7 @@ def pairs_of_peaks(bench: Workbench) -> Finding:
 
 @claim("3.1", "the softer backward side makes the negative peaks larger")
 def softer_side(bench: Workbench) -> Finding:
-    """Turning angles of equal energy."""
+    """Compare turning angles of equal energy."""
     ratios = {
         angle: undamped_oscillation(NOMINAL, math.radians(angle)).backward / math.radians(angle)
         for angle in (20.0, 10.0, 5.0, 2.0)
@@ -190,7 +190,7 @@ def constant_acceleration(bench: Workbench) -> Finding:
 
 @claim("2, Fig. 4d", "the accelerometer shows spikes and ringing where the joystick passes the middle")
 def spikes(bench: Workbench) -> Finding:
-    """What the model has within 10 ms of the first passage, in parts of the acceleration at the release."""
+    """Acceleration within 10 ms of the first zero crossing, relative to that at the release."""
     constant = sampled_closely(NOMINAL, release_angle=RELEASE, duration=0.2)
     step, largest = _passage(constant)
     with_law = {factor: _passage(bench.smoothed(factor))[1] for factor in (1.0, 10.0, 0.1)}
@@ -208,7 +208,7 @@ def spikes(bench: Workbench) -> Finding:
 
 
 def _passage(run: Trajectory) -> tuple[float, float]:
-    """The range of the acceleration, and its largest magnitude, around the first passage of the middle."""
+    """Range of the acceleration, and its largest magnitude, around the first zero crossing."""
     first = next(event.time for event in run.events if event.kind == "theta = 0")
     near = run.alpha[np.abs(run.time - first) < 10e-3] / abs(run.alpha[0])
     return float(np.ptp(near)), float(np.max(np.abs(near)))
@@ -216,7 +216,7 @@ def _passage(run: Trajectory) -> tuple[float, float]:
 
 @claim("2", "gravity's part of the accelerometer's signal is about 6 % of the peak at the extremes")
 def gravity_in_the_signal(bench: Workbench) -> Finding:
-    """g*sin(20 degrees) over the peak acceleration at the top of the handle."""
+    """Compare g*sin(20 degrees) with the peak acceleration at the top of the handle."""
     peak = PIVOT_TO_TOP * float(np.max(np.abs(bench.constant["alpha"])))
     part = 100.0 * GRAVITY * math.sin(STOP_ANGLE) / peak
     return Finding(
@@ -226,7 +226,7 @@ def gravity_in_the_signal(bench: Workbench) -> Finding:
 
 @claim("2", "velocity and angle integrated from the accelerometer's signal are invalid")
 def integrated_signal(bench: Workbench) -> Finding:
-    """What gravity's part of the signal adds, integrated twice; spikes and ringing come on top."""
+    """Integrate gravity's part of the signal twice; spikes and ringing add to it."""
     run = bench.constant
     time, part = run.index.to_numpy(), -GRAVITY / PIVOT_TO_TOP * np.sin(run["theta"].to_numpy())
     velocity = cumulative_simpson(part, x=time, initial=0.0)
@@ -240,7 +240,7 @@ def integrated_signal(bench: Workbench) -> Finding:
 
 @claim("1", "usually a preload has no effect on small motions about a preloaded position")
 def preload_and_small_motions(bench: Workbench) -> Finding:
-    """The stiffness where the return spring is free of its restraint, with all preloads and without."""
+    """Stiffness with the return spring free of its restraint, with all preloads and without."""
     without = NOMINAL.replace({f"{spring}.F_0": 0.0 for spring in _SPRINGS})
     step, rows = 1e-5, []
     for angle in np.radians([5.0, 15.0]):
@@ -262,7 +262,7 @@ def preload_and_small_motions(bench: Workbench) -> Finding:
 
 @claim("3.2", "the swing test gives J = m*g*h/(2*pi*f_n)^2")
 def swing_test(bench: Workbench) -> Finding:
-    """The frequency of Table 2 by that formula, and that of a simulated small swing out of contact."""
+    """Frequency from Table 2 by this formula, and from a simulated small swing out of contact."""
     formula = swing_frequency(NOMINAL)
     far = {f"{spring}.x_0": 1.0 + spring.endswith("balanceSpring") for spring in _SPRINGS}
     pendulum = NOMINAL.replace(far | {"g": -NOMINAL.g, "damping.C": 0.0})
@@ -274,7 +274,7 @@ def swing_test(bench: Workbench) -> Finding:
 
 @claim("4", "fourth-order Runge-Kutta steps of 1 ms, a tenth of that near the steep slopes, suffice")
 def paper_integrator(bench: Workbench) -> Finding:
-    """The paper's integrator against the reference."""
+    """Compare the paper's integrator with the reference."""
     run = simulate_rk4(NOMINAL, duration=1.5, theta_start=RELEASE)
     exact = simulate(NOMINAL, time=run.time, theta_start=RELEASE)
     error = math.degrees(float(np.max(np.abs(run.theta - exact.theta))))
@@ -284,7 +284,7 @@ def paper_integrator(bench: Workbench) -> Finding:
 
 @claim("3, Table 2", "(the acceleration of gravity is not given)")
 def unknown_gravity(bench: Workbench) -> Finding:
-    """What a different g would change."""
+    """Effect of a different g."""
     local = NOMINAL.replace({"g": 9.78})
     change = undamped_oscillation(local, RELEASE).period / undamped_oscillation(NOMINAL, RELEASE).period - 1.0
     here = f"9.80665 m/s2 is used; 9.78 would change the period at 20 degrees by {100.0 * change:.3f} %"

@@ -30,7 +30,7 @@ _SPRINGS = [spring for one in _ASSEMBLIES for spring in (one.return_spring, one.
 
 @claim("1", "the plunger is depressed by a distance about proportional to the angle")
 def proportional_travel(_: Workbench) -> Finding:
-    """Of the line through zero whose largest deviation, up to the stops, is least."""
+    """Deviation from the best line through zero (minimax) up to the stops."""
     travel = contact_travel(NOMINAL, _ANGLES)
     best = minimize_scalar(
         lambda slope: float(np.max(np.abs(travel - slope * _ANGLES))),
@@ -58,7 +58,7 @@ def preload_holds(_: Workbench) -> Finding:
 
 @claim("eqs. (2), (3)", "the travel x follows from the position of the contact point")
 def travel_from_contact_point(_: Workbench) -> Finding:
-    """Eq. (3) put into eqs. (2a, b), with r eliminated."""
+    """Insert eq. (3) into eqs. (2a, b), with r eliminated."""
     x = contact_travel(NOMINAL, _ANGLES)
     a, b = NOMINAL.a, NOMINAL.b
     left = (x - b + b * np.cos(_ANGLES)) * np.cos(_ANGLES)
@@ -69,7 +69,7 @@ def travel_from_contact_point(_: Workbench) -> Finding:
 
 @claim("eq. (5)", "M_s = {a*(sign(theta) + d*tan(theta))}*f_x, as printed")
 def contact_moment_as_printed(_: Workbench) -> Finding:
-    """The printed lever against the slope of the travel, which is what keeps the energy."""
+    """Compare the printed lever with the slope of the travel, which conserves energy."""
     d = float(contact_travel(NOMINAL, STOP_ANGLE)) - NOMINAL.b
     printed = NOMINAL.a * (1.0 + d * math.tan(STOP_ANGLE))
     right = float(contact_travel_slope(NOMINAL, STOP_ANGLE))
@@ -89,7 +89,7 @@ def contact_moment_as_printed(_: Workbench) -> Finding:
 
 @claim("eqs. (6)-(8), Table 1", "each curve is made of two restrained preloaded springs in parallel")
 def springs_are_the_table(_: Workbench) -> Finding:
-    """The springs against the table's straight lines."""
+    """Compare the springs with the table's straight lines."""
     travel = np.linspace(0.0, 9e-3, 9001)
     off = max(
         float(np.max(np.abs(assembly_force(springs, travel) - table_force(table, travel))))
@@ -100,7 +100,7 @@ def springs_are_the_table(_: Workbench) -> Finding:
 
 @claim("3.1", "the restraint is much stiffer than its spring, so that it stretches much less")
 def stiff_restraints(_: Workbench) -> Finding:
-    """k_h over k_s, which is also the ratio of the two deflections under the preload."""
+    """Ratio k_h/k_s, which is also the ratio of the two deflections under the preload."""
     ratios = [spring.k_h / spring.k_s for spring in _SPRINGS]
     here = f"k_h/k_s from {min(ratios):.0f} to {max(ratios):.0f}"
     return Finding(verdict(min(ratios) > 10.0), here)
@@ -108,7 +108,7 @@ def stiff_restraints(_: Workbench) -> Finding:
 
 @claim("3.1, Fig. 7b", "the rod bottoms out after about 3 mm")
 def bottoming_out(_: Workbench) -> Finding:
-    """Where the balance springs engage, and at what angle."""
+    """Travel and angle at which the balance springs engage."""
     travels = [1e3 * one.balance_spring.x_0 for one in _ASSEMBLIES]
     here = f"forward {travels[0]:.2f} mm, backward {travels[1]:.2f} mm"
     return Finding(verdict(all(abs(travel - 3.0) < 0.1 for travel in travels)), here)
@@ -116,7 +116,7 @@ def bottoming_out(_: Workbench) -> Finding:
 
 @claim("3.1, Fig. 7b", "two steep portions and two that rise gradually")
 def steep_and_gradual(_: Workbench) -> Finding:
-    """The least steep of the steep segments over the steepest of the gradual ones."""
+    """Ratio of the least steep of the steep segments to the steepest of the gradual ones."""
     tables = [one.to_table() for one in _ASSEMBLIES]
     ratio = min(min(t.k[0], t.k[2]) / max(t.k[1], t.k[3]) for t in tables)
     return Finding(verdict(ratio > 10.0), f"at least {ratio:.0f} times as steep")
@@ -124,7 +124,7 @@ def steep_and_gradual(_: Workbench) -> Finding:
 
 @claim("3.1, Fig. 7b", "the overall stiffness falls as the compression grows")
 def falling_stiffness(_: Workbench) -> Finding:
-    """Force over travel from the first release of a restraint on."""
+    """Force over travel from the first release of a restraint."""
     end = float(contact_travel(NOMINAL, STOP_ANGLE))
     falls, rises = [], []
     for one in _ASSEMBLIES:
@@ -142,7 +142,7 @@ def falling_stiffness(_: Workbench) -> Finding:
 
 @claim("Fig. 7b", "a cubic polynomial illustrates the curve")
 def cubic(_: Workbench) -> Finding:
-    """How well a cubic does as a model."""
+    """Check how well a cubic works as a model."""
     fits = cubic_fits(NOMINAL, STOP_ANGLE)
     missed = max(fit.rms for fit in fits.values())
     at_contact = min(float(fit.cubic(fit.travel[0])) for fit in fits.values())
@@ -157,7 +157,7 @@ def cubic(_: Workbench) -> Finding:
 
 
 def _power_of_ten(number: float) -> str:
-    """The order of magnitude, for what is rounding and differs between machines."""
+    """Order of magnitude, for rounding errors that differ between machines."""
     return "less than 1e-12" if abs(number) < 1e-12 else f"{number:.0e}"
 
 

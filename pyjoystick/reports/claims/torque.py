@@ -1,4 +1,4 @@
-"""Sections 5 and 6: the torque of a motion forward and back, in numbers and as claims."""
+"""Sections 5 and 6: the torque of a stroke and its return, in numbers and as claims."""
 
 from __future__ import annotations
 
@@ -11,21 +11,21 @@ from pyjoystick.forced_motion import ForwardAndReturn, Samples, TorqueMeasures, 
 from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW, JoystickParameters, LawName, law_name
 from pyjoystick.reports.claims.claim import Finding, Workbench, claim, verdict
 
-#: In place of the motion of Fig. 14, whose numbers are not printed. So quick a stroke fits section 5 best: in
-#: a slower one the inertia torque is small beside that of the springs.
+#: Substitute for the motion of Fig. 14, whose numbers are not printed. A quick stroke fits section 5 best:
+#: in a slower one, the inertia torque is small compared with that of the springs.
 MOTION: Final = ForwardAndReturn(amplitude=math.radians(18.0), rise=0.12, rest=0.3)
 
 
 @dataclass(frozen=True, slots=True)
 class Section5:
-    """What section 5 says of the torque, for one motion.
+    """Ratios for the statements of section 5 on the torque of one motion.
 
     Attributes:
-        inertia_to_stiffness: peak of the inertia torque over that of M_s - m*g*h*sin(theta); the paper:
+        inertia_to_stiffness: peak of the inertia torque over that of M_s - m*g*h*sin(theta); in the paper,
             comparable in size
-        damping_to_total: peak of the damping torque over that of the torque, by damping law; roughly 10 %
+        damping_to_total: peak of the damping torque over that of the total, by damping law; roughly 10 %
         damping_ratio: peak of the damping torque with eq. (11) over that with constant C; roughly double
-        loss_ratio: the same of the energy that the damping takes
+        loss_ratio: the same ratio of the energies that the damping dissipates
     """
 
     inertia_to_stiffness: float
@@ -39,11 +39,11 @@ def section_5(
     *,
     power_law: JoystickParameters = NOMINAL_POWER_LAW,
 ) -> Section5:
-    """The numbers of a motion, by plain Python.
+    """Compute the ratios of a motion in plain Python.
 
     Args:
         motion: in closed form or sampled
-        power_law: the joystick with eq. (11), beside the paper's with constant damping
+        power_law: the joystick with eq. (11), compared with the paper's with constant damping
     """
     found = measures_of(motion, NOMINAL, power_law)
     first, second = found["constant"], found["power-law"]
@@ -58,7 +58,7 @@ def section_5(
 def measures_of(
     motion: ForwardAndReturn | Samples, *joysticks: JoystickParameters
 ) -> dict[LawName, TorqueMeasures]:
-    """The torque of one motion in numbers, for joysticks of different damping laws."""
+    """Statistics of the torque of one motion, for joysticks of different damping laws."""
     found = {}
     for joystick in joysticks:
         samples = Samples.of(joystick, motion) if isinstance(motion, ForwardAndReturn) else motion
@@ -82,7 +82,7 @@ def inertia_and_stiffness(_: Workbench) -> Finding:
 
 @claim("5, 6, Fig. 15b", "the damping torque is about 10 % of the total")
 def damping_part(_: Workbench) -> Finding:
-    """Peaks of the damping torque over those of the total."""
+    """Peaks of the damping torque relative to those of the total."""
     parts = [100.0 * part for part in section_5().damping_to_total.values()]
     here = f"{parts[0]:.0f} % with C = 0.045, {parts[1]:.0f} % with eq. (11)"
     near = [5.0 <= part <= 15.0 for part in parts]
@@ -91,7 +91,7 @@ def damping_part(_: Workbench) -> Finding:
 
 @claim("5, Fig. 15b", "eq. (11) gives about twice the damping torque of C = 0.045")
 def damping_laws(_: Workbench) -> Finding:
-    """The ratio with the printed exponent, and with the sign that section 3.3 leads one to expect."""
+    """Ratio with the printed exponent, and with the sign that section 3.3 suggests."""
     printed = section_5().damping_ratio
     opposite = NOMINAL_POWER_LAW.replace({"damping.n_pos": -NOMINAL_POWER_LAW.to_names()["damping.n_pos"]})
     falling = section_5(power_law=opposite).damping_ratio

@@ -1,4 +1,4 @@
-"""The fit that the values of a joystick come from, for the documentation page of its FMUs."""
+"""The fit behind a joystick's values, for the documentation page of its FMUs."""
 
 from __future__ import annotations
 
@@ -12,19 +12,19 @@ from typing import Any, Final
 from pyjoystick.model import FmuValue
 from pyjoystick.support import InputFileError, TextTable
 
-#: The file of a joystick has fitted values to a hundredth of their standard error or uncertainty.
+#: Parameter files give fitted values to a hundredth of their standard error or uncertainty.
 _SAME: Final = 0.1
 
 
 def fit_page(path: str | PathLike[str], values: Sequence[FmuValue]) -> str:
-    """What a fit was made of and found, as HTML.
+    """Records and results of a fit, as HTML.
 
     Args:
         path: ``fit.json`` of the fit
-        values: the parameters of the joystick that came of it
+        values: parameters of the resulting joystick
 
     Raises:
-        InputFileError: the file is no such file, or that of another joystick
+        InputFileError: the file is not a ``fit.json``, or is that of another joystick
     """
     path = Path(path)
     try:
@@ -39,7 +39,7 @@ def fit_page(path: str | PathLike[str], values: Sequence[FmuValue]) -> str:
 
 
 def _require_same(path: Path, fitted: list[dict[str, Any]], values: Mapping[str, FmuValue]) -> None:
-    """Refuse a fit that found other values."""
+    """Reject a fit that found other values."""
     for one in fitted:
         found = values.get(one["name"])
         if found is None:
@@ -51,7 +51,7 @@ def _require_same(path: Path, fitted: list[dict[str, Any]], values: Mapping[str,
 
 
 def _number(value: float | None, form: str, otherwise: str) -> str:
-    """A number; what is infinite or not determined is null in JSON."""
+    """Convert to a number; null in JSON means infinite or not determined."""
     return otherwise if value is None else format(value, form)
 
 

@@ -1,4 +1,4 @@
-"""The FMUs of one joystick, whose start values are its own."""
+"""FMUs of one joystick, with its parameters as start values."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class FmuExportError(PyJoystickError):
 
     Attributes:
         name: the FMU
-        reason: why not, and what helps
+        reason: why, and how to correct it
     """
 
     name: str
@@ -36,9 +36,9 @@ class FmuExportError(PyJoystickError):
 
 
 def default_name(file: ParameterFile) -> str:
-    """The name of a joystick's FMUs, made from that of its parameter file: ``left_stick.toml`` is LeftStick.
+    """Name of a joystick's FMUs, from its parameter file: ``left_stick.toml`` gives LeftStick.
 
-    One that the project's own FMUs have gets "My" in front, as does one that does not begin with a letter.
+    Names of the project's own FMUs, and names that do not begin with a letter, are prefixed with "My".
     """
     words = "".join(c if c.isascii() and c.isalnum() else " " for c in file.path.stem).split()
     name = "".join(word[0].upper() + word[1:] for word in words)
@@ -57,28 +57,28 @@ def export_fmus(
     fit: str | PathLike[str] | None = None,
     on_stage: Callable[[str], None] = lambda stage: None,
 ) -> list[Path]:
-    """Build FMUs that are this joystick: an importer that sets nothing gets its motion.
+    """Build FMUs with the joystick's parameters as start values.
 
-    The values of the file are the start values in modelDescription.xml and in the binary. The FMU has a page,
-    a default experiment, reference results and a figure of its own.
+    These are the start values in modelDescription.xml and in the binary. Each FMU has its own documentation
+    page, default experiment, reference results and figure.
 
     Args:
         file: the joystick
-        folder: receives ``<name>.fmu`` and ``<name>Inverse.fmu``; made where it is missing
-        name: of the FMUs; that of the file by default, see `default_name`
-        law: damping law; that which the file chooses by default
+        folder: receives ``<name>.fmu`` and ``<name>Inverse.fmu``; created if missing
+        name: name of the FMUs; by default from the file, see `default_name`
+        law: damping law; by default that of the file
         directions: ``forward`` from torque to motion, ``inverse`` from motion to torque
         fmi_version: "2.0" or "3.0"
-        platforms: as for `fmu_build.build_fmu`: this machine's by default, ``("all",)`` for all
+        platforms: as in `fmu_build.build_fmu`: by default this machine's, ``("all",)`` for all
         fit: ``fit.json`` of the fit that the values come from, for the page
-        on_stage: called with what is being done
+        on_stage: called with a description of the current stage
 
     Returns:
         the FMUs, in the order of the directions
 
     Raises:
         ParameterError: the name cannot be that of an FMU
-        SettingsError: the file has no numbers of that law
+        SettingsError: the file has no parameters of that law
         InputFileError: the fit cannot be read, or is that of another joystick
         FmuExportError: there is no compiler, or it failed
     """
@@ -113,10 +113,11 @@ def export_fmus(
 
 
 def _default_inputs(joystick: JoystickParameters, direction: Direction) -> str:
-    """The inputs of the default experiment as fmu_build reads them: each row holds until the next one.
+    """Inputs of the default experiment for fmu_build; values are constant from each row to the next.
 
-    Forward: from rest, for 0.2 s the torque that holds the joystick at -10 degrees, then none. Inverse: from
-    position to position at rest, then velocities, then accelerations.
+    Forward: from rest, 0.2 s of the torque that holds the joystick at -10 degrees, then none. Inverse:
+        several
+    positions at rest, then velocities, then accelerations.
     """
     if direction == "forward":
         torque = float(inverse_torque(joystick, -_PUSH, 0.0, 0.0).T)

@@ -1,4 +1,4 @@
-"""A joystick as a Modelica class that extends one of the library's with its own values."""
+"""A joystick as a Modelica class that extends one of the library's with other parameter values."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from pyjoystick.support import ParameterError, TextTable, version_of
 
 Direction = Literal["forward", "inverse"]
 
-#: The library's class from torque to motion by what the joystick has; each has constant damping, and a
-#: counterpart with eq. (11) whose name ends with PowerLaw.
+#: The library's classes from torque to motion, by parts of the joystick; each has constant damping, and a
+#: counterpart with eq. (11) whose name ends in PowerLaw.
 _BASES: Final = {
     "stops": "Operator.MountedJoystick",
     "friction": "Joystick.JoystickFriction",
@@ -21,7 +21,7 @@ _BASES: Final = {
 }
 #: From motion to torque: dry friction is a parameter, and motions end at the stops.
 _INVERSE: Final = "Joystick.JoystickInverse"
-#: Names of all of them.
+#: Names of all these classes.
 BASE_NAMES: Final = frozenset(
     base.rpartition(".")[2] + law for base in (*_BASES.values(), _INVERSE) for law in ("", "PowerLaw")
 )
@@ -33,7 +33,7 @@ _NAME: Final = re.compile(r"[A-Z]\w*", re.ASCII)
 
 
 def check_name(name: str) -> str:
-    """Return the name if a Modelica class, an FMU and a C library can all have it; raise `ParameterError`."""
+    """Return the name if it is valid for a Modelica class, an FMU and a C library; raise `ParameterError`."""
     if not _NAME.fullmatch(name) or name == "PreloadedSprings":
         raise ParameterError("name", name, "letters, digits and underscores, a capital letter first")
     return name
@@ -48,18 +48,18 @@ def modelica_class(
     title: str = "",
     more: str = "",
 ) -> str:
-    """Return a Modelica class that is this joystick.
+    """Make a Modelica class for this joystick.
 
-    Every value is written, to the last bit, also those that equal the library's: compilers differ in how they
-    merge modifiers of nested components.
+    All values are written in full precision, including those that equal the library's, because compilers
+    differ in how they merge modifiers of nested components.
 
     Args:
-        name: of the class
-        values: all parameters with that damping law
+        name: name of the class
+        values: all parameters for that damping law
         direction: from torque to motion, or from motion to torque
         law: the damping law
-        title: what the joystick is called; may be empty
-        more: HTML that the documentation ends with
+        title: title of the joystick; may be empty
+        more: HTML to append to the documentation
 
     Raises:
         ParameterError: the name cannot be that of a class
@@ -81,14 +81,14 @@ def modelica_class(
 
 
 def base_class(values: Sequence[FmuValue], direction: Direction, law: LawName) -> str:
-    """The class of the library ``PreloadedSprings`` that is extended, such as ``Joystick.Joystick``."""
+    """The class of the library ``PreloadedSprings`` to extend, such as ``Joystick.Joystick``."""
     parts = {v.name.partition(".")[0] for v in values}
     forward = next(base for part, base in _BASES.items() if not part or part in parts)
     return (_INVERSE if direction == "inverse" else forward) + ("PowerLaw" if law == "power-law" else "")
 
 
 def _modifiers(values: Mapping[tuple[str, ...], str], indent: str) -> str:
-    """Nested modifiers, one value or component a line."""
+    """Nested modifiers, one value or component per line."""
     nested: dict[str, dict[tuple[str, ...], str]] = {}
     lines = []
     for path, text in values.items():
@@ -102,7 +102,7 @@ def _modifiers(values: Mapping[tuple[str, ...], str], indent: str) -> str:
 
 
 def _page(title: str, values: Sequence[FmuValue], more: str) -> str:
-    """The documentation: every value with its uncertainty and its source."""
+    """The documentation: all values with uncertainties and sources."""
     rows = [
         [
             v.name,

@@ -1,4 +1,4 @@
-"""A joystick's FMU as a system for SSP tools, with values and their uncertainties in a file of their own."""
+"""A joystick's FMU as a system for SSP tools, with values and uncertainties in a separate file."""
 
 from __future__ import annotations
 
@@ -8,27 +8,27 @@ from pathlib import Path
 from pyjoystick.model import LawName, ParameterFile, fmu_values
 from pyjoystick.runs import Component, CoupledSystem, ParameterNote, write_ssp
 
-#: End of the experiment that it proposes (s).
+#: End of the proposed experiment (s).
 _STOP = 1.5
 
 
 def export_ssp(
     file: ParameterFile, fmu: str | PathLike[str], path: str | PathLike[str], *, law: LawName | None = None
 ) -> None:
-    """Write an SSP archive of one component, the joystick.
+    """Write an SSP archive with the joystick as its only component.
 
-    Its values are in ``resources/<name>.ssv``, each with its unit, and with its standard uncertainty and its
+    The values are in ``resources/<name>.ssv``, each with its unit, and with its standard uncertainty and its
     source as description and as annotation.
 
     Args:
         file: the joystick
-        fmu: its FMU, which the component is called after
+        fmu: its FMU, which gives the component its name
         path: the .ssp file
-        law: damping law of the FMU; that which the file chooses by default
+        law: damping law of the FMU; by default that of the file
 
     Raises:
-        SettingsError: the file has no numbers of that law
-        FmuNotFoundError, FmuFileError, UnknownParameterError: the FMU is none of this joystick
+        SettingsError: the file has no parameters of that law
+        FmuNotFoundError, FmuFileError, UnknownParameterError: the FMU is not one of this joystick
         OutputFileError: the file cannot be written
     """
     name, values = Path(fmu).stem, fmu_values(file, law)

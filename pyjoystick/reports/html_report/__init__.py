@@ -1,1 +1,1 @@
-"""A report on a joystick as one page of HTML that can be sent on: figures, tables, parameters, versions."""
+"""A report on a joystick as a self-contained HTML page: figures, tables, parameters, versions."""

@@ -1,4 +1,4 @@
-"""Figures of what was measured: records with bands in which samples should lie, residuals, a swing test."""
+"""Figures of measurements: records with prediction bands, residuals, a swing test."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from pyjoystick.identification import FitDocument, FittedSeries
 from pyjoystick.motion import Record
 from pyjoystick.support import BAND, FITTED, MEASURED, FloatArray, dress, legend_above
 
-#: Characters that a legend has room for side by side.
+#: Characters that fit into a legend with several columns.
 _LEGEND_WIDTH: Final = 84
-#: Angles are drawn in degrees.
+#: Angles are plotted in degrees.
 _SHOWN: Final = {
     "theta": (math.degrees(1.0), "Angle (deg)"),
     "omega": (math.degrees(1.0), "Velocity (deg/s)"),
@@ -22,13 +22,13 @@ _SHOWN: Final = {
 
 
 def band(one: FittedSeries, quantile: float) -> FloatArray:
-    """Half-width of the band in which a sample lies: noise, and what is unknown of the motion; shape (n,)."""
+    """Half-width of the prediction band of samples, from noise and uncertainty of the motion, shape (n,)."""
     errors = np.zeros_like(one.data) if one.errors is None else one.errors
     return np.asarray(quantile * np.hypot(one.sigma, errors))
 
 
 def plot_record(one: FittedSeries, fit: FitDocument) -> Figure:
-    """A record as dots, the fitted motion as a line, and below it the residuals within their band."""
+    """Plot a record as dots, the fitted motion as a line and, below, the residuals within their band."""
     figure = Figure(figsize=(7.0, 3.4), layout="constrained")
     motion, rest = figure.subplots(2, 1, sharex=True, height_ratios=[2, 1])
     factor, name = _SHOWN.get(one.label, (1.0, one.label))
@@ -50,7 +50,7 @@ def plot_record(one: FittedSeries, fit: FitDocument) -> Figure:
 
 
 def plot_residual_distribution(fit: FitDocument) -> Figure:
-    """Residuals in standard deviations of the noise: over the fitted number, and how often each size is."""
+    """Plot residuals in standard deviations of the noise, over the fitted number and as a histogram."""
     figure = Figure(figsize=(7.0, 3.2), layout="constrained")
     over, histogram = figure.subplots(1, 2, sharey=True, width_ratios=[2.0, 1.0])
     scaled = np.concatenate([one.residuals / one.sigma for one in fit.series])
@@ -73,7 +73,7 @@ def plot_residual_distribution(fit: FitDocument) -> Figure:
 
 
 def plot_swing(record: Record) -> Figure:
-    """A swing test as recorded."""
+    """Plot a swing test as recorded."""
     figure = Figure(figsize=(7.0, 2.8), layout="constrained")
     axes = figure.subplots()
     axes.plot(record.time, np.degrees(record.theta), ".", color=MEASURED, markersize=2.5)

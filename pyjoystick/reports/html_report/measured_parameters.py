@@ -1,4 +1,4 @@
-"""The parameters of a measured joystick: to the digits that are known, and where each is from."""
+"""Parameters of a measured joystick, to their significant digits and with their sources."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from pyjoystick.reports.html_report.measurements import Measurements
 from pyjoystick.reports.html_report.page import Section, paragraph
 from pyjoystick.support import TextTable
 
-#: Factor and name of the units that are shown in place of those of the FMU.
+#: Factors and names of units displayed instead of those of the FMU.
 _SHOWN: Final = {"m": (1e3, "mm"), "rad": (math.degrees(1.0), "deg")}
 _NAMES: Final = {
     "J": "moment of inertia about the pivot, J",
@@ -30,7 +30,7 @@ _HEADER: Final = ("", "value", "standard uncertainty", "unit", "from")
 
 
 def parameter_section(found: Measurements) -> Section:
-    """All numbers of the joystick, to the digits that are known, and where each is from."""
+    """All parameters of the joystick, to their significant digits and with their sources."""
     values = [_row(found, one) for one in fmu_values(found.file) if one.table not in SIDES]
     rows = [*values, *_handle_rows(found)]
     parts = [TextTable(_HEADER, rows).html("Body, geometry and damping.", texts=2)]
@@ -52,7 +52,7 @@ def _row(found: Measurements, one: FmuValue) -> list[str]:
 
 
 def _handle_rows(found: Measurements) -> Iterator[list[str]]:
-    """The length of the handle, which the motion does not depend on, but forces at its top do."""
+    """Length of the handle, which affects forces at its top but not the motion."""
     top = found.file.pivot_to_top
     if top is not None:
         value = with_uncertainty(top, found.file.uncertainties.get("geometry.pivot_to_top"), 1e3)
@@ -61,7 +61,7 @@ def _handle_rows(found: Measurements) -> Iterator[list[str]]:
 
 
 def _source(found: Measurements, one: FmuValue) -> str:
-    """Where a number of the body, the geometry or the damping is from."""
+    """Source of a number of the body, the geometry or the damping."""
     fitted = found.fit.shared() if found.fit is not None else {}
     if found.fit is not None and (one.name in fitted or one.name in found.fit.tied):
         records = ", ".join(found.fit.records)
@@ -78,7 +78,7 @@ def _source(found: Measurements, one: FmuValue) -> str:
 
 
 def is_rounded(value: float, estimate: Estimate) -> bool:
-    """Whether a value of the file is this estimate, which the file has to a hundredth of its uncertainty."""
+    """Whether a value of the file is this estimate, rounded to a hundredth of its uncertainty."""
     return abs(estimate.value - value) <= 0.02 * estimate.uncertainty
 
 
@@ -89,7 +89,7 @@ def _curve_source(found: Measurements, side: Side) -> str:
 
 
 def uncertainty_of(found: Measurements, one: FmuValue) -> float | None:
-    """Standard uncertainty of a value; None where none is stated."""
+    """Standard uncertainty of a value; None if not stated."""
     side = next((side for side in SIDES if side == one.table), None)
     if side is None:
         return one.uncertainty
@@ -115,7 +115,7 @@ def _spring_rows(found: Measurements, side: Side) -> Iterator[list[str]]:
 
 
 def _largest(found: Measurements, side: Side, place: str) -> float | None:
-    """The largest uncertainty of a spring by those of the curve, whose correlations are not known."""
+    """Upper bound for the uncertainty of a spring from those of the curve, whose correlations are unknown."""
     stated = {
         f"{key}[{i}]": found.file.uncertainties.get(f"{side}.{key}[{i}]") for key in "xk" for i in range(4)
     }
@@ -136,7 +136,7 @@ def _largest(found: Measurements, side: Side, place: str) -> float | None:
 
 
 def _place_value(place: str, x: np.ndarray, k: np.ndarray) -> float:
-    """The value that `FmuValue.place` describes."""
+    """Value at the place given by `FmuValue.place`."""
     stiffness, _, gap = place.partition("*")
     first, _, second = stiffness.strip("()").partition(" - ")
     columns = {"x": x, "k": k}

@@ -1,4 +1,4 @@
-"""The sections of a report that show what was measured, each a function of the measurements."""
+"""Sections of a report on measurements, each a function of the measurements."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _DEG: Final = math.degrees(1.0)
 
 
 def record_section(found: Measurements) -> Section:
-    """The records beside the model."""
+    """Records compared with the model."""
     fit = found.fit
     assert fit is not None
     level = f"{100.0 * fit.level:g} %"
@@ -81,7 +81,7 @@ def record_section(found: Measurements) -> Section:
 
 
 def fit_section(found: Measurements) -> Section:
-    """What was fitted, and whether it can be trusted."""
+    """Fitted parameters, and whether the fit can be trusted."""
     fit = found.fit
     assert fit is not None
     rows = []
@@ -117,7 +117,7 @@ def fit_section(found: Measurements) -> Section:
 
 
 def unidentified_section(found: Measurements) -> Section:
-    """What these measurements do not tell."""
+    """What these measurements do not determine."""
     sentences = list(found.fit.open) if found.fit is not None else []
     undetermined = [one.name for one in found.fit.values if not one.is_determined] if found.fit else []
     if undetermined:
@@ -127,7 +127,7 @@ def unidentified_section(found: Measurements) -> Section:
     unstated = [one.name for one in fmu_values(found.file) if uncertainty_of(found, one) is None]
     if unstated:
         names = ", ".join(unstated)
-        # A file's name is no word that a sentence could begin with.
+        # A file name cannot be capitalized at the start of a sentence.
         sentences.append(
             f"no uncertainty is stated in {found.file.path.name} for {names}: taken as exact here"
         )
@@ -148,7 +148,7 @@ def unidentified_section(found: Measurements) -> Section:
 
 
 def budget_section(found: Measurements) -> Section:
-    """What each quantity adds to the errors of J and C."""
+    """Contribution of each quantity to the errors of J and C."""
     budget = found.budget
     assert budget is not None
 
@@ -174,7 +174,7 @@ def budget_section(found: Measurements) -> Section:
 
 
 def curve_section(found: Measurements) -> Section:
-    """The load-deflection curves as measured."""
+    """Measured load-deflection curves."""
     parts = []
     for side, curve in found.curves.items():
         source = found.curve_sources[side]
@@ -188,7 +188,7 @@ def curve_section(found: Measurements) -> Section:
 
 
 def swing_section(found: Measurements) -> Section:
-    """The swing test as recorded, and its moment of inertia beside the one of the joystick."""
+    """The recorded swing test, and its moment of inertia compared with that of the joystick."""
     swing = found.swing
     assert swing is not None
     rows = [
@@ -215,7 +215,7 @@ def swing_section(found: Measurements) -> Section:
 
 
 def _beside_the_joystick(found: Measurements, swing: SwingTest) -> str:
-    """The moment of inertia of the swing beside that of the joystick."""
+    """Compare the moment of inertia from the swing with that of the joystick."""
     joystick = Measured(found.file.joystick.J, found.file.uncertainties.get("body.J", 0.0))
     if is_rounded(joystick.value, swing.inertia):
         return "It is the J of this report."
@@ -227,7 +227,7 @@ def _beside_the_joystick(found: Measurements, swing: SwingTest) -> str:
     )
 
 
-#: Section by name, and what it needs.
+#: Sections by name, and what they require.
 SECTIONS: Final[Mapping[str, tuple[Callable[[Measurements], Section], Callable[[Measurements], bool]]]] = {
     "parameters": (parameter_section, lambda found: True),
     "records": (record_section, lambda found: found.fit is not None and bool(found.fit.series)),

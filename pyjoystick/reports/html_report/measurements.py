@@ -1,4 +1,4 @@
-"""What the joystick of a report was measured by, read from the files and checked against its parameters."""
+"""Measurements behind a report's joystick, read from files and checked against its parameters."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ from pyjoystick.model import SIDES, ActuatorAssembly, JoystickParameters, Parame
 from pyjoystick.motion import Record, read_record
 from pyjoystick.support import InputFileError, ParameterError
 
-#: Numbers that differ by less than this part are the same; files round.
+#: Numbers with a smaller relative difference are the same, because files are rounded.
 _ROUNDING = 1e-5
 
 
@@ -44,9 +44,9 @@ class SwingTest:
 
     Attributes:
         source: the file
-        record: the angle over time
-        period: of small undamped swings
-        inertia: the moment of inertia that follows, with m, h and g of the joystick (kg m2)
+        record: angle over time
+        period: period of small undamped swings
+        inertia: resulting moment of inertia, with m, h and g of the joystick (kg m2)
     """
 
     source: str
@@ -57,7 +57,7 @@ class SwingTest:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Measurements:
-    """What was measured of a joystick; what is None or empty was not given.
+    """Measurements of a joystick; None or empty if not given.
 
     Attributes:
         file: its parameter file
@@ -67,7 +67,7 @@ class Measurements:
         swing: the swing test
         parts: mass, center of mass and moment of inertia from the parts
         parts_source: their file
-        budget: what each quantity adds to the errors
+        budget: contribution of each quantity to the errors
     """
 
     file: ParameterFile
@@ -81,7 +81,7 @@ class Measurements:
 
     @property
     def is_empty(self) -> bool:
-        """Nothing was given."""
+        """Whether nothing was given."""
         return not (self.fit or self.curves or self.swing or self.parts or self.budget)
 
 
@@ -95,20 +95,20 @@ def read_measurements(
     budget: Path | None = None,
     curve_fits: Mapping[Side, LoadCurveFit] | None = None,
 ) -> Measurements:
-    """Read the files of the measurements that a parameter file came from.
+    """Read the files of the measurements from which a parameter file was made.
 
     Args:
         file: the parameters of the joystick
-        fit: the ``fit.json`` of ``pyjoystick fit``, which has the records beside the fitted motion
+        fit: the ``fit.json`` of ``pyjoystick fit``, which has the records and the fitted motion
         curves: load-deflection curves by side
         swing: a recorded swing
         parts: the table of parts
         budget: the JSON file of ``pyjoystick budget``
-        curve_fits: fits of the curves, where they are not those of ``pyjoystick import load-curve``
+        curve_fits: fits of the curves, if not those of ``pyjoystick import load-curve``
 
     Raises:
         InputFileError: a file cannot be read, is of another kind, or gives other values than the parameter
-            file has
+            file
         RecordError, ParameterError: as the commands that import these files
     """
     found = Measurements(
@@ -134,10 +134,10 @@ def read_measurements(
 
 
 def found_contradictions(found: Measurements) -> list[Contradiction]:
-    """What was measured and comes out of the fit as another number."""
+    """Parameters whose fitted value contradicts their measurement."""
     fitted = found.fit.freely() if found.fit is not None else {}
     values = found.file.joystick.to_names()
-    # The file has the whole uncertainty where there is a budget, and never less than the noise.
+    # With a budget, the file has the total uncertainty, which is never less than the noise.
     whole = {
         name: Measured(values.get(name, one.value), max(one.uncertainty, _uncertainty(found.file, name)))
         for name, one in fitted.items()
@@ -162,8 +162,8 @@ def _measured(found: Measurements) -> Iterator[tuple[str, tuple[Measured, str]]]
 def moved_joysticks(found: Measurements, joystick: JoystickParameters) -> Iterator[JoystickParameters]:
     """The joystick with one quantity at a time moved by its standard uncertainty.
 
-    Those of a measured load-deflection curve move along the axes of their covariance; without the curve, each
-    kink and stiffness moves alone, which is more than it can where they are correlated.
+    For a measured load-deflection curve, along the axes of its covariance; without the curve, each
+    kink and stiffness is moved alone, which overestimates the effect if they are correlated.
     """
     names = set(joystick.to_names())
     for one in fmu_values(found.file):
@@ -186,7 +186,7 @@ def _with_moved(joystick: JoystickParameters, name: str, value: float, move: flo
 
 
 def _moved(make: Callable[[float], JoystickParameters], error: float) -> Iterator[JoystickParameters]:
-    """A joystick moved by an error, up or, where there is no such joystick, down; none if neither is one."""
+    """A joystick moved by an error, up or, if impossible, down; none if both are impossible."""
     for by in (error, -error):
         try:
             yield make(by)
@@ -204,7 +204,7 @@ def _with_moved_curve(
     return replace(joystick, forward=actuator) if side == "forward" else replace(joystick, backward=actuator)
 
 
-#: Name, value in the file, value measured, and by how much they may differ.
+#: Name, value in the file, measured value, and allowed difference.
 _Pairs = Iterator[tuple[str, float, float, float]]
 
 
@@ -226,7 +226,7 @@ def _curve_values(file: ParameterFile, side: Side, curve: LoadCurveFit) -> _Pair
 
 
 def _fit_values(file: ParameterFile, fit: FitDocument) -> _Pairs:
-    """What was fitted, within its uncertainty; what was taken as known, as it is."""
+    """Fitted values, within their uncertainties, and known ones, exactly."""
     written = file.joystick.to_names()
     for name, one in fit.shared().items():
         if name in written and math.isfinite(one.error):

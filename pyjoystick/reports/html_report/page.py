@@ -1,4 +1,4 @@
-"""A page of HTML that stands alone: figures and style are inside, nothing is fetched."""
+"""Self-contained HTML pages: figures and style are included, nothing is fetched."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from pyjoystick.support import figure_as_html
 
 @dataclass(frozen=True, slots=True)
 class Section:
-    """A part of the page.
+    """A section of the page.
 
     Attributes:
         title: its heading, text
-        parts: pieces of HTML, as the functions of this module make them
+        parts: pieces of HTML, made by the functions of this module
     """
 
     title: str
@@ -32,12 +32,12 @@ def paragraph(text: str) -> str:
 
 
 def figure(content: Figure, caption: str, *, alt: str) -> str:
-    """A figure as vector graphics inside the page.
+    """A figure as inline vector graphics.
 
     Args:
-        content: the figure; dots that do not show are taken out of it
-        caption: stands below it
-        alt: what it shows, for those who cannot see it
+        content: the figure; invisible dots are removed from it
+        caption: caption below the figure
+        alt: description for those who cannot see it
     """
     thin_dots(content)
     return f"<figure>{figure_as_html(content, alt=alt)}\n<figcaption>{escape(caption)}</figcaption></figure>"

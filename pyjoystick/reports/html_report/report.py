@@ -1,4 +1,4 @@
-"""The whole report: its sections in order, the claims where it is about the paper's joystick, versions."""
+"""The whole report: its sections in order, claims if it is about the paper's joystick, versions."""
 
 from __future__ import annotations
 
@@ -26,19 +26,19 @@ def joystick_report(
     live: str = "",
     on_section: Callable[[str], None] = lambda name: None,
 ) -> str:
-    """The report as HTML in one piece: no file beside it, nothing from the network.
+    """The report as one self-contained HTML text.
 
     Args:
         study: the joystick and its free oscillation
-        measurements: what it was measured by, from `read_measurements`; where not given, everything on the
-            page is computed from the parameters, and the page says so
-        title: of the page; one is made where it is empty
-        live: address of the joystick's live page (`joystick_page`), which the introduction links to
+        measurements: its measurements, from `read_measurements`; if None, everything on the page is computed
+            from the parameters, as the page states
+        title: title of the page; generated if empty
+        live: address of the joystick's live page (`joystick_page`), linked in the introduction
         on_section: called with the name of each section before it is made
 
     Raises:
         FmuRunError, SimulationError: the free oscillation fails
-        ParameterError: the release is no angle below pi/2, or the measurements are of another joystick
+        ParameterError: the release is not an angle below pi/2, or the measurements are of another joystick
     """
     if measurements is not None and study.joystick != measurements.file.joystick:
         if not measurements.is_empty:
@@ -77,7 +77,7 @@ def joystick_report(
 
 
 def _measured(found: Measurements) -> dict[str, Callable[[], Section]]:
-    """The sections for which there are measurements; none where the file states no uncertainty either."""
+    """Sections on measurements; empty if there are neither measurements nor stated uncertainties."""
     if found.is_empty and not found.file.uncertainties:
         return {}
     return {name: partial(make, found) for name, (make, has) in MEASURED_SECTIONS.items() if has(found)}

@@ -51,7 +51,7 @@ _STROKES: Final = (0.12, 0.3, 0.5)  # s
 
 
 def parameter_section(study: Study) -> Section:
-    """All numbers of the joystick."""
+    """All parameters of the joystick."""
     joystick = study.joystick
     return Section(
         "Parameters",
@@ -111,7 +111,7 @@ def oscillation_section(study: Study) -> Section:
 
 
 def period_section(study: Study) -> Section:
-    """Undamped periods over amplitudes, beside those of the free oscillation."""
+    """Undamped periods over amplitudes, compared with those of the free oscillation."""
     side = math.copysign(1.0, study.release_angle)
     numbers = _periods(study.joystick, side * np.radians(_SHOWN))
 
@@ -207,7 +207,7 @@ def damping_section(study: Study) -> Section:
 
 
 def torque_section(study: Study) -> Section:
-    """The torque of a motion forward and back, and how it depends on the time of a stroke."""
+    """The torque of a stroke and its return, and its dependence on the stroke time."""
     joystick, pivot_to_handle = study.joystick, study.pivot_to_top or PIVOT_TO_TOP
     rows = []
     for rise in _STROKES:
@@ -271,7 +271,7 @@ def _peak_table(study: Study) -> FloatArray:
 
 
 def _energy_table(study: Study) -> FloatArray:
-    """Time (s), angle (rad), energy (J) and what the swing before lost (J) by peak, shape (peaks, 4)."""
+    """Time (s), angle (rad), energy (J) and loss of the swing before (J) by peak, shape (peaks, 4)."""
     times, angles, _ = _peak_table(study).T
     time = study.run.index.to_numpy(dtype=np.float64)
     energy = np.interp(times, time, study.run["E"].to_numpy(dtype=np.float64))
@@ -280,7 +280,7 @@ def _energy_table(study: Study) -> FloatArray:
 
 
 def _periods(joystick: JoystickParameters, releases: np.ndarray) -> pd.DataFrame:
-    """The table of those releases from which the joystick oscillates."""
+    """Table of the releases from which the joystick oscillates."""
     tables = []
     for release in releases:
         try:
@@ -291,7 +291,7 @@ def _periods(joystick: JoystickParameters, releases: np.ndarray) -> pd.DataFrame
 
 
 def _rows(content: pd.DataFrame, *columns: str) -> list[list[float]]:
-    """Some columns, row by row."""
+    """Some columns, by row."""
     found: list[list[float]] = content[list(columns)].to_numpy(dtype=np.float64).tolist()
     return found
 

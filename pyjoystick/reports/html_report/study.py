@@ -1,4 +1,4 @@
-"""What a report is about: a joystick, its free oscillation, and how well its numbers are known."""
+"""Subject of a report: a joystick, its free oscillation, and uncertainties of computed numbers."""
 
 from __future__ import annotations
 
@@ -21,15 +21,15 @@ _INTERVAL: Final = 0.5e-3
 
 @dataclass(frozen=True)
 class Study:
-    """A joystick, the FMU that runs it, and the release that the report shows.
+    """A joystick, its FMU, and the release that the report shows.
 
     Attributes:
         joystick: its parameters
         fmu: the FMU with its damping law, open
-        release_angle: angle of release from rest (rad)
-        pivot_to_top: pivot to the top of the handle (m), where it is known
-        moved: joysticks with one parameter moved by its standard uncertainty: for the digits of what is
-            computed
+        release_angle: angle of the release from rest (rad)
+        pivot_to_top: distance from the pivot to the top of the handle (m), if known
+        moved: joysticks with one parameter moved by its standard uncertainty, for the digits of computed
+            numbers
     """
 
     joystick: JoystickParameters
@@ -45,7 +45,7 @@ class Study:
 
     @cached_property
     def run(self) -> pd.DataFrame:
-        """The free oscillation, by the FMU."""
+        """The free oscillation, from the FMU."""
         return free_oscillation(
             self.release_angle, fmu=self.fmu, parameters=self.joystick, output_interval=_INTERVAL
         )
@@ -56,11 +56,11 @@ class Study:
         return find_peaks(self.run.index, self.run["theta"], self.run["omega"])
 
     def uncertainties(self, compute: Callable[[Study], FloatArray]) -> FloatArray | None:
-        """Standard uncertainties of computed numbers that follow from those of the parameters.
+        """Standard uncertainties of computed numbers, propagated from those of the parameters.
 
         Returns:
-            the root of the sum of squares over `moved`, in the shape of what `compute` returns; None where
-            there is none
+            the root of the sum of squares over `moved`, with the shape of the result of `compute`; None if
+            `moved` is empty
         """
         if not self.moved:
             return None
@@ -73,6 +73,6 @@ class Study:
 
     @cached_property
     def trajectory(self) -> Trajectory:
-        """The same oscillation by the reference, with its turning points."""
+        """The same oscillation from the reference, with its turning points."""
         time = np.linspace(0.0, DEFAULT_DURATION, round(DEFAULT_DURATION / _INTERVAL) + 1)
         return simulate(self.joystick, time=time, theta_start=self.release_angle)

@@ -1,4 +1,4 @@
-"""Dots that nobody sees: outside of the axes, or where another dot is already."""
+"""Removal of invisible dots: outside of the axes, or hidden by other dots."""
 
 from __future__ import annotations
 
@@ -9,21 +9,21 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-#: Of dots nearer than this (pt), a quarter of a dot, one is drawn.
+#: Of dots closer than this (pt), a quarter of a dot, only one is drawn.
 _NEAR: Final = 0.5
 _POINTS_PER_INCH: Final = 72.0
 
 
 def thin_dots(figure: Figure) -> None:
-    """Leave out dots that do not show, each of which costs a page 200 bytes; axes stay as they are.
+    """Remove invisible dots, each of which costs a page 200 bytes; axes are unchanged.
 
     Args:
-        figure: is changed; lines between dots stay whole
+        figure: modified in place; lines between dots are kept
     """
     dotted = [(line, axes) for axes in figure.axes for line in axes.lines if line.get_linestyle() == "None"]
     if not dotted:
         return
-    # Limits of the axes and their places are those of the whole data.
+    # Fix limits and positions of the axes for the whole data first.
     figure.draw_without_rendering()
     for line, axes in dotted:
         _thin(line, axes, figure.dpi / _POINTS_PER_INCH)

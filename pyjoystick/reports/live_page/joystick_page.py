@@ -1,4 +1,4 @@
-"""The page: what it shows of a joystick, and what it carries beside the FMU."""
+"""Contents of the live page for a joystick."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ if TYPE_CHECKING:
     from fmu_build.explore import Settings
 
 _ASSETS: Final = Path(__file__).with_name("assets")
-#: Of a record, of 18 bytes each: the largest page with one record stays below 250 kB.
+#: Largest number of samples of a record, at 18 bytes each: a page with one record stays below 250 kB.
 _MOST_SAMPLES: Final = 800
-#: A number that no file has.
+#: A number that no file contains.
 _MARK: Final = -12345.5
-#: Drawn where the parameter file does not say how long the handle is: in proportion to the paper's joystick.
+#: Handle length to draw if the parameter file has none, in proportion to the paper's joystick.
 _TOP_TO_CENTER: Final = model.PIVOT_TO_TOP / model.NOMINAL.h
 _STOP: Final = model.STOP_ANGLE
-#: Ends of sliders (SI units) where a fifth to five times the start value is not what a user wants to try.
+#: Ranges of sliders (SI units), if a fifth to five times the start value is not useful.
 _RANGES: Final = {
     "theta_start": (-_STOP, _STOP),
     "omega_start": (-10.0, 10.0),
@@ -41,7 +41,7 @@ _RANGES: Final = {
     "hand.K": (0.0, 100.0),
     "hand.D": (0.0, 3.0),
 }
-#: The same of what only the FMU with stops has.
+#: The same for parameters of the FMU with stops.
 _MOUNTED_RANGES: Final = {
     "stops.theta_stop": (0.0, 1.5 * _STOP),
     "stops.K": (100.0, 5000.0),
@@ -63,20 +63,20 @@ def joystick_page(
     records: Sequence[Record] = (),
     title: str = "",
 ) -> str:
-    """Return the page of a joystick as HTML.
+    """Make the page of a joystick as HTML.
 
     Args:
-        fmu: the FMU that `held_fmu` names, of FMI 2
-        file: the parameter file that it comes from; the page offers it with the values set there
-        joystick: the values that the page starts with
-        start: angle of release (rad)
+        fmu: the FMU named by `held_fmu`, of FMI 2
+        file: the parameter file, which the page can save with modified values
+        joystick: initial values of the page
+        start: release angle (rad)
         records: measured free oscillations, drawn over the simulated ones
-        title: heading; that of the file by default
+        title: heading; by default that of the file
 
     Raises:
         BuildError: the FMU cannot be used, see `fmu_build.explore.explore_page`
     """
-    from fmu_build.explore import Addition, explore_page  # takes long to load
+    from fmu_build.explore import Addition, explore_page  # slow to load
 
     places = _places(file, joystick)
     data = {
@@ -91,13 +91,13 @@ def joystick_page(
 
 
 def held_fmu(joystick: model.JoystickParameters) -> str:
-    """Name of the FMU that computes the motion of a joystick in a hand, with its damping law and stops."""
+    """Name of the FMU for a joystick in a hand, with its damping law and stops."""
     name = "MountedJoystick" if joystick.stops else "HeldJoystick"
     return name + ("" if isinstance(joystick.damping, model.ConstantDamping) else "PowerLaw")
 
 
 def page_settings(joystick: model.JoystickParameters, start: float, title: str) -> Settings:
-    """What the page shows of a joystick, released at an angle (rad)."""
+    """Settings of the page for a joystick released at an angle (rad)."""
     from fmu_build.explore import Preset, Settings
     from fmu_build.explore.ranges import Range
     from fmu_build.explore.settings import PlotChoice
@@ -136,10 +136,10 @@ def page_settings(joystick: model.JoystickParameters, start: float, title: str) 
 
 
 def _places(file: model.ParameterFile, joystick: model.JoystickParameters) -> Mapping[str, str]:
-    """FMU names by place in the parameter file, of the values that stand there as they are."""
+    """FMU names by place in the parameter file, for values that are stored unconverted."""
     values = model.fmu_values(file, model.law_name(joystick.damping))
     places = {f"{value.table}.{value.place}": value.name for value in values if value.place.isidentifier()}
-    # The page offers friction to every joystick.
+    # The page has friction for every joystick.
     return places | {name: name for name in model.FRICTION_NAMES}
 
 
@@ -148,7 +148,7 @@ def _editable_text(
 ) -> str:
     """The file with the joystick's values, in a form that the page can edit line by line.
 
-    TOML has others too (indented keys, inline tables, lists over several lines): of such a file the page gets
+    If the TOML file is in another form (indented keys, inline tables, multi-line lists), the page gets
     the values as this package writes them, without its comments.
     """
     text = model.updated_text(file, joystick)
@@ -185,7 +185,7 @@ def _value(content: Any, place: str) -> Any:
 
 
 def _record(record: Record) -> dict[str, Any]:
-    """Time and angle from the release on, which may be late; of a long record every so many samples."""
+    """Time and angle from the release, which may be late; long records are thinned."""
     release = guess_release(record.time, record.theta)
     late = record.time >= release.time
     every = math.ceil(int(late.sum()) / _MOST_SAMPLES)

@@ -24,17 +24,17 @@ def explore(
     title: str = "",
     height: int = 900,
 ) -> JoystickWidget:
-    """A joystick live in the output of a notebook's cell: the page of ``pyjoystick explore``.
+    """Show a live joystick in the output of a notebook's cell: the page of ``pyjoystick explore``.
 
     Args:
-        joystick: the values that the page starts with; a parameter file gives title and handle too
-        release_angle: angle at the start (rad)
+        joystick: initial values of the page; a parameter file also gives title and handle
+        release_angle: initial angle (rad)
         records: measured free oscillations, drawn over the simulated ones
-        title: heading; that of the file by default
-        height: of the output (pixels)
+        title: heading; by default that of the file
+        height: height of the output (pixels)
 
     Returns:
-        a widget that shows the page; its traits ``values`` and ``results`` are what the page shows
+        a widget with the page; its traits ``values`` and ``results`` are those of the page
 
     Raises:
         MissingPackageError: anywidget is not installed
@@ -48,7 +48,7 @@ def explore(
         from pyjoystick.reports.live_page.widget import JoystickWidget
     except ImportError as error:
         raise MissingPackageError("pages in notebooks", "notebook") from error
-    from fmu_build.explore import page_model  # takes long to load
+    from fmu_build.explore import page_model  # slow to load
 
     file = joystick if isinstance(joystick, model.ParameterFile) else model.PAPER
     parameters = file.joystick if isinstance(joystick, model.ParameterFile) else joystick

@@ -1,4 +1,4 @@
-"""The page as a widget of a notebook. Needs anywidget, see `explore`."""
+"""The live page as a notebook widget. Requires anywidget, see `explore`."""
 
 from __future__ import annotations
 
@@ -19,18 +19,18 @@ _SCRIPT: Final = Path(__file__).with_name("assets") / "notebook.js"
 
 
 class JoystickWidget(anywidget.AnyWidget):
-    """A joystick live in the output of a cell; made by `explore`.
+    """A live joystick in the output of a cell; made by `explore`.
 
-    Each trait can be observed (``widget.observe(function, "results")``) and follows the page within a fifth
+    All traits can be observed (``widget.observe(function, "results")``) and follow the page within a fifth
     of a second.
 
     Attributes:
-        values: value (SI units) of each parameter, start value and input by FMU name, as the page shows it.
-            Assigning changes the page; names that are left out keep their values. Raises
-            `UnknownParameterError` for another name, `ParameterError` for what is no finite number.
-        results: the run that the page shows, as a table over time like those of `free_oscillation`, with the
+        values: value (SI units) of each parameter, start value and input by FMU name, as on the page.
+            Assigning changes the page; omitted names keep their values. Raises
+            `UnknownParameterError` for another name, `ParameterError` for anything but a finite number.
+        results: the run shown on the page, as a table over time like those of `free_oscillation`, with the
             variables of its plots; empty until the page is shown. Read-only.
-        message: what the page says of values that the model refuses or a run that failed; else empty.
+        message: the page's message about values that the model rejects or a failed run; else empty.
             Read-only.
     """
 
@@ -62,7 +62,7 @@ class JoystickWidget(anywidget.AnyWidget):
         """The joystick with the values of the page.
 
         Raises:
-            ParameterError: a value is none that a joystick can have
+            ParameterError: a value is impossible for a joystick
         """
         names = {*self._joystick.to_names(), *FRICTION_NAMES}
         return self._joystick.replace({name: self.values[name] for name in names})
