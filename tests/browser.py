@@ -95,7 +95,7 @@ class LivePage:
         """The page of a file, after its first run; with more options of a browser's context."""
         page = browser.new_page(**context) if context else tab(browser)
         page.set_viewport_size({"width": width, "height": 900})
-        page.set_default_timeout(10_000)
+        page.set_default_timeout(60_000)  # a busy machine takes its time
         live = cls(page, file, has_own_context=bool(context))
         page.on("console", live._said)
         page.on("pageerror", live._failed)
