@@ -1,4 +1,4 @@
-"""A sampled motion: tables of runs, measured records, extrema, peaks, periods, differences."""
+"""Sampled motions: tables of runs, measured records, extrema, peaks, periods, differences."""
 
 import lazy_loader
 

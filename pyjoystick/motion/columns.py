@@ -1,4 +1,4 @@
-"""Columns that a reader needs, matched with the headings of a table."""
+"""Columns that a reader needs, and their matching with the headings of a table."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from typing import Final
 from pyjoystick.motion.records.errors import RecordError
 from pyjoystick.motion.units import UNITS, plain_unit
 
-#: Quantities that `pyjoystick import record` finds under other headings.
+#: Quantities that `pyjoystick import record` also finds under other headings.
 _OF_RECORDS: Final = ("time", "theta", "omega", "T", "F")
 _BY_IMPORT: Final = ", as `pyjoystick import record` does"
 _HEADING: Final = re.compile(r"(?P<name>.*?)\s*[(\[](?P<unit>[^()\[\]]*)[)\]]\s*")
@@ -37,12 +37,12 @@ class Column:
     """A column that a reader needs.
 
     Attributes:
-        name: of the quantity, and its heading where no other is given; upper and lower case are the same
+        name: name of the quantity and of its default heading; case is ignored
         units: factors to SI units by unit, as in `UNITS`; only the empty unit for a column whose unit is not
-            known or that holds text
-        required: whether a file without it is refused
-        aliases: other headings that are understood, in this case only
-        default_unit: unit of a column whose heading has none; where empty, `units` must know the empty unit
+            known or that contains text
+        required: whether a file without it is rejected
+        aliases: alternative headings; case matters
+        default_unit: unit of a column whose heading has none; if empty, `units` must contain the empty unit
         advice: what to do about cells without a number
     """
 
@@ -54,13 +54,13 @@ class Column:
     advice: str = "delete the rows without a number"
 
 
-#: The time of a sample, in every table of samples.
+#: Time of a sample, in every table of samples.
 TIME: Final = Column("time", UNITS["time"], aliases=("t",))
 
 
 @dataclass(frozen=True, slots=True)
 class Match:
-    """A column that was found: what was wanted, its heading, its index from 0, its unit in the file."""
+    """A matched column: the requested column, its heading, its index from 0, its unit in the file."""
 
     column: Column
     heading: Heading
@@ -79,9 +79,9 @@ class TableHead:
 
     Attributes:
         path: the file
-        headings: one a column
-        delimiter: what separates the columns
-        line: line number of the headings, from 1; 0 where the file has no such line
+        headings: one per column
+        delimiter: separator of the columns
+        line: line number of the headings, from 1; 0 if the file has no such line
     """
 
     path: Path
@@ -100,15 +100,15 @@ class TableHead:
         headings: Mapping[str, str] | None = None,
         units: Mapping[str, str] | None = None,
     ) -> dict[str, Match]:
-        """Where columns are and in which unit, by name; optional ones that are missing are left out.
+        """Find columns and their units, by name; missing optional ones are omitted.
 
         Args:
-            columns: what is wanted
-            headings: headings by name of the column, with their units or without, where they are others
-            units: units by name of the column, where the headings have none or unknown ones
+            columns: the requested columns
+            headings: headings by name of the column, with or without units, if they differ
+            units: units by name of the column, if the headings have none or unknown ones
 
         Raises:
-            RecordError: a column is missing or there twice; it has no unit, an unknown one, or not the
+            RecordError: a column is missing or appears twice; it has no unit, an unknown one, or not the
                 one given; or a name in `headings` or `units` is not that of a column
         """
         wanted = {column.name: column for column in columns}
@@ -126,7 +126,7 @@ class TableHead:
         return found
 
     def _find(self, column: Column, wanted: str) -> Heading | None:
-        """The heading of a column; None where an optional one is missing and no heading is `wanted`."""
+        """Heading of a column; None for a missing optional one if no heading is `wanted`."""
         name = wanted or column.name
         found = [heading for heading in self.headings if heading.text == wanted] or self.named(name)
         if not (found or wanted):
@@ -148,7 +148,7 @@ class TableHead:
 
     def _unit(self, column: Column, heading: Heading, given: str) -> str:
         """The unit of a column as `Column.units` spells it."""
-        # The brackets of a variable such as x[1] are part of its name; a unit that a clock gives is not.
+        # The brackets of a variable such as x[1] belong to its name; those of a unit of time do not.
         written = "" if heading.text == column.name != heading.name else heading.unit
         unit, known = written or given or column.default_unit, ", ".join(column.units)
         value = None
@@ -177,7 +177,7 @@ class TableHead:
         raise RecordError(str(self.path), reason, advice, column=heading.text, rows=self._rows, value=value)
 
     def named(self, name: str) -> list[Heading]:
-        """The headings of this name or text: in this very case, or where none is, in any."""
+        """Headings with this name or text, matching case if possible."""
         exact = [heading for heading in self.headings if name in (heading.text, heading.name)]
         folded = name.casefold()
         return exact or [h for h in self.headings if folded in (h.text.casefold(), h.name.casefold())]

@@ -1,4 +1,4 @@
-"""How far two tables of the same experiment lie apart."""
+"""Differences between two tables of the same experiment."""
 
 from __future__ import annotations
 
@@ -22,11 +22,12 @@ class Difference:
     Attributes:
         variable: name of the column
         unit: its unit
-        largest: largest absolute difference, in that unit; NaN where one of the tables holds NaN
-        relative: the same in parts of the reference's largest magnitude over the run (0 where both are zero)
-        time: where it occurs (s)
-        limit: largest allowed difference, in the unit; None where there is none
-        parted_at: when the limit is first exceeded, or NaN is first met (s); None where it is kept
+        largest: largest absolute difference, in that unit; NaN if one of the tables contains NaN
+        relative: the same relative to the reference's largest magnitude over the run (0 if both are zero)
+        time: time at which it occurs (s)
+        limit: largest allowed difference, in the unit; None if there is none
+        parted_at: time at which the limit is first exceeded, or NaN first occurs (s); None if the limit is
+            kept
     """
 
     variable: str
@@ -39,23 +40,23 @@ class Difference:
 
     @property
     def within_limit(self) -> bool:
-        """False where the limit is exceeded or the difference is NaN."""
+        """Whether the limit, if any, is kept and the difference is not NaN."""
         return self.limit is None or self.largest <= self.limit
 
 
 def compare(
     table: pd.DataFrame, against: pd.DataFrame, *, limits: Mapping[str, float] | None = None
 ) -> list[Difference]:
-    """The largest difference of every variable that both tables have as numbers, in the order of the first.
+    """Largest difference of each numeric variable that both tables have, in the order of the first.
 
     Args:
         table: a run, indexed by time (s)
-        against: the reference at the same instants
+        against: the reference at the same times
         limits: largest allowed absolute difference by name of the variable, in its unit
 
     Raises:
-        SeriesError: the instants of the tables differ by more than rounding
-        UnknownVariableError: a limit is on a variable that the tables do not share
+        SeriesError: the times of the tables differ by more than rounding
+        UnknownVariableError: a limit is for a variable that the tables do not share
         ParameterError: a limit is not above zero, the units of a variable differ, or no variable is shared
     """
     limits = dict(limits or {})
@@ -80,12 +81,12 @@ def compare(
 
 
 def within_limits(differences: Sequence[Difference]) -> bool:
-    """Every limit is kept."""
+    """Whether every limit is kept."""
     return all(difference.within_limit for difference in differences)
 
 
 def _exact(column: pd.Series[Any]) -> NDArray[Any]:
-    """The numbers as floats; whole ones as Python's own, of which floats do not have all."""
+    """The numbers as floats, or as Python integers where floats would not be exact."""
     return column.to_numpy(dtype=object if is_integer_dtype(column.dtype) else np.float64)
 
 
@@ -95,7 +96,7 @@ def _difference(table: pd.DataFrame, against: pd.DataFrame, name: str, limit: fl
         raise ParameterError(f"unit of {name}", unit, other_unit)
     values, expected = _exact(table[name]), _exact(against[name])
     distance = np.abs(values - expected).astype(np.float64)
-    place = int(np.argmax(distance))  # the first NaN where there is one
+    place = int(np.argmax(distance))  # the first NaN if there is one
     largest = float(distance[place])
     magnitude = float(np.max(np.abs(expected)))
     relative = largest / magnitude if magnitude > 0.0 else (0.0 if largest == 0.0 else np.inf)

@@ -1,8 +1,8 @@
-"""Extrema of a sampled series, located between the samples: the numerics of `pyjoystick.motion.peaks`.
+"""Extrema of a sampled series, with interpolation: the numerics of `pyjoystick.motion.peaks`.
 
-Everything here is arithmetic on arrays that Numba can compile as it stands; the compiled loop over runs does
-so (`pyjoystick.fmu.stepping`). Both give the same numbers, bit for bit. An array of extrema has one row
-each, in order of time: time, value, sign (1 for a maximum, -1 for a minimum).
+Everything here is arithmetic on arrays that Numba can compile unchanged, as the compiled loop over runs does
+(`pyjoystick.fmu.stepping`); both give bitwise equal results. An array of extrema has one row each, in order
+of time: time, value, sign (1 for a maximum, -1 for a minimum).
 """
 
 from __future__ import annotations
@@ -19,16 +19,16 @@ _MOST_ITERATIONS = 100
 
 
 def extrema_of_derivative(time: FloatArray, value: FloatArray, slope: FloatArray) -> FloatArray:
-    """Extrema where the derivative changes its sign, at once or after a stretch of zeros.
+    """Find extrema at sign changes of the derivative, including those with a stretch of zeros in between.
 
     Args:
-        time: instants (s), shape (n,), increasing
+        time: times (s), shape (n,), increasing
         value: the series, shape (n,)
         slope: its derivative, shape (n,)
     """
     found = np.empty((len(slope), 3))
     count = 0
-    before = -1  # the last sample that moves
+    before = -1  # the last sample with a nonzero slope
     for i in range(len(slope)):
         if slope[i] == 0.0:
             continue
@@ -45,15 +45,15 @@ def extrema_of_derivative(time: FloatArray, value: FloatArray, slope: FloatArray
 
 
 def extrema_of_samples(time: FloatArray, value: FloatArray) -> FloatArray:
-    """Extrema of the samples, refined by a polynomial through their neighbors.
+    """Find extrema of the samples, refined by a polynomial through their neighbors.
 
     Args:
-        time: instants (s), shape (n,), n >= 3, increasing
+        time: times (s), shape (n,), n >= 3, increasing
         value: the series, shape (n,)
     """
     found = np.empty((len(value), 3))
     count = 0
-    first = 0  # of the equal samples that end before sample i
+    first = 0  # first of the equal samples that end before sample i
     for i in range(1, len(value)):
         if value[i] == value[i - 1]:
             continue
@@ -72,17 +72,17 @@ def extrema_of_samples(time: FloatArray, value: FloatArray) -> FloatArray:
 def peaks_among(
     extrema: FloatArray, first: float, last: float, minimum_height: float, minimum_prominence: float
 ) -> FloatArray:
-    """The maxima above and the minima below zero, without those that are too low or not prominent.
+    """Select maxima above and minima below zero that are high and prominent enough.
 
-    The most extreme value since the last turn is held until the series has come back by the prominence. The
-    ends of the series may be what it comes back to, but are not extrema themselves.
+    The most extreme value since the last turn is kept until the series has returned by the prominence. The
+    ends of the series count as returns, but are not extrema themselves.
 
     Args:
         extrema: as found above, shape (n, 3)
         first: first value of the series
         last: last value of the series
-        minimum_height: least |value| of a peak
-        minimum_prominence: how far the series must come back on either side of a peak
+        minimum_height: minimum |value| of a peak
+        minimum_prominence: minimum return of the series on either side of a peak
     """
     places = np.empty(len(extrema), dtype=np.int64)
     count = 0
@@ -109,7 +109,7 @@ def peaks_among(
 
 
 def _high_ones(extrema: FloatArray, places: NDArray[np.int64], minimum_height: float) -> FloatArray:
-    """The extrema at these places that are maxima above or minima below zero and high enough."""
+    """Those of these extrema that are maxima above or minima below zero and high enough."""
     kept = np.empty((len(places), 3))
     count = 0
     for place in places:
@@ -122,7 +122,7 @@ def _high_ones(extrema: FloatArray, places: NDArray[np.int64], minimum_height: f
 
 
 def _middle(time: FloatArray, value: FloatArray, first: int, last: int) -> tuple[float, float]:
-    """The middle of a flat stretch, with the value between the two samples around it."""
+    """Middle of a flat stretch, with the value between the two adjacent samples."""
     middle = 0.5 * (time[first] + time[last])
     right = first
     while time[right] < middle:
@@ -137,11 +137,11 @@ def _middle(time: FloatArray, value: FloatArray, first: int, last: int) -> tuple
 def _cubic_extremum(
     time: FloatArray, value: FloatArray, slope: FloatArray, i: int, sign: float
 ) -> tuple[float, float]:
-    """The extremum of the Hermite cubic between samples i and i+1, whose slopes differ in sign."""
+    """Extremum of the Hermite cubic between samples i and i+1, whose slopes differ in sign."""
     spacing = time[i + 1] - time[i]
     start, end = slope[i] * spacing, slope[i + 1] * spacing
     rise = value[i + 1] - value[i]
-    # The slope of the cubic is start + 2*b*s + 3*a*s^2 with s from 0 to 1; it has one zero in there.
+    # The slope of the cubic is start + 2*b*s + 3*a*s^2, s from 0 to 1, with a single zero in this range.
     a, b = start + end - 2.0 * rise, 3.0 * rise - 2.0 * start - end
     root = math.sqrt(b * b - 3.0 * a * start)
     s = -start / (b - sign * root)
@@ -151,10 +151,10 @@ def _cubic_extremum(
 def _polynomial_extremum(
     time: FloatArray, value: FloatArray, first: int, last: int, sign: float
 ) -> tuple[float, float]:
-    """The extremum of the quartic through five samples around the highest (or lowest) one.
+    """Extremum of the quartic through five samples around the highest (or lowest) one.
 
-    Where it has none between the neighboring samples the parabola through the three in the middle is taken,
-    which always has one.
+    If it has none between the adjacent samples, the parabola through the three middle samples is used, which
+    always has one.
     """
     count = min(_STENCIL, len(value))
     lowest = min(max(first - _STENCIL // 2, 0), len(value) - count)
@@ -190,11 +190,11 @@ def _interpolating_polynomial(x: FloatArray, y: FloatArray) -> FloatArray:
 
 
 def _turn_inside(c: FloatArray, low: float, high: float, sign: float) -> tuple[bool, float]:
-    """The extremum of a quartic between `low` and `high` that is nearest to 0."""
+    """Extremum of a quartic between `low` and `high` that is nearest to 0."""
     first, second = _zeros_of_quadratic(12.0 * c[4], 6.0 * c[3], 2.0 * c[2])
     found, nearest = False, 0.0
     left = low
-    # Between these places the slope of the quartic is monotonic.
+    # Between these points the slope of the quartic is monotonic.
     for right in (first, second, high):
         if left < right <= high:
             if _slope(c, left) * sign > 0.0 and _slope(c, right) * sign < 0.0:
@@ -211,7 +211,7 @@ def _slope(c: FloatArray, x: float) -> float:
 
 
 def _zeros_of_quadratic(a: float, b: float, c: float) -> tuple[float, float]:
-    """The real zeros of a*x^2 + b*x + c in order; infinite where there are fewer."""
+    """Real zeros of a*x^2 + b*x + c in order; infinite if there are fewer."""
     discriminant = b * b - 4.0 * a * c
     if discriminant < 0.0:
         return math.inf, math.inf
@@ -222,7 +222,7 @@ def _zeros_of_quadratic(a: float, b: float, c: float) -> tuple[float, float]:
 
 
 def _zero_of_slope(c: FloatArray, left: float, right: float) -> float:
-    """The zero between two places where the slope differs in sign: Newton's method, kept in by halving."""
+    """Zero of the slope between two points where it differs in sign, by Newton's method with bisection."""
     rises = _slope(c, right) > 0.0
     x = 0.5 * (left + right)
     for _ in range(_MOST_ITERATIONS):
@@ -243,7 +243,7 @@ def _zero_of_slope(c: FloatArray, left: float, right: float) -> float:
     return x
 
 
-#: What a compiler of these functions must know, each after those that it calls.
+#: Functions to compile, each after those that it calls.
 EXTREMA_FUNCTIONS = (
     _middle,
     _cubic_extremum,

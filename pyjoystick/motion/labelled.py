@@ -1,4 +1,4 @@
-"""Tables of runs as xarray's labelled arrays, with their units."""
+"""Conversion of tables of runs to xarray, with units."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ if TYPE_CHECKING:
 
 
 def to_xarray(table: pd.DataFrame) -> xarray.Dataset:
-    """A table of a run as an xarray Dataset over ``time``, each variable with ``units`` and ``long_name``.
+    """Convert the table of a run to an xarray Dataset over ``time``, with ``units`` and ``long_name``.
 
     Args:
-        table: indexed by time, such as `make_table` makes
+        table: indexed by time, such as from `make_table`
 
     Raises:
         MissingPackageError: xarray is not installed

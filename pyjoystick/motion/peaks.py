@@ -1,6 +1,6 @@
-"""Peaks of a sampled oscillation, located between the samples.
+"""Peaks of a sampled oscillation, with interpolation between samples.
 
-A peak is a maximum above zero or a minimum below zero, as eqs. (9)-(12) use them. The ends of a series are no
+A peak is a maximum above zero or a minimum below zero, as in eqs. (9)-(12). The ends of a series are not
 peaks: the release of a free oscillation is its start, not one of its peaks.
 """
 
@@ -22,33 +22,34 @@ def find_peaks(
     minimum_height: float = 0.0,
     minimum_prominence: float = 0.0,
 ) -> pd.DataFrame:
-    """Peaks of both signs.
+    """Find peaks of both signs.
 
-    With the derivative (omega for theta, alpha for omega) a peak is where the cubic that has the values and
-    derivatives of the two samples around it is extreme. For smooth series its error falls with the sample
-    spacing h as h^4 in value and h^3 in time. Without the derivative a quartic through five samples takes the
-    place of the cubic: h^5 and h^4. The velocity of the joystick peaks between kinks that lie closer together
-    than most samples do; there neither order holds and the time is good to about a sample.
+    With the derivative (omega for theta, alpha for omega), a peak is an extremum of the cubic that matches
+    the values and derivatives of two adjacent samples. For smooth series, its error decreases with the sample
+    spacing h as h^4 in value and h^3 in time. Without the derivative, a quartic through five samples replaces
+    the cubic: h^5 and h^4. The velocity of the joystick peaks between kinks that are closer together
+    than most samples; there neither order applies, and the time is accurate to about a sample.
 
     Three or more equal samples at the top (a clipped or resting signal) count as one peak in their middle.
-    Nothing is smoothed: in noise every ripple is a peak unless `minimum_prominence` is larger than its swing.
+    Nothing is smoothed: in noise, every ripple is a peak unless `minimum_prominence` is larger than its
+        swing.
 
     Args:
-        time: instants (s), shape (n,), strictly increasing
+        time: times (s), shape (n,), strictly increasing
         value: the series, shape (n,), n >= 3; rad for ``theta`` of a run, not degrees
-        derivative: its derivative with respect to time, shape (n,); rad/s for ``omega``
-        minimum_height: peaks with |value| below this are left out
-        minimum_prominence: a peak counts only if the series comes back by this much on either side before it
-            goes beyond the peak
+        derivative: its time derivative, shape (n,); rad/s for ``omega``
+        minimum_height: peaks with a smaller |value| are ignored
+        minimum_prominence: a peak counts only if the series returns by this much on either side before it
+            exceeds the peak
 
     Returns:
-        one row a peak in order of time, with the columns ``time`` (s), ``value`` (the unit of the series) and
-        ``sign`` (1 for a maximum, -1 for a minimum); empty where there is no peak. ``attrs["units"]`` names
+        one row per peak in order of time, with the columns ``time`` (s), ``value`` (the unit of the series)
+        and ``sign`` (1 for a maximum, -1 for a minimum); empty if there are no peaks. ``attrs["units"]`` has
         the unit of ``time`` and, for a column of a table that has units, of ``value``
 
     Raises:
-        SeriesError: a series is not one-dimensional, not of the length of the others, too short, holds NaN or
-            infinity, or the time does not increase
+        SeriesError: a series is not one-dimensional, not of the length of the others, too short, contains NaN
+            or infinity, or the time does not increase
         ParameterError: a limit is negative or not finite
     """
     instants, values = _series("time", time), _series("value", value)
@@ -69,16 +70,15 @@ def find_peaks(
 
 
 def periods(peaks: pd.DataFrame, *, release_time: float | None = None) -> pd.DataFrame:
-    """The period around each peak: the time from the peak before it, on the other side, to the peak after it.
+    """Period around each peak: time from the previous to the next peak, which are on the other side.
 
     Args:
-        peaks: alternating peaks as `find_peaks` gives them
-        release_time: instant (s) at which the oscillation was released from rest, which then stands for the
-            peak before the first one
+        peaks: alternating peaks, from `find_peaks`
+        release_time: time (s) of the release from rest, which then counts as the peak before the first one
 
     Returns:
-        one row a peak that has neighbors on both sides: ``time`` (s) and ``amplitude`` (magnitude of the
-        peak), ``period`` (s)
+        one row per peak that has neighbors on both sides: ``time`` (s), ``amplitude`` (magnitude of the
+        peak) and ``period`` (s)
     """
     times, values = peaks["time"].to_numpy(), np.abs(peaks["value"].to_numpy())
     if release_time is None:

@@ -1,4 +1,4 @@
-"""Peaks of displacement and velocity from a noisy record of few samples, with their standard errors."""
+"""Peaks of displacement and velocity from a noisy, coarsely sampled record, with standard errors."""
 
 from __future__ import annotations
 
@@ -18,29 +18,29 @@ from pyjoystick.motion.release_peaks import ReleasePeaks
 from pyjoystick.motion.spline import MotionSpline, fit_spline
 from pyjoystick.support import FloatArray, ParameterError, type_text
 
-#: A swing of fewer samples cannot determine its part of the spline.
+#: Minimum number of samples of a swing to determine its part of the spline.
 FEWEST_SAMPLES_IN_SWING: Final = 2.0
-#: A peak counts while it is this many of its standard errors high.
+#: A peak is significant while it is this many of its standard errors high.
 SIGNIFICANT: Final = 2.5
-#: No swing lasts longer than the one before it by more than this factor: the period falls with the amplitude.
+#: Largest ratio of successive swing durations; the period falls with the amplitude.
 _LONGER: Final = 1.5
-#: Swings are followed down to this many standard deviations of the noise.
+#: Swings are followed down to this many standard deviations of the noise
 _ABOVE_NOISE: Final = 4.0
-#: And, in a clean record, down to this part of the largest angle.
+#: and, in a clean record, down to this part of the largest angle.
 _SMALLEST: Final = 0.01
-#: Instants between two samples at which the spline is looked at; `find_peaks` refines between them.
+#: Number of points between two samples at which the spline is evaluated; `find_peaks` interpolates.
 _FINENESS: Final = 40
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class MeasuredPeaks(ReleasePeaks):
-    """The peaks of one record, on its own clock, and how sure they are.
+    """Peaks of one record, on its own clock, with standard errors.
 
-    The tables of peaks have two more columns, ``time_error`` and ``value_error``: standard errors from the
-    noise alone. What the method itself does to the peaks is in docs/damping-from-peaks.md.
+    The tables of peaks have two more columns, ``time_error`` and ``value_error``: standard errors due to
+    noise alone. The bias of the method is described in docs/damping-from-peaks.md.
 
     Attributes:
-        release_time_error: standard error of the instant of release (s)
+        release_time_error: standard error of the time of release (s)
         release_angle_error: standard error of the angle at the release (rad)
         noise: standard deviation of the samples about the fitted motion (rad)
     """
@@ -51,16 +51,16 @@ class MeasuredPeaks(ReleasePeaks):
 
 
 def measured_peaks(record: Record) -> MeasuredPeaks:
-    """Release and peaks of a free oscillation, between the samples and robust against noise.
+    """Find release and peaks of a free oscillation, with interpolation and robust against noise.
 
-    A spline with a corner in every passage of the middle is fitted by least squares (`fit_spline`), and its
-    peaks are found by `find_peaks`. Swings are followed until they drown in the noise, have fewer than two
-    samples, or their peaks are not significant. At 60 Hz and 0.1 degree of noise peaks of the displacement
-    come out without visible bias; peaks of the velocity are 1 % too high at first and 6 % at the tenth,
+    A spline with a corner at every zero crossing is fitted by least squares (`fit_spline`), and its
+    peaks are found by `find_peaks`. Swings are followed until they are lost in the noise, have fewer than two
+    samples, or their peaks are not significant. At 60 Hz and 0.1 degree of noise, peaks of the displacement
+    have no visible bias; peaks of the velocity are 1 % too high at first and 6 % at the tenth,
     because the real corner is rounded within less than a sample. docs/damping-from-peaks.md has the table.
 
     Raises:
-        ParameterError: not a record
+        ParameterError: the argument is not a record
         RecordError: the samples do not determine a motion with a release and two swings
     """
     if not isinstance(record, Record):
@@ -101,10 +101,10 @@ def _fit(record: Record, threshold: float) -> MotionSpline:
 
 
 def _passages(record: Record, swings: list[Swing]) -> FloatArray:
-    """Instants (s) of the passages of the middle after the release, by straight lines between samples.
+    """Times (s) of the zero crossings after the release, by linear interpolation.
 
-    They end before the first swing of too few samples, or that lasts longer than the one before it by so much
-    that swings too small to be seen must lie in it.
+    They end before the first swing with too few samples, or so much longer than the previous one
+    that it must contain swings too small to be seen.
     """
     passages: list[float] = []
     last = [swing.last for swing in swings if swing.last + 1 < len(record)]
@@ -121,7 +121,7 @@ def _passages(record: Record, swings: list[Swing]) -> FloatArray:
 
 
 def _peaks(fitted: MotionSpline, interval: float, derivative: int) -> pd.DataFrame:
-    """Peaks of the angle or of the velocity with standard errors, up to the first that is not significant."""
+    """Peaks of the angle or the velocity with standard errors, up to the first that is not significant."""
     edges = [fitted.release, *fitted.passages.tolist()]
     spans = [np.linspace(a, b, max(int(_FINENESS * (b - a) / interval), 8)) for a, b in pairwise(edges)]
     grid = np.unique(np.concatenate(spans))
@@ -137,10 +137,10 @@ def _peaks(fitted: MotionSpline, interval: float, derivative: int) -> pd.DataFra
 
 
 def _time_errors(fitted: MotionSpline, times: FloatArray, derivative: int) -> FloatArray:
-    """Standard errors (s) of the instants of peaks.
+    """Standard errors (s) of the times of peaks.
 
-    A peak of the angle is where the velocity is zero; a peak of the velocity is in the corner, which lies in
-    the passage, where the angle is zero.
+    A peak of the angle is where the velocity is zero; a peak of the velocity is at the corner in
+    the zero crossing of the angle.
     """
     crossing = 1 - derivative
     slope = fitted.spline(times, nu=crossing + 1)

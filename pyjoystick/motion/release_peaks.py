@@ -1,4 +1,4 @@
-"""The peaks of a release, measured or simulated, and the errors of eqs. (12a, b) between the two."""
+"""Peaks of a measured or simulated release, and the errors of eqs. (12a, b) between two releases."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import pandas as pd
 from pyjoystick.motion.peaks import find_peaks
 from pyjoystick.support import PyJoystickError
 
-#: Number of peaks that eqs. (12a, b) judge: of the displacement and of the velocity.
+#: Numbers of peaks that eqs. (12a, b) compare: of the displacement and of the velocity.
 DISPLACEMENT_PEAKS: Final = 9
 VELOCITY_PEAKS: Final = 10
 
@@ -40,11 +40,11 @@ class ReleasePeaks:
     """Release and peaks of a free oscillation.
 
     Attributes:
-        name: what the motion is called in tables and messages
-        release_time: instant of release (s)
+        name: name of the motion in tables and messages
+        release_time: time of release (s)
         release_angle: angle at the release (rad)
         displacement, velocity: peaks after the release in order of time, on the same clock, with the columns
-            ``time`` (s), ``value`` (rad or rad/s) and ``sign``; perhaps more columns
+            ``time`` (s), ``value`` (rad or rad/s) and ``sign``, and possibly others
     """
 
     name: str
@@ -76,17 +76,17 @@ def average_peaks(
     displacement_peaks: int = DISPLACEMENT_PEAKS,
     velocity_peaks: int = VELOCITY_PEAKS,
 ) -> ReleasePeaks:
-    """The average of repeated releases, peak by peak: the experiment's side of eqs. (12a, b).
+    """Average repeated releases, peak by peak: the experiment's side of eqs. (12a, b).
 
-    Times are averaged from the release of each trial; the average is released at time 0.
+    Times are averaged relative to the release of each trial; the average is released at time 0.
 
     Args:
         trials: one or more releases from the same side
-        displacement_peaks: number of peaks that are averaged, from the first on
-        velocity_peaks: likewise
+        displacement_peaks: number of peaks to average, from the first
+        velocity_peaks: the same for velocity peaks
 
     Raises:
-        PeakPairingError: a trial has fewer peaks, or its peaks have other signs than those of the first trial
+        PeakPairingError: a trial has fewer peaks, or its peaks differ in sign from those of the first trial
     """
     counts = {"displacement": displacement_peaks, "velocity": velocity_peaks}
     averaged = {}
@@ -110,7 +110,7 @@ def average_peaks(
 
 
 def _first_peaks(peaks: ReleasePeaks, series: str, count: int) -> pd.DataFrame:
-    """The first `count` peaks of a series, with ``time`` counted from the release.
+    """The first `count` peaks of a series, with ``time`` relative to the release.
 
     Raises:
         PeakPairingError: there are fewer
@@ -123,7 +123,7 @@ def _first_peaks(peaks: ReleasePeaks, series: str, count: int) -> pd.DataFrame:
 
 
 def _require_same_signs(name: str, series: str, peaks: pd.DataFrame, others: pd.DataFrame) -> None:
-    """Raise PeakPairingError where a peak and the one of the same number lie on different sides."""
+    """Raise PeakPairingError if peaks with the same number are on different sides."""
     different = np.flatnonzero(peaks["sign"].to_numpy() != others["sign"].to_numpy())
     if different.size:
         number = int(different[0]) + 1
@@ -156,13 +156,13 @@ def peak_errors(
     displacement_peaks: int = DISPLACEMENT_PEAKS,
     velocity_peaks: int = VELOCITY_PEAKS,
 ) -> PeakErrors:
-    """Eqs. (12a, b), with peaks paired by their order after the release and their sign.
+    """Compute eqs. (12a, b), with peaks paired by their order after the release and their sign.
 
-    eps = 1/n * sum |y_i - y^_i| / |y^_i| and 1/n * sum |t_i - t^_i| / (t^_i - t^_(i-1)), the hat for the
-    measurement. The paper's denominator y^_i is taken as a magnitude, for half of the peaks are negative.
-    t^_0 is not defined there; it is taken as the instant of release, from which all times count, for
-    displacement and velocity alike. The first velocity peak comes half as long after the release as later
-    ones after one another, so that an error of its time weighs double.
+    eps = 1/n * sum |y_i - y^_i| / |y^_i| and 1/n * sum |t_i - t^_i| / (t^_i - t^_(i-1)), with the hat for the
+    measurement. The paper's denominator y^_i is taken as a magnitude, because half of the peaks are negative.
+    It does not define t^_0; here it is the time of release, from which all times count, for
+    displacement and velocity alike. The first velocity peak comes half as long after the release as the
+    interval between later ones, so an error of its time has double weight.
 
     Args:
         simulated: peaks of the simulation
@@ -180,15 +180,15 @@ def peak_errors(
 def sweep_peak_errors(
     values: Iterable[float], simulate: Callable[[float], ReleasePeaks], measured: ReleasePeaks
 ) -> pd.DataFrame:
-    """The errors over a parameter, as in Fig. 11.
+    """Compute the errors over a parameter, as in Fig. 11.
 
     Args:
         values: values of the parameter
-        simulate: the peaks of the simulation at a value
+        simulate: returns the peaks of the simulation at a value
         measured: peaks of the experiment
 
     Returns:
-        one row a value, which is the index, with the fields of `PeakErrors` (percent) as columns
+        one row per value, which is the index, with the fields of `PeakErrors` (percent) as columns
 
     Raises:
         PeakPairingError: the peaks of a simulation cannot be paired with the measured ones
@@ -198,7 +198,7 @@ def sweep_peak_errors(
 
 
 def minima(sweep: pd.DataFrame) -> pd.DataFrame:
-    """Where each error of a sweep is smallest: one row an error, columns ``at`` and ``error`` (percent)."""
+    """Minimum of each error in a sweep: one row per error, columns ``at`` and ``error`` (percent)."""
     return pd.DataFrame({"at": sweep.idxmin(), "error": sweep.min()})
 
 

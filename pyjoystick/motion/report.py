@@ -13,18 +13,18 @@ from pyjoystick.motion.comparison import Difference
 from pyjoystick.motion.peaks import find_peaks, periods
 from pyjoystick.support import TextTable, versions
 
-#: Eqs. (12a, b) judge this many peaks of the displacement.
+#: Number of displacement peaks that eqs. (12a, b) compare.
 _PEAKS = 9
 
 
 @dataclass(frozen=True, slots=True)
 class Case:
-    """A free oscillation on an FMU, and how far it lies from the reference.
+    """A free oscillation on an FMU, and its differences from the reference.
 
     Attributes:
         run: the table of the FMU
-        differences: against the reference
-        events: passages of kinks and of the middle in the reference
+        differences: differences from the reference
+        events: crossings of kinks and of the middle in the reference
     """
 
     run: pd.DataFrame
@@ -33,7 +33,7 @@ class Case:
 
 
 def free_oscillation_report(title: str, cases: Mapping[str, Case]) -> str:
-    """Peaks, the period around each peak, and the largest differences to the reference, by label."""
+    """Peaks, the period around each peak, and the largest differences from the reference, by label."""
     legend = "; ".join(cases)
     names = ", ".join(f"{name} {version}" for name, version in versions().items())
     return "\n".join(
@@ -53,7 +53,7 @@ def free_oscillation_report(title: str, cases: Mapping[str, Case]) -> str:
 
 
 def peak_table(runs: Sequence[pd.DataFrame]) -> str:
-    """The first peaks of runs that start with the release, side by side: time, angle, period around each.
+    """The first peaks of runs that start with the release, side by side: time, angle and period.
 
     Args:
         runs: tables over ``time`` (s) with ``theta`` (rad) and ``omega`` (rad/s)

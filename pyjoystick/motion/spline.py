@@ -1,8 +1,8 @@
-"""A spline made for motions that swing between stiff stops: smooth in a swing, a corner in every passage.
+"""A spline for motions that swing between stiff stops: smooth within a swing, corners at zero crossings.
 
-Between two passages of the middle the preloads keep the acceleration nearly constant; in the passage it turns
-about within a millisecond or two, far less than the time between two camera frames. So the angle is fitted by
-cubic pieces with double knots at the passages: the angle and the velocity are continuous there, the
+Between two zero crossings the preloads keep the acceleration nearly constant; at the crossing it reverses
+within a millisecond or two, far less than the time between two camera frames. The angle is therefore fitted
+by cubic pieces with double knots at the crossings: angle and velocity are continuous there, and the
 acceleration jumps. A filter of any cutoff would round these corners, and with them every velocity peak.
 """
 
@@ -20,34 +20,34 @@ from scipy.optimize import minimize_scalar
 from pyjoystick.support import FloatArray
 
 _DEGREE: Final = 3
-#: Swings of so many samples have a knot in their middle, where its noise costs less than the bias without.
+#: Swings with this many samples get a knot in the middle, which adds less noise than it removes bias.
 _SAMPLES_FOR_INNER_KNOT: Final = 5
-#: The first swing leaves rest at an instant that is sought too: it can do without a further knot for longer.
+#: The time at which the first swing leaves rest is also fitted, so it needs a knot only if it is longer.
 _FIRST_SWING_SAMPLES: Final = 8
-#: The release is sought by these first swings.
+#: Number of first swings from which the release is found.
 _SWINGS_FOR_RELEASE: Final = 3
-#: It is guessed as the last instant at which the angle is above this part of the largest.
+#: The first guess is the last time at which the angle is above this part of the largest.
 _HELD: Final = 0.97
-#: The guess is late by up to this part of the time from there to the first passage, where a parabola starts.
+#: The guess is late by at most this part of the time to the first crossing, at which a parabola starts.
 _LATE: Final = 0.3
-#: Smallest singular value of the model, in parts of the largest, with which it counts as determined.
+#: Smallest singular value of a determined model, relative to the largest.
 _WORST_CONDITION: Final = 1e-3
-#: Rounds of fitting and finding the passages anew.
+#: Maximum number of alternations between fitting and locating the crossings.
 _ROUNDS: Final = 4
-#: Largest move of a passage in a round (parts of a sample interval).
+#: Largest move of a crossing per iteration (parts of a sampling interval).
 _LARGEST_MOVE: Final = 0.3
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class MotionSpline:
-    """A fitted motion from the release on.
+    """A fitted motion from the release.
 
     Attributes:
-        spline: the angle (rad) over time (s), from `release` to the last of `passages`
-        release: instant (s) at which the joystick leaves rest
-        passages: instants (s) of the passages of the middle, then the end of the fit, shape (swings,)
+        spline: angle (rad) over time (s), from `release` to the last of `passages`
+        release: time (s) at which the joystick leaves rest
+        passages: times (s) of the zero crossings, then the end of the fit, shape (swings,)
         noise: standard deviation of the samples about the spline (rad)
-        covariance: of the coefficients of the spline, then of the release, in rad and s
+        covariance: covariance of the spline's coefficients and the release, in rad and s
     """
 
     spline: BSpline
@@ -57,27 +57,27 @@ class MotionSpline:
     covariance: FloatArray
 
     def variance(self, time: FloatArray, derivative: int = 0) -> FloatArray:
-        """Variance of the angle or a derivative of it (rad2 and seconds) at instants within the fit."""
+        """Variance of the angle or one of its derivatives (rad2 and seconds) at times within the fit."""
         rows = _basis(self.spline.t, time, derivative)
         inner = self.covariance[:-1, :-1]
         return np.asarray(np.einsum("ij,jk,ik->i", rows, inner, rows))
 
     @property
     def release_variance(self) -> float:
-        """Variance of the instant of release (s2)."""
+        """Variance of the time of release (s2)."""
         return float(self.covariance[-1, -1])
 
 
 def fit_spline(time: FloatArray, theta: FloatArray, passages: FloatArray) -> MotionSpline | None:
-    """Fit a motion that is held, released and swings; None where the samples do not determine it.
+    """Fit a motion that is held, released and swings; None if the samples do not determine it.
 
-    The angle is constant up to the release and leaves it with no velocity; the instant of release is found
-    with the rest, between samples. Without samples of the hold it is where the velocity vanishes.
+    The angle is constant up to the release and starts with zero velocity; the time of release is also
+    fitted, between samples. Without samples of the hold, it is where the velocity vanishes.
 
     Args:
-        time: instants (s), shape (n,), from the hold to the last passage or beyond
+        time: times (s), shape (n,), from the hold to the last crossing or beyond
         theta: angles (rad), shape (n,)
-        passages: first guess of the passages of the middle (s), shape (swings,), the last one the end
+        passages: first guess of the zero crossings (s), shape (swings,), the last one being the end
     """
     interval = float(np.median(np.diff(time)))
     inside = time <= passages[-1]
@@ -94,7 +94,7 @@ def fit_spline(time: FloatArray, theta: FloatArray, passages: FloatArray) -> Mot
 
 
 def _guesses(time: FloatArray, theta: FloatArray, first_passage: float, interval: float) -> FloatArray:
-    """Instants about the last one before the first passage at which the joystick seems held."""
+    """Times around the last one before the first crossing at which the joystick seems held."""
     before = time < first_passage
     held = np.flatnonzero(np.abs(theta[before]) >= _HELD * np.max(np.abs(theta[before])))
     last = float(time[held[-1]])
@@ -102,7 +102,7 @@ def _guesses(time: FloatArray, theta: FloatArray, first_passage: float, interval
 
 
 def _best_release(time: FloatArray, theta: FloatArray, candidates: FloatArray, passages: FloatArray) -> float:
-    """The instant of release with the least squares over the first swings, near the best candidate."""
+    """Time of release with the least squares over the first swings, near the best candidate."""
     few = passages[:_SWINGS_FOR_RELEASE]
     inside = time <= few[-1]
     time, theta = time[inside], theta[inside]
@@ -114,7 +114,7 @@ def _best_release(time: FloatArray, theta: FloatArray, candidates: FloatArray, p
 
     best = float(candidates[np.argmin([squares(candidate) for candidate in candidates])])
     step = float(candidates[1] - candidates[0])
-    # Over the move and not over the instant, of which SciPy would not change the last eight digits.
+    # Minimize over the shift, not the absolute time, of which SciPy would not change the last eight digits.
     found = minimize_scalar(
         lambda move: squares(best + move), bounds=(-step, step), method="bounded", options={"xatol": 1e-5}
     )
@@ -133,16 +133,16 @@ def _knots(release: float, passages: FloatArray, time: FloatArray) -> FloatArray
 
 
 def _basis(knots: FloatArray, time: FloatArray, derivative: int = 0) -> FloatArray:
-    """Values of the basis functions at instants, shape (n, coefficients)."""
+    """Values of the basis functions at given times, shape (n, coefficients)."""
     count = len(knots) - _DEGREE - 1
     functions = BSpline(knots, np.eye(count), _DEGREE)
     return np.asarray(functions(np.clip(time, knots[0], knots[-1]), nu=derivative))
 
 
 def _design(knots: FloatArray, time: FloatArray) -> FloatArray:
-    """The model of the samples: constant before the release, no velocity at it.
+    """Design matrix of the samples: constant before the release, with zero velocity at it.
 
-    The first two coefficients are one number, so that the velocity vanishes at the first knot.
+    The first two coefficients are equal, so that the velocity vanishes at the first knot.
     """
     rows = _basis(knots, time)
     rows[:, 1] += rows[:, 0]
@@ -152,9 +152,9 @@ def _design(knots: FloatArray, time: FloatArray) -> FloatArray:
 def _least_squares(
     time: FloatArray, theta: FloatArray, release: float, passages: FloatArray
 ) -> tuple[FloatArray, float] | None:
-    """Coefficients and the sum of squares; None where the samples do not determine them.
+    """Coefficients and the sum of squares; None if the samples do not determine them.
 
-    Passages that change places, or come before the release, leave no swing between them.
+    Crossings that change order, or come before the release, leave no swing between them.
     """
     if not np.all(np.diff(passages, prepend=release) > 0.0):
         return None
@@ -172,7 +172,7 @@ def _spline(coefficients: FloatArray, release: float, passages: FloatArray, time
 
 
 def _passages(spline: BSpline, passages: FloatArray, interval: float) -> FloatArray:
-    """A step of Newton's method from each passage to where the spline is zero; the end stays."""
+    """Newton step from each crossing to the zero of the spline; the end stays."""
     inner = passages[:-1]
     largest = _LARGEST_MOVE * interval
     moves = np.clip(spline(inner) / spline(inner, nu=1), -largest, largest)
@@ -188,7 +188,7 @@ def _with_covariance(
     coefficients, squares = fitted
     spline = _spline(coefficients, release, passages, time)
     design = _design(spline.t, time)
-    # How the samples would change with the instant of release, the swing after it moving along.
+    # Derivative of the samples with respect to the release time, with the following swing moving along.
     after = np.clip(time, release, passages[0])
     share = np.where(time <= passages[0], (passages[0] - after) / (passages[0] - release), 0.0)
     slope = np.where(time >= release, -share * spline(np.clip(time, release, None), nu=1), 0.0)

@@ -1,8 +1,8 @@
-"""Tables in files: headings with units, numbers, and the line that each row stands on.
+"""Tables in files: headings with units, numbers, and the line number of each row.
 
 A reader lists the columns that it needs (`Column`: name, units, whether it is required) and gets arrays in SI
-units; every mistake in the file is a `RecordError` with file, column and row. Of a file
-that is too long to be read whole, `read_table_head` reads the headings alone.
+units; every mistake in the file is a `RecordError` with file, column and row. For files that are too long to
+be read whole, `read_table_head` reads only the headings.
 """
 
 from __future__ import annotations
@@ -26,9 +26,9 @@ _LOG = logging.getLogger(__name__)
 
 _COMMENT: Final = "#"
 DELIMITERS: Final = ",;\t"
-#: Numbers beyond this are no measurement; their powers would overflow.
+#: Larger numbers are not measurements; their powers would overflow.
 LARGEST: Final = 1e60
-#: Cells that hold no number, in lower case.
+#: Cells without a number, in lower case.
 EMPTY: Final = ("", "nan", "na", "n/a", "null", "none", "-")
 
 
@@ -38,7 +38,7 @@ class TableFile:
 
     Attributes:
         head: its headings
-        comments: the lines that begin with #, without it
+        comments: the lines that begin with #, without the #
         cells: rows of text, each as long as the headings
         rows: line number of each row, from 1, shape (n,)
     """
@@ -55,15 +55,15 @@ class TableFile:
         headings: Mapping[str, str] | None = None,
         units: Mapping[str, str] | None = None,
     ) -> dict[str, FloatArray]:
-        """Columns in SI units by name, shape (n,) each; optional ones that are missing are left out.
+        """Columns in SI units by name, shape (n,) each; missing optional ones are omitted.
 
         Args:
-            columns: what is wanted
-            headings: headings by name of the column, where they are others
-            units: units by name of the column, where the headings have none
+            columns: the requested columns
+            headings: headings by name of the column, if they differ
+            units: units by name of the column, if the headings have none
 
         Raises:
-            RecordError: as `TableHead.match` does; or a cell is empty, not a number or not finite
+            RecordError: as `TableHead.match`; or a cell is empty, not a number or not finite
         """
         found = self.head.match(columns, headings=headings, units=units)
         return {
@@ -77,10 +77,10 @@ class TableFile:
         return [row[position] for row in self.cells]
 
     def numbers(self, heading: Heading) -> FloatArray:
-        """The column under a heading as it stands, shape (n,); empty cells and words such as NA are NaN.
+        """The unconverted column under a heading, shape (n,); empty cells and words such as NA are NaN.
 
         Raises:
-            RecordError: a cell holds something other than a number
+            RecordError: a cell contains something other than a number
         """
         values = np.empty(len(self.cells))
         for i, cell in enumerate(self.texts(heading)):
@@ -91,7 +91,7 @@ class TableFile:
         return values
 
     def finite_numbers(self, heading: Heading, advice: str) -> FloatArray:
-        """As `numbers`, none of them missing.
+        """As `numbers`, but missing values are an error.
 
         Raises:
             RecordError: a cell is empty, not a number or not finite
@@ -112,7 +112,7 @@ class TableFile:
 
 
 def no_number(path: Path, heading: Heading, row: int, cell: str) -> RecordError:
-    """The error of a cell that is not a number."""
+    """Make the error for a cell that is not a number."""
     advice = "write numbers with a decimal point" if "," in cell else "write a number"
     reason = "is not a number"
     if cell == heading.text:
@@ -121,9 +121,9 @@ def no_number(path: Path, heading: Heading, row: int, cell: str) -> RecordError:
 
 
 def read_table_file(path: Path) -> TableFile:
-    """Read a table of columns separated by commas, semicolons or tabs, headings first.
+    """Read a table of columns separated by commas, semicolons or tabs, with headings first.
 
-    Lines that begin with # are comments, wherever they stand; empty lines are skipped.
+    Lines that begin with # are comments anywhere; empty lines are skipped.
 
     Raises:
         RecordError: the file cannot be read, is not UTF-8 text, has no headings or no rows, or a row is
@@ -149,7 +149,7 @@ def read_table_file(path: Path) -> TableFile:
 
 
 def read_table_head(path: Path) -> TableHead:
-    """The headings of a table, of which nothing more is read.
+    """Read only the headings of a table.
 
     Raises:
         RecordError: the file cannot be read, is not UTF-8 text, or has no headings
@@ -160,11 +160,11 @@ def read_table_head(path: Path) -> TableHead:
 
 @contextmanager
 def open_text(path: Path, advice: str = "export the table as CSV in UTF-8") -> Iterator[TextIO]:
-    """A text file to read from.
+    """Open a text file.
 
     Args:
         path: the file
-        advice: what to do where it is no text
+        advice: what to do if it is not text
 
     Raises:
         RecordError: it cannot be read, or is not UTF-8 text
@@ -189,7 +189,7 @@ def _filled(lines: Iterable[tuple[int, str]]) -> Iterator[tuple[int, str]]:
 
 
 def _head(path: Path, filled: Iterator[tuple[int, str]]) -> TableHead:
-    """The headings on the first filled line."""
+    """The headings on the first nonempty line."""
     example = "begin with a line such as: time (s),theta (deg)"
     number, line = next(filled, (0, ""))
     if not line:
@@ -208,7 +208,7 @@ def _head(path: Path, filled: Iterator[tuple[int, str]]) -> TableHead:
 
 
 def cells_of_line(path: Path, number: int, line: str, delimiter: str) -> tuple[str, ...]:
-    """The cells of a line without the blanks around them."""
+    """The cells of a line without surrounding spaces."""
     if '"' not in line:
         return tuple(cell.strip() for cell in line.split(delimiter))
     try:

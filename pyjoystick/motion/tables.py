@@ -1,7 +1,7 @@
-"""Tables of a run: indexed by time, one column a variable, with the units kept in ``DataFrame.attrs``.
+"""Tables of runs: indexed by time, with one column per variable and units in ``DataFrame.attrs``.
 
 ``attrs["units"]`` has the unit of each column and of ``time`` by name, ``attrs["display_units"]`` a
-dictionary ``{"unit", "factor", "offset"}`` for each column that has a unit for people (value there = factor *
+dictionary ``{"unit", "factor", "offset"}`` for each column with a display unit (displayed value = factor *
 value + offset), ``attrs["descriptions"]`` a line on each column.
 """
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class DisplayUnit:
-    """A unit for people: value in it = `factor` * value + `offset`."""
+    """A unit for display: displayed value = `factor` * value + `offset`."""
 
     unit: str
     factor: float = 1.0
@@ -32,7 +32,7 @@ class DisplayUnit:
 
 @dataclass(frozen=True, slots=True)
 class Quantity:
-    """What a column holds; `unit` is empty for a pure number."""
+    """Description of a column; `unit` is empty for a pure number."""
 
     name: str
     unit: str = ""
@@ -43,8 +43,8 @@ class Quantity:
 def make_table(
     time: ArrayLike, columns: Mapping[str, ArrayLike], quantities: Iterable[Quantity]
 ) -> pd.DataFrame:
-    """A table with the given columns over ``time`` (s), shape (n,) each, and the units in its attrs."""
-    import pandas as pd  # for tables alone: the processes that run FMUs make none
+    """Make a table of the given columns over ``time`` (s), shape (n,) each, with units in its attrs."""
+    import pandas as pd  # only for tables, which FMU processes do not make
 
     table = pd.DataFrame(dict(columns), index=pd.Index(np.asarray(time, dtype=np.float64), name="time"))
     described = {quantity.name: quantity for quantity in quantities}
@@ -57,7 +57,7 @@ def make_table(
 
 
 def unit_of(table: pd.DataFrame, name: str) -> str:
-    """The unit of a column or of ``time``; empty where the table has none."""
+    """Unit of a column or of ``time``; empty if the table has none."""
     return str(table.attrs.get("units", {}).get(name, ""))
 
 
@@ -68,9 +68,9 @@ def heading(table: pd.DataFrame, name: str) -> str:
 
 
 def write_csv(table: pd.DataFrame, path: str | PathLike[str]) -> None:
-    """Write a table as CSV, whole or not at all; numbers have all their digits.
+    """Write a table as CSV, atomically and with all digits.
 
-    The headings are name and unit. pandas reads it back by
+    The headings are name and unit. Read it back with
     ``pandas.read_csv(path, index_col="time (s)")``.
 
     Raises:

@@ -1,4 +1,4 @@
-"""Units of measured quantities and their factors to SI units: the one table for everything that is read."""
+"""Units of measured quantities and their factors to SI units, for everything that is read."""
 
 from __future__ import annotations
 
@@ -8,17 +8,17 @@ from collections.abc import Mapping
 from decimal import Decimal
 from typing import Final
 
-#: Standard gravity (m/s2), which is also the unit g of an acceleration.
+#: Standard gravity (m/s2), also the unit g of accelerations.
 GRAVITY: Final = 9.80665
 
-#: The inch (m), the pound-force and the kilogram-force (N), exactly.
+#: Inch (m), pound-force and kilogram-force (N), exactly.
 _INCH: Final = 0.0254
 _POUND_FORCE: Final = 4.4482216152605
 _KILOGRAM_FORCE: Final = GRAVITY
 
 _DEGREE: Final = math.radians(1.0)
 
-#: Factors to SI units by kind of quantity and unit; spelled as `plain_unit` spells them.
+#: Factors to SI units by kind of quantity and unit, in the spelling of `plain_unit`.
 UNITS: Final[Mapping[str, Mapping[str, float]]] = {
     "time": {"s": 1.0, "ms": 1e-3, "us": 1e-6},
     "angle": {"rad": 1.0, "deg": _DEGREE, "mrad": 1e-3},
@@ -68,17 +68,17 @@ _AMOUNT: Final = re.compile(
 
 
 def amount(text: str, units: Mapping[str, float]) -> float:
-    """A number in SI units from text such as ``24.1mm``; without a unit it is in SI units already.
+    """Parse a number in SI units from text such as ``24.1mm``; a number without a unit is in SI units.
 
-    Decimal fractions stay exact: ``24.1mm`` is the very float 0.0241.
+    Decimal fractions stay exact: ``24.1mm`` is exactly the float 0.0241.
 
     Args:
         text: number and unit
         units: allowed units with their factors to the SI unit, as in `UNITS`
 
     Raises:
-        ValueError: the text is no number with something behind it
-        KeyError: what stands behind the number is none of the units
+        ValueError: the text does not start with a number
+        KeyError: the text after the number is not one of the units
     """
     match = _AMOUNT.fullmatch(text)
     if match is None:
@@ -88,5 +88,5 @@ def amount(text: str, units: Mapping[str, float]) -> float:
 
 
 def plain_unit(text: str) -> str:
-    """A unit as `UNITS` and FMUs spell it: ``°/s²`` and ``deg/s^2`` are ``deg/s2``, ``N m`` is ``N.m``."""
+    """Normalize a unit to the spelling of `UNITS` and FMUs: ``°/s²`` to ``deg/s2``, ``N m`` to ``N.m``."""
     return ".".join(text.translate(_SPELLINGS).split())

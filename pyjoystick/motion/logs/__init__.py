@@ -1,1 +1,1 @@
-"""A laboratory's own tables: their form, their headings and their units, found out or refused."""
+"""A laboratory's own tables: their layout, headings and units are detected, or rejected if ambiguous."""

@@ -1,4 +1,4 @@
-"""Where in rows of cells a table is: its preamble, headings, units and numbers."""
+"""Detection of a table in rows of cells: preamble, headings, units and numbers."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ _CLOCK: Final = re.compile(
     r"|(?P<m2>\d{1,3}):(?P<s2>\d\d[.,]\d+)"
 )
 _THOUSANDS: Final = re.compile(r"[+-]?[1-9]\d{0,2}([.,]\d{3})+")
-#: What a wrong delimiter leaves of two cells.
+#: What a wrong delimiter leaves between two cells.
 _JOINED: Final = re.compile(r"[-+.,\d]+[;\t|][-+.,\d;\t|]*")
 _ERRORS: Final = ("#n/a", "#nv", "#div/0!", "#num!", "#value!", "nat", "<na>")
 _NOTHING: Final = (*EMPTY, *_ERRORS)
@@ -39,17 +39,17 @@ _EMPTY_CELL, _NUMBER_CELL, _TEXT_CELL = range(3)
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Candidate:
-    """A table as one delimiter and one decimal mark show it.
+    """A table as read with one delimiter and one decimal mark.
 
     Attributes:
-        delimiter: what separates the cells
+        delimiter: separator of the cells
         decimal: the decimal mark
-        names: rows of headings and of units, or of headings alone; none where the file has none
+        names: rows of headings and units, or of headings alone; empty if the file has none
         rows: the rows of data, all of one width
         numeric: indices of the columns of numbers
         ragged: the first row of data of another width, or None
-        faults: cells that are no numbers in columns of numbers, and ragged rows
-        doubtful: whether every decimal mark may separate thousands
+        faults: non-numeric cells in columns of numbers, and ragged rows
+        doubtful: whether every decimal mark may be a thousands separator
     """
 
     delimiter: str
@@ -62,7 +62,7 @@ class Candidate:
     doubtful: bool
 
     def table(self, path: Path, comments: tuple[str, ...]) -> TableFile:
-        """The table, its numbers with decimal points, times of day in s.
+        """The table, with decimal points in its numbers and times of day in s.
 
         Raises:
             RecordError: a row is longer or shorter than the headings
@@ -88,12 +88,12 @@ class Candidate:
 
 
 def find_table(rows: Sequence[Row], remarks: Sequence[Row], delimiter: str, decimal: str) -> Candidate | None:
-    """The table in rows of cells, or None where there is none of two columns of numbers or more.
+    """Find the table in rows of cells; None if there is none with at least two columns of numbers.
 
     Args:
-        rows: the filled lines
-        remarks: the lines of comments; the one before the numbers may hold their headings
-        delimiter: what the cells were separated by
+        rows: the nonempty lines
+        remarks: the comment lines; the one before the numbers may contain their headings
+        delimiter: separator of the cells
         decimal: the decimal mark
     """
     width = Counter(len(cells) for _, cells in rows).most_common(1)[0][0] if rows else 0
@@ -146,9 +146,9 @@ def _kind(cell: str, decimal: str) -> int:
 
 
 def _names(above: Sequence[Row], remarks: Sequence[Row], width: int) -> tuple[Row, ...] | None:
-    """The row of headings and perhaps that of units; none where nothing stands above the numbers.
+    """Row of headings and, optionally, of units; empty if there is nothing above the numbers.
 
-    Returns None where what stands above does not fit the numbers.
+    Returns None if the lines above do not match the numbers.
     """
     last = [(number, cells + [""] * (width - len(cells))) for number, cells in above[-2:]]
     if not above:
@@ -173,7 +173,7 @@ def _is_units(cells: Sequence[str]) -> bool:
 
 
 def _headings(texts: Sequence[str], units: Sequence[str]) -> list[Heading]:
-    """Headings with their units; those that are missing or not unique are numbered."""
+    """Headings with their units; missing or duplicate ones are numbered."""
     joined = [
         f"{text} [{unit.strip('[](){}<> ')}]" if unit.strip("-[](){}<> ") else text
         for text, unit in zip(texts, units, strict=True)
@@ -188,7 +188,7 @@ def _headings(texts: Sequence[str], units: Sequence[str]) -> list[Heading]:
 
 
 def _plain_numbers(cells: Sequence[str], decimal: str) -> tuple[list[str], bool]:
-    """Cells of a column of numbers with decimal points, and whether they are times of day, then in s."""
+    """Numbers with decimal points, and whether they are times of day, which are converted to s."""
     matches = [_CLOCK.fullmatch(cell) for cell in cells]
     if not any(matches):
         return ["" if cell.casefold() in _ERRORS else cell.replace(decimal, ".") for cell in cells], False
@@ -210,14 +210,14 @@ def _seconds(match: re.Match[str], first: re.Match[str]) -> str:
 
 
 def _ahead(zone: str | None) -> int:
-    """How far the clocks of a time zone (``Z``, ``+01:00``) are ahead of UTC (s)."""
+    """Offset of a time zone (``Z``, ``+01:00``) from UTC (s)."""
     if zone in (None, "Z"):
         return 0
     return (-1 if zone[0] == "-" else 1) * (3600 * int(zone[1:3]) + 60 * int(zone[-2:]))
 
 
 def text_of(value: object) -> str:
-    """A value of a typed table as text: times of day and dates in ISO 8601, durations in s."""
+    """Text of a typed value: times of day and dates in ISO 8601, durations in s."""
     if value is None:
         return ""
     if isinstance(value, datetime.timedelta):

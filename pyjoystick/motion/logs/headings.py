@@ -1,4 +1,4 @@
-"""What headings mean: quantities in several languages, and units as they are written."""
+"""Interpretation of headings: quantities in several languages, and spellings of units."""
 
 from __future__ import annotations
 
@@ -10,8 +10,7 @@ from typing import Final
 from pyjoystick.motion.columns import Column, Heading
 from pyjoystick.motion.units import UNITS, plain_unit
 
-#: Spellings by kind of quantity and unit besides those of `UNITS`; those in lower case hold for
-#: upper case too.
+#: Additional spellings to `UNITS`, by kind of quantity and unit; those in lower case also match upper case.
 _SPELLINGS: Final[Mapping[str, Mapping[str, str]]] = {
     "time": {
         "s": "s sec secs second seconds sek sekunde sekunden seconde secondes seg segundo segundos secondo "
@@ -77,7 +76,7 @@ _NAMES: Final[Mapping[str, tuple[str, str]]] = {
     ),
 }
 _OF_MACHINES: Final = ("travel", "force")
-#: Letters that mean a quantity in this case only; a unit of its kind must stand beside them.
+#: Letters that mean a quantity in this case only, and only with a unit of its kind.
 _SYMBOLS: Final = {"T": "M", "F": "F"}
 _BRACKETS: Final = re.compile(r"(?P<name>.*?)\s*[(\[{<](?P<unit>[^()\[\]{}<>]*)[)\]}>]\s*")
 _AFTER: Final = re.compile(
@@ -87,7 +86,7 @@ _GERMAN: Final = ("zeit", "winkel", "kraft", "moment", "weg", "geschwindigkeit")
 
 
 def spelled(kind: str, unit: str) -> str | None:
-    """A unit as `UNITS` spells it, None if it is not of this kind."""
+    """A unit in the spelling of `UNITS`, None if it is not of this kind."""
     known, plain = _KNOWN.get(kind, {}), plain_unit(unit).rstrip(".")
     return known.get(plain) or known.get(unit) or known.get(plain.casefold())
 
@@ -98,11 +97,11 @@ def is_unit(text: str) -> bool:
 
 
 def understood(text: str, others: Iterable[str] = ()) -> Heading:
-    """Name and unit of a heading: ``Winkel [Grad]``, ``t/s``, ``Time in ms``, ``angle_deg``.
+    """Parse name and unit of a heading: ``Winkel [Grad]``, ``t/s``, ``Time in ms``, ``angle_deg``.
 
     Args:
         text: the heading
-        others: all headings of the table; *Grad* are degrees only beside German words, and gon elsewhere
+        others: all headings of the table; *Grad* means degrees only next to German words, and otherwise gon
     """
     name, unit = text, ""
     if match := _BRACKETS.fullmatch(text):
@@ -119,7 +118,7 @@ def understood(text: str, others: Iterable[str] = ()) -> Heading:
 
 
 def meaning(name: str) -> str | None:
-    """The quantity whose name this is, in one of the languages."""
+    """The quantity with this name in one of the languages."""
     plain = _plain(name)
     for quantity in _NAMES:
         if plain in _names_of(quantity) and not (quantity == "time" and name == "T"):
@@ -128,7 +127,7 @@ def meaning(name: str) -> str | None:
 
 
 def _plain(name: str) -> str:
-    """A name in small letters without accents."""
+    """A name in lower case without accents."""
     plain = "".join(c for c in unicodedata.normalize("NFKD", name.casefold()) if not unicodedata.combining(c))
     return " ".join(re.split(r"[\s_.\-]+", plain)).strip()
 
@@ -138,13 +137,13 @@ def _names_of(quantity: str) -> list[str]:
 
 
 def kind_of(column: Column) -> str:
-    """The kind of quantity of a column with one of the names above; empty for every other column."""
+    """Kind of quantity of a column with one of the names above; empty for other columns."""
     kind = _NAMES.get(column.name, ("",))[0]
     return kind if kind and set(column.units) & set(UNITS[kind]) else ""
 
 
 def candidates(column: Column, headings: Sequence[Heading]) -> list[Heading]:
-    """The headings that may be those of a column: by its own name, else by another."""
+    """Headings that may belong to a column: by its own name, or else by another."""
     kind = kind_of(column)
     own = [h for h in headings if column.name in (h.text, h.name)]
     folded = column.name.casefold()
@@ -154,22 +153,22 @@ def candidates(column: Column, headings: Sequence[Heading]) -> list[Heading]:
 
 
 def _may_mean(name: str, quantity: str) -> bool:
-    """A word may stand for a quantity of either kind of table: *Kraft* for F, and for that of a machine."""
+    """Whether a word may mean the column: *Kraft* is F in some tables, and the machine's force in others."""
     return meaning(name) == quantity or (quantity in _OF_MACHINES and _plain(name) in _names_of(quantity))
 
 
 def last_part(name: str) -> str:
-    """The name of a field without the structures that it is in."""
+    """Name of a field without its enclosing structures."""
     return name.rpartition(".")[2] or name
 
 
 def reading_unit(unit: str) -> str:
-    """``V``, ``mV`` or ``count`` where a unit is what an instrument reads, not what it measures."""
+    """``V``, ``mV`` or ``count`` if the unit is that of an instrument's raw readings."""
     return spelled("voltage", unit) or spelled("count", unit) or ""
 
 
 def scale_factor(name: str, unit: str) -> float | None:
-    """The factor to SI units of a unit of a quantity (theta, omega, T, F); None if it is none."""
+    """Factor to SI units for a unit of a quantity (theta, omega, T, F); None if it has no such unit."""
     kind = _NAMES[name][0] if name in _NAMES else ""
     found = spelled(kind, unit.strip())
     return UNITS[kind][found] if found else None

@@ -1,4 +1,4 @@
-"""What a user says about the form of a file and the readings in it."""
+"""Layout of a file and calibrations of its readings, as given by the user."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ _SCALE: Final = re.compile(r"(?P<number>[-+0-9.eE]+?)\s*(?P<unit>[a-zA-Z°].*)/(
 
 @dataclass(frozen=True, slots=True)
 class Layout:
-    """The form of a file; what is empty is found out, or refused where more than one thing is possible.
+    """Layout of a file; empty values are detected, or rejected if ambiguous.
 
     Attributes:
-        delimiter: what separates columns of text: comma, semicolon, tab, bar, space or the character itself
+        delimiter: separator of columns in text: comma, semicolon, tab, bar, space or the character itself
         decimal: the decimal mark, ``.`` or ``,``
-        encoding: of a text file, as Python names it
+        encoding: encoding of a text file, as in Python
         sheet: name of the sheet of a workbook, or of the structure in a MATLAB file
     """
 
@@ -36,7 +36,7 @@ class Scale:
     """A linear calibration: value = factor (reading - zero).
 
     Attributes:
-        factor: SI units for one of `reading`
+        factor: SI units per unit of `reading`
         reading: unit of the readings: V, mV or count
         zero: reading at the value zero
     """
@@ -47,7 +47,7 @@ class Scale:
 
 
 def scale_of(name: str, text: str, zero: float = 0.0) -> Scale:
-    """The calibration of a quantity.
+    """Parse the calibration of a quantity.
 
     Args:
         name: theta, omega, T or F
@@ -55,7 +55,7 @@ def scale_of(name: str, text: str, zero: float = 0.0) -> Scale:
         zero: reading at the value zero
 
     Raises:
-        ParameterError: the text is no calibration of this quantity
+        ParameterError: the text is not a calibration of this quantity
     """
     match = _SCALE.fullmatch(text)
     factor = scale_factor(name, match["unit"]) if match else None

@@ -1,4 +1,4 @@
-"""From a laboratory's table to the motion in it."""
+"""Reading the motion in a laboratory's table."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from pyjoystick.motion.records.record import GAP, Record
 from pyjoystick.motion.units import UNITS
 from pyjoystick.support import FloatArray
 
-#: Quantities that a log may hold, in SI units: time (s), theta (rad), omega (rad/s), T (N m), F (N).
+#: Quantities in a log, in SI units: time (s), theta (rad), omega (rad/s), T (N m), F (N).
 COLUMNS: Final = (
     TIME,
     Column("theta", UNITS["angle"]),
@@ -30,23 +30,23 @@ COLUMNS: Final = (
     Column("T", UNITS["torque"], required=False),
     Column("F", UNITS["force"], required=False),
 )
-#: A shorter record (s) holds no motion of a joystick.
+#: Minimum duration of a record (s); shorter ones contain no motion of a joystick.
 _SHORTEST: Final = 0.02
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Log:
-    """What was understood of a laboratory's table.
+    """Interpretation of a laboratory's table.
 
     Attributes:
         path: the file
-        form: what the file is, in words
-        line: line of the headings, from 1; 0 where there is none
+        form: description of the file format
+        line: line of the headings, from 1; 0 if there is none
         found: the columns by quantity
-        series: in SI units by quantity, shape (n,) each; ``time`` and ``theta`` are among them
+        series: in SI units by quantity, shape (n,) each; includes ``time`` and ``theta``
         rows: line number of each sample, shape (n,)
         left_out: line numbers of rows without a number in one of these columns
-        notes: what is doubtful, a sentence each
+        notes: doubts, one sentence each
     """
 
     path: Path
@@ -60,7 +60,7 @@ class Log:
 
     @property
     def rate(self) -> float:
-        """Samples a second (Hz), gaps left out: the mean, because times may be rounded to milliseconds."""
+        """Sampling rate (Hz) without gaps: the mean, because times may be rounded to milliseconds."""
         steps = np.diff(self.series["time"])
         return 1.0 / float(np.mean(steps[steps <= GAP * np.median(steps)]))
 
@@ -76,20 +76,20 @@ def read_log(
     start: float = -math.inf,
     end: float = math.inf,
 ) -> Log:
-    """Read time, angle, and perhaps velocity, torque and force from a laboratory's table.
+    """Read time, angle and, optionally, velocity, torque and force from a laboratory's table.
 
     Args:
         path: the file
-        columns: headings by quantity (time, theta, omega, T, F) where they are not understood
-        units: units by quantity; they replace those of the headings, but no known one of a torque or force
-        layout: the form of the file, where that is to be given
-        scales: calibrations by quantity, of readings in V, mV or counts
-        rate: samples a second (Hz), instead of a column of times
-        start: earliest time that is kept (s)
-        end: latest time that is kept (s)
+        columns: headings by quantity (time, theta, omega, T, F) if they are not recognized
+        units: units by quantity; they override those of headings, except known units of a torque or force
+        layout: layout of the file, if it must be specified
+        scales: calibrations by quantity, for readings in V, mV or counts
+        rate: sampling rate (Hz), instead of a column of times
+        start: earliest time to keep (s)
+        end: latest time to keep (s)
 
     Raises:
-        RecordError: the file is refused; the message names file, column and rows, and the option that decides
+        RecordError: the file is rejected; the message names file, column and rows, and the option that helps
     """
     table = read_log_table(path, layout, numbered=bool(columns))
     wanted = COLUMNS if rate is None else COLUMNS[1:]
@@ -122,12 +122,12 @@ def read_log(
             *_longest_gap(series["time"][inside], table.file.rows[inside]),
         ),
     )
-    require_no_jump(record_of(log))  # both refuse what no motion can be
+    require_no_jump(record_of(log))  # both reject impossible motions
     return log
 
 
 def _require_duration(table: LogTable, found: Mapping[str, Match], time: FloatArray) -> None:
-    """Raise where a record (s) is too short for a motion, as seconds under the name of ms are."""
+    """Reject a record (s) that is too short for a motion, such as seconds labelled as ms."""
     if "time" in found and len(time) > 1 and 0.0 < np.ptp(time) < _SHORTEST:
         match = found["time"]
         reason = f"a record of {np.ptp(time):.3g} s: are these s or ms under the name of {match.unit}?"
@@ -148,7 +148,7 @@ def _notes(table: LogTable, found: Mapping[str, Match], left_out: NDArray[np.int
 
 
 def _longest_gap(time: FloatArray, rows: NDArray[np.int64]) -> Iterator[str]:
-    """A note on the longest gap between instants (s), if there is any."""
+    """Note on the longest gap between samples (s), if there is any."""
     steps = np.diff(time)
     gaps = int(np.sum(steps > GAP * np.median(steps))) if steps.size else 0
     if gaps:
@@ -161,7 +161,7 @@ def record_of(log: Log) -> Record:
     """The motion in a log.
 
     Raises:
-        RecordError: the samples are not those of a motion, as in `Record`
+        RecordError: the samples are not those of a motion, see `Record`
     """
     series = log.series
     return Record(

@@ -1,4 +1,4 @@
-"""Tables of other forms as rows of cells: XLSX, ODS, MATLAB and Parquet, recognized by their contents."""
+"""Reading XLSX, ODS, MATLAB and Parquet tables as rows of cells; formats are detected by content."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ _LONGEST: Final = 10_000_000
 
 
 def form_of(path: Path, head: bytes) -> str:
-    """The form of a file by its first bytes: xlsx, ods, matlab, matlab 7.3, parquet, or empty for text.
+    """Format of a file by its first bytes: xlsx, ods, matlab, matlab 7.3, parquet, or empty for text.
 
     Raises:
-        RecordError: it is of a form that is not read here; the message says what to do
+        RecordError: the format is not supported; the message says what to do
     """
     suffix = path.suffix.casefold()
     if head.startswith(b"PK\3\4"):
@@ -59,15 +59,15 @@ def _refuse_zip(path: Path) -> str:
 
 
 def load(path: Path, form: str, sheet: str) -> tuple[list[Row], bool]:
-    """The filled rows of a file that is not text, and whether its numbers are numbers rather than text.
+    """Nonempty rows of a file that is not text, and whether its numbers are stored as numbers.
 
     Args:
         path: the file
         form: from `form_of`
-        sheet: name of the sheet or structure; where empty, there must be one only
+        sheet: name of the sheet or structure; if empty, there must be only one
 
     Raises:
-        RecordError: the package that reads this form is missing, the file is damaged, or has several sheets
+        RecordError: the package for this format is missing, the file is damaged, or has several sheets
     """
     package, extra, reader = _READERS[form]
     try:
@@ -77,7 +77,7 @@ def load(path: Path, form: str, sheet: str) -> tuple[list[Row], bool]:
         raise RecordError(str(path), f"needs the package {package_of(package)} to be read", advice) from error
     try:
         tables = reader(path)
-    except Exception as error:  # whatever the package makes of a damaged file
+    except Exception as error:  # packages raise many types for damaged files
         reason = f"cannot be read as {form}: {error}"
         raise RecordError(str(path), reason, "save the file again, or export it as CSV") from error
     name = _chosen(path, tables, sheet)
@@ -145,7 +145,7 @@ def _matlab_7_3(path: Path) -> dict[str, pd.DataFrame]:
 
 
 def _tables(variables: Mapping[str, Any]) -> dict[str, pd.DataFrame]:
-    """The tables in MATLAB variables: one of the vectors, and one a structure, where the vectors fit."""
+    """Tables in MATLAB variables: one of the vectors, and one per structure, if the vectors match."""
     columns = dict(_vectors(variables, ""))
     if len({len(column) for column in columns.values()}) == 1:
         return {"": _headed(columns)}
@@ -159,7 +159,7 @@ def _tables(variables: Mapping[str, Any]) -> dict[str, pd.DataFrame]:
 
 
 def _vectors(value: Any, name: str) -> Iterator[tuple[str, Any]]:
-    """The vectors in a variable with their names, columns of a matrix one by one; scalars are left out."""
+    """Vectors in a variable with their names, including columns of a matrix; scalars are skipped."""
     if isinstance(value, Mapping):
         for field, one in value.items():
             yield from _vectors(one, f"{name}.{field}" if name else field)
@@ -175,7 +175,7 @@ def _vectors(value: Any, name: str) -> Iterator[tuple[str, Any]]:
 
 
 def _headed(columns: Mapping[str, Any]) -> pd.DataFrame:
-    """Columns under a row of their names, as a sheet has them."""
+    """Columns below a row of their names, as in a sheet."""
     if not columns:
         return pd.DataFrame()
     cells = {

@@ -1,4 +1,4 @@
-"""Tables in text files: encoding, delimiter and decimal mark, each found out where only one is possible."""
+"""Tables in text files: encoding, delimiter and decimal mark are detected if unambiguous."""
 
 from __future__ import annotations
 
@@ -24,24 +24,24 @@ _BOMS: Final = {
     codecs.BOM_UTF16_LE: "utf-16",
     codecs.BOM_UTF16_BE: "utf-16",
 }
-#: Encodings of headings in laboratories; the digits are the same in all of them.
+#: Usual encodings of headings; digits are the same in all of them.
 _ENCODINGS: Final = ["cp1252", "cp1250", "cp1251", "mac_roman", "cp437", "shift_jis", "gb18030", "euc_kr"]
-#: Bytes that are enough to tell the encoding.
+#: Number of bytes used to detect the encoding.
 _ENOUGH: Final = 1 << 16
-#: A heading with its unit where blanks separate the columns.
+#: A heading with its unit, if spaces separate the columns.
 _WORD: Final = re.compile(r"[^\s(\[]+(?:\s*[(\[][^)\]]*[)\]])?")
 
 
 def decoded(path: Path, data: bytes, encoding: str) -> tuple[str, str]:
-    """The text of a file, and its encoding.
+    """Decode a file; returns the text and its encoding.
 
     Args:
         path: the file, for messages
         data: its content
-        encoding: its encoding; empty where that is to be found out
+        encoding: its encoding; empty to detect it
 
     Raises:
-        RecordError: it is no text, or not in this encoding
+        RecordError: the file is not text, or not in this encoding
     """
     try:
         for name in [encoding] if encoding else _encodings(data):
@@ -71,7 +71,7 @@ def _encodings(data: bytes) -> list[str]:
     try:
         data.decode("utf-8")
     except UnicodeDecodeError:
-        # A single degree sign says too little: the most usual encoding goes before others that fit.
+        # A single degree sign does not identify the encoding: prefer the most usual one among those that fit.
         best = next((one for names in (_ENCODINGS[:1], _ENCODINGS) if (one := _best(data, names))), "cp1252")
         return [best, "latin-1"]
     return ["utf-8"]
@@ -83,7 +83,7 @@ def _best(data: bytes, encodings: list[str]) -> str:
 
 
 def find_in_text(path: Path, text: str, layout: Layout) -> tuple[Candidate | None, tuple[str, ...]]:
-    """The table in a text, and its comments; None where there is none of two columns of numbers.
+    """The table in a text, and its comments; None if there is none with two columns of numbers.
 
     Raises:
         RecordError: more than one delimiter or decimal mark is possible
@@ -96,7 +96,7 @@ def find_in_text(path: Path, text: str, layout: Layout) -> tuple[Candidate | Non
     given = _DELIMITERS.get(layout.delimiter, "\t" if layout.delimiter == "\\t" else layout.delimiter)
     found: list[Candidate] = []
     for one in [given] if given else _DELIMITERS.values():
-        # Blanks stand inside of other tables too: they separate only where nothing else does.
+        # Tables with other delimiters contain spaces too: they separate only if nothing else does.
         if lines and one in lines[-1][1] and not (one == " " and found and not given):
             cells = _split(path, lines, one)
             marks = [layout.decimal] if layout.decimal else [".", ","]
@@ -114,13 +114,13 @@ def find_in_text(path: Path, text: str, layout: Layout) -> tuple[Candidate | Non
 
 
 def find_in_rows(path: Path, rows: list[Row], typed: bool, layout: Layout) -> Candidate | None:
-    """The table in the rows of a sheet, None where there is none of two columns of numbers.
+    """The table in the rows of a sheet; None if there is none with two columns of numbers.
 
     Args:
         path: the file
-        rows: its filled rows
-        typed: whether the numbers are numbers, whose decimal mark is a point
-        layout: what is known
+        rows: its nonempty rows
+        typed: whether numbers are stored as numbers, whose decimal mark is a point
+        layout: known layout
 
     Raises:
         RecordError: more than one decimal mark is possible
@@ -134,7 +134,7 @@ def find_in_rows(path: Path, rows: list[Row], typed: bool, layout: Layout) -> Ca
 
 
 def delimiter_name(delimiter: str) -> str:
-    """A delimiter in words."""
+    """Name of a delimiter."""
     return next((name for name, one in _DELIMITERS.items() if one == delimiter), repr(delimiter))
 
 
@@ -144,7 +144,7 @@ def _is_remark(line: str) -> bool:
 
 
 def _split(path: Path, lines: Sequence[tuple[int, str]], delimiter: str) -> list[Row]:
-    """Lines as cells; minus signs of typography are those of numbers."""
+    """Split lines into cells; typographic minus signs are replaced."""
     if delimiter != " ":
         return [
             (
@@ -160,7 +160,7 @@ def _split(path: Path, lines: Sequence[tuple[int, str]], delimiter: str) -> list
 
 
 def _of_best_mark(path: Path, tables: list[Candidate]) -> list[Candidate]:
-    """Of the tables of one delimiter that with most numbers."""
+    """The table with the most numbers among those with one delimiter."""
     flawless = [table for table in tables if not table.faults] or tables
     most = max((len(table.numeric) for table in flawless), default=0)
     best = [table for table in flawless if len(table.numeric) == most]

@@ -20,8 +20,8 @@ class RecordError(PyJoystickError, ValueError):
         reason: what is wrong
         advice: what to do about it
         column: heading of the column concerned, or an empty string
-        rows: the rows concerned (a tuple): line numbers of the file as an editor shows them, or indices of
-            samples where the record comes from arrays; may be empty
+        rows: the rows concerned (a tuple): line numbers of the file as in an editor, or indices of
+            samples if the record comes from arrays; may be empty
         value: the offending value, or None
     """
 
@@ -48,7 +48,7 @@ class RecordError(PyJoystickError, ValueError):
 
 
 def rows_in_words(rows: Iterable[int]) -> str:
-    """Row numbers as text, neighbors drawn together: ``row 7`` or ``rows 3-5, 9``."""
+    """Row numbers as text with ranges: ``row 7`` or ``rows 3-5, 9``."""
     ranges = list(_ranges(sorted(set(rows))))
     words = [str(first) if first == last else f"{first}-{last}" for first, last in ranges[:_MOST_ROWS_SHOWN]]
     more = len(ranges) - len(words)

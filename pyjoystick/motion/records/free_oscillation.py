@@ -1,12 +1,12 @@
-"""Whether a record shows what section 3.3 of the paper needs: one release and a free decay.
+"""Check that a record shows what section 3.3 of the paper needs: one release and a free decay.
 
-Refused (`RecordError`) is what would make every later number wrong or meaningless: no oscillation, too few
-peaks for a line through them, a motion that does not die away, one that grows again (a second release), a
-gap in which a peak may hide (all later peaks would be counted wrongly), the wrong side of release, a velocity
-that is not that of the angle, an angle that jumps as a counter does that wraps around. Flagged, as a
-sentence in the notes of the record, is what a reader should know but can live with: shorter gaps, uneven
-times, fewer peaks than eq. (12) judges, swings of few samples, samples that repeat while the joystick moves,
-angles beyond the stops, a zero of the angle that is not where the joystick rests. Nothing is repaired.
+Anything that would make later results wrong or meaningless is an error (`RecordError`): no oscillation, too
+few peaks for a line through them, a motion that does not decay or grows again (a second release), a gap that
+may hide a peak (all later peaks would be miscounted), the wrong side of release, a velocity that is not that
+of the angle, an angle that jumps like a counter that wraps around. Less serious findings are added to the
+notes of the record, one sentence each: shorter gaps, uneven times, fewer peaks than eq. (12) compares, swings
+of few samples, samples that repeat while the joystick moves, angles beyond the stops, a zero of the angle
+that is not the rest position. Nothing is repaired.
 """
 
 from __future__ import annotations
@@ -25,43 +25,43 @@ from pyjoystick.motion.records.swings import THRESHOLD, Swing, find_swings
 
 Side = Literal["forward", "backward"]
 
-#: Two on either side: fewer leave no line to be drawn through the peaks of a side.
+#: Two on either side; fewer do not define a line through the peaks of a side.
 FEWEST_PEAKS: Final = 4
-#: Eq. (12) judges this many peaks of the displacement.
+#: Number of displacement peaks that eq. (12) compares.
 WANTED_PEAKS: Final = 9
-#: A swing that goes further than the one before on its side by this part of the largest angle is not free.
+#: A swing that exceeds the previous one on its side by this part of the largest angle is not free.
 GROWTH: Final = 0.1
-#: A gap that is shorter than this part of a swing hides little of how far it goes: 1 - cos(0.3*pi/2) = 11 %.
+#: A gap shorter than this part of a swing hides little of its height: 1 - cos(0.3*pi/2) = 11 %.
 _OF_SWING: Final = 0.3
 #: The last swing on the side of release must stay below this part of the release angle.
 DECAYED: Final = 0.9
-#: Times are uneven where steps that are no gaps differ by this part of the usual one.
+#: Times are uneven if steps that are not gaps differ by this part of the usual one.
 UNEVEN: Final = 0.02
-#: Above this part of the release angle the joystick is still held: free, it never comes back there.
+#: Above this part of the release angle the joystick is still held: once free, it never returns there.
 HELD: Final = 0.95
-#: Fewest samples at the end of a record that show where it rests.
+#: Minimum number of samples at the end of a record that show the rest position.
 _REST_SAMPLES: Final = 10
 #: A rest farther from zero than this part of the largest angle is noted. A joystick leans to an end of its
 #: clearance, 0.2 degrees, which is 1 % of a release from 20.
 _OFF_ZERO: Final = 0.02
-#: Half as far again as a joystick's stops: such an angle is likely in another unit.
+#: One and a half times the angle of a joystick's stops; larger angles are likely in another unit.
 _FAR_BEYOND_STOPS: Final = math.radians(30.0)
 
 
 def check_free_oscillation(record: Record, *, released: Side | None = None, counted: bool = True) -> Record:
-    """The record with its notes, if it is a free oscillation after one release.
+    """Check that the record is a free oscillation after one release; returns it with notes.
 
     Args:
-        record: what was measured
-        released: the side from which the joystick was let go, where it is known; forward is positive
-        counted: whether its peaks are to be counted, so that none may hide in a gap; a fit of the whole
+        record: the measured record
+        released: side of the release, if known; forward is positive
+        counted: whether its peaks will be counted, so that no gap may hide any; a fit of the whole
             motion does not count them
 
     Returns:
-        the same samples, with what was flagged added to the notes
+        the same samples, with findings added to the notes
 
     Raises:
-        RecordError: the record is no such motion, or was released on the other side; see the module
+        RecordError: the record is not such a motion, or was released on the other side; see the module
     """
     require_no_jump(record)
     largest = float(np.max(np.abs(record.theta)))
@@ -104,14 +104,14 @@ def _require_oscillation(record: Record, swings: Sequence[Swing]) -> None:
 
 
 def require_no_growth(record: Record, swings: Sequence[Swing], largest: float) -> None:
-    """Raise RecordError where a swing goes farther than the one before on its side, which no free one does.
+    """Raise RecordError if a swing exceeds the previous one on its side, which is impossible without a push.
 
-    A swing may have gone farther than its samples in a gap: then the one before it on its side counts.
+    If a gap may hide the top of the previous swing, the one before it on the same side is used.
 
     Args:
-        record: what was measured
-        swings: of its angle, alternating in side
-        largest: angle (rad) of which 10 % more are allowed
+        record: the measured record
+        swings: swings of its angle, alternating in side
+        largest: angle (rad) of which a 10 % excess is allowed
     """
     seen: dict[int, Swing] = {}
     for swing in swings:
@@ -160,7 +160,7 @@ def _require_side(record: Record, release: Swing, released: Side | None) -> None
 
 
 def _gaps(record: Record, swings: Sequence[Swing], *, counted: bool) -> Iterator[str]:
-    """A note on the gaps; where peaks are counted, those in which a swing may hide are refused."""
+    """Note on the gaps; if peaks are counted, gaps in which a swing may hide are an error."""
     steps = np.diff(record.time)
     gaps = np.flatnonzero(steps > GAP * record.interval)
     for i in gaps:
@@ -181,9 +181,9 @@ def _gaps(record: Record, swings: Sequence[Swing], *, counted: bool) -> Iterator
 
 
 def _shortest_beside(record: Record, swings: Sequence[Swing], i: int) -> float:
-    """Duration (s) of the shortest whole swing beside the step after sample i; infinite where none is near.
+    """Duration (s) of the shortest complete swing next to the step after sample i; infinite if none is near.
 
-    The hold before the release and the rest after the last swing that counts may have gaps of any length.
+    The hold before the release and the rest after the last significant swing may have gaps of any length.
     """
     time = record.time
     if i >= swings[-1].last or record.theta[i + 1] / swings[0].value > HELD:
@@ -191,7 +191,7 @@ def _shortest_beside(record: Record, swings: Sequence[Swing], i: int) -> float:
     edges = [0.5 * float(time[a.last] + time[b.first]) for a, b in pairwise(swings)]
     inside = sum(edge < time[i] for edge in edges)
     durations = np.diff(edges)
-    # Swing k lasts from edge k-1 to edge k; the swing of the gap itself may be two with one hidden between.
+    # Swing k lasts from edge k-1 to edge k; a swing with the gap may be two, with one hidden in between.
     beside = [durations[k - 1] for k in (inside - 1, inside + 1, inside + 2) if 1 <= k <= len(durations)]
     return float(min(beside))
 
@@ -208,10 +208,10 @@ def _unevenness(record: Record) -> Iterator[str]:
 
 
 def _velocity(record: Record) -> Iterator[str]:
-    """A note on a measured velocity that is off; refuses one that is not that of the angle."""
+    """Note on a measured velocity that is off; one that does not match the angle at all is an error."""
     if record.omega is None:
         return
-    # The trapezoidal rule: the change of the angle over a step against the mean velocity in it.
+    # Trapezoidal rule: change of the angle over a step compared with the mean velocity.
     turned = np.diff(record.theta)
     mean = 0.5 * (record.omega[1:] + record.omega[:-1]) * np.diff(record.time)
     square = float(np.sum(mean * mean))
@@ -249,7 +249,7 @@ def _stops(record: Record, largest: float) -> Iterator[str]:
 
 
 def _rest(record: Record, swings: Sequence[Swing], largest: float) -> Iterator[str]:
-    """What is still for a whole period is at rest; in a shorter time, also what turns round."""
+    """What does not move for a whole period is at rest; a shorter stretch may also be a turning point."""
     period = 2.0 * max(record.time[swing.last] - record.time[swing.first] for swing in swings[1:-1])
     tail = record.theta[record.time > record.time[-1] - period]
     if len(tail) < _REST_SAMPLES:

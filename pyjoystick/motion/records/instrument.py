@@ -1,4 +1,4 @@
-"""Faults of an instrument that show in the samples of an angle: counters that wrap, sensors that freeze."""
+"""Instrument faults that show in the samples of an angle: counters that wrap, sensors that freeze."""
 
 from __future__ import annotations
 
@@ -13,21 +13,21 @@ from pyjoystick.motion.records.errors import RecordError, rows_in_words
 from pyjoystick.motion.records.record import Record
 from pyjoystick.motion.records.swings import Swing
 
-#: A joystick moves at up to 12 rad/s; a step that is faster than this, ...
+#: A joystick moves at up to 12 rad/s; a step faster than this that
 _FASTEST: Final = 30.0
-#: ... goes over this part of all angles, and has neighbors of less than this part of it, is none.
+#: covers this part of the range of angles, with neighbors below this part of it, is not motion.
 _FAR: Final = 0.5
 _BESIDE: Final = 0.25
-#: So many equal samples are looked at.
+#: Number of equal samples that are examined.
 _EQUAL: Final = 3
-#: A step of a motion after equal samples is at most four times the resolution, the rounding of both included.
+#: After equal samples, a step of a true motion is at most four times the resolution, including rounding.
 _CATCH_UP: Final = 5.0
-#: Angles closer than this (rad) are one: it is rounding.
+#: Angles closer than this (rad) are equal up to rounding.
 _SAME_ANGLE: Final = 1e-12
 
 
 def require_no_jump(record: Record) -> None:
-    """Raise RecordError where the angle jumps in a steady motion, as a counter makes it that wraps."""
+    """Raise RecordError if the angle jumps in a steady motion, as from a counter that wraps."""
     steps = np.abs(np.diff(record.theta))
     beside = np.maximum(np.append(0.0, steps[:-1]), np.append(steps[1:], 0.0))
     jumps = np.flatnonzero(
@@ -52,14 +52,15 @@ def require_no_jump(record: Record) -> None:
 
 
 def repeated_angles(record: Record, swings: Sequence[Swing], held: float) -> Iterator[str]:
-    """A note where the angle stays exactly the same in the middle of the motion, then catches up.
+    """Note that the angle stays exactly constant in the middle of the motion, then catches up.
 
-    Equal samples alone prove nothing: coarse angles repeat at every turn and at rest. There the angle goes on
-    by a few times its resolution; a sensor that froze goes on by all that it missed.
+    Equal samples alone prove nothing: coarse angles repeat at every turn and at rest. There the next step is
+        a
+    few times the resolution; after a freeze, the sensor makes up for all that it missed.
 
     Args:
-        record: what was measured
-        swings: of its angle
+        record: the measured record
+        swings: swings of its angle
         held: part of the release angle above which the joystick is still held
     """
     theta = record.theta

@@ -1,4 +1,4 @@
-"""From a laboratory's files to records."""
+"""Reading records from a laboratory's files."""
 
 from __future__ import annotations
 
@@ -39,27 +39,27 @@ def read_record(
 ) -> Record:
     """Read one motion from a file.
 
-    A CSV file has one line of headings, ``time (s)``, ``theta (deg)`` or ``theta (rad)`` and perhaps ``omega
-    (rad/s)`` or ``omega (deg/s)``, then one sample a row; lines that begin with # are comments, other columns
-    are left alone. The files of `read_log` are read too, where they can be understood in one way only.
+    A CSV file has one line of headings, ``time (s)``, ``theta (deg)`` or ``theta (rad)`` and, optionally,
+    ``omega (rad/s)`` or ``omega (deg/s)``, then one sample per row; lines that begin with # are comments, and
+    other columns are ignored. Files for `read_log` are also accepted if they are unambiguous.
 
     Args:
         path: the file
-        columns: headings of the columns where they have other names: ``{"theta": "Angle X"}``; a heading may
-            be given with its unit or without
-        units: units of the columns whose headings have none: ``{"time": "s", "theta": "deg"}``; see `UNITS`
-        released: side of release, where it is known; a record of the other side is refused
-        free_oscillation: whether the record is checked to be one release and what follows (see
-            `check_free_oscillation`); without it only the samples themselves are
-        counted: whether its peaks are to be counted, as for `check_free_oscillation`
-        name: name of the record; that of the file without its suffix where not given
+        columns: headings of columns with other names: ``{"theta": "Angle X"}``, with or without
+            their unit
+        units: units of columns whose headings have none: ``{"time": "s", "theta": "deg"}``; see `UNITS`
+        released: side of release, if known; records of the other side are rejected
+        free_oscillation: whether to check that the record is one release and its decay (see
+            `check_free_oscillation`); otherwise only the samples themselves are checked
+        counted: whether its peaks will be counted, see `check_free_oscillation`
+        name: name of the record; by default that of the file without its suffix
 
     Returns:
-        the record in SI units; what is doubtful in it is in its notes
+        the record in SI units, with doubts in its notes
 
     Raises:
         RecordError: the file cannot be read; a column is missing, has no unit or an unknown one; a cell is
-            empty or no finite number; times are repeated or out of order; degrees stand under the name of
+            empty or not a finite number; times are repeated or out of order; degrees are labelled as
             radians; or it is not a free oscillation. The message names the file, the column and the rows.
     """
     table = read_log_table(path, numbered=bool(columns))
@@ -88,20 +88,20 @@ def read_repeats(
     both_sides: bool = False,
     counted: bool = True,
 ) -> tuple[Record, ...]:
-    """Read the records of one joystick: free oscillations, from the same side unless it is said otherwise.
+    """Read the records of one joystick: free oscillations, by default all released from the same side.
 
     Args:
-        paths: one file a repeat
-        columns: headings of the columns, as for `read_record`
-        units: units of columns without one, as for `read_record`
-        released: side of release, where it is known
+        paths: one file per repeat
+        columns: headings of the columns, see `read_record`
+        units: units of columns without one, see `read_record`
+        released: side of release, if known
         both_sides: whether some may be released from the other side
-        counted: whether their peaks are to be counted, as for `check_free_oscillation`
+        counted: whether their peaks will be counted, see `check_free_oscillation`
 
     Raises:
-        RecordError: the paths are no list; a file is refused; two hold the same samples (a repeat counted
-            twice would make every interval too narrow); or they are released from different sides (the wrong
-            sign in one?)
+        RecordError: the paths are not a list; a file is rejected; two contain the same samples (a repeat
+            counted twice would make every interval too narrow); or they are released from different sides
+            (perhaps one has the wrong sign)
     """
     if isinstance(paths, str | PathLike):
         raise RecordError(str(paths), "is one path", "give a list of files, one a repeat")
@@ -125,7 +125,7 @@ def _require_another(record: Record, other: Record) -> None:
 
 
 def _require_same_side(record: Record, other: Record) -> None:
-    # The first swing, not the largest angle: a zero that is off can make the swing after it the larger one.
+    # Use the first swing, not the largest angle: with a zero offset, the next swing may be larger.
     release, before = (_release(one) for one in (record, other))
     if release.sign != before.sign:
         raise RecordError(
@@ -144,9 +144,9 @@ def _release(record: Record) -> Swing:
 
 
 def _small_degrees(theta: FloatArray) -> tuple[str, ...]:
-    """A note where angles in degrees look like radians.
+    """Note that angles in degrees look like radians.
 
-    They cannot be refused: a motion of a degree is possible, one of 90 degrees or more is not.
+    They cannot be rejected: a motion of a degree is possible, one of 90 degrees or more is not.
     """
     largest = math.degrees(float(np.max(np.abs(theta))))
     if largest < math.pi / 2.0:

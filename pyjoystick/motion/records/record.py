@@ -14,15 +14,15 @@ from numpy.typing import ArrayLike, NDArray
 from pyjoystick.motion.records.errors import RecordError
 from pyjoystick.support import FloatArray
 
-#: A record needs this many samples.
+#: Minimum number of samples of a record.
 FEWEST_SAMPLES = 3
-#: Time between two samples (s): a joystick swings a few times a second, and no instrument is faster.
+#: Range of the sampling interval (s): a joystick swings a few times per second, and no instrument is faster.
 _INTERVALS: Final = (1e-7, 1.0)
-#: A step of more than this many usual ones is a gap.
+#: A step longer than this many usual ones is a gap.
 GAP: Final = 1.5
-#: A gap of less than this part of a neighboring swing cannot hide a swing, even one that is shorter by a bit.
+#: A gap shorter than this part of an adjacent swing cannot hide a swing, even a slightly shorter one.
 HIDING: Final = 0.75
-#: Samples closer than this (s) are of one instant.
+#: Samples closer than this (s) have the same time.
 _SAME_INSTANT: Final = 1e-12
 #: No instrument resolves an angle as small as this (rad).
 _LEAST_ANGLE: Final = 1e-9
@@ -34,7 +34,7 @@ MISSING_ADVICE: Final = (
 
 
 def require_sampling(source: str, time: FloatArray, rows: Sequence[int] | NDArray[np.int64]) -> None:
-    """Raise RecordError where increasing instants (s), shape (n,), n > 1, are likely in another unit."""
+    """Raise RecordError if increasing times (s), shape (n,), n > 1, are likely in another unit."""
     shortest, longest = _INTERVALS
     interval = float(np.median(np.diff(time)))
     if not shortest <= interval < longest:
@@ -52,24 +52,24 @@ def require_sampling(source: str, time: FloatArray, rows: Sequence[int] | NDArra
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Record:
-    """One measured motion. The arrays are copies that cannot be written to.
+    """One measured motion, in read-only copies of the arrays.
 
-    Nothing is repaired: samples and times are as recorded, with zero wherever the clock had it.
+    Nothing is repaired: samples and times are as recorded, with the clock's own zero.
 
     Attributes:
-        name: what the record is called in tables and figures
-        time: instants (s), shape (n,), n >= 3, increasing; gaps are allowed here
+        name: name of the record in tables and figures
+        time: times (s), shape (n,), n >= 3, increasing; gaps are allowed here
         theta: angle (rad), shape (n,), positive forward, |theta| < pi/2
-        omega: angular velocity (rad/s) where it was measured, shape (n,), else None
-        source: where the record comes from: the path of the file, or a note on its origin
-        notes: what was found doubtful but not refused, a sentence each
-        rows: row of each sample in its source, shape (n,): line numbers of a file; indices from 0 where not
-            given
+        omega: angular velocity (rad/s) if it was measured, shape (n,), else None
+        source: source of the record: the path of the file, or a note on its origin
+        notes: doubts that are not errors, one sentence each
+        rows: row of each sample in its source, shape (n,): line numbers of a file; by default indices
+            from 0
 
     Raises:
-        RecordError: an array is not one-dimensional, not of the length of `time`, too short, or holds NaN or
-            infinity; the time does not increase; an angle of pi/2 or more (degrees taken for radians?); no
-            angle that an instrument resolves, unless all are zero
+        RecordError: an array is not one-dimensional, not of the length of `time`, too short, or contains NaN
+            or infinity; the time does not increase; an angle is pi/2 or more (degrees taken for radians?); no
+            angle is large enough for an instrument to resolve, unless all are zero
     """
 
     name: str
@@ -102,15 +102,15 @@ class Record:
 
     @property
     def interval(self) -> float:
-        """Time between two samples (s): the median, so that gaps do not count."""
+        """Sampling interval (s): the median, which ignores gaps."""
         return float(np.median(np.diff(self.time)))
 
     def with_notes(self, *notes: str) -> Record:
-        """The same record with further notes."""
+        """Return the record with additional notes."""
         return dataclasses.replace(self, notes=(*self.notes, *notes))
 
     def between(self, start: float, end: float = math.inf) -> Record:
-        """The samples with start <= time <= end (s).
+        """Return the samples with start <= time <= end (s).
 
         Raises:
             RecordError: fewer than three are left
@@ -198,7 +198,7 @@ class Record:
 
 
 def _advice_beyond(theta: FloatArray) -> str:
-    """What to do about angles (rad) of a quarter turn and more."""
+    """Advice about angles (rad) of a quarter turn and more."""
     if len(theta) > 1 and np.ptp(theta) == 0.0:
         same = f"all are the same, {math.degrees(theta[0]):g} degrees"
         return f"{same}: does the instrument write this where it has no angle? Leave these rows out"

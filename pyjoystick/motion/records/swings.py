@@ -1,4 +1,4 @@
-"""The swings of a motion: the stretches on one side of the middle and on the other."""
+"""Swings of a motion: stretches on alternating sides of the middle."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 
 from pyjoystick.support import FloatArray
 
-#: A swing counts if it goes further than this part of the largest angle: noise about the middle is no swing.
+#: Minimum height of a swing relative to the largest angle; noise about the middle is not a swing.
 THRESHOLD = 0.05
 
 
@@ -19,8 +19,8 @@ class Swing:
 
     Attributes:
         first, last: indices of its first and last sample on that side
-        extreme: index of the sample that goes furthest
-        value: the angle there (rad)
+        extreme: index of the sample with the largest angle
+        value: angle of that sample (rad)
     """
 
     first: int
@@ -35,10 +35,10 @@ class Swing:
 
 
 def find_swings(theta: FloatArray, threshold: float) -> list[Swing]:
-    """The swings that go beyond `threshold` (rad, above 0), alternating in side.
+    """Find the swings that exceed `threshold` (rad, above 0), alternating in side.
 
-    A swing ends where the next one on the other side begins, or, the last one, where the motion is below the
-    threshold for good; passages of zero in between, as noise has them, do not split it.
+    A swing ends where the next one on the other side starts or, for the last one, where the motion stays
+    below the threshold; zero crossings in between, due to noise, do not split it.
     """
     outside = np.flatnonzero(np.abs(theta) > threshold)
     return list(_swings(theta, outside)) if outside.size else []
