@@ -1,6 +1,6 @@
-"""Records given as a whole where the declaration, or a base class, gives values to members.
+"""Records assigned as a whole to a component whose declaration, or base class, gives values to members.
 
-In ``C c(r = d)``, where C declares ``R r(a = 3)``, Modelica takes ``d.a`` and rumoca 3.
+In ``C c(r = d)``, where C declares ``R r(a = 3)``, Modelica uses ``d.a`` but rumoca uses 3.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ _ATTRIBUTES = frozenset(
 
 
 def values_over_members(text: ModelText) -> Iterator[tuple[str, Construct]]:
-    """Yield what is wrong with values of whole records, and the clauses that give them."""
+    """Yield an explanation and the clause of each whole-record value that rumoca would ignore in part."""
     classes = _Classes(text)
     if not text.records:
         return
@@ -59,7 +59,7 @@ class _Classes:
                 self._bases[simple].append((found["base"], plain[found.end() + 1 : end]))
 
     def overridden(self, name: str, modifiers: str) -> Iterator[tuple[str, set[str]]]:
-        """Yield the components to which modifiers of this class give whole records, and the members lost."""
+        """Yield the components to which modifiers of this class assign whole records, and members lost."""
         for path in assigned(modifiers):
             owners = {name}
             for part in path[:-1]:
@@ -76,7 +76,7 @@ class _Classes:
             yield from (own for own in self._own[one] if own.name == component)
 
     def _given(self, name: str, component: str) -> Iterator[str]:
-        """Yield the members to which these declarations, and clauses that inherit them, give values."""
+        """Yield the members to which these declarations, and extends-clauses of the classes, give values."""
         for one in self._inherited(name):
             for own in self._own[one]:
                 if own.name == component:
@@ -100,5 +100,5 @@ def _members(modifiers: str) -> set[str]:
 
 
 def _values(paths: Iterable[Path]) -> set[str]:
-    """Return the members that have values among these paths, not those of which only attributes are set."""
+    """Return the members that get values from these paths, not only attributes."""
     return {path[0] for path in paths if len(path) == 1 or path[-1] not in _ATTRIBUTES}
