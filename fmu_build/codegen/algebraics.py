@@ -1,7 +1,7 @@
 """Algebraic equations in topological order.
 
-rumoca provides residuals and the order of its blocks. Most blocks have one unknown, which enters linearly:
-these are solved here, so that the C code assigns the unknown. The other blocks are left to Newton's method.
+rumoca provides residuals and the order of its blocks. Most blocks have one unknown that enters linearly:
+these are solved symbolically, so that the C code assigns the unknown. All others are left to Newton's method.
 """
 
 from __future__ import annotations
@@ -70,7 +70,7 @@ def _is_linear(value: Expression, unknowns: set[Expression]) -> bool:
 
 
 def _keeps_linear(operator: str, moves: Sequence[bool]) -> bool:
-    """Return whether an operator is linear in the arguments that depend on the unknowns."""
+    """Return whether an operator is linear in those arguments that depend on the unknowns."""
     match operator:
         case "Add" | "Sub" | "Neg":
             return True
@@ -99,10 +99,11 @@ def order(model: LoweredModel, rows: dict[int, Expression], plan: dict[str, Any]
 
 
 def _after_what_they_read(model: LoweredModel, steps: Sequence[Step]) -> tuple[Step, ...]:
-    """Return the steps so that each reads only what is computed before it.
+    """Return the steps in an order in which each reads only what earlier steps have computed.
 
-    rumoca's order leaves out arguments that do not move the result of a function. But the C code computes an
-    argument once for all that share it, at its first use: there it must be known.
+    rumoca's order ignores arguments that do not affect the result of a function. The C code, however,
+    computes each shared argument once, at its first use, and everything that the argument reads must be known
+    there.
     """
     computing = {unknown: step for step in steps for unknown in step.unknowns}
     before = {

@@ -1,4 +1,4 @@
-"""Read from the Modelica source the class annotations that rumoca does not pass on."""
+"""Read class annotations that rumoca does not pass on from the Modelica source."""
 
 from __future__ import annotations
 

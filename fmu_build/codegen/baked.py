@@ -1,8 +1,8 @@
 """Find baked parameters: the compiler has put their values into the equations, so setting them has no effect.
 
 A parameter is free if its value does not change the equations and if every parameter that depends on it is
-computed from it when the FMU is initialized. `trials` compiles the model with other values, `probes` says how
-choices are found.
+computed from it when the FMU is initialized. `trials` compiles the model with other values; `probes` chooses
+values that reveal branches.
 """
 
 from __future__ import annotations
@@ -21,9 +21,9 @@ def baked_parameters(trials: Trials) -> frozenset[str]:
 
 
 def _layers(trials: Trials, group: Sequence[Candidate]) -> Iterator[list[Candidate]]:
-    """Part the candidates so that none stands beside one that follows it.
+    """Split the candidates into groups in which none depends on another.
 
-    Set together, the one would hide that the other does not follow it when the FMU runs.
+    If both were set in the same trial, nobody would see that the dependent one ignores the other at run time.
     """
     remaining = list(group)
     while remaining:
@@ -37,14 +37,14 @@ def _layers(trials: Trials, group: Sequence[Candidate]) -> Iterator[list[Candida
 
 
 def followers_of(trials: Trials, group: Sequence[Candidate]) -> set[str]:
-    """Return the parameters whose values the compiler has derived from those of others, of the group."""
+    """Return the parameters whose values the compiler has derived from those of parameters in the group."""
     return {name for chosen in halves(group) for name in trials.followers(chosen)}
 
 
 def halves(group: Sequence[Candidate]) -> list[list[Candidate]]:
-    """Return what to set in each of a few trials, so that of any two one is set without the other in some.
+    """Return the candidates to set in each trial, such that no candidate is always set together with another.
 
-    Each is set in its own half of the trials, rounded up.
+    Each is set in a different selection of half of the trials, rounded up.
     """
     count = next(n for n in itertools.count(min(len(group), 1)) if math.comb(n, n // 2) >= len(group))
     own = list(zip(group, itertools.combinations(range(count), (count + 1) // 2), strict=False))

@@ -119,7 +119,7 @@ class Writer:
         return f"{a} {symbol} {b}", level
 
     def _condition(self, node: Expression, level: int) -> str:
-        """Return a truth value as a C condition: a double is compared with zero, a comparison is kept."""
+        """Write a truth value as a C condition: a comparison as it is, any other value compared with zero."""
         if node.operator in ex.TRUTH and node not in self._names:
             return self._within(node, level)
         text = f"{self._within(node, _EQUAL + 1)} != 0.0"

@@ -173,7 +173,7 @@ class _Code:
         ]
 
     def _root_rates(self) -> list[str]:
-        """Return what the table of sensitivities points to; nothing without them."""
+        """Return the function for the table of sensitivities, or nothing if the model has none."""
         found = self._equations.sensitivities
         if found is None:
             return []

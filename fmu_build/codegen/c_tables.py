@@ -152,7 +152,7 @@ def _properties(e: Equations, variables: Sequence[StoredVariable]) -> dict[str, 
 
 
 def _sensitivities(sensitivities: EventSensitivities | None, writer: _Tables) -> list[str]:
-    """Write the table of sensitivities; return the field of `model` that points to it, none without them."""
+    """Write the table of sensitivities, if any; return the field of `model` that points to it."""
     if sensitivities is None:
         return []
     rows = [
@@ -184,7 +184,7 @@ def _read_algebraic(equations: Equations, expressions: Sequence[Expression]) -> 
 
 
 class _Tables:
-    """Static arrays; an empty one is omitted, so its pointer in `model` stays null."""
+    """Collects static arrays; an empty one is omitted, so its pointer in `model` stays null."""
 
     def __init__(self, names: Mapping[Slot, str]) -> None:
         self.parts: list[str] = []

@@ -25,7 +25,7 @@ _BASE = re.compile(r"(?:\bextends\s+|=\s*)(?:\w+\s*\.\s*)*(?P<name>\w+)")
 
 
 def changed_constants(text: ModelText) -> Iterator[tuple[str, Construct]]:
-    """Yield what is wrong, and the clause that changes a class that the model uses beside its heir."""
+    """Yield an explanation and the clause for each class that is used together with a modified heir."""
     for clause in _changing_clauses(text):
         found = _BASE.search(clause.plain)
         assert found is not None  # by the patterns
@@ -39,7 +39,7 @@ def changed_constants(text: ModelText) -> Iterator[tuple[str, Construct]]:
 
 
 def _changing_clauses(text: ModelText) -> Iterator[Construct]:
-    """Yield the clauses by which classes inherit with modifiers, or redeclare what they inherit."""
+    """Yield the extends-clauses with modifiers, and those of packages that redeclare inherited elements."""
     yield from text.find([_SHORT_CLASS])
     for clause in text.find([_EXTENSION]):
         if clause.plain[clause.plain.index("(") + 1 : -1].strip():
@@ -66,8 +66,8 @@ def _redeclares(own: str) -> bool:
 def is_named(text: ModelText, base: str) -> bool:
     """Return whether the model uses names of the class other than by inheritance.
 
-    A package is used wherever its name stands, because that may be an alias; another class where something in
-    it is named. A partial package cannot be used.
+    A package counts as used wherever its name occurs, because the name may be an alias; any other class,
+    where an element of it is named. A partial package cannot be used.
     """
     kinds = text.kinds_of(base)
     if kinds == {"partial package"}:
@@ -81,7 +81,7 @@ def is_named(text: ModelText, base: str) -> bool:
 
 
 def _is_inheritance(before: str, after: str) -> bool:
-    """Return whether a name, given what stands before and after it, names a base class or is declared."""
+    """Return whether a name, given the text before and after it, is a base class or is being declared."""
     scope = r"(?:\w+\s*\.\s*)*$"
     if re.search(rf"\b(?:extends|constrainedby|end|{_KIND})\s+{scope}", before):
         return True

@@ -24,7 +24,7 @@ class Clock:
 
 
 def periodic_clocks(model: LoweredModel) -> tuple[Clock, ...]:
-    """Return the clocks of the model; raises `UnsupportedModelError` for one that begins at another time."""
+    """Return the clocks of the model; raises `UnsupportedModelError` if one starts at an unsupported time."""
     clocks = model.solve["clocks"]
     result = []
     for slot, schedule in zip(
@@ -63,7 +63,7 @@ def ticks_of_slots(model: LoweredModel) -> dict[Slot, int]:
 
 
 def _clock_in(operation: dict[str, Any], conditions: dict[int, dict[str, Any]]) -> int | None:
-    """Return the clock that a condition waits for, alone or combined with others; None if there is none."""
+    """Return the clock in a condition, alone or combined with others; None if there is none."""
     if operation["kind"] == "clock":
         return int(operation["clock"])
     if operation["kind"] == "and":

@@ -1,4 +1,4 @@
-"""Dead code elimination: rumoca keeps a memory for every condition and relation that it sees."""
+"""Dead code elimination: rumoca allocates a memory for every condition and relation, used or not."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ Change = Callable[[Expression], Expression]
 
 
 def compact(equations: Equations, n_named: int) -> Equations:
-    """Drop unused memories, and renumber the remaining slots of p without gaps.
+    """Drop unused memories and renumber the remaining slots of p without gaps.
 
-    The first `n_named` slots of p hold parameters, inputs and discrete variables, and keep their numbers.
+    The first `n_named` slots of p are parameters, inputs and discrete variables; they keep their numbers.
     """
     equations = _without_unwritten(equations, n_named)
     equations = _without_unread(equations)
@@ -28,7 +28,7 @@ def compact(equations: Equations, n_named: int) -> Equations:
 
 
 def _without_unwritten(equations: Equations, n_named: int) -> Equations:
-    """Replace each memory that nothing writes by 0, the value that it would keep."""
+    """Replace each memory that is never written by 0, its constant value."""
     written = written_slots(equations)
     zero = {ex.p(slot): ZERO for slot in range(n_named, equations.n_p) if slot not in written}
     return changed(equations, lambda e: ex.substitute(e, zero))
@@ -56,7 +56,7 @@ def _without_unread(equations: Equations) -> Equations:
 
 
 def _keeps_step(relation: Relation, relations: Relations) -> bool:
-    """Return whether a crossing exists to update the memory of floor() or a similar function."""
+    """Return whether a crossing is needed to update the memory of floor() or a similar function."""
     steps = {ex.p(memory) for memory in relations.floors.values()}
     return not steps.isdisjoint(ex.leaves(relation.root))
 

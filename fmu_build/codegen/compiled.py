@@ -39,7 +39,7 @@ class CompiledModel:
 
     @cached_property
     def classes(self) -> ModelText:
-        """The text of the classes that the model can reach."""
+        """The source text of all classes that the model can reach."""
         return ModelText(self.name, {Path(path): text for path, text in self._sources.values()}, around=False)
 
     def text(self, span: Span) -> str:
@@ -71,7 +71,7 @@ class CompiledModel:
 
 
 def expressions(tree: Any, kind: str) -> Iterator[dict[str, Any]]:
-    """Yield all expressions of a kind in a tree of rumoca's, inner ones too."""
+    """Yield all expressions of a kind in one of rumoca's trees, including nested ones."""
     if isinstance(tree, dict):
         if kind in tree:
             yield tree[kind]

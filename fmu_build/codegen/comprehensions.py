@@ -1,6 +1,6 @@
-"""Array comprehensions whose iterator rumoca takes for a position: 1, 2, ... whatever its range is.
+"""Array comprehensions whose iterator rumoca replaces by the position 1, 2, ... whatever the range is.
 
-It does so where an array comes from a modifier, and in arrays of records.
+This happens to arrays that come from a modifier, and to arrays of records.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from fmu_build.modelica_source.constructs import Construct, ModelText
 
 
 def miscounted_comprehensions(text: ModelText) -> Iterator[tuple[str, Construct]]:
-    """Yield what is wrong with comprehensions in modifiers and values of records, and their clauses."""
+    """Yield an explanation and the clause of each affected comprehension in a modifier or record value."""
     for clause in text.find([COMPONENT_CLAUSE]):
         for component in component_clauses(clause.plain):
             value = component.value if component.type in text.records else ""
@@ -32,7 +32,7 @@ def _explanation(iterators: str) -> str:
 
 
 def _miscounted(modifiers: str) -> Iterator[str]:
-    """Yield the iterators of comprehensions, not of reductions such as ``sum(...)``, that do not count."""
+    """Yield the iterators of comprehensions, not of reductions such as ``sum(...)``, that do not count up."""
     for found in re.finditer(r"\bfor\b", modifiers):
         end = _end(modifiers, found.end())
         if modifiers[end : end + 1] == "}":
@@ -42,7 +42,7 @@ def _miscounted(modifiers: str) -> Iterator[str]:
 
 
 def _end(text: str, start: int) -> int:
-    """Return the place of the bracket that closes what is around a place."""
+    """Return the position of the bracket that closes the innermost one open at `start`."""
     depth = 0
     for place in range(start, len(text)):
         depth += {"(": 1, "[": 1, "{": 1, ")": -1, "]": -1, "}": -1}.get(text[place], 0)

@@ -1,8 +1,8 @@
-"""States of a model with constraints between its states: those that rumoca has chosen get their names.
+"""Index reduction: give the states that rumoca chooses in constrained models the names of variables.
 
-rumoca reduces the index of ``phi_a = ratio*phi_b`` and the like: it takes some of the variables as
-coordinates, ``$state_coordinates[i]``, and computes the others from them. Where the constraints are linear,
-with parameters as coefficients, the choice is valid for the whole motion; otherwise only near the start.
+For constraints such as ``phi_a = ratio*phi_b``, rumoca takes some of the variables as coordinates,
+``$state_coordinates[i]``, and computes the others from them. If the constraints are linear, with parameters
+as coefficients, the choice is valid for the whole motion; otherwise only near the start.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ _COORDINATE = "$state_coordinates"
 
 
 def with_named_states(model: LoweredModel, equations: Equations) -> LoweredModel:
-    """Return the model with the name of a variable for every state.
+    """Return the model with every state named after a variable.
 
     Raises `UnsupportedModelError` if the choice of states is not valid for the whole motion.
     """
@@ -36,7 +36,7 @@ def with_named_states(model: LoweredModel, equations: Equations) -> LoweredModel
 
 
 def _variable_equal_to(state: int, model: LoweredModel, equations: Equations) -> int:
-    """Return the place of the first variable of the source that is a copy of a state."""
+    """Return the place of the first source variable that is a copy of a state."""
     names = model.y_names
     declared = {name for entry in model.dae["variables"] for name in entry["scalar_names"]}
     copies = {ex.y(state)}
@@ -49,7 +49,7 @@ def _variable_equal_to(state: int, model: LoweredModel, equations: Equations) ->
 
 
 def _renamed(model: LoweredModel, taken: dict[int, int]) -> LoweredModel:
-    """Return the model in which the variables in the places `taken` are the states themselves."""
+    """Return the model in which the variables at the places `taken` are the states themselves."""
     names, slots = list(model.y_names), dict(model.slots)
     for index, place in taken.items():
         names[index], names[place] = names[place], names[index]
@@ -58,7 +58,7 @@ def _renamed(model: LoweredModel, taken: dict[int, int]) -> LoweredModel:
 
 
 def _is_linear(model: LoweredModel, equations: Equations) -> bool:
-    """Return whether the variables that were states in the source are linear in the coordinates."""
+    """Return whether the source's state variables are linear in the coordinates."""
     roles = {
         model.slots[name]: entry["role"]
         for entry in model.dae["variables"]
@@ -82,7 +82,7 @@ def _is_linear(model: LoweredModel, equations: Equations) -> bool:
 
 
 def _is_affine(expression: Expression, constant: set[Expression]) -> bool:
-    """Return whether an expression is affine in y, with coefficients of numbers and of `constant` leaves."""
+    """Return whether an expression is affine in y, with coefficients of numbers and `constant` leaves."""
     if not _reads_y(expression) or expression.operator == "y":
         return True
     first, *others = expression.arguments

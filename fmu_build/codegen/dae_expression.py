@@ -1,4 +1,4 @@
-"""Simple expressions of the DAE stage: those of start values, and comparisons of time."""
+"""Simple expressions of the DAE stage: start values and comparisons of time."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from fmu_build.codegen.lowered import LoweredModel
 
 
 def plain_expression(model: LoweredModel, number: int, element: int = 0) -> Expression | None:
-    """Return an element, by row-major offset, of expression `number` of the DAE, of parameters and time.
+    """Return one element, by row-major offset, of the DAE's expression `number` in parameters and time.
 
-    None for anything but plain arithmetic, such as a call of a Modelica function.
+    Returns None for anything but plain arithmetic, such as a call of a Modelica function.
     """
     entry = model.dae["expressions"][number]
     operation = entry["operation"]
@@ -43,7 +43,7 @@ def plain_expression(model: LoweredModel, number: int, element: int = 0) -> Expr
 
 
 def _operator(model: LoweredModel, operation: dict[str, Any]) -> tuple[str, list[int]]:
-    """Return the operator and the operands of an element-wise operation; "" for any other operation."""
+    """Return operator and operands of an element-wise operation; for any other, the operator is ""."""
     match operation["kind"]:
         case "conditional":
             return "Select", operation["operands"]

@@ -83,7 +83,7 @@ def _over(a: Expression, b: Expression) -> Expression:
     return binary("Div", a, b)
 
 
-# f'(a) of each function of one argument, given the node f(a).
+# f'(a) of each function of one argument; the node f(a) is passed in for reuse.
 _UNARY: dict[str, Callable[[Expression], Expression]] = {
     "Abs": lambda n: unary("Sign", n.arguments[0]),
     "Sqrt": lambda n: _over(number(0.5), n),
@@ -119,7 +119,7 @@ def _power(node: Expression, da: Expression, db: Expression) -> Expression:
         return by_base
     by_exponent = binary("Mul", binary("Mul", node, unary("Log", a)), db)
     if not db.is_number and not a.is_number:
-        # A constant exponent must not require the logarithm of a negative base or of zero.
+        # With a constant exponent, a negative or zero base must not lead to its logarithm.
         by_exponent = ex.select(Expression("Ne", (db, ZERO)), by_exponent, ZERO)
     return binary("Add", by_base, by_exponent)
 

@@ -92,7 +92,7 @@ class _Reader:
         return rows if self.homotopy is None else deformable(rows, self.homotopy)
 
     def _frozen(self, rows: dict[int, Expression]) -> dict[int, Expression]:
-        """Return the rows with memories in place of relations."""
+        """Return the rows with relations replaced by their memories."""
         memories = freeze_comparisons(rows.values(), self.relations, self.unwatched)
         return {number: ex.substitute(row, memories) for number, row in rows.items()}
 
@@ -132,13 +132,14 @@ class _Reader:
                 )
 
     def _guarded_by_tick(self, value: Expression, slot: Slot, tick: int | None) -> Expression:
-        """Add the guard of ``when sample(...)``, which rumoca leaves out of the clause's equations."""
+        """Add the guard of ``when sample(...)``, which rumoca omits from the equations of the clause."""
         if tick is None or ex.p(tick) in ex.leaves(value):
             return value
         return ex.select(ex.p(tick), value, ex.y(slot[1]) if slot[0] == "y" else ex.p(slot[1]))
 
     def _condition_memories(self) -> frozenset[int]:
-        """Return the slots of condition memories: those after named variables and pre() with no other use."""
+        """Return the slots of condition memories: those behind named variables and pre() without other use.
+        """
         pre = [binding["dest_p_index"] for binding in self.layout["pre_param_bindings"]]
         other = {
             *self.layout["relation_memory_parameter_indices"],
@@ -178,7 +179,7 @@ class _Reader:
     def _updates(
         self, n_states: int, sought: set[Slot]
     ) -> tuple[tuple[tuple[int, Expression], ...], _Starts, _Starts]:
-        """Return computed parameters, start values given by parameters, and guesses for `sought` slots."""
+        """Return computed parameters, start values that depend on parameters, and guesses for `sought`."""
         initialization = self.solve["initialization"]
         rows = self._read_rows(initialization["update_rhs"])
         targets = [slot_of(target) for target in initialization["update_targets"]]

@@ -35,7 +35,7 @@ class DiscreteRow:
 
 @dataclass(frozen=True, slots=True)
 class Action:
-    """An assert() or terminate(), taken when `condition` is true; the message is made of texts and values."""
+    """An assert() or terminate(), triggered when `condition` is true; its message has texts and values."""
 
     kind: ActionKind
     condition: Expression
@@ -44,16 +44,16 @@ class Action:
 
 @dataclass(frozen=True, slots=True)
 class EventSensitivities:
-    """How sensitivities pass an event: see `Sensitivities` in the runtime's model.h."""
+    """How sensitivities change at an event: see `Sensitivities` in the runtime's model.h."""
 
     n_states: int
-    """The states of the model itself; their sensitivities follow, parameter by parameter."""
+    """Number of states of the model itself; their sensitivities follow, parameter by parameter."""
     moves: tuple[int, ...]
     """For each parameter, the slot of p with the derivative of the event's time during an event, else 0."""
     next_moves: tuple[int, ...]
-    """For each parameter, the slot of p with the same for the event that is due."""
+    """The same for the event that is due next."""
     root_rates: tuple[Expression, ...]
-    """For each root, those in time included: its derivatives along the motion and by each parameter."""
+    """For each root, including those in time: its derivatives along the motion and by each parameter."""
 
 
 @dataclass(frozen=True)
@@ -76,14 +76,14 @@ class Equations:
     initial_residuals: tuple[Expression, ...]
     initial_event: int | None
     homotopy: int | None = None
-    """The slot of p for how far homotopy() is from its actual expression, from 0 to 1."""
+    """The slot of p for the distance of homotopy() from its actual expression, from 0 to 1."""
     guesses: tuple[tuple[Slot, Expression], ...] = ()
-    """Initial guesses for the unknowns of algebraic loops, as far as they depend on parameters."""
+    """Initial guesses for unknowns of algebraic loops that depend on parameters."""
     sensitivities: EventSensitivities | None = None
 
 
 def watched_conditions(equations: Equations) -> list[Expression]:
-    """Return the conditions of actions that can become true without an event: those that read y or time."""
+    """Return the conditions of actions that can become true between events: those that read y or time."""
     return [action.condition for action in equations.actions if ex.varies(action.condition)]
 
 
@@ -99,7 +99,7 @@ def written_slots(equations: Equations) -> set[int]:
 
 
 def acting_expressions(equations: Equations) -> Sequence[Expression]:
-    """Return every expression that affects the solution after initialization; assertions do not."""
+    """Return every expression that affects the solution after initialization; this excludes assertions."""
     return (
         *equations.derivatives,
         *(e for step in equations.algebraics for e in step.expressions),

@@ -1,7 +1,7 @@
 """Expressions of a lowered model: immutable nodes that can be compared, searched and differentiated.
 
-All values are doubles; a truth value is 1 or 0. Equality is structural, so that common subexpressions can
-be found in a dictionary.
+All values are doubles; truth values are 1 or 0. Equality is structural, so that common subexpressions can be
+looked up in a dictionary.
 """
 
 from __future__ import annotations
@@ -101,7 +101,7 @@ DTIME = Expression("dtime")
 
 
 def tangent_leaf(slot: Slot) -> Expression:
-    """Return the leaf that reads the tangent of a slot; `DTIME` is that of time."""
+    """Return the leaf that reads the tangent of a slot; the tangent of time is `DTIME`."""
     return Expression(f"d{slot[0]}", payload=slot[1])
 
 
@@ -115,7 +115,7 @@ _FOLD: dict[str, Callable[[float, float], float]] = {
 
 
 def negate(a: Expression) -> Expression:
-    """Return -a: a double negation cancels, a difference is swapped."""
+    """Return -a: cancels a double negation and swaps the operands of a difference."""
     if a.is_number:
         return number(-a.value)
     if a.operator == "Sub":
@@ -198,13 +198,13 @@ _SIMPLIFY: dict[str, Callable[[Expression, Expression], Expression]] = {
 
 
 def select(condition: Expression, if_true: Expression, if_false: Expression) -> Expression:
-    """Return a conditional value, without the condition if that makes no difference."""
+    """Return a conditional value, without the condition if it makes no difference."""
     if condition.is_number:
         return if_true if condition.value != 0.0 else if_false
     if if_true == if_false:
         return if_true
     if if_false == ZERO and _is_finite_guard(condition, if_true):
-        # rumoca wraps a divisor as "finite ? divisor : 0"; a non-finite divisor shows without the guard.
+        # rumoca wraps a divisor as "finite ? divisor : 0"; without the guard, a non-finite divisor shows.
         return if_true
     return Expression("Select", (condition, if_true, if_false))
 
@@ -242,12 +242,12 @@ def leaves(*roots: Expression) -> set[Expression]:
 
 
 def places(store: Literal["y", "p"], *roots: Expression) -> set[int]:
-    """Return the places in a store that the expressions read."""
+    """Return the indices of a store that the expressions read."""
     return {leaf.index for leaf in leaves(*roots) if leaf.operator == store}
 
 
 def varies(root: Expression) -> bool:
-    """Return whether a value can change between events: it reads y or the time."""
+    """Return whether a value can change between events: it reads y or time."""
     return any(leaf.operator in ("y", "time") for leaf in leaves(root))
 
 

@@ -1,8 +1,9 @@
-"""Keep parameters that others follow: rumoca copies the literal of a modifier to all that is bound to it.
+"""Restore dependencies between parameters: rumoca copies a literal in a modifier to everything bound to it.
 
-In ``Joystick joystick(J = 0.002)`` the handle's inertia, bound to the joystick's J, becomes the number 0.002,
-which J at run time would not change. If the modifier names a parameter instead, the inertia is computed from
-it. The model is compiled anew with such parameters, which take the names of those that they stand for.
+In ``Joystick joystick(J = 0.002)``, the handle's inertia, bound to the joystick's J, becomes the number
+0.002, so that setting J at run time would not change it. If the modifier names a parameter instead, the
+inertia is computed from it. The model is therefore recompiled with additional parameters, which then take the
+names of the originals.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ from fmu_build.support.errors import BuildError
 def with_followed_parameters(
     source: ModelSource, model: LoweredModel, trials: Trials
 ) -> tuple[ModelSource, LoweredModel] | None:
-    """Return the model in which others follow the parameters at run time; None if it is that already."""
+    """Return the model with these dependencies restored; None if there is nothing to restore."""
     followers = {name for kind in trials.kinds for name in followers_of(trials, kind)}
     leaders = (one for kind in trials.kinds for one in _leaders(trials, kind, followers))
     kept = [one.present for one in leaders if len(one.names) == 1 and _is_open(trials, one)]
@@ -33,13 +34,13 @@ def with_followed_parameters(
         anew = source.keeping(kept)
         return anew, _named(model, lower(anew.variant([])), anew.names([]))
     except (BuildError, rumoca.RumocaError):
-        return None  # they remain constants
+        return None  # The parameters stay constant.
 
 
 def _leaders(trials: Trials, group: Sequence[Candidate], followers: set[str]) -> Iterator[Candidate]:
-    """Yield the candidates that others follow and that follow none.
+    """Yield the candidates that others depend on and that depend on none.
 
-    What follows a candidate has moved in every trial that set the candidate, unless it was set there itself.
+    A dependent has moved in every trial that set its candidate, unless the trial set the dependent as well.
     """
     tried = [(chosen, trials.followers(chosen) | _names(chosen)) for chosen in halves(group)]
     for one in group:
@@ -56,7 +57,7 @@ def _names(chosen: Sequence[Candidate]) -> set[str]:
 
 
 def _is_open(trials: Trials, one: Candidate) -> bool:
-    """Return whether the equations do not hang on it otherwise, and setting it as it is changes nothing."""
+    """Return whether no other equation depends on it, and setting its present value has no effect."""
     present, other = trials.compiled([one.present]), trials.compiled([one.other])
     if trials.plain is None or present is None or other is None or trials.plain.changed(present):
         return False
@@ -64,7 +65,7 @@ def _is_open(trials: Trials, one: Candidate) -> bool:
 
 
 def _named(model: LoweredModel, anew: LoweredModel, settings: Mapping[str, str]) -> LoweredModel:
-    """Exchange the names of the settings and of the parameters that they set."""
+    """Swap the names of the new parameters and the originals."""
     entries = {entry["name"]: entry for entry in anew.dae["variables"]}
     slots = dict(anew.slots)
     exchanged: dict[str, dict[str, Any]] = {}

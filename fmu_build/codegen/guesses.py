@@ -1,4 +1,4 @@
-"""Guesses for the unknowns of algebraic loops that follow from those that the model gives."""
+"""Guesses for unknowns of algebraic loops, derived from the start values that the model gives."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ _LARGEST = number(1e100)
 def derived_guesses(
     blocks: Iterable[NewtonBlock], known: set[Slot], n_states: int
 ) -> Iterator[tuple[Slot, Expression]]:
-    """Yield guesses for unknowns of nonlinear loops by the equations that determine them from known ones.
+    """Yield guesses for unknowns of nonlinear loops from equations that determine them.
 
-    A resistance that follows from a temperature is not zero if the temperature is not: from a start at zero a
-    loop with such a resistance has no Newton step. Each guess reads parameters, states, time, earlier ones.
+    Example: a resistance that is a function of temperature. If its guess stays zero, the loop may have no
+    Newton step. A guess reads only parameters, states, time and earlier guesses.
 
     Args:
         blocks: the loops
-        known: slots whose start value is more than the default of zero
+        known: slots with a start value other than the default of zero
         n_states: the slots of y below are states
     """
     for block in blocks:
@@ -36,14 +36,14 @@ def derived_guesses(
             unknown, value = found
             waiting.remove(unknown)
             readable.add(("y", unknown))
-            is_usable = Expression("Lt", (ex.unary("Abs", value), _LARGEST))  # not so for a NaN
+            is_usable = Expression("Lt", (ex.unary("Abs", value), _LARGEST))  # false for a NaN
             yield ("y", unknown), ex.select(is_usable, value, ex.ZERO)
 
 
 def _determined(
     block: NewtonBlock, waiting: list[int], readable: set[Slot]
 ) -> Iterator[tuple[int, Expression]]:
-    """Yield unknowns that an equation of the block determines from other unknowns, all of them known."""
+    """Yield unknowns that an equation of the block determines from known values only."""
     unknowns = {("y", unknown) for unknown in block.unknowns}
     for residual in block.residuals:
         read: set[Slot] = {("y", place) for place in ex.places("y", residual)}

@@ -1,8 +1,8 @@
-"""Compute sin(u) and cos(u) from t = tan(u/2) where the model computes that tangent anyway.
+"""Compute sin(u) and cos(u) from t = tan(u/2) if the model computes this tangent anyway.
 
 This saves calls of the C library. sin(u) = 2t/(1 + t^2) is as accurate as the tangent everywhere: its
-relative error is at most that of t. So is the absolute error of cos(u) = (1 - t^2)/(1 + t^2), which near its
-zeros is what the rounding of u amounts to.
+relative error is at most that of t. The same bound holds for the absolute error of cos(u) = (1 - t^2)/(1 +
+t^2); near its zeros this is no more than the effect of rounding u.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""The operator homotopy(): initialization leads from its simplified expression to the actual one.
+"""The homotopy() operator: initialization goes from the simplified expression to the actual one.
 
-rumoca writes ``homotopy(a, s)`` as ``h*a + (1 - h)*s`` with a slot of p for h, and leaves its value to the
-tool (Modelica 3.6, section 3.7.4). The runtime keeps 1 - h in this slot. Where that is 0, as it is after the
-initialization, the actual expression is computed alone: the simplified one may be undefined.
+rumoca writes ``homotopy(a, s)`` as ``h*a + (1 - h)*s`` with a slot of p for h, whose value is up to the tool
+(Modelica 3.6, section 3.7.4). The runtime keeps 1 - h in this slot. When it is 0, as after initialization,
+only the actual expression is evaluated, because the simplified one may be undefined.
 """
 
 from __future__ import annotations
@@ -16,11 +16,11 @@ _FACTORS = ("Mul", "Neg")
 
 
 def deformable(rows: Mapping[int, Expression], slot: int) -> dict[int, Expression]:
-    """Return rows that read the distance from the actual expressions in place of rumoca's h.
+    """Return the rows with rumoca's h replaced by 1 - h, the distance from the actual expressions.
 
     Args:
-        rows: as rumoca writes them
-        slot: of h; in what is returned it holds 1 - h
+        rows: rows as written by rumoca
+        slot: slot of h; the returned rows expect 1 - h there
     """
     return {number: _deformable(row, ex.p(slot)) for number, row in rows.items()}
 
@@ -51,7 +51,7 @@ def _deformable(row: Expression, h: Expression) -> Expression:
 
 
 def _is_part_of_sum(node: Expression, open_nodes: set[Expression]) -> bool:
-    """Return whether a node belongs to ``h*a + (1 - h)*s``, in any form that simplification leaves."""
+    """Return whether a node belongs to ``h*a + (1 - h)*s`` in any form that simplification may leave."""
     if node.operator in _FACTORS:
         return not open_nodes.isdisjoint(node.arguments)
     if node.operator not in ("Add", "Sub"):

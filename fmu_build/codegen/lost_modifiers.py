@@ -1,6 +1,6 @@
-"""Modifiers that rumoca loses without a word.
+"""Modifiers that rumoca silently drops.
 
-Where a class is extended, only the outermost modifiers are merged: ``extends B(a(s(k = 9)))`` replaces the
+When a class is extended, only the outermost modifiers are merged: ``extends B(a(s(k = 9)))`` replaces the
 whole modifier ``s(...)`` that B gives to a, although Modelica merges the two (Modelica 3.6, section 7.2.3).
 Modifiers of redeclared, constraining and inner classes can be lost, too, and so can those with dotted names;
 see also `redeclared_modifiers`, `record_values`, `changed_constants` and `contradicted_constants`.
@@ -78,7 +78,7 @@ def reject_lost_modifiers(model: LoweredModel) -> None:
 
 
 def _nested_redeclarations(text: ModelText) -> Iterator[tuple[str, Construct]]:
-    """Yield redeclarations in modifiers of modifiers, which have no effect."""
+    """Yield redeclarations in nested modifiers, which rumoca ignores."""
     for modified in text.find([rf"{_COMPONENT}|{_EXTENSION}|{_SHORT_CLASS}"]):
         opening = modified.plain.index("(")
         for found in _REDECLARED.finditer(modified.plain):
@@ -105,7 +105,7 @@ def _modifiers_of_classes(text: ModelText) -> Iterator[tuple[str, Construct]]:
 
 
 def _modifiers_of_base_functions(text: ModelText) -> Iterator[tuple[str, Construct]]:
-    """Yield clauses by which functions with algorithms of their own give values to what they inherit."""
+    """Yield clauses by which functions with algorithms of their own modify inherited variables."""
     clauses = {
         "".join(own[found.start() : closing(own, found.end() - 1)].split())
         for _, kind, own in text.named()
@@ -148,7 +148,7 @@ def _faults(text: ModelText, extension: str) -> Iterator[str]:
 
 
 def _given(text: ModelText, base: str, component: str, seen: set[str]) -> set[NamePath]:
-    """What the class and those that it extends set inside a component."""
+    """Return the names inside a component that the class and its base classes set."""
     if base in seen:
         return set()
     seen.add(base)

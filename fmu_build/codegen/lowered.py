@@ -1,4 +1,4 @@
-"""A model as lowered by rumoca: the Solve IR, and the variables as other stages know them."""
+"""A model as lowered by rumoca: the Solve IR, and the variables as described by the earlier stages."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ SOLVE_SCHEMA = 71
 TARGET = Path(__file__).parent / "target"
 """Templates that print the stages of a model for `read_mapping`."""
 
-# The template engine prints a mapping as JSON, except for its null and its non-finite numbers.
+# The template engine prints mappings as JSON, except for null and non-finite numbers.
 _TOKEN = re.compile(r'("(?:[^"\\]|\\.)*")|\b(none|undefined)\b|(-?)\b(inf|NaN|nan)\b')
 _STRING = re.compile(STRING)
 _BARE = re.compile(r"(?<![\w.\"])(?:none|undefined|inf|NaN|nan)(?![\w.\"])")
@@ -48,7 +48,7 @@ class LoweredModel(CompiledModel):
 
     @cached_property
     def slots(self) -> dict[str, Slot]:
-        """The slots of the scalar variables by name; those that the compiler has removed have none."""
+        """Slots of the scalar variables by name; variables that the compiler has removed have none."""
         return {name: slot_of(place) for name, place in self.solve["layout"]["bindings"].items()}
 
     @property
@@ -58,7 +58,7 @@ class LoweredModel(CompiledModel):
         return names
 
     def with_slots(self, slots: Mapping[str, Slot], y_names: Sequence[str]) -> LoweredModel:
-        """Return the model with its variables in these slots, those in y under these names."""
+        """Return the model with its variables moved to these slots; `y_names` are the new names in y."""
         layout, solve_layout = self.solve["layout"], self.solve["solve_layout"]
         bindings = {name: {store.upper(): {"index": place}} for name, (store, place) in slots.items()}
         maps = {**solve_layout["solver_maps"], "names": [*y_names]}
@@ -120,7 +120,8 @@ def read_mapping(text: str) -> dict[str, Any]:
     """Parse a mapping as printed by the template engine."""
     strings = "\n".join(_STRING.findall(text))
     if "\\" not in strings and not _BARE.search(strings):
-        # No string is in need of care, as in nearly all mappings: one substitution for each word is fast.
+        # If no string contains one of these words, as in nearly all mappings, one fast substitution per word
+        # is enough.
         for word, replacement in _REPLACEMENTS:
             text = word.sub(replacement, text)
     else:

@@ -1,7 +1,7 @@
 """Subscripts of members of arrays of components or records, as in ``parts.x[1]`` or ``parts[1:2].x[1]``.
 
-Such a reference is the array of the ``x[1]`` of all parts (Modelica 3.6, section 10.6.9). rumoca applies the
-subscript to the array of the ``x``, that is to the parts: it takes ``parts[1].x``.
+Such a reference collects ``x[1]`` of all parts (Modelica 3.6, section 10.6.9). rumoca applies the subscript
+to the parts instead and returns ``parts[1].x``.
 """
 
 from __future__ import annotations
@@ -40,12 +40,12 @@ def reject_member_slices(model: CompiledModel) -> None:
 
 
 def _is_in_array(parts: list[Any]) -> bool:
-    """Return whether a reference leads through an element of an array."""
+    """Return whether a reference passes through an element of an array."""
     return any(part["subs"] for part in parts[:-1]) and not parts[-1]["subs"]
 
 
 def _is_member_of_slice(model: CompiledModel, base: Any) -> bool:
-    """Return whether an expression is a member of several elements of an array, or a member of that."""
+    """Return whether an expression selects a member, possibly nested, of several elements of an array."""
     while "FieldAccess" in base:
         base = base["FieldAccess"]["base"]
         if "Index" in base:
@@ -69,10 +69,10 @@ def _all_colons(subscripts: list[Any]) -> bool:
 
 
 def _has_lost_subscripts(model: CompiledModel, span: Span, parts: list[Any]) -> bool:
-    """Return whether subscripts follow the reference in the source that the compiler gave to one before.
+    """Return whether the compiler has moved subscripts at the end of the reference to an earlier part of it.
 
-    The span of a reference ends before its last subscripts. `parts` begins with those of the component that
-    the source belongs to.
+    The span of a reference ends before its last subscripts. `parts` begins with the parts of the component
+    that contains the source.
     """
     following = _SUBSCRIPTS.match(model.text({**span, "start": span["end"], "end": span["end"] + 200}))
     if following is None or _COLONS.fullmatch(following["inside"]):

@@ -1,4 +1,4 @@
-"""Names that rumoca takes for other classes than Modelica does.
+"""Names that rumoca resolves to other classes than Modelica does.
 
 rumoca keeps one function for each name as the source calls it: `own()` in two models with a function of their
 own, or `Medium.h()` where two components have different media, become one function. A class that is declared
@@ -31,7 +31,7 @@ _BUILT_IN = re.compile(
 
 
 def reject_mistaken_names(model: LoweredModel) -> None:
-    """Raise `UnsupportedModelError` for the first name that would be taken for something else."""
+    """Raise `UnsupportedModelError` for the first name that rumoca would resolve wrongly."""
     text = model.classes
     for find in (_outer_classes, _functions_like_built_in_ones, _blind_classes):
         for why, construct in find(text):
@@ -52,9 +52,9 @@ def _outer_classes(text: ModelText) -> Iterator[tuple[str, Construct]]:
 
 
 def _functions_like_built_in_ones(text: ModelText) -> Iterator[tuple[str, Construct]]:
-    """Yield functions with built-in names that are called by these from where they are declared.
+    """Yield functions with built-in names that are called by these names where they are declared.
 
-    Those of `Modelica.Math` hand their arguments on to the built-in ones.
+    Those of `Modelica.Math` are harmless: they pass their arguments on to the built-in functions.
     """
     for name, kind, own in text.named():
         scope, _, simple = name.rpartition(".")
@@ -131,7 +131,7 @@ def _outside(text: ModelText, inner: str, own: str) -> set[str]:
 
 
 def _ambiguous_aliases(text: ModelText, functions: dict[str, object]) -> Iterator[tuple[str, Construct]]:
-    """Yield aliases of packages that mean several ones, where functions are called through them."""
+    """Yield package aliases with several meanings through which functions are called."""
     called = {part for name in functions for part in name.split(".")[:-1]}
     meanings: defaultdict[str, dict[str, Construct]] = defaultdict(dict)
     for construct in text.find([_ALIAS.pattern]):
@@ -151,13 +151,13 @@ def _ambiguous_aliases(text: ModelText, functions: dict[str, object]) -> Iterato
 
 
 def _reject_other_functions(model: LoweredModel) -> None:
-    """Compare the declaration of each function with those that the calls of its name refer to."""
+    """Reject a function whose declaration differs from the one that a call refers to."""
     functions = model.flat["functions"]
     meant: dict[str, int] = {}
     for call in expressions(model.flat, "FunctionCall"):
         called = call["name"] if "name" in call else call["comp"]  # an expression or a statement
         name, reference = called["name"], called["component_ref"]
-        if name not in functions or reference is None:  # without one it is the constructor of a record
+        if name not in functions or reference is None:  # a constructor of a record has no reference
             continue
         last = reference["parts"][-1]
         is_other = last["def_id"] != functions[name]["def_id"] and _has_own_text(model, name, last["ident"])
@@ -170,7 +170,7 @@ def _reject_other_functions(model: LoweredModel) -> None:
 
 
 def _has_own_text(model: LoweredModel, name: str, simple: str) -> bool:
-    """Return whether a function is not another name for one that is declared elsewhere."""
+    """Return whether a function has a declaration of its own and is not an alias."""
     function = model.flat["functions"][name]
     span = next(expressions(function["body"] or function["outputs"], "span"))
     return model.class_around(span).rpartition(".")[2] == simple

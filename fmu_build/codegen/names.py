@@ -1,4 +1,4 @@
-"""Name the slots: as identifiers in readable C, and as Modelica names in messages."""
+"""Names for slots: C identifiers in the generated code, Modelica names in messages."""
 
 from __future__ import annotations
 

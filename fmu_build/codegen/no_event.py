@@ -1,7 +1,7 @@
-"""Comparisons of time within noEvent(), which take no event.
+"""Comparisons of time within noEvent(), which trigger no event.
 
-rumoca gives comparisons of time and parameters no zero crossing: those outside of noEvent() are time events,
-those inside are evaluated as they stand. Its Solve IR does not tell them apart, but the DAE before it does.
+rumoca generates no zero crossing for comparisons of time and parameters: outside noEvent() they are time
+events, inside they are evaluated literally. Its Solve IR does not distinguish the two, but the DAE does.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ _ORDER = frozenset({"less", "less_equal", "greater", "greater_equal"})
 
 
 def literal_comparisons(model: LoweredModel) -> frozenset[Expression]:
-    """Return the comparisons of time and parameters that stand within noEvent() and nowhere else."""
+    """Return the comparisons of time and parameters that occur only within noEvent()."""
     operations = [entry["operation"] for entry in model.dae["expressions"]]
     guarded = [one for operation in operations if _is_no_event(operation) for one in operands(operation)]
     if not guarded:
@@ -34,7 +34,7 @@ def _is_no_event(operation: dict[str, Any]) -> bool:
 
 
 def _reached(operations: list[dict[str, Any]], roots: Iterable[int], *, into_no_event: bool) -> set[int]:
-    """Return the numbers of the expressions and of all parts of them."""
+    """Return the numbers of the expressions and of all their subexpressions."""
     reached: set[int] = set()
     pending = list(roots)
     while pending:

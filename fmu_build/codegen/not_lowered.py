@@ -1,4 +1,4 @@
-"""Explain why rumoca could not lower a model: its message gives no place, but the flat model shows it."""
+"""Explain why rumoca could not lower a model, with the position that its message lacks."""
 
 from __future__ import annotations
 
@@ -141,7 +141,7 @@ _FINDERS: tuple[tuple[str, Callable[[CompiledModel, re.Match[str]], Obstacles]],
     ("missing state mapping for event reinitialization", _reinitialized_dependents),
     (r"structurally singular system: (\d+) matched out of (\d+) equations", _dependent_equations),
 )
-"""Pattern of rumoca's message, and finder; Strings and external functions may cause any message."""
+"""Patterns of rumoca's messages with their finders; Strings and external functions may cause any message."""
 
 
 def _is_fixed(variable: dict[str, Any]) -> bool:

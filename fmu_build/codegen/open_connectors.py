@@ -1,8 +1,9 @@
-"""Connectors to which nothing is connected: they cost nothing, and those of the model itself leave no trace.
+"""Remove unconnected connectors: they cost nothing, and those of the model itself leave no trace in the FMU.
 
-The flow of such a connector is zero: the equations do without it. Connectors of the model itself cannot be
-connected once it is an FMU, and their potentials are second names of what they are connected to inside. So
-the FMU lists the same variables, and has the same operations in the same order, as one without the connector.
+The flow of such a connector is zero and is dropped from the equations. Connectors of the model itself cannot
+be connected once the model is an FMU, and their potentials are aliases of internal variables. The FMU
+therefore lists the same variables and performs the same operations in the same order as without the
+connector.
 """
 
 from __future__ import annotations
@@ -29,10 +30,10 @@ class _Member:
 
 
 def without_open_connectors(model: LoweredModel, equations: Equations) -> tuple[Equations, frozenset[str]]:
-    """Return the equations without flows of unconnected connectors, and the names of variables left out.
+    """Return the equations without flows of unconnected connectors, and the names of removed variables.
 
-    A connector of the model itself is left out as a whole, unless one of its variables says more: a flow that
-    the model gives itself, or a potential that is no second name, such as a state.
+    A connector of the model itself is removed as a whole unless one of its variables carries information: a
+    flow that the model determines, or a potential that is not an alias, such as a state.
     """
     values = {ex.y(step.unknown): step.value for step in equations.algebraics if isinstance(step, Assignment)}
     connectors = _connectors(model)
@@ -77,7 +78,7 @@ def _is_left_out(member: _Member, values: Mapping[Expression, Expression]) -> bo
 
 
 def _end(value: Expression, replacements: Mapping[Expression, Expression]) -> Expression:
-    """Return the value at the end of a chain of names."""
+    """Return the value at the end of a chain of aliases."""
     while value in replacements:
         value = replacements[value]
     return value

@@ -1,9 +1,9 @@
-"""Values with which trial compilations find choices that hang on parameters.
+"""Trial values that reveal branches which depend on parameters.
 
-In a when-clause such as ``when c then d = if q > 3 then pre(d) + 1 else 0; end when;`` rumoca evaluates the
-condition while it compiles, and keeps the branch of the present values. A slightly different q would show
-nothing: the values here lie on both sides of every number with which such a class compares something, and
-change the order of any two of the parameters.
+rumoca evaluates some conditions at compile time: in ``when c then d = if q > 3 then pre(d) + 1 else 0; end
+when;`` it keeps only the branch for the present values. A small change of q would not reveal this. The values
+here lie on both sides of every number with which such a class compares something, and reverse the order of
+any two parameters.
 """
 
 from __future__ import annotations
@@ -18,12 +18,12 @@ _CHOICE_IN_WHEN = re.compile(r"\b(?<!end )when\b(?:(?!\bend\s+when\b).)*?\bif\b"
 _NUMBER = r"\d+(?:\.\d*)?(?:[eE][+-]?\d+)?"
 _RELATION = r"(?:<=|>=|==|<>|<|>)"
 _COMPARED = re.compile(rf"{_RELATION}\s*(-?\s*{_NUMBER})|(-?\s*{_NUMBER})\s*{_RELATION}")
-#: So many parameters have different orders of their values.
+# : Number of parameters whose values get different orders.
 _ORDERS = 8
 
 
 def thresholds(model: str, texts: Mapping[Path, str]) -> tuple[float, ...] | None:
-    """Return the numbers that classes with choices in when-clauses compare with; None without any."""
+    """Return the numbers that classes with branches in when-clauses compare with; None if there are none."""
     source = ModelText(model, texts, around=False)
     choosing = [text for text in source.classes() if _CHOICE_IN_WHEN.search(text)]
     if not choosing:
@@ -37,13 +37,14 @@ def thresholds(model: str, texts: Mapping[Path, str]) -> tuple[float, ...] | Non
 
 
 def probe_values(value: float, number: int, compared: tuple[float, ...]) -> list[float]:
-    """Return values of one parameter, as many for each: about what is compared, then far from the present.
+    """Return trial values for one parameter: some around the thresholds, then some far from its value.
 
-    Rounded, those about a whole number are that number and the next.
+    All parameters get the same number of values. Around a whole number, the values are rounded to that number
+    and the next.
 
     Args:
-        value: the present one
-        number: of the parameter
+        value: present value
+        number: number of the parameter
         compared: see `thresholds`
     """
     near = [one for c in compared for one in (c - 1e-3 * (abs(c) or 1.0), c + 0.501)]

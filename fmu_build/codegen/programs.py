@@ -21,7 +21,7 @@ Registers = MutableMapping[int, Expression]
 
 
 class ProgramReader:
-    """Converts the programs of one model to expressions; raises for operations that it does not know."""
+    """Converts the programs of one model to expressions; raises an error for unknown operations."""
 
     def __init__(self, model: LoweredModel, function_name: FunctionNames) -> None:
         self._model = model
@@ -137,7 +137,7 @@ class ProgramReader:
 
 
 def _refusal(kind: str, fields: Fields) -> str:
-    """Describe an operation in Modelica's terms, where these are known."""
+    """Describe an operation in Modelica's terms if they are known."""
     if kind.startswith("Table"):
         return "tables (CombiTable1Ds, CombiTimeTable) are not supported"
     if kind == "LinearSolveComponent":
@@ -185,7 +185,7 @@ def _matrix_product(fields: Fields, registers: Registers) -> None:
 
 
 def _transposed(fields: Fields, registers: Registers) -> None:
-    """Transpose a row-major matrix of elements with `element_width` scalars, to the shape in `fields`."""
+    """Transpose a row-major matrix whose elements have `element_width` scalars, to the shape in `fields`."""
     rows, columns, width = fields["rows"], fields["columns"], fields["element_width"]
     for i, j, k in product(range(rows), range(columns), range(width)):
         source = fields["src_start"] + (j * rows + i) * width + k

@@ -1,6 +1,6 @@
-"""Records given as a whole where the declaration, or a base class, gives values to members.
+"""Records assigned as a whole to a component whose declaration, or base class, gives values to members.
 
-In ``C c(r = d)``, where C declares ``R r(a = 3)``, Modelica takes ``d.a`` and rumoca 3.
+In ``C c(r = d)``, where C declares ``R r(a = 3)``, Modelica uses ``d.a`` but rumoca uses 3.
 """
 
 from __future__ import annotations
@@ -71,5 +71,5 @@ def _members(modifiers: str) -> set[str]:
 
 
 def _values(paths: Iterable[Path]) -> set[str]:
-    """Return the members that have values among these paths, not those of which only attributes are set."""
+    """Return the members that get values from these paths, not only attributes."""
     return {path[0] for path in paths if len(path) == 1 or path[-1] not in _ATTRIBUTES}

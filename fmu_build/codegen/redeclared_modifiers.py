@@ -1,8 +1,8 @@
-"""Modifiers of replaceable declarations that rumoca passes on to redeclarations differently from Modelica.
+"""Modifiers of replaceable declarations that rumoca applies to redeclarations differently from Modelica.
 
-A redeclaration keeps the modifiers of the declaration that it replaces, unless that names a constraining
-class (Modelica 3.6, section 7.3.2). rumoca keeps those of a component that a modifier redeclares, in either
-case, and drops all others.
+In Modelica, a redeclaration keeps the modifiers of the replaced declaration unless that names a constraining
+class (Modelica 3.6, section 7.3.2). rumoca keeps them, in both cases, only for components that are redeclared
+in a modifier, and otherwise drops them.
 """
 
 from __future__ import annotations
@@ -24,13 +24,13 @@ _REDECLARE = rf"redeclare\s+(?:replaceable\s+)?(?:{_CLASS}|{_COMPONENT})"
 _DECLARATION = rf"(?:redeclare\s+)?(?:replaceable\s+)?(?:{_CLASS}|{_COMPONENT})"
 _ARGUMENT = r"(?<=[(,])\s*(?:(?:each|final)\s+)*"
 _IN_A_MODIFIER = rf"{_ARGUMENT}{_REDECLARE}"
-#: Its modifiers may have modifiers.
+# : The modifiers may be nested once.
 _VALUE = rf"{_ARGUMENT}redeclare\s+(?:replaceable\s+)?{_NAMED}(?:\((?:[^()]|\([^()]*\))*\)\s*)?=(?!=)"
 _AS_AN_ELEMENT = rf"(?<![(,\s])(?<!\beach)(?<!\bfinal)\s+{_REDECLARE}"
 
 
 def changed_modifiers(text: ModelText) -> Iterator[tuple[str, Construct]]:
-    """Yield what is wrong with redeclarations of components and short classes, and which."""
+    """Yield an explanation and the clause of each affected redeclaration of a component or short class."""
     for construct in text.find([_VALUE]):
         yield (
             "the value of a component that is redeclared inside a modifier is lost; "
@@ -66,7 +66,7 @@ def _explanation(given: list[str], *, is_kept: bool) -> str:
 
 
 def _declarations(text: ModelText) -> dict[tuple[str | None, str | None], list[str]]:
-    """Return the replaceable declarations up to their semicolons, by the name of class or component."""
+    """Return the replaceable declarations up to their semicolons, by class name or component name."""
     declared = defaultdict(list)
     for construct in text.find([r"(?<!redeclare )\breplaceable\b[^;]*"]):
         found = re.match(_DECLARATION, construct.plain)
@@ -76,7 +76,7 @@ def _declarations(text: ModelText) -> dict[tuple[str | None, str | None], list[s
 
 
 def _modifiers(declaration: str) -> set[Path]:
-    """Return what the modifiers behind the name of a component, or of the class behind a name, set."""
+    """Return the names that the modifiers of a declaration set."""
     found = re.match(_DECLARATION, declaration)
     if found is None or not found[0].endswith("("):
         return set()

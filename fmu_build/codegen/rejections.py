@@ -1,4 +1,4 @@
-"""Reject models that rumoca silently lowers wrongly; the error names the construct and its line."""
+"""Reject models that rumoca would lower incorrectly without a message; the error names construct and line."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from fmu_build.codegen.mistaken_names import reject_mistaken_names
 
 
 def reject_unsupported(model: LoweredModel) -> None:
-    """Raise `UnsupportedModelError` for the first construct that would be translated wrongly."""
+    """Raise `UnsupportedModelError` for the first construct that would be translated incorrectly."""
     _reject_operators(model)
     _reject_initial_manifold(model)
     _reject_surplus_initial_equations(model)

@@ -1,10 +1,10 @@
-"""Relations: where one changes its value, an expression changes its branch, which takes an event.
+"""Relations: a change of their value switches the branch of an expression, which requires an event.
 
 Between events an equation reads the memory of a relation instead of the relation itself, so that the branch
-is frozen while the integrator passes the kink and locates it. rumoca gives most relations a memory. A direct
-comparison that it leaves is matched here to its zero crossing or recognized as a time event; it stays a
-comparison only inside noEvent() or if it is constant between events. floor(), ceil() and trunc() get a
-memory for their value, and two zero crossings at which the value changes.
+is frozen while the integrator passes the kink and locates it. rumoca gives most relations a memory. A
+comparison left without one is matched to its zero crossing or recognized as a time event; it remains a
+comparison only inside noEvent() or if it is constant between events. floor(), ceil() and trunc() get a memory
+for their value, and two zero crossings at which the value changes.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ class Relations:
     floors: dict[Expression, int] = field(default_factory=dict)
     """Calls of floor(), ceil() and trunc() with a continuous argument, and the slot of their value."""
     literal: frozenset[Expression] = frozenset()
-    """Comparisons of time that take no event."""
+    """Comparisons of time that trigger no event."""
 
     @property
     def indicators(self) -> dict[tuple[Expression, bool], int]:
@@ -63,7 +63,7 @@ class Relations:
 
     @property
     def opposites(self) -> tuple[int, ...]:
-        """For each relation, the position of the one with the negated root, if both are false at zero.
+        """For each relation, the position of the one with the negated root if both are false at zero.
 
         The number of relations means none; the tuple is empty if no relation has an opposite.
         """
@@ -116,9 +116,9 @@ def _memory(index: int, negated: bool) -> Expression:
 
 
 def _departures(operator: str, u: Expression, value: Expression) -> list[tuple[Expression, bool]]:
-    """Return what becomes negative where floor, ceil or trunc of u leaves it, and whether zero is outside.
+    """Return roots that turn negative where floor, ceil or trunc of u changes, and whether zero is outside.
 
-    The interval of trunc(u) begins with its value on the side of zero, and ends before the next on the other.
+    The interval of trunc(u) starts at its value and ends, without it, at the next integer away from zero.
     """
     above, below = binary("Add", value, ex.ONE), binary("Sub", value, ex.ONE)
     if operator == "Floor":

@@ -1,8 +1,8 @@
-"""Hoist costly expressions of parameters out of the right-hand side, which runs thousands of times a run.
+"""Hoist costly expressions of parameters out of the right-hand side, the hot path of every simulation.
 
 A division takes several times as long as a product, and the next stage of the integrator waits for it. A
 division by an expression of parameters becomes a product with its reciprocal. Reciprocals and other costly
-expressions of parameters become slots of p ("parts"), computed with the dependent parameters.
+expressions of parameters become slots of p ("parts"), computed together with the dependent parameters.
 
 Divisions that a zero crossing reads are kept: ``x/L >= 1`` must hold where x equals L.
 """
@@ -34,7 +34,7 @@ class RightHandSide:
 
 
 def arrange(equations: Equations, changing: Collection[int]) -> RightHandSide:
-    """Return the right-hand side of a model; `changing` holds the slots of p that are not parameters."""
+    """Return the right-hand side of a model; `changing` are the slots of p that are not parameters."""
     roots = equations.relations.roots
     read_by_roots = needed(equations.algebraics, roots)
     for_derivatives = tuple(
@@ -79,7 +79,7 @@ def _with_reciprocals(value: Expression, changing: Collection[int]) -> Expressio
 
 
 def _constants(expressions: Iterable[Expression], changing: Collection[int]) -> set[Expression]:
-    """Return the nodes that depend on parameters and on nothing else but literals; calls are excluded."""
+    """Return the nodes that depend only on parameters and literals; calls are excluded."""
     found: set[Expression] = set()
     for node in ex.walk(*expressions):
         if node.operator == "p":

@@ -1,4 +1,4 @@
-"""A compiled model with the session that compiled it, so that variants can be compiled."""
+"""A compiled model together with the session that compiled it, for compiling variants."""
 
 from __future__ import annotations
 
@@ -33,14 +33,14 @@ class ModelSource:
     session: rumoca.Session
     model: rumoca.Model
     kept: tuple[Setting, ...] = ()
-    """Settings that every variant has."""
+    """Settings that apply to every variant."""
 
     def keeping(self, settings: Sequence[Setting]) -> ModelSource:
-        """Return the source whose variants have these settings, too."""
+        """Return the source with these settings added to every variant."""
         return replace(self, kept=(*self.kept, *settings))
 
     def names(self, settings: Sequence[Setting]) -> dict[str, str]:
-        """Return the names of the parameters that a variant adds, by those of the ones that they set."""
+        """Return the names of the parameters that a variant adds, keyed by the parameters that they set."""
         return {name: f"{SETTING_PREFIX}{number}" for number, name in enumerate(self._all(settings))}
 
     def variant(self, settings: Sequence[Setting]) -> rumoca.Model:

@@ -20,7 +20,7 @@ class StartValues:
         self._values = self._read()
 
     def of(self, slot: Slot) -> float:
-        """Return the start value of a slot: by default 0 or the first literal of an enumeration."""
+        """Return the start value of a slot; the default is 0 or the first literal of an enumeration."""
         return self._values.get(slot, 0.0)
 
     @cached_property
@@ -37,7 +37,7 @@ class StartValues:
         )
 
     def enumeration_of(self, type_name: str) -> EnumerationType | None:
-        """Return the enumeration of that name, which need not include the enclosing packages."""
+        """Return the enumeration with this name, with or without the enclosing packages."""
         for enumeration in self.enumerations:
             if enumeration.name == type_name or enumeration.name.endswith(f".{type_name}"):
                 return enumeration
@@ -88,7 +88,7 @@ class StartValues:
 def starts_from_parameters(
     model: LoweredModel, n_states: int, sought: Container[Slot], without: Container[Slot]
 ) -> list[tuple[Slot, Expression]]:
-    """Return start values that depend on parameters and that the Solve IR omits, except for slots `without`.
+    """Return start values that depend on parameters and that the Solve IR omits, except those of `without`.
 
     They belong to discrete variables, to states that are not fixed, and to the unknowns of algebraic loops
     and initial equations, whose slots are `sought`.

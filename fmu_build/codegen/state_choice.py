@@ -1,8 +1,8 @@
-"""Refusal of models whose motion after a reinit() depends on the choice of states.
+"""Refuse models whose motion after a reinit() depends on the choice of states.
 
-The states of ``v_1``, ``v_2`` and ``v_rel = v_2 - v_1`` may be any two of them, and the motion is the same.
-At ``reinit(v_1, 0)``, however, the other state keeps its value, be it ``v_2`` or ``v_rel``. The attribute
-stateSelect decides which, and rumoca does not always follow it.
+Of ``v_1``, ``v_2`` and ``v_rel = v_2 - v_1``, any two may be the states, with the same motion. At
+``reinit(v_1, 0)``, however, the other state, ``v_2`` or ``v_rel``, keeps its value. The attribute stateSelect
+decides which of them is a state, and rumoca does not always obey it.
 """
 
 from __future__ import annotations
@@ -13,16 +13,16 @@ from fmu_build.codegen.equations import Equations
 from fmu_build.codegen.expression import places
 from fmu_build.codegen.lowered import LoweredModel
 
-#: In rising order of precedence, as rumoca spells them.
+# : In ascending order of precedence, in rumoca's spelling.
 _SELECTIONS = ("Never", "Avoid", "Default", "Prefer", "Always")
 _DEFAULT = _SELECTIONS.index("Default")
 
 
 def reject_other_states(model: LoweredModel, equations: Equations) -> None:
-    """Refuse a model in which a state keeps its value at a reinit() in the place of one that has precedence.
+    """Refuse a model in which a reinit() preserves a state where another variable has precedence as state.
 
     Raises:
-        UnsupportedModelError: names the two and the state that is reinitialized
+        UnsupportedModelError: names both variables and the reinitialized state
     """
     reinitialized = {row.slot[1] for row in equations.discrete if row.kind == "reinit"}
     if not reinitialized:
@@ -54,7 +54,7 @@ def _selections(model: LoweredModel) -> Iterator[tuple[int, str]]:
 
 
 def _states_behind(equations: Equations) -> Mapping[int, frozenset[int]]:
-    """Return the states that each algebraic variable is computed from."""
+    """Return the states from which each algebraic variable is computed."""
     states = frozenset(range(equations.n_states))
     behind: dict[int, frozenset[int]] = {}
 

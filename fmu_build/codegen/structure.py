@@ -93,7 +93,7 @@ class Structure:
         return is_state or stored.variable.causality in ("input", "independent")
 
     def _parameters_behind(self, reached: Iterable[Expression]) -> set[Expression]:
-        """Return the parameters among the leaves and, transitively, those from which they are computed."""
+        """Return the parameters among the leaves and, transitively, those that determine them."""
         found: set[Expression] = set()
         waiting = list(reached)
         while waiting:
@@ -169,7 +169,7 @@ class Structure:
 
 
 def _leaf(stored: StoredVariable) -> Expression | None:
-    """Return the leaf that reads the variable in equations; None for derivatives, which they only compute."""
+    """Return the leaf that reads the variable in equations; None for derivatives, which are never read."""
     if stored.store == "time":
         return TIME
     return None if stored.store == "derivative" else ex.leaf((stored.store, stored.index))

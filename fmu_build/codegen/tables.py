@@ -10,7 +10,7 @@ _LINEAR, _CONSTANT = 1, 3
 
 
 def reject_unsupported_tables(model: LoweredModel, starts: StartValues) -> None:
-    """Raise `UnsupportedModelError` for a table that is smooth in two inputs, or whose file was not read."""
+    """Raise `UnsupportedModelError` for a smooth table with two inputs, or one whose file was not read."""
     variables = {entry["name"]: entry for entry in model.dae["variables"] if entry["name"] in model.slots}
     for name, entry in variables.items():
         block, _, parameter = name.rpartition(".")
@@ -25,7 +25,7 @@ def reject_unsupported_tables(model: LoweredModel, starts: StartValues) -> None:
                     "LinearSegments or ConstantSegments",
                     span,
                 )
-        elif value or name in model.computed_parameters:  # false where the build has read the file
+        elif value or name in model.computed_parameters:  # false if the build has read the file
             raise model.unsupported(
                 f"tableOnFile of {block} is not the word true or false among the modifiers of the table; "
                 "the build reads the file only where it is true there, beside tableName and fileName",

@@ -2,8 +2,8 @@
 
 The tangent of an assignment ``v = e`` is the sum of ``de/dx`` times the tangent of x over all x that e reads;
 tangents are computed in the order of the assignments. The tangents of an algebraic loop's unknowns solve its
-linearization. Relations, conditions and values set by when-clauses are constant: the derivatives are those of
-the active branch.
+linearization. Relations, conditions and values set by when-clauses count as constant: the derivatives are
+those of the active branch.
 """
 
 from __future__ import annotations
@@ -64,8 +64,9 @@ class Tangents:
     """Start values of states that depend on parameters."""
     initial_residuals: tuple[Expression, ...]
     cover_initialization: bool
-    """Whether they hold across initialization: no when-clause that can act at the start sets a state or a
-    value with a tangent, and no start value of a discrete variable has a tangent."""
+    """Whether the tangents are valid across initialization: no when-clause that can act at the start sets a
+    state or a value with a tangent, and no start value of a discrete variable has a tangent.
+    """
 
     @classmethod
     def of(cls, equations: Equations, variables: Sequence[StoredVariable]) -> Tangents:
@@ -140,7 +141,7 @@ def _is_unknown(value: Expression, block: NewtonBlock) -> bool:
 
 
 def _moving_rows(equations: Equations, seeds: Seeds) -> list[_DiscreteStep]:
-    """Return the discrete variables whose equation holds at all times and whose tangent is not zero."""
+    """Return the discrete variables whose equations hold at all times and whose tangents are not zero."""
     rows = [row for row in equations.discrete if row.kind == "assign" and not row.holds]
     moving: list[_DiscreteStep] = []
     known = dict(seeds)
@@ -185,7 +186,7 @@ def _slots(step: Step | _DiscreteStep) -> list[tuple[str, object]]:
 
 
 def _acts_at_start(equations: Equations, seeds: Seeds) -> bool:
-    """Return whether a when-clause that can act at the start sets a state, or a value with a tangent."""
+    """Return whether a when-clause that can act at the start sets a state or a value with a tangent."""
     starters = {clock.activation for clock in equations.clocks}
     if equations.initial_event is not None:
         starters.add(equations.initial_event)

@@ -1,7 +1,7 @@
-"""Trial compilations: a model with other values of its parameters, and what they change.
+"""Trial compilations: compile a model with other parameter values and observe what changes.
 
 Array sizes, the arguments of ``sample()``, conditions of conditional components and the like are evaluated
-when the model is compiled, and rumoca's output does not say which parameters they depend on. Trials show it.
+when the model is compiled, and rumoca's output does not say which parameters they depend on.
 """
 
 from __future__ import annotations
@@ -29,38 +29,38 @@ _TARGET = Path(__file__).parent / "target" / "variant"
 
 @dataclass(frozen=True, slots=True)
 class Candidate:
-    """Names of parameters that are set together, with their present value and a different one."""
+    """Parameters that are set together, with their present values and different ones."""
 
     names: tuple[str, ...]
     present: Setting
     other: Setting
     probes: tuple[Setting, ...]
-    """More values, by which other branches of the equations may be chosen; as many for each candidate."""
+    """More values, which may select other branches of the equations; each candidate has equally many."""
     fallback: Candidate | None = None
-    """Another way to set them, tried if they do not prove free in this way."""
+    """Another way to set these parameters, tried if this one does not prove them free."""
 
     @property
     def is_real(self) -> bool:
-        """Whether its type is Real."""
+        """Whether the parameters are of type Real."""
         return self.present.type == "Real"
 
 
 class Trial(NamedTuple):
-    """A model with other parameter values; equations as text, which suffices to compare them."""
+    """A model with other parameter values; its equations are kept as text, which suffices to compare them."""
 
     equations: str
     values: dict[str, Any]
     functions: str
-    """The DAE, where it has functions."""
+    """The DAE if it has functions, else empty."""
 
     @classmethod
     def read(cls, text: str) -> Trial:
-        """Return what the target ``variant`` has printed."""
+        """Parse the output of the target ``variant``."""
         equations, values, functions = text.split("\n----\n")
         return cls(equations, read_mapping(values)["values"], functions.strip())
 
     def changed(self, other: Trial) -> set[str]:
-        """Return the parameters that have another value there, but for those that trials add."""
+        """Return the parameters whose values differ in `other`, except those that trials add."""
         return {
             name
             for name, value in self.values.items()
@@ -79,12 +79,12 @@ class Trials:
     """The trial compilations of one model.
 
     Attributes:
-        kinds: every parameter that can be set unless it is baked: the Reals, then the others, with which the
-            model may not compile; those of one kind are set together
-        untried: parameters of some elements of an array whose others are computed: no modifier sets these
-            alone
+        kinds: every parameter that can be set unless it is baked, in two groups that are set separately: the
+            Reals, then the others, with which the model may not compile
+        untried: parameters of some elements of an array of which other elements are computed: no modifier can
+            set only these
         computed: the parameters that the model computes from others at initialization
-        plain: the model as it is; None if it does not compile as a base class
+        plain: the unchanged model; None if it does not compile as a base class
     """
 
     def __init__(self, source: ModelSource, model: LoweredModel, starts: StartValues) -> None:
@@ -117,8 +117,8 @@ class Trials:
     def followers(self, chosen: Sequence[Candidate]) -> set[str]:
         """Return the other parameters whose values the compiler derives from those of the chosen ones.
 
-        What the source gives a value of its own follows nothing, although it may move in a trial: setting one
-        member of a record by a modifier puts the others back to their defaults.
+        A parameter with a value of its own in the source follows nothing, although it may change in a trial:
+        setting one member of a record by a modifier resets the others to their defaults.
         """
         literals = {span for one in chosen for name in one.names for span in self._literals.get(name, ())}
         return {
@@ -128,7 +128,7 @@ class Trials:
         }
 
     def _moved(self, chosen: Sequence[Candidate]) -> set[str]:
-        """Return the other parameters that have another value where the chosen ones have."""
+        """Return the other parameters whose values change with those of the chosen ones."""
         if not chosen or self.plain is None:
             return set()
         others = self.computed | {name for one in chosen for name in one.names}
@@ -136,7 +136,8 @@ class Trials:
         if trial is not None:
             if self.plain.changed(trial) <= others:
                 return set()
-            # A modifier alone may move its neighbors to their defaults: rumoca loses those beside it.
+            # A modifier alone may reset neighboring parameters to their defaults, because rumoca loses their
+            # modifiers.
             present = self.compiled([one.present for one in chosen])
             if present is not None:
                 return present.changed(trial) - others
@@ -147,9 +148,9 @@ class Trials:
 
 
 def _literals(model: LoweredModel) -> dict[str, frozenset[tuple[int, ...]]]:
-    """Return where in the source the literals stand of parameters that have literals only.
+    """Return the source positions of the literals of those parameters that are given only by literals.
 
-    A literal that rumoca has copied to what is bound to a parameter keeps its place.
+    A literal that rumoca has copied to a dependent parameter keeps its position.
     """
     places: dict[str, frozenset[tuple[int, ...]]] = {}
     for name, variable in model.flat["variables"].items():
@@ -161,7 +162,7 @@ def _literals(model: LoweredModel) -> dict[str, frozenset[tuple[int, ...]]]:
 
 
 def _groups(model: LoweredModel) -> dict[str, list[Mapping[str, Any]]]:
-    """Return the parameters that can be set, those of the elements of an array together, by their names."""
+    """Return the parameters that can be set, by name; the elements of an array form one group."""
     finals = model.flat.get("variable_final_flags", {})
     groups: dict[str, list[Mapping[str, Any]]] = {}
     for entry in model.dae["variables"]:
@@ -191,13 +192,13 @@ def _scalars(model: LoweredModel, entries: Sequence[Mapping[str, Any]]) -> list[
 
 
 def _dimensions(entries: Sequence[Mapping[str, Any]]) -> tuple[int, ...]:
-    """Return the dimensions of an array of which these are all elements."""
+    """Return the dimensions of the array formed by these elements."""
     last = [int(n) for group in _SUBSCRIPTS.findall(entries[-1]["name"]) for n in group[1:-1].split(",")]
     return (*last, *entries[0]["value_type"]["dimensions"])
 
 
 def _is_whole(model: LoweredModel, entries: Sequence[Mapping[str, Any]]) -> bool:
-    """Return whether no element is missing before the last; without scalars there is nothing to set."""
+    """Return whether no element before the last is missing; with no scalars there is nothing to set."""
     count = len(_scalars(model, entries))
     return count == 0 or count == math.prod(_dimensions(entries))
 
@@ -213,7 +214,7 @@ def _candidate(
     entries: Sequence[Mapping[str, Any]],
     probe: Callable[[float], list[float]],
 ) -> Candidate | None:
-    """Return the candidate for a parameter, in all components of an array if they form one."""
+    """Return the candidate for a parameter; one candidate covers all components of an array."""
     values = [starts.of(model.slots[scalar]) for scalar in _scalars(model, entries)]
     texts = [_texts(model, starts, entries[0], value, probe(value)) for value in values]
     if not texts or None in texts:
@@ -247,7 +248,7 @@ def _kind(model: LoweredModel, starts: StartValues, entry: Mapping[str, Any]) ->
 def _texts(
     model: LoweredModel, starts: StartValues, entry: Mapping[str, Any], value: float, probes: Sequence[float]
 ) -> tuple[str, ...] | None:
-    """Return the Modelica texts of a value, another of its type and the probes; None if there is no other."""
+    """Return the Modelica texts of a value, a different value and the probes; None if no other exists."""
     match entry["value_type"]["scalar"]:
         case "real":
             return tuple(map(repr, (value, value * 1.0625 + 0.03125, *probes)))

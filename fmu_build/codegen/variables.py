@@ -74,7 +74,7 @@ class VariableReader:
         }
 
     def _parameters_in_use(self) -> frozenset[int]:
-        """Return the indices of parameters that act after initialization, directly or through others."""
+        """Return the indices of parameters that matter after initialization, directly or through others."""
         used = ex.places("p", *acting_expressions(self._equations))
         for index, value in reversed(self._equations.dependent_parameters):
             if index in used:
@@ -93,7 +93,7 @@ class VariableReader:
     def _is_visible(self, entry: dict[str, Any]) -> bool:
         """Return whether FMI lists the variable: protected variables are hidden, except for states.
 
-        Parameters of type String are hidden too: numbers that depend on one are constants by now.
+        Parameters of type String are hidden too, because numbers that depend on one are already constants.
         """
         is_string = entry["value_type"]["scalar"] == "string" and entry["role"] in ("parameter", "constant")
         if entry["name"] in self._left_out or is_string:
@@ -111,14 +111,15 @@ class VariableReader:
         for number, name in enumerate(entry["scalar_names"]):
             slot = self._model.slots.get(name)
             if slot is None:
-                continue  # removed by the compiler, such as an array of size zero
+                continue  # removed by the compiler, e.g. an array of size zero
             variable = self._variable(entry, name, number, slot)
             yield StoredVariable(variable, *self._place(slot))
 
     def _place(self, slot: ex.Slot) -> tuple[Store, int]:
-        """Return the store and index of a value; an algebraic variable equal to a derivative is read from it.
+        """Return store and index of a value; an algebraic variable equal to a derivative is read from there.
 
-        Importers read it as often as the states, and derivatives cost less than all algebraic variables.
+        Importers read it as often as the states, and derivatives cost less than evaluating all algebraic
+        variables.
         """
         if slot[0] == "y" and slot[1] >= self._equations.n_states:
             value = self._resolved(ex.y(slot[1]))
@@ -202,7 +203,7 @@ class VariableReader:
         return found
 
     def _derivatives(self, stored: list[StoredVariable]) -> Iterator[StoredVariable]:
-        """Yield der(state) for every state: FMI's ModelStructure needs a variable for each."""
+        """Yield der(state) for every state: FMI's ModelStructure requires a variable for each derivative."""
         references = {s.index: n for n, s in enumerate(stored) if s.store == "y"}
         names = self._model.y_names
         for index in range(self._equations.n_states):

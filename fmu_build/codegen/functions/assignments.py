@@ -46,7 +46,7 @@ class AssignmentWriter:
                 return
 
     def is_if(self, assignment: Assignment) -> bool:
-        """Return whether to write an if-statement: it was one in Modelica, or it chooses between arrays."""
+        """Return whether to write an if-statement: the source has one, or arrays are selected."""
         if self._dae.operation(assignment.rhs)["kind"] != "conditional":
             return False
         return bool(self._dae.dimensions(assignment.rhs)) or self._dae.is_generated(assignment.rhs)
@@ -169,7 +169,7 @@ class AssignmentWriter:
         return updates, rhs
 
     def _update(self, assignment: Assignment, name: str) -> None:
-        """Assign to elements, in place unless an assignment needs an element that an earlier one sets."""
+        """Assign to elements, in place unless an assignment reads an element that an earlier one sets."""
         updates, base = self._updates(assignment.rhs)
         late = updates if self._dae.dimensions(updates[0]["value"]) else updates[1:]
         inputs = [number for update in late for number in _inputs(update)]
@@ -196,5 +196,5 @@ class AssignmentWriter:
 
 
 def _inputs(update: dict[str, Any]) -> list[int]:
-    """Return the expressions that an assignment to elements reads besides the array itself."""
+    """Return the expressions that an element assignment reads besides the array itself."""
     return [update["value"], *(s["expression"] for s in update["subscripts"] if "expression" in s)]

@@ -217,7 +217,7 @@ class _FunctionWriter:
                 offset = self._store_array(name, self._dimensions[target], offset)
 
     def _store_result(self, number: int, offset: int) -> int:
-        """Store the elements of an expression from `offset` on; return the offset behind them."""
+        """Store the elements of an expression from `offset` on; return the offset after them."""
         dimensions = self._dae.dimensions(number)
         for place, at in enumerate(positions(dimensions)):
             self._code.result(str(offset + place), self._expressions.element(number, at))

@@ -47,7 +47,8 @@ class CallSites:
         if found is not None:
             return found
         called: set[int] = {call["function"] for call in self._all_calls()}
-        # What no equation calls, rumoca calls where it differentiates: the function that an annotation names.
+        # Functions that no equation calls come from differentiation: rumoca calls the function in an
+        # annotation.
         for those in (called, self._functions.keys() - called):
             fitting = {number for number in those if self._fits(number, site)}
             if len(fitting) == 1:
@@ -71,7 +72,7 @@ class CallSites:
         return found
 
     def _candidates(self, sites: Sequence[_Site], calls: Sequence[Mapping[str, Any]]) -> list[set[int]]:
-        """Return the functions that each site can call, as the sites are in the order of the calls."""
+        """Return the functions that each site can call if the sites are in the order of the calls."""
         fits = [[k for k, call in enumerate(calls) if self._can_be(site, call)] for site in sites]
         first, last = _earliest(fits), _latest(fits, len(calls))
         if any(low > high for low, high in zip(first, last, strict=True)):
@@ -82,7 +83,7 @@ class CallSites:
         ]
 
     def _can_be(self, site: _Site, call: Mapping[str, Any]) -> bool:
-        """Return whether shapes and constancy agree; rumoca puts in constants for some parameters."""
+        """Return whether shapes and constancy agree; rumoca substitutes constants for some parameters."""
         possible = {True: ("constant", "parameter"), False: ("parameter", "discrete", "continuous")}
         return self._fits(call["operation"]["function"], site.shapes) and (
             site.is_constant is None or call["variability"] in possible[site.is_constant]
@@ -115,7 +116,7 @@ class CallSites:
         return roots
 
     def _calls_below(self, roots: Sequence[int]) -> list[int]:
-        """Return the calls in the roots, outer calls first; several results of one call count once."""
+        """Return the calls in the roots, outer calls first; a call with several results counts once."""
         calls: list[int] = []
         seen: set[int] = set()
         met: set[tuple[int, tuple[int, ...]]] = set()
@@ -181,7 +182,7 @@ def operands(operation: Mapping[str, Any]) -> Iterator[int]:
 
 
 def _tables(tree: Any) -> Iterator[Mapping[str, Any]]:
-    """Yield every table of programs except for those of derivatives, whose call sites are separate."""
+    """Yield every table of programs except those of derivatives, whose call sites are numbered separately."""
     if isinstance(tree, dict):
         if "programs" in tree and "program_spans" in tree:
             yield tree
@@ -194,7 +195,7 @@ def _tables(tree: Any) -> Iterator[Mapping[str, Any]]:
 
 
 def _earliest(rows: Sequence[Sequence[int]]) -> list[int]:
-    """Return the smallest member of each row that is above that of the row before; beyond all, if none is."""
+    """For each row, return the smallest member above the previous choice; beyond all members if none is."""
     found: list[int] = []
     for row in rows:
         found.append(next((k for k in row if not found or k > found[-1]), sys.maxsize))
@@ -202,13 +203,13 @@ def _earliest(rows: Sequence[Sequence[int]]) -> list[int]:
 
 
 def _latest(rows: Sequence[Sequence[int]], end: int) -> list[int]:
-    """Return the largest member of each row that is below that of the row behind; -1 if none is."""
+    """For each row, return the largest member below the one chosen for the next row; -1 if there is none."""
     mirrored = [[end - k for k in reversed(row)] for row in reversed(rows)]
     return [end - k if k < sys.maxsize else -1 for k in reversed(_earliest(mirrored))]
 
 
 def _sites(tree: Any) -> Iterator[_Site]:
-    """Yield the call sites in a program, those in its conditional parts too."""
+    """Yield the call sites in a program, including its conditional parts."""
     if isinstance(tree, dict):
         tree = list(tree.values())
     if not isinstance(tree, list):
@@ -237,7 +238,7 @@ def _sites(tree: Any) -> Iterator[_Site]:
 
 
 def _all_constant(parts: Sequence[bool | None]) -> bool | None:
-    """Return whether a value is constant that is computed from these parts; None if that is not known."""
+    """Return whether a value computed from these parts is constant; None if that is not known."""
     return False if False in parts else None if None in parts else True
 
 

@@ -18,7 +18,7 @@ from fmu_build.codegen.expression import Expression
 from fmu_build.codegen.functions.index import Index
 
 _WORTH_A_VARIABLE = 6
-"""Number of nodes from which a common subexpression of a statement becomes a variable."""
+"""Smallest number of nodes for which a common subexpression of a statement becomes a variable."""
 
 _RESERVED = """
     auto break case char const continue default do double else enum extern float for goto if inline int long
@@ -77,7 +77,7 @@ class FunctionCode:
     ) -> Expression:
         """Return a leaf written in C as `text`, which binds like a name; a costly one is computed once.
 
-        `tangent` returns the C text of its tangent; a leaf without it, such as a loop variable, is constant.
+        `tangent` returns the C text of its tangent; a leaf without one, such as a loop variable, is constant.
         """
         if text not in self._leaves:
             leaf = Expression("text", payload=len(self._leaves))
@@ -209,7 +209,7 @@ class FunctionCode:
         self.new_statement()
 
     def close(self, tail: str = "") -> None:
-        """End a block; `tail` follows its brace, such as ``else {``, which opens the next block."""
+        """End a block; `tail` follows its brace and may open the next block (``else {``)."""
         self._depth -= 1
         self.line(f"}} {tail}".rstrip())
         if tail:
@@ -218,7 +218,7 @@ class FunctionCode:
 
 
 def _read(lines: Sequence[_Line]) -> set[str | None]:
-    """Return the names that lines mention, except for the variable that each line sets."""
+    """Return the names that lines mention, except the variable that each line sets."""
     names: set[str | None] = set()
     for line in lines:
         names.update(name for name in re.findall(r"[A-Za-z_]\w*", line.text) if name != line.sets)
@@ -239,7 +239,7 @@ def _without_empty_blocks(lines: Sequence[_Line]) -> list[_Line]:
 
 
 class _Tangents(Mapping[Expression, Expression]):
-    """The tangents of leaves, created when they are needed, because they may append lines."""
+    """The tangents of leaves, created on demand because creating one may append lines."""
 
     def __init__(self) -> None:
         self.makers: dict[Expression, Callable[[], Expression]] = {}

@@ -1,8 +1,8 @@
 """Translate expressions in bodies of Modelica functions, element by element.
 
 An array expression is never built as a whole: `element` returns the scalar at a position, which may depend on
-the variables of C loops. Expressions that need statements (long sums, calls with several results) put them
-before the statement being written.
+the variables of C loops. Expressions that need statements (long sums, calls with several results) insert them
+before the current statement.
 """
 
 from __future__ import annotations
@@ -200,7 +200,7 @@ class FunctionExpressions:
         return self.subscripts.read(name, dimensions, at, offset)
 
     def is_only_result(self, number: int) -> bool:
-        """Return whether this is a call whose only result is the array that it denotes."""
+        """Return whether this is a call with the array as its only result."""
         operation = self._dae.operation(number)
         if operation["kind"] != "call":
             return False
@@ -211,7 +211,7 @@ class FunctionExpressions:
         self._code.store_results(name, self._call_text(number), lambda r: self._tangent_call_text(number)(r))
 
     def _call_text(self, number: int) -> Callable[[str], str]:
-        """Return a function from the name of the results' array, if there is one, to the C text of a call."""
+        """Return a function that maps the name of the array for results, if any, to the C text of a call."""
         operation: dict[str, Any] = self._dae.operation(number)
         callee = self._dae.functions[operation["function"]]
         kinds = [parameter["value_type"] for parameter in callee["parameters"]]

@@ -21,7 +21,7 @@ class FunctionSignature:
 
     @property
     def tangent(self) -> FunctionSignature:
-        """The function that maps the inputs, followed by their tangents, to the tangents of the results."""
+        """The signature of the function that maps inputs and their tangents to tangents of results."""
         return FunctionSignature(f"d{self.name}", self.inputs * 2, self.n_results, self.returns_value)
 
     def call(self, arguments: Sequence[str], results: str = "") -> str:

@@ -1,4 +1,4 @@
-"""Declare the new variables of a model as if its Modelica source had declared them."""
+"""Declare the added variables as if the Modelica source had declared them."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from fmu_build.codegen.sensitivities.shift import shifted
 
 @dataclass(frozen=True, slots=True)
 class Declaration:
-    """A sensitivity that the FMU shows: of a state, or of a requested variable."""
+    """A sensitivity that the FMU exposes: of a state, or of a requested variable."""
 
     name: str
     slot: Slot
     role: str
-    """``state`` or ``algebraic``, as rumoca calls it."""
+    """``state`` or ``algebraic``, as in rumoca's data."""
     description: str
     unit: str
     nominal: float
@@ -32,7 +32,7 @@ def declare(
     declarations: tuple[Declaration, ...],
     n_more: int,
 ) -> LoweredModel:
-    """Return the model with `n_more` states, and with names for all new slots of y and p."""
+    """Return the model with `n_more` additional states, and with names for all new slots of y and p."""
     slots = {name: shifted(slot, n_states, n_more) for name, slot in model.slots.items()}
     slots |= {name: slot for slot, name in names.items()}
     slots |= {one.name: one.slot for one in declarations}
@@ -96,7 +96,7 @@ def quotient_unit(numerator: str, denominator: str) -> str:
 
 
 def _factors(unit: str) -> tuple[Counter[str], Counter[str]]:
-    """Return the factors above and below the slash; a unit with more slashes counts as one factor."""
+    """Return the factors above and below the slash; a unit with several slashes counts as one factor."""
     above, _, below = unit.partition("/")
     if "/" in below:
         return Counter([f"({unit})"]), Counter()

@@ -1,7 +1,8 @@
 """The tangents of a model's equations in one direction: along the motion in time, or by one parameter.
 
-Forward mode, like the directional derivatives, but the tangents are equations of the model themselves: those
-of algebraic variables are algebraic variables, those of computed parameters are computed parameters.
+This is forward mode, as for the directional derivatives, but the tangents become equations of the model:
+tangents of algebraic variables are algebraic variables, tangents of computed parameters are computed
+parameters.
 """
 
 from __future__ import annotations
@@ -19,15 +20,16 @@ from fmu_build.codegen.sensitivities.slots import NewSlots
 
 @dataclass
 class Direction:
-    """Tangents of the leaves of expressions, and the equations that compute those tangents."""
+    """Tangents of the leaves of expressions, and the equations that compute these tangents."""
 
     name: str
     slots: NewSlots
     seeds: dict[Expression, Expression]
-    """The tangents that are not zero."""
+    """The nonzero tangents."""
     steps: list[Step] = field(default_factory=list)
     parameters: list[tuple[int, Expression]] = field(default_factory=list)
-    """Computed parameters: the tangents of computed parameters."""
+    """Equations for the tangents of computed parameters; these tangents are computed parameters themselves.
+    """
 
     def tangent(self, value: Expression) -> Expression:
         """Return the tangent of a value; raises `NotDifferentiableError`."""
@@ -44,7 +46,7 @@ class Direction:
             self._seed(ex.p(index), tangent)
 
     def along_algebraics(self, steps: Iterable[Step]) -> None:
-        """Add the tangents of algebraic variables, each with its equation unless it equals another value."""
+        """Add the tangents of algebraic variables; a tangent that equals another value gets no equation."""
         for step in steps:
             if isinstance(step, NewtonBlock):
                 self._along_block(step)
@@ -57,7 +59,7 @@ class Direction:
             self._seed(ex.y(step.unknown), tangent)
 
     def _along_block(self, block: NewtonBlock) -> None:
-        """The tangents of a loop's unknowns solve its linearization, which has the loop's own Jacobian."""
+        """Add the tangents of a loop's unknowns: they solve its linearization, with the same Jacobian."""
         if all(self.tangent(residual) == ZERO for residual in block.residuals):
             return
         slots = [self.slots.add(("y", unknown), self.name) for unknown in block.unknowns]
@@ -66,7 +68,7 @@ class Direction:
         self.steps.append(NewtonBlock(tuple(slot[1] for slot in slots), residuals, block.jacobian))
 
     def moving_slots(self, equations: Equations) -> list[Slot]:
-        """Return the discrete variables and pre() values whose tangents are not always zero, in order."""
+        """Return, in order, the discrete variables and pre() values whose tangents can differ from zero."""
         found: dict[Slot, None] = {}
         starts = {slot for slot, value in equations.start_values if slot[0] == "p" and self._moves(value)}
         sought = {slot for slot in equations.initial_unknowns if slot[0] == "p"}
@@ -84,7 +86,7 @@ class Direction:
             found |= dict.fromkeys(new)
 
     def _mark(self, steps: Iterable[Step]) -> None:
-        """Seed the algebraic variables whose tangents are not zero, without equations for them."""
+        """Seed the algebraic variables with nonzero tangents, without adding equations for them."""
         for step in steps:
             if any(self._moves(value) for value in step.expressions):
                 self.seeds |= {ex.y(unknown): tangent_leaf(("y", unknown)) for unknown in step.unknowns}
@@ -93,7 +95,7 @@ class Direction:
         return self.tangent(value) != ZERO
 
     def discrete(self, rows: Iterable[DiscreteRow]) -> list[DiscreteRow]:
-        """Return the tangents of discrete equations and of reinit(), which act together with these."""
+        """Return the tangents of discrete equations and of reinit(), which apply together with these."""
         return [
             DiscreteRow(row.kind, slot, self.tangent(row.value))
             for row in rows
@@ -101,7 +103,7 @@ class Direction:
         ]
 
     def slot_of(self, slot: Slot) -> Slot | None:
-        """Return the slot of the tangent of a state or of a moving slot of p, None if it is always zero."""
+        """Return the slot of the tangent of a state or of a moving slot of p; None if it is always zero."""
         seed = self.seeds.get(leaf(slot))
         if seed is None or seed.operator not in ("y", "p"):
             return None

@@ -1,12 +1,12 @@
-"""Extend the equations of a model by those of its sensitivities.
+"""Extend the equations of a model with those of its sensitivities.
 
-For each parameter p, every state x gets a further state dx/dp with the derivative ``(df/dx) dx/dp + df/dp``.
-All other tangents are ordinary algebraic variables, computed parameters and discrete variables.
+For each parameter p, every state x gets an additional state dx/dp with the derivative ``(df/dx) dx/dp +
+df/dp``. All other tangents are ordinary algebraic variables, computed parameters and discrete variables.
 
-Time has a tangent too, the slot ``move``: zero between events, and during an event the derivative of the
-event's time by the parameter. The runtime sets it, and adds ``der(x)*move`` to dx/dp before the event and
-subtracts it afterwards. In between, all tangents are those of the values at the event as it moves, and the
-tangents of discrete equations and of reinit() hold as they stand.
+Time also has a tangent, the slot ``move``: it is zero between events and, during an event, the derivative of
+the event's time by the parameter. The runtime sets it, adds ``der(x)*move`` to dx/dp before the event and
+subtracts it afterwards. In between, all tangents are those of values at the moving event, so that the
+tangents of discrete equations and of reinit() need no special treatment.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ from fmu_build.support.errors import UnsupportedModelError
 
 @dataclass(frozen=True)
 class Extended:
-    """A model with its sensitivities: `outputs` were requested, `states` are those of states."""
+    """A model with its sensitivities: `outputs` are the requested ones, `states` those of states."""
 
     model: LoweredModel
     equations: Equations
@@ -43,9 +43,9 @@ class Extended:
     states: frozenset[str]
 
     def marked(self, stored: Sequence[StoredVariable]) -> tuple[StoredVariable, ...]:
-        """Return the variables, with the requested sensitivities as outputs.
+        """Return the variables with the requested sensitivities marked as outputs.
 
-        Events set the sensitivities of all states.
+        Events can change the sensitivities of all states.
         """
         return tuple(replace(one, variable=self._marked(one.variable)) for one in stored)
 
@@ -58,9 +58,9 @@ class Extended:
 def extend(
     model: LoweredModel, equations: Equations, stored: Sequence[StoredVariable], wanted: Wanted
 ) -> Extended:
-    """Return the model with the sensitivities that are wanted.
+    """Return the model with the requested sensitivities.
 
-    Raises `UnsupportedModelError`, which names the construct, for a model that has none.
+    Raises `UnsupportedModelError`, which names the construct, if the model does not allow any.
     """
     reject_without_sensitivities(model, equations, stored)
     try:
@@ -127,7 +127,7 @@ class _Extension:
         return self.n * (1 + parameter) + state
 
     def _by_parameter(self, number: int) -> Direction:
-        """Return the tangents by one parameter, and note those of start values and discrete equations."""
+        """Return the tangents by one parameter; collects those of start values and discrete equations."""
         plain = self.plain
         parameter = self.wanted.parameters[number]
         seeds = {TIME: ex.p(self.moves[number]), ex.p(parameter.index): ONE}
@@ -148,7 +148,7 @@ class _Extension:
         return direction
 
     def _note_initial(self, direction: Direction) -> None:
-        """Start values of states and discrete variables, and initial equations for the unknowns' tangents."""
+        """Collect start values of states and discrete variables, and initial equations for their tangents."""
         plain = self.plain
         sought = set(plain.initial_unknowns)
         given = {slot for slot, _ in plain.start_values}
@@ -200,7 +200,7 @@ class _Extension:
     def _declaration(
         self, of: StoredVariable, by: StoredVariable, slot: Slot, role: str, nominal: float
     ) -> Declaration:
-        """The nominal value is that of the variable per size of the parameter, as CVODES has it."""
+        """The nominal value is that of the variable divided by the parameter's magnitude, as in CVODES."""
         size = abs(by.variable.start or by.variable.nominal or 1.0)
         return Declaration(
             name=_name(of.variable.name, by),

@@ -1,4 +1,4 @@
-"""Refuse models with jumps that sensitivities would pass unseen, or whose instants they cannot follow."""
+"""Refuse models with jumps that sensitivities would miss, or with event times that depend on an input."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from fmu_build.codegen.variables import StoredVariable
 def reject_without_sensitivities(
     model: LoweredModel, equations: Equations, stored: Sequence[StoredVariable]
 ) -> None:
-    """Raise `UnsupportedModelError` for a model whose sensitivities would be wrong without notice."""
+    """Raise `UnsupportedModelError` for a model whose sensitivities would be silently wrong."""
     for node in ex.walk(*acting_expressions(equations)):
         if node.operator == "Sign" and ex.varies(node):
             raise model.unsupported(

@@ -1,4 +1,4 @@
-"""Make room for more states: the algebraic variables of a model move back in y."""
+"""Make room for additional states by moving the algebraic variables of a model back in y."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def with_room(equations: Equations, n: int) -> Equations:
 
 
 def shifted(slot: Slot, n_states: int, n: int) -> Slot:
-    """Return where a slot is after `with_room`."""
+    """Return the position of a slot after `with_room`."""
     return (slot[0], slot[1] + n) if slot[0] == "y" and slot[1] >= n_states else slot
 
 

@@ -1,4 +1,4 @@
-"""New slots of y and p, with names after the values whose tangents they hold."""
+"""New slots of y and p, named after the values whose tangents they store."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from fmu_build.codegen.expression import Slot
 
 @dataclass
 class NewSlots:
-    """Hands out slots behind those of the model."""
+    """Allocates slots behind those of the model."""
 
     n_y: int
     n_p: int
     texts: Mapping[Slot, str]
     """The names of the model's own slots."""
     names: dict[Slot, str] = field(default_factory=dict)
-    """The names of the new ones, in the order of their slots."""
+    """The names of the new slots, in slot order."""
 
     def add(self, of: Slot, direction: str) -> Slot:
         """Return a new slot for the tangent of `of`, in the same array."""

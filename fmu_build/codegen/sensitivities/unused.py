@@ -1,4 +1,4 @@
-"""Drop the tangents that nothing reads: most algebraic variables are there to be looked at only."""
+"""Drop tangents that nothing reads: most algebraic variables exist only to be looked at."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from fmu_build.codegen.expression import Slot, leaf
 def without_unused(
     equations: Equations, n_old: int, outputs: Sequence[int]
 ) -> tuple[Equations, dict[int, int]]:
-    """Drop algebraic variables from number `n_old` on that nothing reads, but for `outputs`.
+    """Drop algebraic variables from number `n_old` on that nothing reads, except `outputs`.
 
-    Return the equations, and the new numbers of those that stay.
+    Returns the equations and the new numbers of the remaining variables.
     """
     assert equations.sensitivities is not None
     wanted = (
@@ -45,7 +45,7 @@ def without_unused(
 
 
 def renumbered(slot: Slot, numbers: Mapping[int, int]) -> Slot:
-    """Return where a slot is after `without_unused`."""
+    """Return the position of a slot after `without_unused`."""
     return ("y", numbers.get(slot[1], slot[1])) if slot[0] == "y" else slot
 
 

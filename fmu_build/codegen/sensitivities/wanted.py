@@ -1,4 +1,4 @@
-"""Which sensitivities a build asks for, by variables of the model; refusal of those that do not exist."""
+"""Resolve the sensitivities that a build requests to variables of the model; refuse unknown ones."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class Wanted:
 def find_wanted(model: str, stored: Sequence[StoredVariable], request: SensitivityRequest) -> Wanted:
     """Return the variables and parameters of a request.
 
-    Raises `UnsupportedModelError`, which names the variable and says what is allowed.
+    Raises `UnsupportedModelError`, which names the variable and what is allowed.
     """
     known = {s.variable.name: s for s in stored}
     variables = _expand(request.variables, [s for s in stored if _is_output(s.variable)])
@@ -44,7 +44,7 @@ def find_wanted(model: str, stored: Sequence[StoredVariable], request: Sensitivi
 
 
 def _expand(names: Sequence[str], everything: Sequence[StoredVariable]) -> list[str]:
-    """Return the names without repetitions, with `ALL` replaced by everything that it means."""
+    """Return the names without duplicates, with `ALL` replaced by the names of all variables it covers."""
     found = (
         name for one in names for name in ([s.variable.name for s in everything] if one == ALL else [one])
     )
