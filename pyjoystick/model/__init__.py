@@ -1,4 +1,4 @@
-"""The joystick in Python: parameters, the reference from the equations alone, the period from the energy."""
+"""The joystick in Python: parameters, the reference from the equations alone, periods from the energy."""
 
 import lazy_loader
 

@@ -1,4 +1,4 @@
-"""Tables 1 and 2 and the other numbers of a joystick as rows of text."""
+"""Tables 1 and 2 and the other parameters of a joystick as rows of text."""
 
 from __future__ import annotations
 
@@ -29,11 +29,11 @@ def segment_table(joystick: JoystickParameters) -> TextTable:
 
 
 def body_table(joystick: JoystickParameters, pivot_to_top: float | None = None) -> TextTable:
-    """Table 2, with the acceleration of gravity, which it lacks, and the frequency of the swing test.
+    """Table 2, with gravity, which it lacks, and the frequency of the swing test.
 
     Args:
         joystick: the joystick
-        pivot_to_top: pivot to the top of the handle (m), where it is known
+        pivot_to_top: distance from the pivot to the top of the handle (m), if known
     """
     rows = [
         ["mass", f"{joystick.m:.6g}", "kg"],
@@ -59,12 +59,12 @@ def spring_table(joystick: JoystickParameters) -> TextTable:
 
 
 def damping_table(*laws: ConstantDamping | PowerLawDamping) -> TextTable:
-    """The numbers of damping laws."""
+    """Parameters of damping laws."""
     return TextTable(("", "value", "unit"), [row for law in laws for row in _damping_rows(law)])
 
 
 def friction_table(friction: Friction) -> TextTable:
-    """The numbers of the dry friction."""
+    """Parameters of the dry friction."""
     rows = [
         ["T_c, Coulomb friction moment at the pivot", f"{friction.T_c:.6g}", "N m"],
         ["F_c, Coulomb friction force along the plunger", f"{friction.F_c:.6g}", "N"],
@@ -76,7 +76,7 @@ def friction_table(friction: Friction) -> TextTable:
 
 
 def stops_table(stops: Stops) -> TextTable:
-    """The numbers of the stops."""
+    """Parameters of the stops."""
     rows = [
         ["theta_stop, angle of the stops to either side", f"{stops.theta_stop:.6g}", "rad"],
         ["K, stiffness of a stop about the pivot", f"{stops.K:.6g}", "N m/rad"],

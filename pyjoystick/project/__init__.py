@@ -1,4 +1,4 @@
-"""A project: a folder with a laboratory's files, and all that follows from them by one command."""
+"""Projects: a folder with a laboratory's files, from which one command makes the joystick."""
 
 import lazy_loader
 

@@ -1,4 +1,4 @@
-"""The steps of a project, from what its file says and which files are there."""
+"""Assembly of a project's steps from its file and the existing files."""
 
 from __future__ import annotations
 
@@ -27,12 +27,12 @@ _BODY: Final = {
 
 @dataclass(frozen=True, slots=True)
 class Assembly:
-    """What a project does.
+    """The steps of a project.
 
     Attributes:
-        steps: in an order in which they can be done
-        missing: what cannot be done because files are missing
-        notes: what follows from that, a sentence each
+        steps: in an order in which they can be executed
+        missing: steps that are impossible because files are missing
+        notes: consequences, one sentence each
     """
 
     steps: tuple[Step, ...]
@@ -41,11 +41,11 @@ class Assembly:
 
 
 def assemble(lab: Laboratory, find: Find) -> Assembly:
-    """The steps of a project.
+    """Determine the steps of a project.
 
     Args:
-        lab: what its file says
-        find: from the name of an FMU to its file
+        lab: contents of its file
+        find: function that returns the file for the name of an FMU
 
     Raises:
         SettingsError: two motions have the same name, or an accelerometer is of a motion that is not named

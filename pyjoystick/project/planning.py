@@ -1,4 +1,4 @@
-"""What a run of a project would do, and why."""
+"""Plans: what a run of a project would do, and why."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def _needed(maker: PlannedStep, memory: Memory) -> str:
 def _reasons(
     step: Step, one: Task, memory: Memory, makers: Mapping[str, str], uncertain: Container[str]
 ) -> list[str]:
-    """Why a step is to be done; nothing where it is not, or where that is uncertain."""
+    """Reasons for executing a step; empty if it is up to date, or if that is uncertain."""
     values = memory.get_values(task_name(step))
     status = memory.get_status(one, None, get_log=True)
     if status.status == "up-to-date":

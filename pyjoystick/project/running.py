@@ -1,4 +1,4 @@
-"""Carrying out a project: what has changed since the last time, and what depends on it."""
+"""Execution of projects: steps with changes since the last run, and steps that depend on them."""
 
 from __future__ import annotations
 
@@ -32,16 +32,16 @@ _LOCK: Final = ".pyjoystick/lock"
 def run_project(
     folder: str | PathLike[str] = ".", *, find: Find = fmu.find_fmu, on_change: OnChange = lambda steps: None
 ) -> ProjectRun:
-    """Do what has changed in a project since it was last run, and what depends on it.
+    """Execute the steps of a project that have changed since the last run, and those that depend on them.
 
-    A step is done if the content of a file that it reads, a setting or the version of pyjoystick is another
-    than when it was last done, or if a file that it wrote is not as it left it. A step that fails does not
-    keep others from being done; the results of an earlier run that it or the steps after it left are moved to
-    results/outdated. Files are written whole, and a run that is ended anyhow is continued by the next.
+    A step is executed if the content of a file that it reads, a setting or the version of pyjoystick has
+    changed since its last execution, or if a file that it wrote was modified. A failing step does not stop
+    others; earlier results of it and of later steps are moved to results/outdated. Files are written
+    atomically, and an interrupted run is continued by the next.
 
     Args:
         folder: the project
-        find: from the name of an FMU to its file
+        find: function that returns the file for the name of an FMU
         on_change: called with the states of all steps whenever one changes
 
     Raises:

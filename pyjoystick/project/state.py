@@ -1,4 +1,4 @@
-"""What was done in a project, and from what: doit's memory, by content, in a file that is written whole."""
+"""Record of what was done in a project, and from what: doit's database, by content, written atomically."""
 
 from __future__ import annotations
 

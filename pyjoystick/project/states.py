@@ -1,4 +1,4 @@
-"""How far the steps of a project are, and what a run would do with them."""
+"""States of a project's steps, and plans for them."""
 
 from __future__ import annotations
 

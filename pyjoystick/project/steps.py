@@ -1,4 +1,4 @@
-"""What a project consists of: steps, each from files and settings to files."""
+"""Steps of a project, each from files and settings to files."""
 
 from __future__ import annotations
 

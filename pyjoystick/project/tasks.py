@@ -1,4 +1,4 @@
-"""Steps as tasks of doit: which of them are to be done, why, and doing them."""
+"""Steps as tasks of doit: which to execute and why, and their execution."""
 
 from __future__ import annotations
 

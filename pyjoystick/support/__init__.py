@@ -1,4 +1,4 @@
-"""What every room uses: errors, checks of values, settings from TOML, writing files, the look of figures."""
+"""Common to all rooms: errors, checks of values, settings from TOML, writing of files, style of figures."""
 
 import lazy_loader
 

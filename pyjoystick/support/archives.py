@@ -1,4 +1,4 @@
-"""ZIP archives as someone else wrote them, or as a disk left them."""
+"""ZIP archives from elsewhere, which may be damaged."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ ARCHIVE_ERRORS: Final = (
 
 
 def archive_problem(error: Exception) -> str:
-    """What one of `ARCHIVE_ERRORS` says, in words."""
+    """Text for one of the `ARCHIVE_ERRORS`."""
     if isinstance(error, zipfile.BadZipFile) and "not a zip" in str(error).casefold():
         return "not a ZIP archive"
     said = error.strerror if isinstance(error, OSError) else ""

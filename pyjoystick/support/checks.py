@@ -1,4 +1,4 @@
-"""Values that a user gives: types, defaults, and checks, which return the value or raise ParameterError."""
+"""Checks of values given by users, which return the value or raise ParameterError; types and defaults."""
 
 from __future__ import annotations
 

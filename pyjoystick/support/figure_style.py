@@ -72,11 +72,11 @@ Role = Literal["measured", "constant", "power-law"] | int
 
 
 def line_style(role: Role) -> LineStyle:
-    """How a line is drawn in all figures: ``axes.plot(x, y, **line_style("measured"))``.
+    """Style of a line in all figures: ``axes.plot(x, y, **line_style("measured"))``.
 
     Args:
-        role: ``measured`` (or standing for a measurement), a damping law (``constant`` or ``power-law``), or
-            the number of a line without a meaning of its own, from 0 on
+        role: ``measured`` (or a substitute for measurements), a damping law (``constant`` or ``power-law``),
+            or the number, from 0, of a line without its own meaning
 
     Raises:
         ParameterError: there is no such role
@@ -107,9 +107,9 @@ def legend_above(
     columns: int | None = None,
     marker_scale: float = 1.0,
 ) -> None:
-    """The legend of the lines of `axes` above the panels, where it covers no curve; each label once.
+    """Draw the legend of the lines of `axes` above the panels, where it covers no curve; each label once.
 
-    A title of the figure goes here, for Matplotlib would draw it over the legend.
+    It also draws the title of the figure, because Matplotlib would draw it over the legend.
     """
     panels = [axes] if isinstance(axes, Axes) else axes
     entries: dict[str, Artist] = {}

@@ -1,4 +1,4 @@
-"""Results in notebooks: shown as tables and figures, and how far work is while it goes on."""
+"""Display of results in notebooks, as tables and figures, and of progress."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 _PATIENCE: Final = 0.5
 _INTERVAL: Final = 0.2
 
-#: Called with a stage, what is done of it and of how much.
+#: Called with a stage, the amount done and the total.
 Tell = Callable[[str, int, int], None]
 
 
@@ -34,7 +34,7 @@ class Shown:
     _shown_by: ClassVar[str]
 
     def summary(self) -> str:
-        """The result as text: Markdown that reads as text too."""
+        """The result as Markdown that is also readable as plain text."""
         text: str = import_module(self._shown_by).summary(self)
         return text
 
@@ -77,7 +77,7 @@ def figure_as_html(figure: Figure, *, alt: str = "") -> str:
 
 
 def is_notebook() -> bool:
-    """A notebook's kernel runs this program."""
+    """Whether this program runs in a notebook's kernel."""
     return type(_shell()).__name__ == "ZMQInteractiveShell"
 
 
@@ -101,10 +101,10 @@ def _shell() -> Any:
 
 @contextmanager
 def notebook_progress(what: str) -> Iterator[Tell]:
-    """A function that shows progress: in a notebook a bar, removed at the end; elsewhere nothing.
+    """Return a function that shows progress: in a notebook a bar, removed at the end; elsewhere nothing.
 
     Args:
-        what: the work, a word or two
+        what: the work, in a word or two
     """
     if not is_notebook():
         yield lambda stage, done, total: None

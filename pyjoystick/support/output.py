@@ -1,4 +1,4 @@
-"""Results as files, each written whole or not at all, and the versions of what they were made with."""
+"""Atomic writing of result files, and versions of the software that made them."""
 
 from __future__ import annotations
 
@@ -30,9 +30,9 @@ _PACKAGES: Final = ("pyjoystick", "fmpy", "numpy", "scipy", "pandas")
 
 @contextmanager
 def replacing(path: str | PathLike[str]) -> Iterator[Path]:
-    """A path beside `path` to write to, with the same suffix; on leaving, it replaces `path`.
+    """Path next to `path` to write to, with the same suffix; on leaving, it replaces `path`.
 
-    Missing folders are created. If the body raises an error, `path` stays as it was.
+    Missing folders are created. If the body raises an error, `path` is left unchanged.
 
     Raises:
         OutputFileError: the file cannot be written there
@@ -54,9 +54,9 @@ def replacing(path: str | PathLike[str]) -> Iterator[Path]:
 
 
 def remove_unfinished(folder: Path) -> None:
-    """Delete what processes that were killed left of files that `replacing` was writing.
+    """Delete files that killed processes left while `replacing` was writing them.
 
-    Only where no other process writes.
+    Use only if no other process writes.
     """
     for path in folder.rglob(".*"):
         if _UNFINISHED.fullmatch(path.name) and path.is_file():

@@ -1,8 +1,8 @@
-"""Temporary folders that do not stay for good where the process that made them is killed.
+"""Temporary folders that are cleaned up even if the process that made them is killed.
 
-The process of a folder ``pyjoystick-HOST-...`` holds a lock in it, which the operating system releases when
-that process ends, however it ends. A folder whose lock is free can go: neither a process number that another
-process has since, nor a clock, misleads.
+A process locks its folder ``pyjoystick-HOST-...``; the operating system releases the lock when the process
+ends for any reason. A folder with a free lock can be deleted. Unlike a process number, which may be reused,
+or a clock, a lock is reliable.
 """
 
 from __future__ import annotations
@@ -24,9 +24,10 @@ _LOCK: Final = ".lock"
 
 @contextmanager
 def temporary_folder() -> Iterator[Path]:
-    """A new folder among the temporary files, deleted on leaving.
+    """A new temporary folder, deleted on leaving.
 
-    The first one of a process also deletes those that killed processes of this user left on this machine.
+    The first call in a process also deletes the folders that killed processes of this user left on this
+    machine.
     """
     from filelock import FileLock
 
@@ -44,9 +45,9 @@ def temporary_folder() -> Iterator[Path]:
 
 @cache
 def remove_abandoned() -> None:
-    """Delete the folders whose processes have ended, once a process.
+    """Delete the folders whose processes have ended, once per process.
 
-    Those of other users stay, of other machines that share the place, and those without a lock.
+    Folders of other users, of other machines that share the place, and those without a lock are kept.
     """
     base = tempfile.gettempdir()
     with suppress(OSError), os.scandir(base) as entries:

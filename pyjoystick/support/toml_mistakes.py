@@ -1,8 +1,7 @@
-"""Every mistake in a settings file at once.
+"""All mistakes in a settings file at once.
 
-A reader stops at the first mistake. Here the place of that mistake is mended, with the value of an example or
-by leaving it out, and the file is read again, until the reader is content. Mistakes that follow from mending
-are not reported.
+A reader stops at the first mistake. Its place is therefore replaced by the value of an example, or removed,
+and the file is read again until there are no more errors. Errors caused by the replacement are not reported.
 """
 
 from __future__ import annotations
@@ -18,7 +17,7 @@ from pyjoystick.support.toml_table import Table, read_toml
 
 _PART: Final = re.compile(r'"([^"]*)"|([^.]+)')
 _NUMBERED: Final = re.compile(r"(.+) (\d+)")
-#: More readings than this are no mending.
+#: Limit of repeated readings.
 _MOST: Final = 1000
 
 Place = tuple[str | int, ...]
@@ -27,12 +26,12 @@ Place = tuple[str | int, ...]
 def mistakes(
     path: Path, read: Callable[[Table], object], example: Mapping[str, Any]
 ) -> list[PyJoystickError]:
-    """What is wrong with a settings file, in the order in which it is read; nothing where it can be used.
+    """List the mistakes in a settings file in the order of reading; empty if it can be used.
 
     Args:
         path: the file
         read: reads it; its first error is one of those that are returned
-        example: values that are allowed, in the structure of the file
+        example: allowed values, in the structure of the file
     """
     try:
         content = read_toml(path).content

@@ -1,7 +1,7 @@
 """Settings from TOML files: every mistake is reported with its file, table and key.
 
-A reader asks a `Table` for keys and tables, and checks values inside `Table.at`. In the end it calls `finish`
-on the file, which refuses all that was not read.
+A reader asks a `Table` for keys and tables, and checks values inside `Table.at`. At the end it calls `finish`
+on the file, which rejects everything that was not read.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _ABSENT: Final = object()
 
 
 class Table:
-    """A table of the file. Keys that have been read are known, and `finish` refuses all others.
+    """A table of the file. `finish` rejects all keys that have not been read.
 
     Attributes:
         path: the file
@@ -42,11 +42,11 @@ class Table:
         self._tables: dict[str, Table] = {}
 
     def error(self, key: str, allowed: str, hint: str = "") -> SettingsError:
-        """The error that says what is allowed for a key; for the whole table where it is empty."""
+        """Make the error with what is allowed for a key, or for the whole table if the key is empty."""
         return SettingsError(self.path, self.name, key, self.content.get(key), allowed, hint)
 
     def refused(self, key: str, error: ParameterError | UnknownNameError) -> SettingsError:
-        """An error about a value or a name as one about its place in the file."""
+        """Convert an error about a value or a name to one about its place in the file."""
         if isinstance(error, ParameterError):
             given = self.content.get(key, error.value)
             return SettingsError(self.path, self.name, key, given, f"must be {error.allowed}", error.hint)
@@ -54,10 +54,10 @@ class Table:
 
     @contextmanager
     def at(self, key: str = "") -> Iterator[None]:
-        """Report what is refused inside as an error at this key.
+        """Context that reports errors raised inside at this key.
 
-        Where no key is given, a `ParameterError` is reported at the key that its field names, if known, and
-        anything else at the table.
+        Without a key, a `ParameterError` is reported at the key named by its field, if known, and
+        any other error at the table.
         """
         try:
             yield
@@ -165,7 +165,7 @@ class Table:
         return iter(self.content.items())
 
     def finish(self) -> None:
-        """Refuse keys that nobody has read, here and in every table that was read."""
+        """Reject keys that were not read, here and in all tables that were read."""
         for key in self.content:
             if key not in self._known:
                 near = difflib.get_close_matches(key, self._known, n=1)

@@ -144,6 +144,7 @@ def synthetic_markers(
         random: random generator for the noise
         noise: standard deviation of each coordinate's independent normal noise (m), 0 for none
         layout: positions of the markers; by default those of `MarkerLayout`
+
     Raises:
         ParameterError: the noise is not finite or below zero
         RecordError: fewer than three frames, or the time does not increase

@@ -1,1 +1,1 @@
-"""The parameters of the joystick as frozen, checked values in SI units, and the paper's numbers."""
+"""The parameters of the joystick as frozen, checked values in SI units, and the paper's values."""

@@ -35,34 +35,35 @@ LAWS: Final[Mapping[LawName, type[ConstantDamping] | type[PowerLawDamping]]] = {
     "power-law": PowerLawDamping,
 }
 SIDES: Final[tuple[Side, ...]] = get_args(Side)
-#: Keys of the tables that hold single numbers, and those of them that may be left out.
+#: Keys of the tables with single numbers.
 PLAIN_TABLES: Final[Mapping[str, tuple[str, ...]]] = {
     "body": ("m", "h", "J"),
     "gravity": ("g",),
     "geometry": ("a", "b", "pivot_to_top"),
 }
-#: Keys that may be left out: all those of [friction] and [stops], as may these tables, and some others.
+#: Optional keys: all those of [friction] and [stops], which are optional tables, and some others.
 _OPTIONAL: Final = (
     *("pivot_to_top", "eps_theta", "eps_omega"),
     *(field.name for part in (Friction, Stops) for field in dataclasses.fields(part)),
 )
-#: The key that has a file read whose numbers no joystick has.
+#: Key that disables the check for implausible numbers.
 IMPLAUSIBLE: Final = "implausible"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ParameterFile:
-    """What a parameter file says, in SI units.
+    """Contents of a parameter file, in SI units.
 
     Attributes:
         path: the file
-        joystick: all parameters, with the damping law that the file chooses
-        title: what the file is called in reports; may be empty
-        laws: the damping laws that the file has numbers of
-        curves: the load-deflection curves as they stand in the file
-        pivot_to_top: pivot to the top of the handle (m), where the accelerometer sits; None where not given
+        joystick: all parameters, with the damping law chosen in the file
+        title: title for reports; may be empty
+        laws: the damping laws for which the file has parameters
+        curves: the load-deflection curves as written in the file
+        pivot_to_top: distance from the pivot to the top of the handle (m), where the accelerometer is; None
+            if not given
         uncertainties: standard uncertainties by place: ``body.m``, ``forward.x[0]``, ``damping.constant.C``
-        sources: where the numbers of a table come from, by name of the table
+        sources: sources of the numbers, by name of the table
     """
 
     path: Path
@@ -76,14 +77,14 @@ class ParameterFile:
 
     @property
     def law(self) -> LawName:
-        """The damping law that the file chooses."""
+        """The damping law chosen in the file."""
         return law_name(self.joystick.damping)
 
     def with_law(self, law: LawName) -> JoystickParameters:
         """The joystick with one of the damping laws of the file.
 
         Raises:
-            SettingsError: the file has no numbers of that law
+            SettingsError: the file has no parameters of that law
         """
         if law not in self.laws:
             hint = f"it has those of the law {' and '.join(self.laws)}"
@@ -97,7 +98,7 @@ def law_name(damping: Damping) -> LawName:
 
 
 def read_parameters(path: str | PathLike[str]) -> JoystickParameters:
-    """The joystick of a parameter file, with the damping law that the file chooses.
+    """Read the joystick of a parameter file, with the damping law chosen in the file.
 
     Raises:
         InputFileError, SettingsError: as `read_parameter_file`
@@ -110,8 +111,8 @@ def read_parameter_file(path: str | PathLike[str] | Table) -> ParameterFile:
 
     Raises:
         InputFileError: the file cannot be read
-        SettingsError: it is no TOML, or a table, key or value in it is missing, unknown or not allowed, or a
-            number is one that no joystick has and the file does not say ``implausible = true``
+        SettingsError: it is not TOML, or a table, key or value in it is missing, unknown or not allowed, or a
+            number is implausible and the file does not contain ``implausible = true``
     """
     root = read_toml(path)
     found = _Found(root, allow_implausible=root.flag(IMPLAUSIBLE))
@@ -159,7 +160,7 @@ _Part = TypeVar("_Part", bound=Damping | Friction | Stops)
 
 
 class _Found:
-    """Collects what stands beside the numbers: their uncertainties, and the sources of the tables."""
+    """Collects uncertainties of numbers and sources of tables."""
 
     def __init__(self, root: Table, *, allow_implausible: bool) -> None:
         self.root = root
@@ -168,7 +169,7 @@ class _Found:
         self.sources: dict[str, str] = {}
 
     def numbers(self, table: Table, keys: Iterable[str]) -> dict[str, float]:
-        """The single numbers of a table; those that may be left out are left out."""
+        """Single numbers of a table; missing optional ones are omitted."""
         found = {}
         for key in keys:
             if key in table or key not in _OPTIONAL:
@@ -191,19 +192,19 @@ class _Found:
             for i, value in enumerate(uncertain):
                 self._keep(table, f"{key}[{i}]", f"u_{key}[{i}]", value)
         self._keep_source(table)
-        for i, value in enumerate(lists["k"]):  # the travels are compared with a
+        for i, value in enumerate(lists["k"]):  # the travels are checked against a
             self._ask(table, "k", f"k[{i}]", value)
         with table.at():
             return SegmentTable(tuple(lists["x"]), tuple(lists["k"]))
 
     def part(self, table: Table, kind: type[_Part]) -> _Part:
-        """The damping law, friction or stops that a table says."""
+        """The damping law, friction or stops of a table."""
         numbers = self.numbers(table, [field.name for field in dataclasses.fields(kind)])
         with table.at():
             return kind(**numbers)
 
     def _ask(self, table: Table, name: str, key: str, value: object) -> None:
-        """Refuse a number that no joystick has."""
+        """Reject an implausible number."""
         if self.allow_implausible or isinstance(value, bool) or not isinstance(value, int | float):
             return
         insist = f"{IMPLAUSIBLE} = true above the tables accepts it"
@@ -227,13 +228,13 @@ def _known_law(text: str) -> LawName:
 
 
 def _assembly(root: Table, side: Side, curve: SegmentTable) -> ActuatorAssembly:
-    """The two springs whose curve that is."""
+    """The two springs with that curve."""
     with root.table(side).at():
         return ActuatorAssembly.from_table(curve.x, curve.k)
 
 
 def _require_travels_in_reach(root: Table, curves: Mapping[Side, SegmentTable], a: float) -> None:
-    """Refuse a kink beyond x = a, which the contact reaches past 45 degrees only: most likely it is in mm."""
+    """Reject a kink beyond x = a, which the contact reaches only past 45 degrees: most likely it is in mm."""
     for side, curve in curves.items():
         for i, travel in enumerate(curve.x):
             if travel >= a:

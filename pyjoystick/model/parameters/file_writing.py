@@ -1,4 +1,4 @@
-"""Writing a parameter file: what changes is replaced; comments and everything else stay."""
+"""Writing a parameter file: changed values are replaced; comments and everything else are kept."""
 
 from __future__ import annotations
 
@@ -43,26 +43,27 @@ def write_parameters(
     uncertainties: Mapping[str, float] | None = None,
     sources: Mapping[str, str] | None = None,
 ) -> None:
-    """Write a joystick into a parameter file.
+    """Write a joystick to a parameter file.
 
-    An existing file is updated: its comments stay, so do the numbers of the damping law that the joystick
-    does not have, and whatever does not change. A new file begins as the paper's. Where a number changes,
-    the old uncertainty of it and the old source of its table go, unless new ones are given. Where a number is
-    one that no joystick has, the file says ``implausible = true``.
+    An existing file is updated: its comments, unchanged values and the parameters of the other damping law
+        are
+    kept. A new file starts as a copy of the paper's. If a number changes, its old uncertainty and the old
+    source of its table are removed, unless new ones are given. If a number is implausible, ``implausible =
+    true`` is added.
 
     Args:
         path: the file
-        joystick: what it will say; the curves are equal to rounding, all else to the last digit
-        pivot_to_top: pivot to the top of the handle (m); if not given, it stays
-        title: what the file is called in reports; if not given, it stays, or for a new file is its name
+        joystick: the new values; the curves are equal up to rounding, everything else exactly
+        pivot_to_top: distance from the pivot to the top of the handle (m); if None, it is kept
+        title: title for reports; if None, it is kept, or is the name of a new file
         uncertainties: standard uncertainties (SI units) by place, as in `ParameterFile.uncertainties`; those
             of a list must be given for all of its numbers
-        sources: where the numbers come from, by table, as in `ParameterFile.sources`
+        sources: sources of the numbers, by table, as in `ParameterFile.sources`
 
     Raises:
         UnknownParameterError: an uncertainty or a source of something that is not in the file
         ParameterError: an uncertainty is not finite or below 0
-        InputFileError, SettingsError: the existing file is broken, or would be; it stays as it is
+        InputFileError, SettingsError: the existing file is invalid, or would be; it is left unchanged
         OutputFileError: the file cannot be written
     """
     target = Path(path)
@@ -98,7 +99,7 @@ def updated_text(
         UnknownParameterError: an uncertainty or a source of something that is not in the file
         ParameterError: an uncertainty is not finite or below 0
     """
-    # Loading it takes longer than everything else that this package imports.
+    # Import it here, because it loads more slowly than everything else in this package.
     import tomlkit
 
     document = tomlkit.parse(before.path.read_text(encoding="utf-8"))
@@ -127,7 +128,7 @@ def updated_text(
 
 
 def _is_implausible(joystick: JoystickParameters, pivot_to_top: float | None) -> bool:
-    """Whether the file must say that its numbers are meant, to be read again."""
+    """Whether the file needs ``implausible = true`` to be read again."""
     numbers = [*joystick.to_names().items(), ("pivot_to_top", pivot_to_top or 0.0)]
     for curve in (joystick.forward.to_table(), joystick.backward.to_table()):
         numbers += [("k", value) for value in curve.k]
@@ -142,7 +143,7 @@ def _is_implausible(joystick: JoystickParameters, pivot_to_top: float | None) ->
 def _values(
     joystick: JoystickParameters, before: ParameterFile
 ) -> dict[tuple[str, str], float | list[float]]:
-    """What the file will say, with a curve that is unchanged as it is written there."""
+    """New contents of the file; an unchanged curve is kept as written."""
     values: dict[tuple[str, str], float | list[float]] = {}
     for table, keys in PLAIN_TABLES.items():
         values |= {(table, key): getattr(joystick, key) for key in keys if key != "pivot_to_top"}
@@ -154,7 +155,7 @@ def _values(
     return values | {(name, key): value for key, value in dataclasses.asdict(joystick.damping).items()}
 
 
-#: What the tables that may be left out say where they are.
+#: Values that missing optional tables stand for.
 _DEFAULTS: Final = {name: dataclasses.asdict(getattr(PAPER.joystick, name)) for name in ("friction", "stops")}
 
 
@@ -171,7 +172,7 @@ def _optional_values(
 
 
 def _grouped(uncertainties: Mapping[str, float], values: _Values) -> dict[tuple[str, str], Any]:
-    """Uncertainties by table and key, those of a list together."""
+    """Uncertainties by table and key, grouped for lists."""
     grouped: dict[tuple[str, str], Any] = {}
     places = {f"{table}.{key}": (table, key) for table, key in values}
     for name, value in uncertainties.items():
@@ -209,7 +210,7 @@ _COMMENTS: Final = {
 def _set_values(
     document: TOMLDocument, values: _Values, uncertain: Mapping[tuple[str, str], Any]
 ) -> set[str]:
-    """Set what differs; returns the names of the tables in which a number changed."""
+    """Set values that differ; returns the names of the tables in which a number changed."""
     changed = set()
     for (name, key), value in values.items():
         table = _table(document, name)
@@ -249,12 +250,12 @@ _DIGITS = 2
 
 
 def rounded(value: float, error: float) -> float:
-    """A value to a hundredth of its standard error or better; as it is where there is no error."""
+    """Round a value to a hundredth of its standard error or better; unchanged if there is no error."""
     if not 0.0 < error < math.inf:
         return value
     return round(value, _DIGITS - math.floor(math.log10(error)))
 
 
 def rounded_error(error: float) -> float:
-    """A standard error to two digits."""
+    """Round a standard error to two digits."""
     return float(f"{error:.{_DIGITS}g}")

@@ -1,4 +1,4 @@
-"""What a parameter file says, by the names that the FMU has."""
+"""Contents of a parameter file by parameter names of the FMU."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from pyjoystick.model.parameters.file import PLAIN_TABLES, SIDES, LawName, Param
 from pyjoystick.model.parameters.joystick import JoystickParameters
 from pyjoystick.support import TextTable, document_text
 
-#: Where the parameters of the two springs of a side stand in its load-deflection curve (Table 1).
+#: Places of the parameters of a side's two springs in its load-deflection curve (Table 1).
 _SPRINGS: Final = {
     "returnSpring.k_s": "k[1]",
     "returnSpring.k_h": "k[0] - k[1]",
@@ -50,14 +50,14 @@ class FmuValue:
     """One parameter of the FMU.
 
     Attributes:
-        name: in the FMU, such as ``forward.returnSpring.k_h``
+        name: name in the FMU, such as ``forward.returnSpring.k_h``
         value: in SI units
         unit: in Modelica's notation
-        table: the table of the parameter file that it stands in
-        place: the key in that table, or what is computed from several: ``k[0] - k[1]``
-        uncertainty: standard uncertainty (SI units); None where the file gives none, or where the value is
-            computed from several, whose correlations the file does not hold
-        source: where the file says that the value is from; may be empty
+        table: its table in the parameter file
+        place: the key in that table, or the formula if computed from several: ``k[0] - k[1]``
+        uncertainty: standard uncertainty (SI units); None if the file gives none, or if the value is
+            computed from several, whose correlations the file does not contain
+        source: source of the value according to the file; may be empty
     """
 
     name: str

@@ -1,7 +1,7 @@
-"""What the numbers of a joystick can be: a value far outside was most likely meant in another unit.
+"""Plausible ranges of a joystick's parameters: values far outside were most likely meant in another unit.
 
-The physics holds for any values, and studies use them: `JoystickParameters` does not ask. What a person
-writes is asked about where it is read: in parameter files and on the command line.
+The physics is valid for any values, and studies use them, so `JoystickParameters` does not check. Values
+entered by people are checked where they are read: in parameter files and on the command line.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ class Range(NamedTuple):
         return next(iter(self.units))
 
 
-#: From thumb sticks to the levers of excavators, with room. Zero is never a mistaken unit.
+#: From thumb sticks to the levers of excavators, with a margin. Zero is never a mistaken unit.
 RANGES: Final[Mapping[str, Range]] = {
     "J": Range(1e-6, 1e-2, 2.0, _INERTIA),
     "m": Range(1e-3, 1.0, 20.0, UNITS["mass"]),
@@ -79,17 +79,17 @@ _OTHERS: Final[Mapping[str, Mapping[str, float]]] = {
 
 @dataclass(eq=False)
 class ImplausibleError(ParameterError):
-    """A value that no joystick has, most likely in another unit."""
+    """A value that is implausible for a joystick, most likely in another unit."""
 
 
 def require_plausible(name: str, value: float, *, field: str = "", insist: str = "") -> None:
-    """Refuse a value that no joystick has; names that `RANGES` does not know are not judged.
+    """Reject an implausible value; names that are not in `RANGES` are not checked.
 
     Args:
         name: FMU name of a parameter, such as ``forward.returnSpring.k_s``, or a name of `RANGES`
         value: in SI units
-        field: what it is called in the message; the name where empty
-        insist: how to have it taken all the same, for the message
+        field: name in the message; by default `name`
+        insist: how to have the value accepted, for the message
 
     Raises:
         ImplausibleError: its magnitude is neither 0 nor within the range

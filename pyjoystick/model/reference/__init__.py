@@ -1,4 +1,4 @@
-"""The joystick of eqs. (1)-(13) in pure Python: the yardstick by which the FMUs are judged.
+"""The joystick of eqs. (1)-(13) in pure Python: the reference with which the FMUs are compared.
 
-It is written from the equations alone and leans on NumPy, SciPy and `pyjoystick.model.parameters` only.
+It is written from the equations alone and depends only on NumPy, SciPy and `pyjoystick.model.parameters`.
 """

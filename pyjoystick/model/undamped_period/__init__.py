@@ -1,1 +1,1 @@
-"""How long an undamped oscillation takes, from the energy and in closed form: the paper's main finding."""
+"""The period of an undamped oscillation, from the energy and in closed form: the paper's main finding."""

@@ -1,4 +1,4 @@
-"""What both ways of computing a period give: how long the motion takes over each piece of its path."""
+"""Common result of both period computations: the time that the motion takes over each piece of its path."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ Side = Literal["forward", "backward"]
 
 @dataclass(eq=False)
 class NoOscillationError(PyJoystickError, ValueError):
-    """After this release the mechanism does not swing through the middle and back.
+    """After this release, the mechanism does not swing through the middle and back.
 
     Attributes:
         release: where it was released (rad, or m)
@@ -44,7 +44,7 @@ class Span:
 
 @dataclass(frozen=True, slots=True)
 class UndampedOscillation:
-    """An oscillation without damping and torque, which repeats itself for ever.
+    """A periodic oscillation without damping and torque.
 
     Attributes:
         forward, backward: largest distances from the middle on either side (rad, or m), above 0
@@ -63,7 +63,7 @@ class UndampedOscillation:
         return 2.0 * sum(span.duration for span in self.spans)
 
     def share(self, *segments: int) -> float:
-        """Part of the period that is spent in segments of these numbers, on both sides together."""
+        """Fraction of the period spent in segments with these numbers, on both sides together."""
         inside = sum(span.duration for span in self.spans if span.segment in segments)
         return 2.0 * inside / self.period
 

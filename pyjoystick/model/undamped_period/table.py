@@ -27,12 +27,12 @@ def period_table(joystick: JoystickParameters, release_angles: Iterable[float]) 
 
     Args:
         joystick: the joystick
-        release_angles: angles of release (rad), positive forward
+        release_angles: release angles (rad), positive forward
 
     Returns:
-        one row a release, with the columns ``release`` (rad), ``amplitude`` (rad; the mean of the largest
+        one row per release, with the columns ``release`` (rad), ``amplitude`` (rad; the mean of the largest
         angles on both sides), ``period`` (s), ``linearized`` (s; in closed form, with linearized geometry),
-        and ``clearance``, ``steep``, ``soft``: the parts of the period spent in such segments
+        and ``clearance``, ``steep``, ``soft``: fractions of the period spent in such segments
 
     Raises:
         ParameterError, NoOscillationError: as `undamped_oscillation`
@@ -58,14 +58,14 @@ def period_table(joystick: JoystickParameters, release_angles: Iterable[float]) 
 def exponent(table: pd.DataFrame) -> FloatArray:
     """Slope of ln(period) over ln(amplitude) at each row of a table of rising amplitudes, shape (rows,).
 
-    It is 0 for a linear spring and 1/2 where a constant force drives back, as for a ball that bounces.
+    It is 0 for a linear spring and 1/2 for a constant restoring force, as for a bouncing ball.
     """
     slopes = np.gradient(np.log(table["period"].to_numpy()), np.log(table["amplitude"].to_numpy()))
     return np.asarray(slopes)
 
 
 def decaying_periods(peaks: pd.DataFrame) -> pd.DataFrame:
-    """Period and amplitude around each peak of an oscillation that dies away.
+    """Period and amplitude around each peak of a decaying oscillation.
 
     Args:
         peaks: alternating peaks of the angle as `find_peaks` gives them
@@ -94,12 +94,12 @@ _MARKERS: Final = ("o", "^", "s", "D")
 def plot_periods(
     table: pd.DataFrame, decaying: Mapping[str, tuple[pd.DataFrame, str]], *, title: str = ""
 ) -> Figure:
-    """Period over amplitude on logarithmic scales; below it the parts of the period in each kind of segment.
+    """Plot period over amplitude, log-log; below, the fractions of the period in each kind of segment.
 
     Args:
-        table: from `period_table`, amplitudes rising
-        decaying: by label, what `decaying_periods` gives and a color
-        title: a line above the figure
+        table: from `period_table`, with increasing amplitudes
+        decaying: by label, results of `decaying_periods` and a color
+        title: title of the figure
     """
     figure = Figure(figsize=(7.0, 6.6), layout="constrained")
     above, below = figure.subplots(2, 1, sharex=True, height_ratios=[5, 3])
@@ -133,7 +133,7 @@ def plot_periods(
 
 
 def _guide(axes: Axes, table: pd.DataFrame) -> None:
-    """The slope of a constant force, beside the curve where that comes closest to it."""
+    """The slope for a constant force, next to the curve where it comes closest to it."""
     nearest = table.iloc[int(np.argmin(np.abs(exponent(table) - 0.5)))]
     amplitude, period = float(nearest["amplitude"]) * _DEG, float(nearest["period"]) * _MS
     ends = [0.5 * amplitude, 2.0 * amplitude]
