@@ -138,8 +138,7 @@ class _Reader:
         return ex.select(ex.p(tick), value, ex.y(slot[1]) if slot[0] == "y" else ex.p(slot[1]))
 
     def _condition_memories(self) -> frozenset[int]:
-        """Return the slots of condition memories: those behind named variables and pre() without other use.
-        """
+        """Return the slots of condition memories: those after named variables and pre() with no other use."""
         pre = [binding["dest_p_index"] for binding in self.layout["pre_param_bindings"]]
         other = {
             *self.layout["relation_memory_parameter_indices"],
