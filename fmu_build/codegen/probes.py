@@ -18,7 +18,7 @@ _CHOICE_IN_WHEN = re.compile(r"\b(?<!end )when\b(?:(?!\bend\s+when\b).)*?\bif\b"
 _NUMBER = r"\d+(?:\.\d*)?(?:[eE][+-]?\d+)?"
 _RELATION = r"(?:<=|>=|==|<>|<|>)"
 _COMPARED = re.compile(rf"{_RELATION}\s*(-?\s*{_NUMBER})|(-?\s*{_NUMBER})\s*{_RELATION}")
-# : Number of parameters whose values get different orders.
+#: Number of parameters whose values get different orders.
 _ORDERS = 8
 
 

@@ -24,7 +24,7 @@ _REDECLARE = rf"redeclare\s+(?:replaceable\s+)?(?:{_CLASS}|{_COMPONENT})"
 _DECLARATION = rf"(?:redeclare\s+)?(?:replaceable\s+)?(?:{_CLASS}|{_COMPONENT})"
 _ARGUMENT = r"(?<=[(,])\s*(?:(?:each|final)\s+)*"
 _IN_A_MODIFIER = rf"{_ARGUMENT}{_REDECLARE}"
-# : The modifiers may be nested once.
+#: The modifiers may be nested once.
 _VALUE = rf"{_ARGUMENT}redeclare\s+(?:replaceable\s+)?{_NAMED}(?:\((?:[^()]|\([^()]*\))*\)\s*)?=(?!=)"
 _AS_AN_ELEMENT = rf"(?<![(,\s])(?<!\beach)(?<!\bfinal)\s+{_REDECLARE}"
 

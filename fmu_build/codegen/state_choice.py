@@ -13,7 +13,7 @@ from fmu_build.codegen.equations import Equations
 from fmu_build.codegen.expression import places
 from fmu_build.codegen.lowered import LoweredModel
 
-# : In ascending order of precedence, in rumoca's spelling.
+#: In ascending order of precedence, in rumoca's spelling.
 _SELECTIONS = ("Never", "Avoid", "Default", "Prefer", "Always")
 _DEFAULT = _SELECTIONS.index("Default")
 

@@ -33,14 +33,14 @@ def compiler_names() -> tuple[str, ...]:
 
 
 def get_compiler(name: str) -> Compiler:
-    """Return the backend of that name; raises `UnknownCompilerError` with the names that exist."""
+    """Return the backend with this name; raises `UnknownCompilerError`, which lists the valid names."""
     if name not in _COMPILERS:
         raise UnknownCompilerError(f"unknown compiler {name!r}; use {' or '.join(_COMPILERS)}")
     return _COMPILERS[name]()
 
 
 def build(compiler: str, request: BuildRequest) -> BuildResult:
-    """Build with the compiler of that name; raises `BuildError` for what it does not offer."""
+    """Build with the compiler of this name; raises `BuildError` for options that it does not offer."""
     backend = get_compiler(compiler)
     unknown = [name for name in request.options if name not in backend.options]
     if unknown:

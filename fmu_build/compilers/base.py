@@ -15,12 +15,12 @@ class Compiler(Protocol):
     options: Mapping[str, str]
     """The options of this compiler in `BuildRequest.options`: names and descriptions."""
     computes_sensitivities: bool
-    """Whether it builds FMUs with `BuildRequest.sensitivity`."""
+    """Whether the compiler supports `BuildRequest.sensitivity`."""
 
     def version(self) -> str:
         """Return the version of the installed compiler; raises `ToolchainError` if it is not installed."""
         ...
 
     def build(self, request: BuildRequest) -> BuildResult:
-        """Build the FMU or raise a `BuildError`; an error leaves every file as it was."""
+        """Build the FMU; on failure, raise a `BuildError` and leave all files unchanged."""
         ...

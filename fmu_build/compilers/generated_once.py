@@ -1,7 +1,7 @@
-"""Models that an earlier build has generated, kept in the user's cache.
+"""A cache, in the user's cache folder, of generated models.
 
-The C code of a model depends on neither the FMI version nor the platform. Generating it takes a third of a
-build, and most of one that uses the Modelica Standard Library.
+The C code of a model depends on neither the FMI version nor the platform. Generating it takes a third of the
+time of a build, and most of it for a model that uses the Modelica Standard Library.
 """
 
 from __future__ import annotations
@@ -27,9 +27,9 @@ def generated_once(
     make: Callable[[], tuple[GeneratedModel, str]],
     on_stage: Callable[[str], None],
 ) -> tuple[GeneratedModel, str]:
-    """Return what `make` returns for a model of these texts, from the cache if it was made before.
+    """Return the result of `make` for a model with these source texts, from the cache if it is there.
 
-    A model whose log names a file is not kept, because the same texts may be in other files later.
+    A model whose log names a file is not cached, because the same texts may be in other files later.
     """
     sources = sorted((file.parts[-2:], text) for file, text in texts.items())
     made_from = [_generator(), model, sensitivity, sources]

@@ -1,8 +1,9 @@
 """Inputs of a model's default experiment, from a table next to the Modelica source.
 
-The table of class ``Joystick.Joystick`` is ``Resources/Inputs/Joystick/Joystick.csv`` in the folder of its
-library PreloadedSprings. The header holds ``time`` and the names of inputs; every other row holds a time in
-seconds and the values of the inputs from then on, until the time of the next row.
+For class ``Joystick.Joystick`` of the library PreloadedSprings, the table is
+``Resources/Inputs/Joystick/Joystick.csv`` in the library's folder. The header contains ``time`` and the names
+of inputs. Each further row contains a time in seconds and the values of the inputs from that time until the
+time of the next row.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ def input_steps_file(library: Path, model: str) -> Path:
 
 
 def read_input_steps(file: Path, inputs: Collection[str]) -> tuple[InputStep, ...]:
-    """Read the rows of the table; a missing file has none.
+    """Read the rows of the table; a missing file counts as empty.
 
     Raises `ModelicaError` with file, line and value if a name is not in `inputs`, a cell is not a finite
     number or the times do not increase.

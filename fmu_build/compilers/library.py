@@ -26,9 +26,9 @@ class ModelicaClass:
 
 
 def default_library() -> Path:
-    """Return the package folder of this project's library, inside an installation or in a checkout.
+    """Return the package folder of this project's library, in an installation or a checkout.
 
-    Raises `ModelNotFoundError` if it is in neither place.
+    Raises `ModelNotFoundError` if it is in neither.
     """
     package = Path(str(resources.files("fmu_build")))
     for folder in (package / "modelica", package.parent / "modelica"):
@@ -38,7 +38,7 @@ def default_library() -> Path:
 
 
 def entry_file(library: Path) -> Path:
-    """Return the file that a compiler opens: a single .mo file itself, or package.mo of a package folder.
+    """Return the file that a compiler opens: a single .mo file, or package.mo of a package folder.
 
     Raises `ModelNotFoundError` if there is none.
     """
@@ -54,7 +54,7 @@ def entry_file(library: Path) -> Path:
 
 
 def top_level_classes(library: Path) -> list[str]:
-    """Return the top-level classes of a library: a package folder has one.
+    """Return the top-level classes of a library: exactly one for a package folder.
 
     Raises `ModelNotFoundError` if there is no library.
     """
@@ -68,18 +68,21 @@ def source_files(library: Path) -> list[Path]:
 
 
 def readable_files(library: Path) -> list[Path]:
-    """Return the files that a compiler may read, with those next to a single file and this project's."""
+    """Return the files that a compiler may read.
+
+    They are the library's, those next to a library that is a single file, and this project's library.
+    """
     beside = () if library.is_dir() else filter(Path.is_file, sorted(library.parent.glob("*.mo")))
     own = source_files(default_library())
     return list({file.resolve(): file for file in (*own, *beside, *source_files(library))}.values())
 
 
 def needed_files(library: Path, given: Sequence[Path] = ()) -> list[Path]:
-    """Return the entry files to open for a library: those of the libraries that it needs, then its own.
+    """Return the entry files to open for a library: first those of the libraries that it needs, then its own.
 
-    It needs this project's library, those `given` or, if it is a single file, others in its folder, if it
-    mentions their top-level classes, directly or through others. Raises `ModelNotFoundError` if there is no
-    library.
+    Candidates are this project's library, those `given` and, for a single file, other files in its folder. A
+    candidate is needed if its top-level class is mentioned, directly or by another needed library. Raises
+    `ModelNotFoundError` if there is no library.
     """
     entry = entry_file(library)
     own = top_level_classes(library)
@@ -102,7 +105,8 @@ def needed_files(library: Path, given: Sequence[Path] = ()) -> list[Path]:
 def read_classes(library: Path) -> dict[str, ModelicaClass]:
     """Return the classes declared in the library's files by qualified name, without inherited ones.
 
-    Parsing is lenient: it serves to find and suggest names, and a file with errors must not hide others.
+    Parsing is lenient: the names are used for look-up and suggestions, and a file with errors must not hide
+    others.
     """
     classes: dict[str, ModelicaClass] = {}
     for file in source_files(library):

@@ -1,4 +1,4 @@
-"""Where the libraries are that a model uses: given with the request, beside those, or in MODELICAPATH.
+"""Locate the libraries that a model uses: given with the request, next to those, or in MODELICAPATH.
 
 A library NAME is a folder ``NAME`` or ``NAME VERSION`` with a package.mo, or a file ``NAME.mo``.
 """
@@ -18,7 +18,7 @@ from fmu_build.modelica_source.text import blanked
 from fmu_build.support.errors import ModelNotFoundError
 
 VARIABLE = "MODELICAPATH"
-"""The environment variable of the Modelica specification: folders that hold libraries."""
+"""The environment variable defined by the Modelica specification: folders that contain libraries."""
 
 _STANDARD = ("Modelica", "ModelicaServices", "Complex")
 _USES = re.compile(r"\buses\s*\((?P<uses>(?:[^()]|\([^()]*\))*)\)")
@@ -27,14 +27,14 @@ _USED = re.compile(r'(\w+)\s*\(\s*version\s*=\s*"([^"]*)"')
 
 @dataclass(frozen=True, slots=True)
 class Libraries:
-    """The library that declares a model, and all that the model can refer to by top-level class name."""
+    """The library that declares a model, and all libraries to which the model can refer."""
 
     own: Path
     roots: Mapping[str, Path]
 
 
 def find_libraries(model: str, given: Sequence[Path]) -> Libraries:
-    """Find the library of a model among those given, then in MODELICAPATH; it is this project's otherwise.
+    """Find the library of a model among those given, then in MODELICAPATH; the default is this project's.
 
     Raises `ModelNotFoundError` if a given library does not exist.
     """
@@ -52,9 +52,9 @@ def find_libraries(model: str, given: Sequence[Path]) -> Libraries:
 
 
 def reached_source(model: str, libraries: Libraries) -> ReachedSource:
-    """Return what the model reaches in its libraries.
+    """Return the parts of its libraries that the model reaches.
 
-    Raises `ModelNotFoundError` if it uses the Modelica Standard Library, which is in none of the places.
+    Raises `ModelNotFoundError` if it uses the Modelica Standard Library and this is not installed.
     """
     first = model.partition(".")[0]
     if first in _STANDARD and first not in libraries.roots:
@@ -69,7 +69,7 @@ def reached_source(model: str, libraries: Libraries) -> ReachedSource:
 
 
 def used_libraries(libraries: Libraries, reached: ReachedSource) -> set[Path]:
-    """Return those libraries of which a model reaches classes."""
+    """Return the libraries of which the model reaches at least one class."""
     return {libraries.roots[name] for name in reached.classes if name in libraries.roots}
 
 
@@ -81,7 +81,7 @@ def _needs_standard_library(what: str) -> ModelNotFoundError:
 
 
 def _versions(libraries: Sequence[Path]) -> dict[str, str]:
-    """Return the versions of other libraries that annotations of these ask for."""
+    """Return the versions of other libraries that are requested by annotations in these."""
     texts = (read_text(entry_file(library)) for library in libraries)
     return {
         name: version

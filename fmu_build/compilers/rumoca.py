@@ -1,4 +1,4 @@
-"""The default backend: rumoca lowers the Modelica model, this project generates C and builds the FMU."""
+"""The default backend: rumoca lowers the Modelica model; this project generates C and builds the FMU."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ if TYPE_CHECKING:
     import rumoca
 
 _NONE = "FmuBuildNone"
-"""The name of no class."""
+"""A class name that does not exist."""
 
 
 class RumocaCompiler:
@@ -69,7 +69,7 @@ class RumocaCompiler:
             ) from error
 
     def build(self, request: BuildRequest) -> BuildResult:
-        """Build the FMU; on failure, raise a `BuildError` and leave every file as it was."""
+        """Build the FMU; on failure, raise a `BuildError` and leave all files unchanged."""
         start = time.perf_counter()
         version = self.version()
         check_request(request)
@@ -119,10 +119,10 @@ def _generated(request: BuildRequest, libraries: Libraries) -> tuple[GeneratedMo
 
 
 def _release_sessions(error: BaseException | None) -> None:
-    """Let go of the sessions that the frames of an error and of its causes still hold.
+    """Release the rumoca sessions in the frames of an error and of its causes.
 
-    A session of rumoca must be freed by the thread that made it. An error that is kept in a reference cycle
-    would leave that to the garbage collector, which runs in any thread.
+    A session must be freed by the thread that created it. In a reference cycle, the error would leave this to
+    the garbage collector, which may run in any thread.
     """
     while error is not None:
         traceback.clear_frames(error.__traceback__)
@@ -139,13 +139,13 @@ def _with_input_steps(model: GeneratedModel, library: Path) -> GeneratedModel:
 
 
 def _is_read_with(library: Path, other: Path) -> bool:
-    """Return whether `_loaded` has rumoca read the other library: it reads all files beside a file."""
+    """Return whether `_loaded` makes rumoca read the other library as well: it reads neighboring files."""
     beside = library.is_file() and other.is_file() and other.absolute().parent == library.absolute().parent
     return other in (library, default_library()) or beside
 
 
 def _loaded(library: Path, model: str) -> tuple[rumoca.Session, rumoca.Model]:
-    """Compile a model of a library that uses no other than this project's, if it mentions that."""
+    """Compile a model of a library that uses no other library, or only this project's."""
     import rumoca
 
     roots = []
@@ -153,14 +153,14 @@ def _loaded(library: Path, model: str) -> tuple[rumoca.Session, rumoca.Model]:
         roots = [str(default_library())]
     session = rumoca.Session(roots=roots)
     if roots:
-        # rumoca reads a root only if the text that it is given mentions it, and package.mo of a package does
-        # not mention what its models use.
+        # rumoca reads a source root only if the text passed to it mentions it, and the package.mo of a
+        # package does not mention what its models use.
         session.loads(f"model Import import {DEFAULT_LIBRARY}; end Import;", model="Import")
     return session, session.load(str(entry_file(library)), model=model)
 
 
 def _texts(reached: ReachedSource, libraries: Libraries) -> dict[Path, str]:
-    """Return the part of its libraries that a model reaches, as rumoca is given it."""
+    """Return the part of its libraries that a model reaches, as texts for rumoca."""
     folders = {name: path if path.is_dir() else path.parent for name, path in libraries.roots.items()}
     texts = {file: with_tables_from_files(file, text, folders) for file, text in reached.texts.items()}
     index = any(takes_index(text) for text in reached.texts.values())
@@ -173,9 +173,9 @@ def _loaded_from(texts: Mapping[Path, str], model: str) -> tuple[rumoca.Session,
     import rumoca
 
     session = rumoca.Session()
-    # Each text costs the more the more text there is before it.
+    # Loading a text takes longer the more text is already loaded, so the long ones come last.
     for file, text in sorted(texts.items(), key=lambda one: len(one[1])):
-        # The session keeps each text, then fails to compile a model that does not exist.
+        # Loading fails because the model does not exist, but the session keeps the text.
         with suppress(rumoca.CompileError):
             session.loads(text, model=_NONE, filename=f"{IN_MEMORY}{file}")
     return session, session.loads(f"package {_NONE} end {_NONE};", model=model)
@@ -183,7 +183,7 @@ def _loaded_from(texts: Mapping[Path, str], model: str) -> tuple[rumoca.Session,
 
 @contextmanager
 def _without_modelica_path() -> Iterator[None]:
-    """Hide MODELICAPATH from rumoca, which would read all that is in it, again for every text."""
+    """Hide MODELICAPATH from rumoca, which would read everything in it again for every text."""
     value = os.environ.pop(VARIABLE, None)
     try:
         yield

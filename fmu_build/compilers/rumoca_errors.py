@@ -27,7 +27,7 @@ _QUOTED = re.compile(r"[`']([A-Za-z_][\w.\[\], ]*)[`']")
 _SPAN = re.compile(r"Span \{[^}]*start: BytePos\((\d+)\), end: BytePos\((\d+)\)")
 _DERIVATIVE = r"der\s*\(.*\)"
 _UNEXPLAINED = "because resolve/parse failed"
-# A failure after type checking means valid Modelica that the compiler does not support.
+# A failure after type checking means that the Modelica is valid but not supported.
 _AFTER_TYPES = re.compile(r"^(?:flatten|todae) failed: ")
 _NOT_CARRIED = "unevaluable array dimensions"
 _PHASE = re.compile(r"^\w+ failed: \S+ failed in \w+: ")
@@ -36,7 +36,7 @@ _OWNER = re.compile(r"unsupported Flat semantic owner `([^`]*)`: ")
 
 @contextmanager
 def native_stderr() -> Iterator[Callable[[], str]]:
-    """Capture what compiled code writes to the standard error; yield a function that returns it afterwards.
+    """Capture what compiled code writes to standard error; yield a function that returns it afterwards.
 
     rumoca prints its panics there before they reach Python as exceptions.
     """
@@ -76,7 +76,7 @@ def translated_errors(model: str, file: Path, files: Iterable[Path]) -> Iterator
 
 
 def syntax_errors(files: Iterable[Path]) -> list[str]:
-    """Return the first syntax error of each file, with file, line, column and the line itself."""
+    """Return the first syntax error of each file, with file, line, column and source line."""
     return [error for file in files if (error := _syntax_error(file)) is not None]
 
 
@@ -108,7 +108,7 @@ def _translated(text: str, model: str, file: Path, files: Iterable[Path]) -> Bui
 
 
 def _syntax_error(file: Path) -> str | None:
-    """Return the first syntax error of a file with its line; later ones only follow from it."""
+    """Return the first syntax error of a file with its line; later ones are only consequences."""
     import rumoca
 
     try:
@@ -123,7 +123,7 @@ def _syntax_error(file: Path) -> str | None:
 
 
 def _panic(text: str, model: str, file: Path, files: Iterable[Path]) -> BuildError:
-    """Return the error for a panic, which names a construct and its byte range but not its file."""
+    """Return the error for a panic, whose text names a construct and its byte range but not its file."""
     source = ModelText(model, {file: read_text(file) for file in files})
     meaning, span = meaning_of(text, source), _SPAN.search(text)
     if meaning is not None and span is not None:

@@ -1,4 +1,4 @@
-"""What a message of rumoca means in Modelica's terms."""
+"""Translations of rumoca's messages to Modelica's terms."""
 
 from __future__ import annotations
 

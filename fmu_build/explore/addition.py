@@ -1,4 +1,4 @@
-"""What another package adds to a page: modules, style and data of its own."""
+"""Extensions of a page by another package: modules, style and data."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from typing import Any
 
 @dataclass(frozen=True, slots=True)
 class Addition:
-    """A folder of ES modules and CSS that a page carries beside its own, and data for them.
+    """A folder of ES modules and CSS files to include in a page, and data for them.
 
     The module `entry` (without ``.js``) starts the page instead of ``main.js``; it may import the page's
-    modules as if they lay beside it. Every CSS file of the folder follows the page's own. `data` must be
-    what JSON can hold; the modules read it as ``page.addition``.
+    modules as if they were in the same folder. The CSS files come after the page's own. `data` must be
+    serializable as JSON; modules read it as ``page.addition``.
     """
 
     assets: Path

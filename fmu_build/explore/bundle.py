@@ -1,8 +1,8 @@
-"""Put ES modules together in one script, without Node: a page from a file cannot import its own modules.
+"""Bundle ES modules into one script without Node; a page opened from a file cannot import modules.
 
-The modules keep to what this reads: named imports from files beside them, and ``export`` in front of a
-declaration at the start of a line. Each module becomes a function that returns its exports, so that names of
-different modules do not meet.
+Only these forms are supported: named imports from neighboring files, and ``export`` before a declaration at
+the start of a line. Each module becomes a function that returns its exports, so that names in different
+modules do not collide.
 """
 
 from __future__ import annotations
@@ -19,10 +19,10 @@ _OTHER = re.compile(r"^(import|export)\b.*", re.MULTILINE)
 
 
 def bundle(entry: str, folders: Sequence[Path]) -> str:
-    """Return one script with the module `entry` (without ``.js``) and all that it imports, in that order.
+    """Return one script with the module `entry` (without ``.js``) and all modules that it imports, in order.
 
-    A module is looked for in the folders in turn. Raises `BuildError` if one is missing, imports itself in a
-    circle, or has an import or export in another form.
+    The folders are searched in turn. Raises `BuildError` if a module is missing, an import is circular, or an
+    import or export has an unsupported form.
     """
     done: dict[str, str] = {}
     _add(entry, folders, done, ())

@@ -1,4 +1,4 @@
-"""``python -m fmu_build explore``."""
+"""The command ``python -m fmu_build explore``."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a page knows of a model, from its modelDescription.xml and the table of its default run."""
+"""The description of a model for its page, from modelDescription.xml and the inputs of its default run."""
 
 from __future__ import annotations
 
@@ -17,15 +17,15 @@ from fmu_build.packaging.reference_results import FOLDER
 from fmu_build.support.errors import BuildError
 
 _KINDS = {"Real": "r", "Integer": "i", "Enumeration": "i", "Boolean": "b"}
-#: Inner variables of large models that a page offers for its plots.
+#: Number of inner variables that a page offers for plots of large models.
 _MOST_LOCALS = 400
-#: A plot shows no more, and a run takes no longer.
+#: Largest number of rows of a run: a plot cannot show more, and it limits the time of the run.
 MOST_ROWS = 50_000
 
 
 @dataclass(frozen=True, slots=True)
 class PageVariable:
-    """A variable: what it is, how it is shown, and, where it can be set, its start value and its slider."""
+    """A variable: how it is shown and, if it can be set, its start value and slider."""
 
     name: str
     reference: int
@@ -43,7 +43,7 @@ class PageVariable:
     settable: bool = False
     start: float | None = None
     given: bool = False
-    """True where `start` is the page's own and must be given to the model."""
+    """True if `start` differs from the model's default and must be passed to the model."""
     minimum: float | None = None
     maximum: float | None = None
     range: Range | None = None
@@ -62,21 +62,22 @@ class PageModel:
     tolerance: float
     variables: tuple[PageVariable, ...]
     tables: dict[str, tuple[tuple[float, float], ...]]
-    """Inputs of the default experiment: (time, value), straight between rows; two rows make a jump."""
+    """Inputs of the default experiment: (time, value), linear between rows; two rows at one time are a jump.
+    """
 
     def variable(self, name: str) -> PageVariable | None:
-        """The variable of that name; None without one."""
+        """Return the variable with this name, or None."""
         return next((one for one in self.variables if one.name == name), None)
 
 
 def page_model(fmu: Path) -> PageModel:
-    """Read an FMU of FMI 2 with Co-Simulation; raises `BuildError` for another, or one that is damaged."""
+    """Read an FMU with FMI 2 Co-Simulation; raises `BuildError` for any other, or a damaged one."""
     try:
         description = read_model_description(str(fmu), validate=False)
         inputs = _input_rows(
             fmu, description.coSimulation.modelIdentifier if description.coSimulation else ""
         )
-    except Exception as error:  # FMPy raises whatever its XML parser or the archive raises
+    except Exception as error:  # FMPy passes on whatever its XML parser or the archive raises.
         raise BuildError(f"cannot read {fmu} as an FMU: {error}") from error
     if description.fmiVersion != "2.0" or description.coSimulation is None:
         raise BuildError(f"{fmu} has no Co-Simulation of FMI 2.0, which the page needs")
@@ -108,9 +109,9 @@ def _experiment(given: Any) -> tuple[float, float, float, float]:
 
 
 def run_length(start: float, stop: float, step: float) -> tuple[float, float]:
-    """Stop and step (s); a step so short that there are too many rows is lengthened.
+    """Return stop and step (s); a step that would give too many rows is increased.
 
-    Raises `BuildError` for a stop that is not after the start, or a step that is longer than the run.
+    Raises `BuildError` if stop is not after start, or if the step is longer than the run.
     """
     if not start < stop < math.inf:
         raise BuildError(f"explore.stop_time = {stop!r} must be above the start at {start!r} s")
@@ -183,7 +184,7 @@ def _start(one: Any) -> float | None:
 
 
 def _number(text: Any) -> float | None:
-    """The finite number that a text is; None without one."""
+    """Return the finite number that a text represents, or None."""
     try:
         value = float(text)
     except (TypeError, ValueError):
@@ -192,7 +193,7 @@ def _number(text: Any) -> float | None:
 
 
 def _input_rows(fmu: Path, identifier: str) -> dict[str, tuple[tuple[float, float], ...]]:
-    """The inputs that change in the default run, by name, without rows between equal neighbors."""
+    """Return the inputs that vary in the default run, by name, without rows inside constant stretches."""
     with zipfile.ZipFile(fmu) as archive:
         name = f"{FOLDER}/{identifier}_in.csv"
         if name not in archive.namelist():

@@ -1,4 +1,4 @@
-"""The page: one HTML file that asks the network for nothing and may run nothing but its own script."""
+"""The page: one HTML file that needs no network and may run only its own script."""
 
 from __future__ import annotations
 
@@ -21,21 +21,21 @@ from fmu_build.packaging import wasm_module
 from fmu_build.support.errors import BuildError
 
 _ASSETS = Path(str(resources.files("fmu_build"))) / "explore" / "assets"
-#: Curves in one plot by default; more are a choice of the user.
+#: Default number of curves per plot; the user may add more.
 _MOST_CURVES = 6
 
 
 def explore_page(fmu: Path, settings: Settings | None = None, addition: Addition | None = None) -> str:
-    """Return the page of an FMU of this project: HTML with the module, the script and the style in it.
+    """Return the page for an FMU of this project: HTML with module, script and style embedded.
 
     Args:
-        fmu: of FMI 2, with Co-Simulation
-        settings: what the page shows; all that they leave open follows from the FMU
-        addition: what another package adds to the page
+        fmu: FMU with FMI 2 Co-Simulation
+        settings: what the page shows; everything not set is derived from the FMU
+        addition: extensions by another package
 
     Raises:
-        BuildError: the FMU cannot be read, has no module and no sources to make it from, or lacks a variable
-            that the settings name
+        BuildError: the FMU cannot be read, has no module and no sources to build one from, or lacks a
+            variable that the settings name
     """
     settings = settings or Settings()
     model = _with_settings(page_model(fmu), settings)
@@ -88,7 +88,7 @@ def _filled(template: str, parts: Mapping[str, str]) -> str:
 
 
 def _policy(script: str, style: str) -> str:
-    """The Content Security Policy: this script, this style, the module, and nothing from anywhere."""
+    """The Content Security Policy: allows this script, this style and the module, and nothing external."""
     return "; ".join(
         (
             "default-src 'none'",
@@ -106,7 +106,7 @@ def _hash(text: str) -> str:
 
 
 def _json(data: Any) -> str:
-    """JSON that cannot end the element that it stands in, whatever texts a model has."""
+    """Return JSON that cannot close the HTML element around it, whatever texts a model contains."""
     text = json.dumps(data, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
     return text.replace("<", "\\u003c").replace("\u2028", "\\u2028").replace("\u2029", "\\u2029")
 
@@ -120,7 +120,7 @@ def _styles(folder: Path) -> list[Path]:
 
 
 def _with_settings(model: PageModel, settings: Settings) -> PageModel:
-    """The model with the ranges and start values of the settings; every name in them must be one of it."""
+    """Return the model with ranges and start values of the settings; all names must exist in the model."""
     presets = [(f"presets {preset.name!r}", name) for preset in settings.presets for name in preset.values]
     set_here = [("ranges", n) for n in settings.ranges] + [("values", n) for n in settings.values] + presets
     for place, name in [*set_here, *(("first", name) for name in settings.first)]:
@@ -142,16 +142,16 @@ def _adjusted(one: PageVariable, settings: Settings) -> PageVariable:
 
 
 def _first(model: PageModel) -> list[str]:
-    """What stands before the groups: inputs, and parameters without a dot in their name."""
+    """The variables shown before the groups: inputs, and parameters without a dot in their name."""
     inputs = [one.name for one in model.variables if one.settable and one.causality == "input"]
     plain = [one.name for one in model.variables if one.settable and "." not in one.name]
     return list(dict.fromkeys(plain + inputs))
 
 
 def _plots(model: PageModel) -> list[PlotChoice]:
-    """A plot for each unit of what is shown, and the first phase plane.
+    """One plot per unit of the variables shown, and the first phase plane.
 
-    Outputs are shown; without any the states, and without these the inner variables.
+    Outputs are shown; if there are none, the states; if there are none either, the inner variables.
     """
     states = [one for one in model.variables if one.derivative is not None]
     outputs, inner = ([o for o in model.variables if o.causality == kind] for kind in ("output", "local"))
@@ -167,7 +167,10 @@ def _plots(model: PageModel) -> list[PlotChoice]:
 
 
 def _shown_as(rate: str, model: PageModel) -> str:
-    """A derivative's name; where the rate of a state is itself a state, as a velocity, that state's."""
+    """Return the name under which a derivative is shown.
+
+    If the derivative of a state is itself a state, such as a velocity, this is the name of that state.
+    """
     one = model.variable(rate)
     same = [
         other.name

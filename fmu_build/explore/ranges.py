@@ -1,4 +1,4 @@
-"""The range of a slider: wide enough to see what a parameter does, narrow enough to set it by hand."""
+"""The range of a slider: wide enough to show the effect of a parameter, narrow enough to set it by hand."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ from typing import Literal
 
 Scale = Literal["linear", "log"]
 
-#: A slider goes from a fifth of the start value to five times that value.
+#: A slider spans from a fifth of the start value to five times that value.
 _SPREAD = 5.0
-#: Bounds outside of this stand for "positive" or "any", not for values that somebody would set.
+#: Bounds beyond these mean "positive" or "any" and are useless as ends of a slider.
 _LARGEST, _SMALLEST = 1e15, 1e-15
 
 
@@ -26,7 +26,8 @@ class Range:
 def range_of(start: float, minimum: float | None, maximum: float | None, nominal: float | None) -> Range:
     """Return the range around a start value, within the bounds of the variable.
 
-    A start value of zero gives no size: then both bounds, if they are useful, else the nominal value or 1.
+    A start value of zero has no magnitude: the range then uses both bounds if they are usable, else the
+    nominal value or 1.
     """
     lower, upper = _useful(minimum), _useful(maximum)
     if start == 0.0:

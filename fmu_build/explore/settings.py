@@ -1,4 +1,4 @@
-"""The ``[explore]`` table of a TOML file: what a page shows and between which values its sliders move."""
+"""The ``[explore]`` table of a TOML file: what a page shows, and the ranges of its sliders."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class SettingsError(BuildError):
 
 @dataclass(frozen=True, slots=True)
 class Preset:
-    """A named set of values (SI units); everything else has its start value."""
+    """A named set of values (SI units); all other variables have their start values."""
 
     name: str
     values: Mapping[str, float]
@@ -35,16 +35,16 @@ class PlotChoice:
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """What a page shows; what is left empty follows from the model."""
+    """What a page shows; empty fields are derived from the model."""
 
     title: str = ""
     stop_time: float | None = None
     step: float | None = None
     first: tuple[str, ...] = ()
-    """The values that the page shows first, before the groups."""
+    """The variables that the page shows first, before the groups."""
     ranges: Mapping[str, Range] = field(default_factory=dict)
     values: Mapping[str, float] = field(default_factory=dict)
-    """Values (SI units) with which the page starts and to which it resets."""
+    """Initial values of the page (SI units), which its reset button restores."""
     input_tables: bool = True
     """False: the inputs of the default experiment keep their start values."""
     plots: tuple[PlotChoice, ...] = ()
@@ -52,7 +52,7 @@ class Settings:
 
 
 def read_settings(file: Path) -> Settings:
-    """Read the table; a file without one gives the defaults.
+    """Read the table; without one, return the defaults.
 
     Raises `SettingsError`, which names file, key, value and what is allowed.
     """
@@ -66,7 +66,7 @@ def read_settings(file: Path) -> Settings:
 
 
 class _Table:
-    """A table of the file, which knows its place for messages."""
+    """A table of the file that knows its position, for messages."""
 
     def __init__(self, file: Path, place: str, content: Any) -> None:
         self.file, self.place, self.content = file, place, content
@@ -161,7 +161,7 @@ class _Table:
 def _number(value: Any) -> float | None:
     try:
         number = float(value) if isinstance(value, int | float) and not isinstance(value, bool) else math.nan
-    except OverflowError:  # a whole number beyond all floats
+    except OverflowError:  # an integer too large for a float
         return None
     return number if math.isfinite(number) else None
 

@@ -1,1 +1,1 @@
-"""Modelica source as text: its classes, the constructs in them, and places for messages."""
+"""Modelica source as text: its classes, the constructs in them, and positions for messages."""

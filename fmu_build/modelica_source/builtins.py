@@ -1,4 +1,4 @@
-"""Functions of the Modelica Standard Library that rumoca cannot compile as they are written."""
+"""Rewrite functions of the Modelica Standard Library that rumoca cannot compile as written."""
 
 from __future__ import annotations
 
@@ -22,8 +22,9 @@ _INTERPOLATION = (
     "j := min(i + 1, size(x, 1)); d := if j > i then x[j] - x[i] else 1; "
     "yi := y[i] + (y[j] - y[i])*(xi - x[i])/d;"
 )
-"""`Modelica.Math.Vectors.interpolate` without its while loops, which search in both directions from iLast. A
-vector that does not increase gives a division by zero, so not a number, in place of a failed assertion."""
+"""`Modelica.Math.Vectors.interpolate` without its while loops, which search in both directions from iLast.
+For a vector that is not increasing, a division by zero gives NaN instead of a failed assertion.
+"""
 _INDEX_TAKEN = re.compile(
     r"(?:;|\b(?:algorithm|equation|then|else|loop))\s*\([^;()]*,[^;()]*\)\s*:?=\s*[\w.]*\binterpolate\s*\("
 )
@@ -36,16 +37,17 @@ _SEARCH = re.compile(
 
 
 def takes_index(text: str) -> bool:
-    """Return whether a text takes the second result of some `interpolate`, the index, as well."""
+    """Return whether a text uses the second result, the index, of an `interpolate` function."""
     return _INDEX_TAKEN.search(blanked(text)) is not None
 
 
 def with_known_functions(text: str, *, index: bool = True) -> str:
-    """Return a text in which these functions are written in another way, on the same lines.
+    """Return the text with these functions rewritten; line numbers do not change.
 
-    A function declared as ``external "builtin" y = sin(u)`` calls the built-in one in an algorithm. A loop
-    that returns at the first element that fulfills a condition becomes one that begins at the last. Without
-    `index`, `interpolate` has one result: rumoca cannot evaluate parameters by functions that have several.
+    An algorithm calls the built-in function in place of ``external "builtin" y = sin(u)``. A loop that
+    returns at the first element that fulfills a condition becomes a backward loop without return. Without
+    `index`, `interpolate` has one result, because rumoca cannot evaluate parameters by functions with
+    several.
     """
     text = _INTERPOLATE.sub(_interpolation if index else _interpolation_alone, _EXTERNAL.sub(_built_in, text))
     return _SEARCH.sub(_backwards, text)
@@ -58,7 +60,7 @@ def _built_in(found: re.Match[str]) -> str:
 
 def _backwards(found: re.Match[str]) -> str:
     if re.search(rf"\b{found['result']}\b", found["condition"] + found["value"]):
-        return found[0]  # what it finds depends on what it found before
+        return found[0]  # The result of an iteration depends on earlier iterations.
     return f"{found['head']} {found['last'].strip()}:-1:1 {found['loop']}{found['space']}{found['end']}"
 
 

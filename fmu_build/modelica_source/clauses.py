@@ -12,7 +12,7 @@ NAME = r"(?:[A-Za-z_]\w*|'(?:[^'\\\n]|\\.)*')"
 SUBSCRIPTS = r"(?:\s*\[[^\[\]]*\])?"
 
 COMPONENT_CLAUSE = rf"(?<![\w.])[\w.']+\s+{NAME}\s*(?:\[[^\]]*\]\s*)?[(=,][^;]*"
-"""A component clause with a modifier, a value or several names; `component_clauses` tells what is none."""
+"""A component clause with a modifier, a value or several names; `component_clauses` skips false matches."""
 EXTENSION_CLAUSE = (
     r"\b(?:extends\s+|(?:model|block|record|package|class)\s+\w+\s*=\s*)(?:[\w']+\.)*(?P<base>[\w']+)\s*"
     r"(?:\[[^\]]*\]\s*)?(?P<open>(?=\())?"
@@ -40,10 +40,10 @@ class Component:
     """A component as declared.
 
     Attributes:
-        type: the simple name of its class
+        type: simple name of its class
         name: its own name
-        modifiers: what stands between the parentheses behind its name
-        value: what follows its equals sign; empty if it is given no value as a whole
+        modifiers: text between the parentheses after its name
+        value: text after its equals sign; empty if it gets no value as a whole
     """
 
     type: str
@@ -53,7 +53,7 @@ class Component:
 
 
 def component_clauses(plain: str) -> Iterator[Component]:
-    """Yield the components that a text, without comments and strings, declares."""
+    """Yield the components declared in a text without comments and strings."""
     for statement in plain.split(";"):
         header = _HEADER.match(statement.lstrip())
         text = statement.lstrip()[header.end() :] if header else statement
@@ -79,7 +79,7 @@ def _components(simple: str, text: str, start: int) -> Iterator[Component]:
 
 
 def _end(text: str, start: int) -> int:
-    """Return the place of the comma before the next component, or the end of the text."""
+    """Return the position of the comma before the next component, or the end of the text."""
     depth = 0
     for place in range(start, len(text)):
         depth += {"(": 1, "[": 1, "{": 1, ")": -1, "]": -1, "}": -1}.get(text[place], 0)

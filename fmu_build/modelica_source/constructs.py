@@ -1,4 +1,4 @@
-"""Find constructs in the Modelica source of a model, for errors without a place."""
+"""Find constructs in the Modelica source of a model, for errors that lack a position."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _WORD = re.compile(r"'(?:[^'\\\n]|\\.)*'|[A-Za-z_]\w*")
 
 @dataclass(frozen=True, slots=True)
 class Construct:
-    """A piece of source, joined to one line, and its place; `plain` is without comments and strings."""
+    """A piece of source, joined into one line, and its position; `plain` has no comments and strings."""
 
     text: str
     place: Place
@@ -28,8 +28,9 @@ class Construct:
 class ModelText:
     """The text of the classes that may contribute to a model, from the files of its libraries.
 
-    They are the class itself, with `around` its enclosing classes, and every class to which a name in one of
-    these can refer: in an enclosing scope, or in a package that is mentioned. Any error is in one of them.
+    These are the class itself, its enclosing classes if `around` is set, and every class to which a name in
+    one of these can refer: in an enclosing scope, or in a package that is mentioned. The cause of any error
+    is in one of them.
     """
 
     def __init__(self, model: str, texts: Mapping[Path, str], *, around: bool = True) -> None:
@@ -49,7 +50,7 @@ class ModelText:
         return next(filter(None, map(self._all, patterns)), [])
 
     def _all(self, pattern: str) -> list[Construct]:
-        """Return all matches of a pattern, which several checks may look for."""
+        """Return all matches of a pattern; cached, because several checks look for the same."""
         if pattern not in self._found:
             self._found[pattern] = [
                 self._construct(file, match.start(), _end(plain, match))
@@ -59,16 +60,16 @@ class ModelText:
         return self._found[pattern]
 
     def mentions(self, simple_name: str, pattern: str) -> bool | None:
-        """Return whether the pattern occurs in a class of that simple name; None without such a class."""
+        """Return whether the pattern occurs in a class with this simple name; None without such a class."""
         found = self.of(simple_name)
         return any(re.search(pattern, text) for text in found) if found else None
 
     def of(self, simple_name: str) -> list[str]:
-        """Return the texts, without comments and strings, of the classes of that simple name."""
+        """Return the texts, without comments and strings, of the classes with this simple name."""
         return [text for name, text in self._classes.items() if name.rpartition(".")[2] == simple_name]
 
     def kinds_of(self, simple_name: str) -> set[str]:
-        """Return the restrictions of the classes of that simple name, such as "partial package"."""
+        """Return the restrictions, such as "partial package", of the classes with this simple name."""
         return {kind for name, kind in self._kinds.items() if name.rpartition(".")[2] == simple_name}
 
     def named(self) -> Iterator[tuple[str, str, str]]:
@@ -91,7 +92,7 @@ class ModelText:
         return " ".join(plain[start:end] for start, end in part.spans)
 
     def at_bytes(self, start: int, end: int, pattern: str) -> list[Construct]:
-        """Return the matching text at these bytes in any file: the byte range comes without its file."""
+        """Return the matching text at these bytes in any file, for byte ranges whose file is unknown."""
         found = []
         for file, plain in self._plain.items():
             content = self._texts[file].encode()

@@ -1,4 +1,4 @@
-"""Modifiers in Modelica source: which names of nested components they set."""
+"""Modifiers in Modelica source: the names of nested components that they set."""
 
 from __future__ import annotations
 
@@ -27,8 +27,8 @@ def assigned(arguments: str) -> set[Path]:
     """Return the dotted paths that a modifier sets.
 
     Args:
-        arguments: what stands between the parentheses, without comments and strings: ``a(s(k = 9)), b = 1``
-            sets ``("a", "s", "k")`` and ``("b",)``. Redeclarations are left out.
+        arguments: text between the parentheses, without comments and strings: ``a(s(k = 9)), b = 1`` sets
+            ``("a", "s", "k")`` and ``("b",)``. Redeclarations are skipped.
     """
     return set(values(arguments))
 
@@ -52,7 +52,7 @@ def _given(argument: str) -> Iterator[tuple[Path, str]]:
 
 
 def dotted(arguments: str) -> Iterator[str]:
-    """Yield the names with dots by which a modifier, given as for `assigned`, sets something."""
+    """Yield the dotted names that a modifier, given as for `assigned`, uses to set something."""
     for argument in _split(arguments):
         found = _ARGUMENT.match(argument)
         if found is None or not assigned(argument):
@@ -64,7 +64,7 @@ def dotted(arguments: str) -> Iterator[str]:
 
 
 def _split(arguments: str) -> Iterator[str]:
-    """The arguments between commas that stand outside of all brackets."""
+    """Split arguments at the commas outside all brackets."""
     depth, start = 0, 0
     for position, character in enumerate(arguments):
         depth += {"(": 1, "{": 1, "[": 1, ")": -1, "}": -1, "]": -1}.get(character, 0)

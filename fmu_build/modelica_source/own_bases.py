@@ -1,7 +1,7 @@
-"""Models that extend a class declared in themselves, in a form that rumoca takes.
+"""Rewrite models that extend a class declared inside them into a form that rumoca accepts.
 
-It refuses what such a base inherits as if it were a variable of the model around it. A base that is
-encapsulated sees nothing of that model, so it may as well stand beside it.
+rumoca rejects the names that such a base inherits as if they were variables of the enclosing model. An
+encapsulated base cannot see that model, so it can be moved next to it.
 """
 
 from __future__ import annotations
@@ -16,10 +16,10 @@ _ENCAPSULATED = re.compile(r"\bencapsulated\s+(?:partial\s+)?$")
 
 
 def with_bases_beside(texts: Mapping[Path, str]) -> dict[Path, str]:
-    """Return the texts of all files, with encapsulated bases declared behind the models that extend them.
+    """Return the texts of all files, with encapsulated bases moved behind the models that extend them.
 
-    A base that some text names from outside stays where it is. The lines of all else stay, down to the end of
-    the model.
+    A base that is named elsewhere is not moved. All other code keeps its line number up to the end of the
+    model.
     """
     return {file: _separated(text, texts.values()) for file, text in texts.items()}
 
@@ -42,7 +42,7 @@ def _separated(text: str, texts: Iterable[str]) -> str:
 
 
 def _moved(text: str, model: Declaration, base: Declaration, start: int) -> str:
-    """Return the text with the base, which begins at `start`, behind the model and named after both."""
+    """Return the text with the base, which begins at `start`, behind the model and renamed after both."""
     own = base.name.rpartition(".")[2]
     new = f"{model.name.rpartition('.')[2]}_{own}"
     end, model_end = (text.index(";", one.end) + 1 for one in (base, model))

@@ -1,4 +1,4 @@
-"""Places in Modelica source, and messages that begin with a place."""
+"""Positions in Modelica source, and messages that begin with one."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 _MOST_NAMED = 5
-"""More candidate places than this are not listed, because they would not help."""
+"""Longer lists of candidate positions are omitted, because they would not help."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,15 +23,15 @@ class Place:
 
 
 def place_at(file: str | Path, text: str, offset: int) -> Place:
-    """Return the place of the character at an offset in a file's text."""
+    """Return the position of the character at an offset in a file's text."""
     line = text.count("\n", 0, offset) + 1
     return Place(str(file), line, offset - text.rfind("\n", 0, offset))
 
 
 def located(what: str, places: Sequence[Place], model: str, file: str | Path) -> str:
-    """Return a message that begins with its place, if exactly one is known.
+    """Return a message that begins with its position, if exactly one is known.
 
-    Otherwise it begins with the file of the model, names the model, and lists a few candidate places.
+    Otherwise it begins with the file of the model, names the model, and lists a few candidate positions.
     """
     distinct = list(dict.fromkeys(places))
     if len(distinct) == 1:

@@ -1,11 +1,11 @@
-"""The part of large libraries that a model can reach, found without reading the rest.
+"""Find the part of large libraries that a model can reach, without reading the rest.
 
 A compiler that reads the whole Modelica Standard Library for one model spends most of a build on classes that
-the model never names. A name refers to a class only through words of the text: every part of it is declared
-in an enclosing scope, in a package that is named, or in a base class that is named. So it suffices to keep
-the classes whose simple name is a word of a class that is kept, and that are declared in one that is kept;
-beside those that the language uses without a name, such as constructors. This is more than the model needs,
-and never less.
+the model never names. A name refers to a class only through words of the text: each part of it is declared in
+an enclosing scope, in a named package or in a named base class. It therefore suffices to keep a class if it
+is declared in a kept class and its simple name is a word in a kept class, in addition to classes that the
+language uses without a name, such as constructors. The result may include more than the model needs, but
+never less.
 """
 
 from __future__ import annotations
@@ -19,7 +19,8 @@ from pathlib import Path
 from fmu_build.modelica_source.text import blanked, declarations
 
 IN_MEMORY = "reached:"
-"""Stands before the path of a file whose text the compiler was handed: it then reads no files beside it."""
+"""Prefix for the path of a file whose text is passed to the compiler, which then reads no neighboring files.
+"""
 
 _WORD = re.compile(r"'(?:[^'\\\n]|\\.)*'|[A-Za-z_]\w*")
 _PREFIXES = re.compile(
@@ -38,15 +39,15 @@ _IMPLICIT = frozenset(
         "'or'",
     )
 ).union(f"'{operator}'" for operator in ("+", "-", "*", "/", "^", "==", "<>", "<", "<=", ">", ">="))
-"""Classes that the language uses without their name."""
+"""Classes that the language uses implicitly."""
 
 _PREFIXES_AT_MOST = 100
-"""Characters before a class in which its prefixes are looked for."""
+"""Maximal distance before a class in which its prefixes are searched."""
 
 
 @dataclass(frozen=True, slots=True)
 class SourceClass:
-    """A class in the text of a file, or in a file of its own that has not been read (`span` is None)."""
+    """A class in the text of a file, or in a file of its own that is still unread (`span` is None)."""
 
     name: str
     file: Path
@@ -54,16 +55,16 @@ class SourceClass:
     """Its restriction, such as "partial model"."""
     span: tuple[int, int] | None = None
     words: frozenset[str] = frozenset()
-    """The words of its text outside its inner classes."""
+    """The words of its text, excluding inner classes."""
 
 
 class ReachedSource:
-    """The classes that a model can reach in libraries, and the texts of their files without the others."""
+    """The classes that a model can reach in libraries, and their files without all other classes."""
 
     classes: dict[str, SourceClass]
     """By qualified name."""
     texts: dict[Path, str]
-    """The files, with spaces in place of the classes that cannot be reached: lines and columns are kept."""
+    """The files, with spaces in place of unreachable classes, so that lines and columns do not change."""
 
     def __init__(self, model: str, roots: Mapping[str, Path], read: Callable[[Path], str]) -> None:
         """Find what the model reaches.
@@ -71,7 +72,7 @@ class ReachedSource:
         Args:
             model: qualified class name.
             roots: package folders or files by their top-level class.
-            read: returns the text of a file; what it raises propagates.
+            read: returns the text of a file; its exceptions propagate.
         """
         self.classes, self.texts = {}, {}
         self._read_text = read
@@ -85,20 +86,20 @@ class ReachedSource:
         self._blank_the_rest()
 
     def _keep(self, kept: SourceClass) -> list[SourceClass]:
-        """Keep a class; return those that are now both named and declared in a kept one."""
+        """Keep a class; return the classes that are now both named and declared in a kept class."""
         if kept.span is None:
             return self._read(kept)
         self.classes.setdefault(kept.name, kept)
         return [*self._named(kept.words), *self._offered(self._inner.pop(kept.name, ()))]
 
     def _named(self, words: frozenset[str]) -> list[SourceClass]:
-        """Take note of words; return the classes that were waiting for them."""
+        """Record words; return the classes that were waiting for one of them."""
         new = words - self._words
         self._words |= new
         return [found for word in sorted(new) for found in self._unnamed.pop(word, ())]
 
     def _offered(self, declared: Iterable[SourceClass]) -> list[SourceClass]:
-        """Return those of the classes that are named; the others wait."""
+        """Return those of the classes that are already named; the others wait."""
         named: list[SourceClass] = []
         for found in declared:
             simple = found.name.rpartition(".")[2]
@@ -106,7 +107,7 @@ class ReachedSource:
         return named
 
     def _read(self, whole: SourceClass) -> list[SourceClass]:
-        """Read the file of a class, and see what lies beside it if it is a package folder."""
+        """Read the file of a class and, for a package folder, list its neighbors."""
         is_folder = whole.file.is_dir()
         file = whole.file / "package.mo" if is_folder else whole.file
         children = filter(_holds_class, sorted(whole.file.iterdir())) if is_folder else ()
@@ -133,7 +134,7 @@ def _holds_class(entry: Path) -> bool:
 
 
 def _classes(file: Path, text: str) -> Iterator[SourceClass]:
-    """Yield the classes in a text: their elements with prefixes and semicolon, and their own words."""
+    """Yield the classes in a text, each with its element (prefixes to semicolon) and its own words."""
     plain = blanked(text)
     found = sorted(declarations(text), key=lambda declared: declared.start)
     for number, declared in enumerate(found):
@@ -153,7 +154,7 @@ def _classes(file: Path, text: str) -> Iterator[SourceClass]:
 
 
 def _element(plain: str, start: int, end: int) -> tuple[int, int]:
-    """Return the span from the first prefix to the semicolon, so with the clause of a constraining class."""
+    """Return the span from the first prefix to the semicolon, including a constraining clause."""
     prefixes = _PREFIXES.search(plain[max(0, start - _PREFIXES_AT_MOST) : start])
     semicolon = plain.find(";", end - 1)
     return start - (len(prefixes[0]) if prefixes else 0), semicolon + 1 if semicolon >= 0 else len(plain)

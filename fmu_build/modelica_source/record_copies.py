@@ -1,8 +1,8 @@
-"""Records that are given as a whole, ``C c(data = d)``, in a form that rumoca takes.
+"""Rewrite records assigned as a whole, ``C c(data = d)``, into a form that rumoca accepts.
 
-It copies to each member of ``c.data`` the nearest literal in a modifier of ``d``, instead of binding it to
-``d``'s: the values of outer modifiers are lost, and members do not follow what is set at run time. In
-parentheses, ``C c(data = (d))``, the name is an expression like any other, to whose members it binds.
+rumoca copies the nearest literal in a modifier of ``d`` to each member of ``c.data``, instead of binding it
+to the member of ``d``: values in outer modifiers are lost, and members do not follow values set at run time.
+In parentheses, ``C c(data = (d))``, the name is an ordinary expression, to whose members rumoca binds.
 """
 
 from __future__ import annotations
@@ -21,16 +21,16 @@ _VALUE = re.compile(
     rf"\s*=(?!=)\s*(?P<reference>{_REFERENCE})(?=\s*(?:[,;)]|\bannotation\b|\bconstrainedby\b|\bif\b))"
 )
 _ARRAY_VALUE = re.compile(r"\s*=(?!=)\s*(?:fill\s*(?=\()|(?=\{))")
-#: A component whose elements get their records from an array: rumoca binds these as it should.
+#: A component whose elements get their records from an array: rumoca binds these correctly.
 _ARRAY = re.compile(rf"{NAME}\s*\[[^\[\]]*\]\s*\(")
 _SECTION = re.compile(r"\b(equation|algorithm|public|protected)\b")
 _ALIAS = rf"\bimport\s+(?P<name>{NAME})\s*=\s*(?:{NAME}\s*\.\s*)*(?:CLASSES)\s*;"
 
 
 def with_records_in_parentheses(texts: Mapping[Path, str]) -> dict[Path, str]:
-    """Return the texts of all files, with names in parentheses where records are given as a whole.
+    """Return the texts of all files, with parentheses around names that are assigned as whole records.
 
-    A name that some component of a record class has is taken for such a component everywhere.
+    A name of any component of a record class counts as such a component everywhere.
     """
     classes = _record_classes(texts.values())
     components = {
@@ -45,7 +45,7 @@ def with_records_in_parentheses(texts: Mapping[Path, str]) -> dict[Path, str]:
 
 
 def _record_classes(texts: Iterable[str]) -> set[str]:
-    """Return the simple names of all classes that are records, also those of imports."""
+    """Return the simple names of all record classes, including imported ones."""
     found = {
         declared.name.rpartition(".")[2]
         for text in texts
@@ -72,7 +72,7 @@ def _in_parentheses(text: str, given: re.Pattern[str], named: re.Pattern[str]) -
 
 
 def _given(plain: str, given: re.Pattern[str], first: int, last: int) -> Iterator[int]:
-    """Yield the places where the values, if any, of the components of these names begin."""
+    """Yield the positions where the values, if any, of components with these names begin."""
     arrays = [(one.end(), closing(plain, one.end() - 1)) for one in _ARRAY.finditer(plain, first, last)]
     for found in given.finditer(plain, first, last):
         end = found.end()
@@ -84,7 +84,7 @@ def _given(plain: str, given: re.Pattern[str], first: int, last: int) -> Iterato
 
 
 def _is_each(before: str) -> bool:
-    """Return whether what follows this part of a modifier, or what it is inside of, is given with "each"."""
+    """Return whether the text before a value, or an enclosing modifier, gives it with "each"."""
     depth, is_inside = 0, True
     for place in range(len(before) - 1, -2, -1):
         character = before[place] if place >= 0 else "("
@@ -99,7 +99,7 @@ def _is_each(before: str) -> bool:
 
 
 def _references(plain: str, named: re.Pattern[str], start: int, last: int) -> Iterator[tuple[int, int]]:
-    """Yield the places of the references in a value: itself, or the elements of an array."""
+    """Yield the positions of the references in a value: the value itself, or the elements of an array."""
     if (value := _VALUE.match(plain, start, last)) is not None:
         yield value.span("reference")
     elif (array := _ARRAY_VALUE.match(plain, start, last)) is not None:

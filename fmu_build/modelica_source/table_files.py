@@ -1,7 +1,7 @@
-"""Tables in text files, which become parameters of their blocks before a model is compiled.
+"""Turn tables in text files into parameters of their blocks before a model is compiled.
 
-Format: ``Modelica.Blocks.Tables.CombiTable1Ds`` in the Modelica Standard Library: ``#1`` first, then matrices
-as ``double name(rows,columns)`` and their numbers row by row; ``#`` starts a comment.
+The format is that of ``Modelica.Blocks.Tables.CombiTable1Ds`` in the Modelica Standard Library: first ``#1``,
+then matrices as ``double name(rows,columns)`` followed by their numbers row by row; ``#`` starts a comment.
 """
 
 from __future__ import annotations
@@ -32,16 +32,16 @@ _MATRIX = re.compile(
 def with_tables_from_files(file: Path, text: str, libraries: Mapping[str, Path]) -> str:
     """Return a text in which blocks with ``tableOnFile = true`` have the table itself as a parameter instead.
 
-    The name of its file then stands for loadResource() of it, which is an external function. A block whose
-    tableOnFile is anything but a literal is left alone: `fmu_build.codegen.tables` refuses it.
+    The parameter fileName becomes the plain name, without loadResource(), which is an external function. A
+    block whose tableOnFile is not a literal is left alone: `fmu_build.codegen.tables` refuses it.
 
     Args:
-        file: of the text; a relative fileName starts from its folder.
+        file: file of the text; a relative fileName starts from its folder.
         text: Modelica source.
         libraries: folders of libraries by name, for ``modelica://`` URIs.
 
     Raises:
-        ModelicaError: there is no such file, or no such table in it; with the place of the block
+        ModelicaError: the file, or the table in it, does not exist; names the position of the block
         UnsupportedModelError: tableName or fileName is neither a string nor loadResource() of one
     """
     plain = blanked(text)
@@ -64,7 +64,7 @@ def with_tables_from_files(file: Path, text: str, libraries: Mapping[str, Path])
             raise ModelicaError(f"{place}: {error}") from error
         added = f", table = [{'; '.join(', '.join(map(repr, row)) for row in rows)}]"
         if not kind.startswith("CombiTable2") and not re.search(r"\bcolumns\b", plain[start:end]):
-            added += ", columns = {2}"  # 2:size(table, 2) of the table that has not been read
+            added += ", columns = {2}"  # the default is 2:size(table, 2), of a table that has not been read
         value = on_file.end() - len("true"), on_file.end(), "false"
         edits = [(end, end, added), (*source.span("value"), f'"{path}"'), value]
         for first, last, new in sorted(edits, reverse=True):
@@ -82,9 +82,9 @@ def _path(name: str, file: Path, libraries: Mapping[str, Path]) -> Path:
 
 
 def read_table(file: Path, name: str) -> list[list[float]]:
-    """Return a matrix of a text file, row by row.
+    """Return a matrix in a text file, row by row.
 
-    Raises `ModelicaError` with the file if it cannot be read, is not of this format, or has no such matrix.
+    Raises `ModelicaError` with the file if it cannot be read, has another format, or lacks the matrix.
     """
     try:
         text = file.read_text("utf-8-sig")

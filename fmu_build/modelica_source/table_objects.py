@@ -1,7 +1,7 @@
-"""Components that interpolate in a table object of their own, as friction elements of MSL 4.1 do.
+"""Components that interpolate with a table object of their own, as friction elements of MSL 4.1 do.
 
-The object, of a class of C functions, gives way to its arguments, and calls with it to calls of the Modelica
-function in ``FmuBuildTables.mo``.
+The object, an external object with C functions, is replaced by its arguments, and calls with it by calls of
+the Modelica function in ``FmuBuildTables.mo``.
 """
 
 from __future__ import annotations
@@ -17,12 +17,12 @@ _OBJECT = re.compile(
 )
 _CALL = r"(?<![\w.])(?:[\w.]+\.)?getTable1DValue(?:NoDer2?)?\s*(?P<open>\()\s*NAME\s*,"
 _VALUE = "FmuBuildTables.value1D({column}, {table}, {smoothness}, {extrapolation}, {u})"
-#: rumoca takes no Integer() of a literal of an enumeration in a call.
+#: rumoca does not accept Integer() of an enumeration literal in a call.
 _NUMBERS = {"HoldLastPoint": "1", "LastTwoPoints": "2", "Periodic": "3", "NoExtrapolation": "4"}
 _PARAMETER = re.compile(
     r"\b(?:final\s+)?parameter\s+(?P<declared>[\w.]+\s+(?P<name>\w+)\s*(?:\([^()]*\))?)\s*=(?P<value>[^;]*);"
 )
-#: One call for every smoothness, as all of them are now of one function.
+#: A choice between calls by smoothness; a single call suffices, because they now have the same callee.
 _CHOICE = re.compile(
     r"\bif\s+[\w.]+\s*==\s*[\w.]+\s+then\s+(?P<call>FmuBuildTables\.value1D\([^;]*?)\s+else\s*if\s+[\w.]+\s*=="
     r"\s*[\w.]+\s+then\s+(?P=call)\s+else\s+(?P=call)(?!\w)"
@@ -30,9 +30,9 @@ _CHOICE = re.compile(
 
 
 def without_table_objects(text: str) -> str:
-    """Return the text with calls of Modelica functions in place of table objects; all else keeps its line.
+    """Return the text with calls of Modelica functions in place of table objects; line numbers do not change.
 
-    An object stays if it reads a file or if anything but values are taken from it.
+    An object is kept if it reads a file, or if it is used for anything but values.
     """
     while (found := _first(text)) is not None:
         text = found
@@ -40,7 +40,7 @@ def without_table_objects(text: str) -> str:
 
 
 def _with_equations(text: str) -> str:
-    """Return the text with equations for parameters that depend on a table: rumoca takes no such bindings."""
+    """Turn bindings of parameters that depend on a table, which rumoca does not accept, into equations."""
     taken = ["FmuBuildTables.value1D"]
     while (found := _dependent(plain := blanked(text), taken)) is not None:
         section = re.compile(r"\bequation\b").search(plain, found.end())
@@ -112,7 +112,7 @@ def _lost(choice: re.Match[str]) -> int:
 
 
 def _closing(plain: str, opening: int) -> int:
-    """Return the place of the parenthesis that closes the one at `opening`; the end if none does."""
+    """Return the position of the parenthesis that closes the one at `opening`, or the end."""
     depth = 0
     for place in range(opening, len(plain)):
         depth += {"(": 1, ")": -1}.get(plain[place], 0)

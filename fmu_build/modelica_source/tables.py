@@ -1,7 +1,7 @@
 """The tables of the Modelica Standard Library without its C functions.
 
-Its blocks keep their interface and their public parameters. What follows these, an external object and calls
-of C functions with it, gives way to calls of the Modelica functions in ``FmuBuildTables.mo``.
+The blocks keep their interface and public parameters. The rest, an external object and calls of C functions
+with it, is replaced by calls of the Modelica functions in ``FmuBuildTables.mo``.
 """
 
 from __future__ import annotations
@@ -113,18 +113,20 @@ _BLOCK = re.compile(rf"\bblock\s+(?P<name>{'|'.join(_ENDS)})\b(?P<body>.*?)\bend
 _END = re.compile(
     r"\b(?:final\s+parameter\s+[\w.]+\s+[tu]_min\b|equation\b).*?(?=\bannotation\b|\Z)", re.DOTALL
 )
-"""From the first variable that the external object determines to the annotation of the block."""
+"""From the first variable that depends on the external object to the annotation of the block."""
 _FIXED = re.compile(
     r"\bparameter\s+(?:Integer\s+columns|Boolean\s+tableOnFile)\b[^;]*?(?:(?P<annotation>\bannotation\s*\()|(?=;))"
 )
-"""What is not to be set in the FMU: few other columns are possible, and a file is read while it is built."""
+"""Parameters that cannot be set in the FMU: few other columns would be valid, and files are read at build
+time.
+"""
 _EXTERNAL_OBJECT = re.compile(r"\bExternalCombi(?:TimeTable|Table[12]D)\b")
 
 
 def with_own_tables(texts: Mapping[Path, str]) -> dict[Path, str]:
-    """Return texts whose table blocks call functions in Modelica, with those if any block does.
+    """Return the texts with table blocks that call Modelica functions, adding those functions if needed.
 
-    Lines outside of the blocks' ends stay in place.
+    Lines outside the rewritten parts stay in place.
     """
     changed = {file: _own_tables(text) for file, text in texts.items()}
     if changed != texts:

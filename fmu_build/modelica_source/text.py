@@ -30,7 +30,7 @@ class Declaration:
     in_modifier: bool
 
 
-@lru_cache(maxsize=1024)  # every question about a source begins with it
+@lru_cache(maxsize=1024)  # used by every query about a source
 def blanked(text: str) -> str:
     """Return the text with comments and strings replaced by spaces; offsets and lines are unchanged."""
     return _SKIPPED.sub(lambda match: match[1] or re.sub(r"[^\n]", " ", match.group()), text)
@@ -76,7 +76,7 @@ def declarations(text: str) -> Iterator[Declaration]:
 
 
 def inside_parentheses(text: str, position: int) -> bool:
-    """Return whether a position is inside parentheses, so in a modifier; `text` is blanked."""
+    """Return whether a position is inside parentheses, and so in a modifier; `text` is blanked."""
     statement = text[text.rfind(";", 0, position) + 1 : position]
     return statement.count("(") > statement.count(")")
 

@@ -45,16 +45,16 @@ class OpenModelicaCompiler:
     computes_sensitivities = False
 
     def version(self) -> str:
-        """Return the version of the omc that is found; raises `ToolchainError` if there is none."""
+        """Return the version of the omc found; raises `ToolchainError` if there is none."""
         return omc_version(find_omc(None))
 
     def build(self, request: BuildRequest) -> BuildResult:
-        """Build the FMU; on failure, raise a `BuildError` and leave every file as it was."""
+        """Build the FMU; on failure, raise a `BuildError` and leave all files unchanged."""
         start = time.perf_counter()
         options = read_options(request.options)
         check_request(request, "OpenModelica")
         sources = _sources(request)
-        # omc writes dozens of files next to an FMU, and deletes the old one before it builds the new.
+        # omc writes dozens of files next to an FMU, and deletes the old FMU before it builds the new one.
         with temporary_folder() as folder:
             request.on_stage("starting OpenModelica")
             with open_session(options, folder, sources.files, request.on_stage) as opened:
@@ -62,7 +62,7 @@ class OpenModelicaCompiler:
                 attempt = _attempt(opened, request, options, sources, folder)
             made = folder / f"{identifier(request.model)}.fmu"
             if not made.is_file():
-                # The file alone decides: omc may return the name of an FMU that it has failed to build.
+                # Only the file counts: omc may return the name of an FMU that it has failed to build.
                 raise _reason(attempt, request, sources)
             request.on_stage("checking the FMU")
             path, checks = place(made, request)
@@ -73,7 +73,7 @@ class OpenModelicaCompiler:
 def _sources(request: BuildRequest) -> _Sources:
     library = find_libraries(request.model, request.libraries).own.absolute()
     files, classes = needed_files(library, request.libraries), read_classes(library)
-    if not _CLASS_NAME.fullmatch(request.model):  # it becomes part of a statement
+    if not _CLASS_NAME.fullmatch(request.model):  # The name becomes part of a statement.
         raise not_found(request.model, library, classes)
     return _Sources(library, classes, files)
 
@@ -89,7 +89,7 @@ def _attempt(
 
 
 def _reason(attempt: Attempt, request: BuildRequest, sources: _Sources) -> BuildError:
-    """Return the error that explains why the attempt produced no FMU."""
+    """Return the error that explains why the attempt did not produce an FMU."""
     known = sources.classes.get(request.model)
     if known is None or known.kind not in MODEL_KINDS:
         reasons = [str(message) for message in attempt.load_errors]

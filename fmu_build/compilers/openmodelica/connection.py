@@ -24,9 +24,9 @@ _MILLISECONDS = 200
 class _PatientSocket:
     """The part of a socket that OMPython uses, with a check while waiting.
 
-    OMPython waits for an answer forever, even from a server that has died; this class calls `check`, which
-    may raise, every fifth of a second. Because it is not a `zmq.Socket`, OMPython does not ask the server to
-    quit when the session is garbage-collected: a server that was running before keeps running.
+    OMPython waits for an answer forever, even if the server has died; this class calls `check`, which may
+    raise, five times a second. Because it is not a `zmq.Socket`, OMPython does not ask the server to quit
+    when the session is garbage-collected, so a server that was already running keeps running.
     """
 
     def __init__(self, socket: Any, check: Callable[[], None]) -> None:
@@ -58,7 +58,7 @@ class Connection:
         session._omc_zmq = self._socket  # type: ignore[assignment]
 
     def run(self, statements: Sequence[str]) -> list[Answer]:
-        """Return the answers; if there are fewer than statements, the last one holds the reason.
+        """Return the answers; if there are fewer than statements, the last one contains the reason.
 
         Raises `ToolchainError` if there is no server, it has ended or it does not answer in time.
         """
@@ -67,7 +67,8 @@ class Connection:
             marker = uuid.uuid4().hex
             self._deadline = time.monotonic() + self._timeout
             try:
-                # This fetches the messages with the value; OMPython fetches them next and finds none.
+                # This fetches the messages with the value; OMPython then fetches messages itself and finds
+                # none.
                 output = self._session.sendExpression(watched(statement, marker), parsed=False)
             except OMSessionException as error:
                 output = str(error)
@@ -126,7 +127,7 @@ def container(image: str, arguments: Sequence[str], timeout: float) -> Iterator[
 
 @contextmanager
 def log_of_ompython() -> Iterator[Callable[[], str]]:
-    """Redirect OMPython's log away from the standard error; yield a function that returns it."""
+    """Redirect OMPython's log away from standard error; yield a function that returns it."""
     sink = io.StringIO()
     handler = logging.StreamHandler(sink)
     handler.setFormatter(logging.Formatter("OMPython: %(levelname)s: %(message)s"))

@@ -13,7 +13,7 @@ _SECONDS_TO_INSPECT = 60
 
 
 def check_image(image: str) -> None:
-    """Raise `ToolchainError` if Docker does not run or does not have the image.
+    """Raise `ToolchainError` if Docker is not running or does not have the image.
 
     OMPython would wait for minutes in either case.
     """

@@ -22,7 +22,7 @@ HOW_TO_GO_ON = (
 
 
 def find_omc(explicit: Path | None, environment: Mapping[str, str] = os.environ) -> Path:
-    """Return the executable: `explicit` if given, else that of OPENMODELICAHOME, else the first on PATH.
+    """Return the executable: `explicit` if given, else the one in OPENMODELICAHOME, else the first on PATH.
 
     `explicit` is the executable itself or an installation that contains ``bin/omc``. Raises `ToolchainError`,
     which lists the places searched and the alternatives.

@@ -1,4 +1,4 @@
-"""Parse the output of omc: answers to statements, and messages with their places."""
+"""Parse omc's output: answers to statements, and messages with source positions."""
 
 from __future__ import annotations
 
@@ -64,8 +64,8 @@ def unquoted(literal: str) -> str:
 def read_messages(text: str) -> tuple[Message, ...]:
     """Return the messages in the result of ``getErrorString()``, or in omc's output when it gives up.
 
-    A message may have several lines; it begins at a line that begins with a place or a level. Text before the
-    first of these is one message of level ``error``.
+    A message may have several lines; it begins at a line that starts with a source position or a level. Text
+    before the first such line is one message of level ``error``.
     """
     starts = list(_MESSAGE.finditer(text))
     before = text[: starts[0].start()] if starts else text
@@ -84,14 +84,15 @@ def errors(messages: Iterable[Message]) -> list[Message]:
 
 
 def watched(statement: str, marker: str) -> str:
-    """Return the statement, followed by statements that delimit its value and its messages in the output."""
+    """Return the statement, followed by statements that delimit its value and messages in the output."""
     return f'{statement}; "{marker}"; getErrorString(); "{marker}"'
 
 
 def read_answers(output: str, marker: str, count: int) -> list[Answer]:
-    """Return the answers to `count` watched statements; `output` is all that omc has printed.
+    """Return the answers to `count` watched statements; `output` is everything that omc has printed.
 
-    If omc gave up, the messages of the last answer hold the end of its output, and later answers are missing.
+    If omc gave up, the messages of the last answer contain the end of its output, and later answers are
+    missing.
     """
     parts = re.split(rf'^"{re.escape(marker)}"\n?', output, flags=re.MULTILINE)
     complete = min(count, (len(parts) - 1) // 2)
@@ -105,7 +106,7 @@ def read_answers(output: str, marker: str, count: int) -> list[Answer]:
     return answers
 
 
-# These messages only repeat that there was an error, or follow from one.
+# These messages only say that there was an error, or are consequences of another one.
 _FOLLOWS = re.compile(r"Error occurred while flattening model |Failed to load package |.*\bfailed\.?$")
 _TOOLS = re.compile(r"Error building simulator|Failed to make clean|omc (?:ended|stopped)|Build commands? ")
 _VERSION = re.compile(r"Unknown FMU version|Export of FMU type")
@@ -116,7 +117,7 @@ _UNSUPPORTED = re.compile(r"(?i)not (?:yet )?(?:supported|implemented)|internal 
 def failure(messages: Sequence[Message], model: str, file: Path) -> BuildError:
     """Return the error for a build that failed with these messages.
 
-    `file` declares the model; it is the place of messages without one.
+    `file` declares the model; messages without a position are attributed to it.
     """
     found = errors(messages)
     tools = [message for message in found if _TOOLS.match(message.text)]

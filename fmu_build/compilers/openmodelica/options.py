@@ -23,7 +23,7 @@ _PLACES = ("omc", "port-file", "docker")
 
 @dataclass(frozen=True, slots=True)
 class Options:
-    """The location of omc (at most one of the first three is set), and how to use it."""
+    """The location of omc (at most one of the first three fields is set), and how to use it."""
 
     omc: Path | None = None
     port_file: Path | None = None

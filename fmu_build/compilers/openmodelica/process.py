@@ -1,4 +1,4 @@
-"""Processes that end with their parent, together with all their descendants."""
+"""Processes that are terminated, with all their descendants, when their parent ends."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from pathlib import Path
 
 from fmu_build.support.errors import ToolchainError
 
-# Reads until this process closes the pipe, even by being killed, then kills its own group.
+# Waits until this process closes the pipe, even by being killed, then kills its own group.
 _GUARD = "read -r _; kill -s KILL 0"
 
 
@@ -64,7 +64,7 @@ def read_log(log: Path) -> str:
 
 @contextmanager
 def _guard() -> Iterator[int | None]:
-    """Yield a process group, None on Windows, that ends with this process even if that runs no handler.
+    """Yield a process group (None on Windows) that ends with this process even if no handler runs.
 
     The guard process starts first, so that its group is guarded at all times.
     """

@@ -40,10 +40,10 @@ class Server:
 def local_server(omc: Path, folder: Path, environment: Mapping[str, str]) -> Iterator[Server]:
     """Start omc as a server, and end it when the context exits.
 
-    OMPython can start a server too, but it waits for its full timeout if omc refuses to serve, and loses
-    track of the process if this wait is interrupted.
+    OMPython can also start a server, but it waits for its full timeout if omc refuses to serve, and loses
+    track of the process if the wait is interrupted.
 
-    Raises `RootRefusedError` or another `ToolchainError` with what omc printed.
+    Raises `RootRefusedError` or another `ToolchainError` with omc's output.
     """
     suffix = uuid.uuid4().hex
     log = folder / "omc.log"

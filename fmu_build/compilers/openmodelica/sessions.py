@@ -1,4 +1,4 @@
-"""Sessions with omc, of the kind that the options request and the user is allowed."""
+"""Sessions with omc, of the kind that the options request and the user's rights permit."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class Session(Protocol):
     """Runs statements of OpenModelica's scripting language."""
 
     def run(self, statements: Sequence[str]) -> list[Answer]:
-        """Return the answers; if there are fewer than statements, the last one holds the reason."""
+        """Return the answers; if there are fewer than statements, the last one contains the reason."""
         ...
 
 
@@ -39,7 +39,7 @@ class Opened:
     session: Session
     what: str
     shared: bool = False
-    """Whether the server was running before, and must be left as it was."""
+    """Whether the server was already running and must be left as it was."""
     log: Callable[[], str] = field(default=lambda: "")
     """Returns the remarks logged so far."""
 
@@ -92,7 +92,7 @@ def _local(omc: Path, options: Options, folder: Path, tell: Callable[[str], None
 def _running_already(port_file: Path, options: Options, folder: Path) -> Iterator[Opened]:
     address = read_port_file(port_file)
     if os.name == "posix" and os.geteuid() == 0:
-        # The server belongs to another user, because omc refuses root, and must write to this folder.
+        # The server runs as another user, because omc refuses root, and needs write access to this folder.
         os.chown(folder, port_file.stat().st_uid, -1)
     _require_ompython()
     from fmu_build.compilers.openmodelica.connection import connected, log_of_ompython
@@ -107,7 +107,7 @@ def _in_docker(
 ) -> Iterator[Opened]:
     check_image(image)
     if os.name == "posix" and os.geteuid() == 0:
-        # OMPython runs the container as the current user.
+        # OMPython would run the container as the current user: root, which omc refuses.
         tell(ROOT_NOTE)
         command = run_in_container(image, folder, libraries)
         script = ScriptSession(command, folder, os.environ, options.timeout)
@@ -143,7 +143,7 @@ class ScriptSession:
     timeout: float
 
     def run(self, statements: Sequence[str]) -> list[Answer]:
-        """Return the answers; if there are fewer than statements, the last one holds the reason.
+        """Return the answers; if there are fewer than statements, the last one contains the reason.
 
         Raises `ToolchainError` if omc cannot be run or does not end in time.
         """

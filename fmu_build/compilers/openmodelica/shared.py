@@ -1,4 +1,4 @@
-"""Use a server that others share, and leave it as it was."""
+"""Use a shared server and leave it as it was."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ _FLAGS = re.compile(r"--fmiFlags=[^\s\"]*")
 
 @contextmanager
 def left_as_found(session: Session, folder: Path, classes: Mapping[str, Path]) -> Iterator[None]:
-    """Restore on exit what a build changes in a server: its classes, its folder and its solver flag.
+    """On exit, restore what a build changes in a server: its classes, its working folder and its solver flag.
 
-    `classes` are the top-level classes that will be loaded, with their files. Raises `ToolchainError` if the
-    server has one of them from another file, which loading would replace, or if it cannot enter `folder` and
-    would build in its own.
+    `classes` are the top-level classes to be loaded, with their files. Raises `ToolchainError` if the server
+    has loaded one of them from another file, which loading would replace, or if it cannot enter `folder` and
+    would build elsewhere.
     """
     previous, names, flags = (answer.value for answer in session.run(_STATE))
     before = _names(names)
