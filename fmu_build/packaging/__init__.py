@@ -41,14 +41,14 @@ __all__ = ["PackagedFmu", "check_request", "package_fmu", "wasm_module"]
 
 @dataclass(frozen=True, slots=True)
 class PackagedFmu:
-    """The path of the FMU, and what the C compiler and the checks printed."""
+    """The path of the FMU, and the output of the C compiler and the checks."""
 
     path: Path
     log: str
 
 
 def check_request(request: BuildRequest) -> None:
-    """Raise `BuildError` for a request that cannot be met, before any work is done."""
+    """Raise `BuildError` for a request that cannot be fulfilled, before any work is done."""
     check_fmi(request)
     select_platforms(request.platforms)
     if wants_module(request.platforms) and request.fmi_version != "2.0":
@@ -61,7 +61,7 @@ def package_fmu(model: GeneratedModel, request: BuildRequest) -> PackagedFmu:
     """Compile the model with the runtime and write ``<identifier>.fmu`` to the output folder.
 
     The same model gives the same bytes. The file appears only after it has passed all checks; a `BuildError`
-    leaves everything as it was.
+    leaves all files unchanged.
     """
     check_request(request)
     check_description(model.description)
@@ -74,7 +74,7 @@ def package_fmu(model: GeneratedModel, request: BuildRequest) -> PackagedFmu:
     entries["modelDescription.xml"] = xml
     if version == "3.0":
         entries[TERMINALS] = terminals_and_icons_xml(model.description)
-    # The default run needs the library of this machine too.
+    # The default run needs the library for this machine too.
     libraries, log = _compiled(sources, identifier, (*platforms, *([host] if host else [])), request.on_stage)
     entries |= binary_entries({p: libraries[p] for p in platforms}, identifier, version)
     modules = (WASM32,) if wants_module(request.platforms) else ()
@@ -103,7 +103,7 @@ def _compiled(
     platforms: Iterable[Platform],
     on_stage: Callable[[str], None],
 ) -> tuple[dict[Platform, bytes], str]:
-    """Return the library for each of the platforms, and what the compiler printed."""
+    """Return the library for each platform, and the compiler's output."""
     libraries, log = {}, ""
     for platform in dict.fromkeys(platforms):
         on_stage(f"compiling the C code for {platform.name}")
@@ -117,7 +117,7 @@ def _description_and_sources(
 ) -> tuple[str, bytes, dict[str, bytes]]:
     """Return the GUID, modelDescription.xml and sources/; the GUID is a hash of the other two.
 
-    The hash leaves out the generation date, which is not content.
+    The hash excludes the generation date, which is not content.
     """
     sources = collect_sources(model.c_source, request.fmi_version)
 

@@ -55,7 +55,7 @@ def replacing(target: Path, content: bytes) -> Iterator[Path]:
 
 
 def check_output_folder(folder: Path) -> None:
-    """Raise `BuildError` if no file could be written to the folder; do not create it."""
+    """Raise `BuildError` if the folder cannot be written to; do not create it."""
     existing = next(path for path in (folder, *folder.absolute().parents) if path.exists())
     if not existing.is_dir():
         raise BuildError(f"cannot write to {folder}: {existing} is not a folder")

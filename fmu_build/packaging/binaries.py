@@ -1,8 +1,8 @@
-"""Compile the shared libraries of an FMU with zig, the C compiler of the package ziglang.
+"""Compile the shared libraries of an FMU with zig, the C compiler in the package ziglang.
 
-The runtime is the same for every model. It is compiled once for each platform, to a static library in zig's
-cache folder; a build then compiles the model alone and links both. The WebAssembly module of an FMU that has
-none is kept there as a whole.
+The runtime is the same for every model. It is compiled once per platform into a static library in zig's cache
+folder; a build then compiles only the model and links both. WebAssembly modules for FMUs without one are
+cached whole.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ from fmu_build.support.errors import ToolchainError
 from fmu_build.support.request import FmiVersion
 from fmu_build.support.temporary import temporary_folder
 
-# No contraction to fused multiply-add and no -ffast-math, so that every platform computes the same
-# floating-point results. -s and relative paths keep this machine's names out of the library.
+# No contraction to fused multiply-add and no -ffast-math: every platform must compute the same floating-point
+# results. -s and relative paths keep this machine's names out of the library.
 COMPILER_FLAGS = (
     "-std=c11",
     "-O2",
@@ -42,13 +42,14 @@ LINKER_FLAGS = ("-shared", "-fPIC", "-s")
 # Link-time optimization pays: the model's functions are short, and the runtime calls them thousands of times
 # a run. zig supports it for Linux and WebAssembly only.
 OPTIMIZED_WHEN_LINKED = (".so", ".wasm")
-# Search paths for the user's own compilers, which clang would use too.
+# Search paths for the user's other compilers, which clang would honour.
 _FOREIGN_PATHS = ("CPATH", "C_INCLUDE_PATH", "LIBRARY_PATH", "SDKROOT")
 _RUNTIME = "runtime.a"
-# The runtimes of two versions for all platforms and both FMI versions, of up to 1 MB each, and some modules
-# of a tenth of that.
+# Enough for the runtimes of two versions, for all platforms and both FMI versions, of up to 1 MB each, and
+# some modules of 0.1 MB.
 STORE = Store("runtimes", most=64)
-# Callers of the module need malloc and free to pass arrays. The deepest call formats a message, in some kB.
+# Callers of the module need malloc and free to pass arrays. The deepest call, which formats a message, needs
+# a few kB of stack.
 _MODULE_LINKER_FLAGS = ("-Wl,--export=malloc", "-Wl,--export=free", "-Wl,-z,stack-size=65536")
 
 
@@ -64,8 +65,8 @@ def compile_library(
 ) -> tuple[bytes, str]:
     """Return the library for one platform, and the compiler's commands and output.
 
-    All files except model.c and token.h count as the runtime, which is kept in the cache; with `keep` the
-    library is, too. Raises `ToolchainError` with the compiler's output if it fails.
+    All files except model.c and token.h count as the runtime, which is cached; with `keep`, so is the
+    library. Raises `ToolchainError` with the compiler's output if it fails.
     """
     toolchain_version()
     runtime = {name: content for name, content in sources.items() if name not in (MODEL_FILE, TOKEN_FILE)}
@@ -85,7 +86,7 @@ def binary_entries(
 ) -> dict[str, bytes]:
     """Return archive name -> content of binaries/.
 
-    Importers of FMI 2 on macOS look in darwin64, whatever the processor: with libraries for both, it holds a
+    FMI 2 importers on macOS look in darwin64, whatever the processor: with libraries for both, it contains a
     universal one.
     """
     content = dict(libraries)
@@ -101,7 +102,7 @@ def binary_entries(
 def _made_once(
     files: Mapping[str, bytes], arguments: list[str], result: str, platform: Platform
 ) -> tuple[bytes, str]:
-    """Return what `_compiled` does; if it was made of the same before, from the cache and without output."""
+    """Return the result of `_compiled`, from the cache, without output, if the inputs are the same."""
     digest = hashlib.sha256(repr([toolchain_version(), arguments, sorted(files.items())]).encode())
     key = f"{digest.hexdigest()}{Path(result).suffix}"
     if (content := STORE.read(key)) is not None:
@@ -114,7 +115,7 @@ def _made_once(
 def _compiled(
     files: Mapping[str, bytes], arguments: list[str], result: str, platform: Platform
 ) -> tuple[bytes, str]:
-    """Return the file that zig makes from others in an empty folder, and its command and output."""
+    """Run zig on these files in an empty folder; return the resulting file, the command and its output."""
     with temporary_folder() as work:
         for name, content in files.items():
             (work / name).write_bytes(content)
@@ -142,10 +143,10 @@ def _compiled(
 
 
 def _environment(local: Path) -> dict[str, str]:
-    """Return this process's environment, with zig's cache of one build in the folder `local`.
+    """Return this process's environment, with zig's cache for this build in the folder `local`.
 
-    zig keeps the C library, which it builds once, in the user's cache folder. Without a writable one, it
-    builds the library again in `local`.
+    zig keeps the C library, which it builds once, in the user's cache folder. If that is not writable, it
+    builds the C library in `local` each time.
     """
     environment = {name: value for name, value in os.environ.items() if name not in _FOREIGN_PATHS}
     environment["ZIG_LOCAL_CACHE_DIR"] = str(local)
@@ -154,10 +155,10 @@ def _environment(local: Path) -> dict[str, str]:
 
 
 def _archive_arguments(files: list[str], platform: Platform) -> list[str]:
-    # zig cc cannot make a static library. These are its settings for COMPILER_FLAGS and LINKER_FLAGS.
+    # zig cc cannot build a static library. These settings correspond to COMPILER_FLAGS and LINKER_FLAGS.
     shared = [] if platform == WASM32 else ["-fPIC"]
     settings = ["-OReleaseFast", "-fstrip", *shared, *_link_time_optimization(platform)]
-    # Unrolled loops make a module 3 kB larger and no faster.
+    # Unrolled loops would make a module 3 kB larger and no faster.
     flags = [*COMPILER_FLAGS, *(["-fno-unroll-loops"] if platform == WASM32 else [])]
     made = ["-static", "-lc", "--name", "runtime", f"-femit-bin={_RUNTIME}"]
     return ["build-lib", *_target(platform), *settings, *made, "-cflags", *flags, "--", *files]
@@ -166,10 +167,10 @@ def _archive_arguments(files: list[str], platform: Platform) -> list[str]:
 def _library_arguments(files: Mapping[str, bytes], library: str, platform: Platform) -> list[str]:
     whole = ["-Wl,--whole-archive", _RUNTIME, "-Wl,--no-whole-archive"] if _RUNTIME in files else []
     own = {
-        # A missing function is an error now, not when an importer first calls it.
+        # A missing function becomes an error now instead of on its first call by an importer.
         ".so": ["-Wl,-z,defs"],
         ".dll": [],
-        # Without an install name, a macOS library would carry the path at which it was linked.
+        # Without an install name, a macOS library would contain the path at which it was linked.
         ".dylib": [f"-Wl,-install_name,@rpath/{library}"],
         ".wasm": ["-fno-unroll-loops", "-Wl,--export-dynamic", *_MODULE_LINKER_FLAGS],
     }[platform.extension]
@@ -194,7 +195,7 @@ _ALIGNMENT = 14  # pages of 16 kB, those of aarch64
 
 
 def universal_library(libraries: Sequence[bytes]) -> bytes:
-    """Return one file with all libraries, each for one processor; macOS loads the one for the process."""
+    """Return one file with all libraries, one per processor; macOS loads the one that fits the process."""
     page = 1 << _ALIGNMENT
     content = bytearray(_HEADER.pack(_MAGIC, len(libraries)))
     offset = page

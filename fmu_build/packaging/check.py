@@ -15,14 +15,14 @@ from fmu_build.support.errors import BuildError
 from fmu_build.support.request import FmiType
 from fmu_build.support.temporary import temporary_folder
 
-_SECONDS_TO_LOAD = 300  # so that a library that hangs does not hang the build
+_SECONDS_TO_LOAD = 300  # so that a library that hangs cannot hang the build
 
 
 def check_fmu(path: Path, *, fmi_types: Sequence[FmiType], load: bool) -> str:
     """Read the archive back, validate it and, with `load`, instantiate it on this machine.
 
-    The library is loaded in a separate process, because a faulty one can kill it. Returns what the checks
-    printed; raises `BuildError` for any finding.
+    The library is loaded in a separate process, because a faulty one can crash it. Returns the output of the
+    checks; raises `BuildError` if one fails.
     """
     check_archive(path)
     try:
@@ -45,7 +45,7 @@ def check_archive(path: Path) -> None:
 
 
 def check_loads(path: Path, fmi_types: Sequence[FmiType]) -> str:
-    """Instantiate the FMU on this machine as each of the types; return what it printed.
+    """Instantiate the FMU on this machine as each of the types; return the output.
 
     Raises `BuildError` if that fails.
     """

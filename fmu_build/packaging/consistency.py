@@ -41,13 +41,13 @@ _UNQUOTED = r"[A-Za-z_]\w*"
 _QUOTED = r"""'(?:[\w!#$%&()*+,\-./:;<>=?@\[\]^{}|~ ]|\\['"?\\abfnrtv])+'"""
 _PART = rf"(?:{_UNQUOTED}|{_QUOTED})(?:\[\d+(?:,\d+)*\])?"
 _IDENTIFIER = rf"{_PART}(?:\.{_PART})*"
-# Structured names (section 2.2.9). FMPy's validation parses them by a grammar, which takes half a second for
-# forty names; a pattern says the same, because the grammar is regular.
+# Structured names (section 2.2.9). FMPy validates them with a parser that takes half a second for forty
+# names; the grammar is regular, so this pattern is equivalent.
 STRUCTURED_NAME = re.compile(rf"{_IDENTIFIER}|der\({_IDENTIFIER}(?:,\d+)?\)", re.ASCII)
 
 
 def check_description(description: ModelDescription) -> None:
-    """Raise `BuildError` or `ModelicaError`, which names the variable and the rule that it violates."""
+    """Raise `BuildError` or `ModelicaError`, which names the variable and the violated rule."""
     identifier = description.identifier
     if not (identifier.isascii() and identifier.isidentifier()):
         raise BuildError(

@@ -1,4 +1,4 @@
-"""Run the default experiment on the new library, for importers to compare their own run with."""
+"""Run the default experiment with the new library, as a reference for importers."""
 
 from __future__ import annotations
 
@@ -38,9 +38,9 @@ class DefaultRun:
 def run_default_experiment(
     library: bytes, platform: Platform, description: ModelDescription, guid: str, fmi_version: FmiVersion
 ) -> DefaultRun | str:
-    """Return the run, or the reason why there is none; `platform` is this machine's.
+    """Return the run, or the reason why it is missing; `platform` is this machine's.
 
-    The library runs in a separate process, because a faulty one can kill it.
+    The library runs in a separate process, because a faulty one can crash it.
     """
     outputs = _chosen(description)
     points = communication_points(description.default_experiment)
@@ -93,7 +93,7 @@ def _chosen(description: ModelDescription) -> list[Variable]:
 
 
 def _held_inputs(description: ModelDescription, points: Sequence[float]) -> dict[str, tuple[float, ...]]:
-    """Return the Real inputs by name, each with its value from every point to the next."""
+    """Return the Real inputs by name, each with the value that it keeps from every point to the next."""
     columns = {}
     for variable in description.variables:
         if variable.causality != "input" or variable.type != "Real":
@@ -108,7 +108,7 @@ def _held_inputs(description: ModelDescription, points: Sequence[float]) -> dict
 
 
 def _rows(asked: dict[str, object], file: Path) -> list[list[float]] | str:
-    """Return the outputs at each point, or the reason why they are unknown."""
+    """Return the outputs at each point, or the reason why there are none."""
     file.write_text(json.dumps(asked), "utf-8")
     try:
         done = run_script("run_library.py", str(file), seconds=_MOST_SECONDS)

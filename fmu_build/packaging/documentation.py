@@ -25,7 +25,7 @@ FIGURE = "default_run.svg"
 def index_html(description: ModelDescription, run: DefaultRun | str, generation_tool: str) -> bytes:
     """Return the page: the model, its parameters, inputs, outputs and units, and its default experiment.
 
-    `run` is the run of the default experiment, or the reason why there is none.
+    `run` is the run of the default experiment, or the reason why it is missing.
     """
     body = builder.BODY(builder.H1(description.identifier), builder.P(xml_text(description.description)))
     body.extend(_class_documentation(description.documentation))

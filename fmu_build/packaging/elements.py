@@ -43,7 +43,7 @@ def put(element: etree._Element, **attributes: Any) -> None:
 
 
 def document(root: etree._Element) -> bytes:
-    """Return the file with that root."""
+    """Return the XML file with this root element."""
     content: bytes = etree.tostring(root, xml_declaration=True, encoding="UTF-8", pretty_print=True)
     return content
 

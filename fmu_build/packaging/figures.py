@@ -1,7 +1,7 @@
-"""Draw the pictures of an FMU: its icon and its default run.
+"""Draw the figures of an FMU: its icon and its default run.
 
-Matplotlib is loaded when something is drawn: the live page, which needs other modules of this package, draws
-nothing.
+Matplotlib is imported only when something is drawn: the live page uses other modules of this package but
+draws nothing.
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ def _drawn(description: ModelDescription) -> bytes:
             )
             axes.text(inside, y, name, ha=align, va="center", fontsize=8, parse_math=False)
     buffer = io.BytesIO()
-    # By default, this would hold the name and version of the drawing library.
+    # By default, the file would contain the name and version of the drawing library.
     figure.savefig(buffer, format="png", metadata={"Software": None})
     return buffer.getvalue()
 
@@ -73,7 +73,7 @@ _DASHES = ("-", (0, (6, 2)), (0, (2, 1.5)), (0, (6, 1.5, 1.5, 1.5)), (0, (1, 1))
 _LEFT, _BELOW, _CURVES, _PANEL, _LETTER = 1.0, 0.5, 5.6, 1.4, 0.09
 _SETTINGS = {
     "svg.fonttype": "none",  # text stays text
-    "svg.hashsalt": "default run",  # the same identifiers in the file every time
+    "svg.hashsalt": "default run",  # the same identifiers in every file
     "font.family": "sans-serif",
     "axes.grid": True,
     "grid.color": "0.9",
@@ -126,5 +126,5 @@ def _by_unit(names: Iterable[str], units: Mapping[str, str]) -> list[tuple[str, 
 
 
 def _plain(text: str) -> str:
-    """Return the text without signs that would begin a formula or keep a line out of the legend."""
+    """Return the text without characters that would start a formula or hide the line from the legend."""
     return " " + text.replace("$", r"\$") if text.startswith("_") else text.replace("$", r"\$")

@@ -50,8 +50,8 @@ def model_description_xml(
 ) -> bytes:
     """Return the file's content.
 
-    `source_files` are the C files in sources/. `generation_time` is written only if it is given: today's date
-    would make every build of the same model a different file. Raises `ModelicaError` for an invalid unit.
+    `source_files` are the C files in sources/. `generation_time` is omitted by default: the current date
+    would make every build of the same model differ. Raises `ModelicaError` for an invalid unit.
     """
     root = etree.Element("fmiModelDescription")
     put(
@@ -130,7 +130,7 @@ def _model_structure(description: ModelDescription) -> etree._Element:
 
 
 def _without(unknown: Unknown, left_out: Collection[int]) -> Unknown:
-    """Leave out some dependencies: in FMI 2, parameters are knowns of the initialization only."""
+    """Remove some dependencies: in FMI 2, parameters are knowns during initialization only."""
     pairs = zip(unknown.dependencies, unknown.dependency_kinds, strict=True)
     kept = [(reference, kind) for reference, kind in pairs if reference not in left_out]
     return Unknown(unknown.value_reference, tuple(r for r, _ in kept), tuple(k for _, k in kept))

@@ -1,4 +1,4 @@
-"""Check FMUs packaged by another tool as far as possible, and install them in the output folder."""
+"""Install FMUs built by another tool in the output folder, after all checks that are possible."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _DESCRIPTION = "modelDescription.xml"
 
 
 def check_request(request: BuildRequest, tool: str) -> None:
-    """Raise `BuildError` for a request that such a tool cannot meet, before any work is done."""
+    """Raise `BuildError` for a request that such a tool cannot fulfil, before any work is done."""
     check_fmi(request)
     host = host_platform()
     asked = select_platforms(request.platforms) if request.platforms else ()
@@ -54,9 +54,9 @@ def place(made: Path, request: BuildRequest) -> tuple[Path, str]:
 
 
 def _with_unit_definitions(content: bytes) -> tuple[bytes, str]:
-    """Return the archive with a definition for every unit of its variables, and a log of those added.
+    """Return the archive with definitions for all units of its variables, and a log of those added.
 
-    Importers that validate, such as FMPy, reject an FMU without; old versions of OpenModelica write none.
+    Validating importers such as FMPy reject an FMU without them; old versions of OpenModelica write none.
     """
     with zipfile.ZipFile(io.BytesIO(content)) as old:
         description, units = add_unit_definitions(old.read(_DESCRIPTION))

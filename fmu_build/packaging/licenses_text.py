@@ -16,7 +16,7 @@ _RULE = "=" * 78
 
 
 def license_text(fmi_version: FmiVersion, platforms: Collection[Platform]) -> str:
-    """Return the file's content for an FMU with binaries for these platforms, WebAssembly among them.
+    """Return the file's content for an FMU with binaries for these platforms, which may include WebAssembly.
 
     Raises `BuildError` if a package lacks its licence.
     """

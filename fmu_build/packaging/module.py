@@ -1,8 +1,8 @@
-"""The WebAssembly module of an FMU: the model and its runtime for web pages and for sandboxes.
+"""The WebAssembly module of an FMU: the model and its runtime for web pages and sandboxes.
 
-FMI has no name for it yet (the layered standard FMI-LS-WASM is a draft, in which a name such as
-``wasm32-wasip2`` means a component and not a bare module). It is therefore in the folder of extra/ that FMI
-reserves for files of a tool.
+FMI defines no folder for it yet: the layered standard FMI-LS-WASM is a draft, in which a name such as
+``wasm32-wasip2`` means a component instead of a bare module. The module is therefore in the folder below
+extra/ that FMI reserves for tool-specific files.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from fmu_build.packaging.platforms import WASM32
 from fmu_build.packaging.sources import MODEL_FILE, TOKEN_FILE, module_face
 from fmu_build.support.errors import BuildError
 
-#: What may become a file in the compiler's folder: no path, and nothing that it takes for an option.
+#: Names allowed as files in the compiler's folder: no paths, and nothing that looks like an option.
 _SOURCE = re.compile(r"[A-Za-z_]\w*\.[ch]", re.ASCII)
 _IDENTIFIER = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 _FOLDER = "extra/org.pyjoystick/wasm32"
@@ -33,23 +33,23 @@ def module_name(identifier: str) -> str:
 
 
 def compile_module(sources: Mapping[str, bytes], identifier: str, *, keep: bool = False) -> tuple[bytes, str]:
-    """Return the module made from the sources/ of an FMU of FMI 2, and the compiler's commands and output.
+    """Compile the sources/ of an FMI 2 FMU; return the module, and the compiler's commands and output.
 
-    It exports the functions of FMI 2.0, those of runtime/wasm/explore.h, malloc, free and its memory, and
-    imports nothing. `keep` and errors are those of `compile_library`.
+    The module exports the functions of FMI 2.0, those of runtime/wasm/explore.h, malloc, free and its memory,
+    and imports nothing. For `keep` and errors see `compile_library`.
     """
     return compile_library({**sources, **module_face()}, identifier, WASM32, keep=keep)
 
 
 def wasm_module(fmu: str | PathLike[str]) -> bytes:
-    """Return the WebAssembly module of an FMU: the one in it, else one compiled from its sources/.
+    """Return the WebAssembly module of an FMU: the one it contains, else one compiled from its sources/.
 
-    C that is compiled can take in files of this machine: compile only FMUs that you trust. The module is kept
-    in the cache of compiled runtimes, for the next page of the same FMU.
+    Compiled C code can include files of this machine, so compile only FMUs that you trust. The module is
+    cached for later pages of the same FMU.
 
     Raises:
-        BuildError: the file is no FMU, has neither a module nor sources of this project for FMI 2, or cannot
-            be compiled (`ToolchainError`)
+        BuildError: the file is not an FMU, has neither a module nor sources of this project for FMI 2, or
+            cannot be compiled (`ToolchainError`)
     """
     path = Path(fmu)
     try:

@@ -1,4 +1,4 @@
-"""The platforms for which binaries are built: folder names, zig target, file extension."""
+"""The platforms that have binaries: folder names, zig target and file extension."""
 
 from __future__ import annotations
 
@@ -27,9 +27,9 @@ class Platform:
         return self.fmi2_name if fmi_version == "2.0" else self.name
 
 
-# glibc 2.17 is the oldest that manylinux2014 wheels support, and the first for aarch64; macOS 11 is the
-# first for aarch64. FMI 2 defines names for x86 only; since 2.0.5 it refers to the platform tuples of FMI 3
-# for all others.
+# glibc 2.17 is the oldest that manylinux2014 wheels support, and the first for aarch64; macOS 11 is the first
+# for aarch64. FMI 2 itself defines names for x86 only; since 2.0.5 it uses FMI 3's platform tuples for all
+# others.
 PLATFORMS = {
     p.name: p
     for p in (
@@ -41,8 +41,8 @@ PLATFORMS = {
     )
 }
 _BY_ANY_NAME = PLATFORMS | {p.fmi2_name: p for p in PLATFORMS.values()}
-# No platform of FMI: the module goes to extra/ and is built beside libraries for others. Of C libraries for
-# WebAssembly, zig has the one for WASI; the module imports nothing of WASI.
+# Not a platform of FMI: the module goes to extra/, next to libraries for other platforms. The only C library
+# that zig has for WebAssembly is the one for WASI; the module imports nothing from WASI.
 WASM32 = Platform("wasm32", "wasm32-wasi", ".wasm", "wasm32")
 PLATFORM_NAMES = (*PLATFORMS, WASM32.name, ALL)
 _SYSTEMS = {"linux": "linux", "win32": "windows", "darwin": "darwin"}
@@ -56,16 +56,16 @@ def host_platform() -> Platform | None:
 
 
 def find_platform(name: str) -> Platform:
-    """Return the platform with that platform tuple or FMI 2 name; raises `BuildError` for any other name."""
+    """Return the platform with this platform tuple or FMI 2 name; raises `BuildError` for any other name."""
     if name not in _BY_ANY_NAME:
         raise BuildError(f"unknown platform {name!r}; known platforms are {', '.join(PLATFORM_NAMES)}")
     return _BY_ANY_NAME[name]
 
 
 def select_platforms(names: Sequence[str]) -> tuple[Platform, ...]:
-    """Return the named platforms, each once and in the order of the table; the host's if none is named.
+    """Return the named platforms, without duplicates, in the order of the table; by default the host's.
 
-    "all" selects the whole table. "wasm32" is no platform for libraries, see `wants_module`. Raises
+    "all" selects the whole table. "wasm32" is not a platform for libraries, see `wants_module`. Raises
     `BuildError` for an unknown name.
     """
     named = {find_platform(name) for name in names if name not in (ALL, WASM32.name)}

@@ -1,7 +1,7 @@
-"""Write the default run as files against which importers can check themselves.
+"""Write the default run as files for importers to check themselves against.
 
-The three tables have the names and the format of the FMI cross-check rules; the manifest announces them
-according to the layered standard FMI-LS-REF.
+The three tables have the names and the format required by the FMI cross-check; the manifest lists them as
+specified by the layered standard FMI-LS-REF.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ def _corners(run: DefaultRun) -> list[tuple[float, ...]]:
 
 def _table(names: Sequence[str], rows: Iterable[Sequence[float]]) -> bytes:
     lines = [",".join(f'"{name}"' for name in names)]
-    # Ten digits: more than the tolerance warrants, fewer than those on which processors agree.
+    # Ten digits: more than the tolerance justifies, fewer than those in which processors differ.
     lines += [",".join(f"{value + 0.0:.10g}" for value in row) for row in rows]
     return ("\n".join(lines) + "\n").encode()
 

@@ -1,6 +1,6 @@
 """Script: run the library of an FMU for Co-Simulation over given communication points.
 
-Usage: python run_library.py FILE    The file holds the request as a JSON object (see `default_run`); it is
+Usage: python run_library.py FILE    The file contains the request as a JSON object (see `default_run`); it is
 overwritten with the values of the outputs, one row for each point. Exit code 0 on success.
 """
 

@@ -1,4 +1,4 @@
-"""Scripts that load the library of an FMU in a process of their own, because a faulty one can kill it."""
+"""Scripts that load the library of an FMU in a separate process, because a faulty one can crash it."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-# Ends the script as soon as its standard input ends, which the build holds open for as long as it lives.
+# Ends the script when its standard input ends, which the build keeps open until it ends itself.
 _WATCHED = """
 import os, runpy, sys, threading
 
@@ -22,15 +22,15 @@ runpy.run_path(sys.argv[0], run_name="__main__")
 
 
 def run_script(name: str, *arguments: str, seconds: float) -> subprocess.CompletedProcess[str]:
-    """Run a script of this folder and return what it printed; it ends with this process, however that ends.
+    """Run a script of this folder and return its output; the script never outlives this process.
 
-    After so many seconds it is killed, and `subprocess.TimeoutExpired` raised.
+    It is killed after this many seconds, and `subprocess.TimeoutExpired` is raised.
     """
     script = Path(__file__).with_name(name)
     held, ours = os.pipe()
     try:
         return subprocess.run(
-            # -P keeps the working folder, and so the modules in it, off the search path.
+            # -P excludes the working folder, and the modules in it, from the search path.
             [sys.executable, "-P", "-c", _WATCHED, str(script), *arguments],
             stdin=held,
             capture_output=True,

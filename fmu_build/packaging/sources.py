@@ -1,7 +1,7 @@
 """The sources/ folder of an FMU: the runtime, the generated model, the FMI headers and the content token.
 
-The runtime has a folder for each layer, but its files include each other by bare name and lie side by side in
-an FMU: any importer finds a header next to the file that includes it, without an include directory.
+The runtime has a folder for each layer, but its files include each other by bare name and are stored side by
+side in an FMU, where any importer finds them without an include directory.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from fmu_build.support.request import FmiVersion
 MODEL_FILE = "model.c"
 TOKEN_FILE = "token.h"
 RUNTIME = Path(str(resources.files("fmu_build"))) / "runtime"
-MODULE_FACE = "wasm"  # the folder of the runtime that only WebAssembly modules have
+MODULE_FACE = "wasm"  # the runtime folder for WebAssembly modules only
 FMI_HEADERS: Mapping[FmiVersion, tuple[str, ...]] = {
     "2.0": ("fmi2FunctionTypes.h", "fmi2Functions.h", "fmi2TypesPlatform.h"),
     "3.0": ("fmi3FunctionTypes.h", "fmi3Functions.h", "fmi3PlatformTypes.h"),
@@ -36,7 +36,7 @@ def runtime_files(fmi_version: FmiVersion) -> list[Path]:
 
 
 def module_face() -> dict[str, bytes]:
-    """Return file name -> content of what a WebAssembly module has beside the sources of its FMU (FMI 2)."""
+    """Return file name -> content of the additional sources of a WebAssembly module (FMI 2)."""
     return {path.name: path.read_bytes() for path in sorted((RUNTIME / MODULE_FACE).glob("*.[ch]"))}
 
 
@@ -57,12 +57,12 @@ def collect_sources(c_source: str, fmi_version: FmiVersion) -> dict[str, bytes]:
 
 
 def c_files(names: Mapping[str, bytes]) -> list[str]:
-    """Return the names of the C files, which are compiled."""
+    """Return the names of the C files to compile."""
     return sorted(name for name in names if name.endswith(".c"))
 
 
 def content_guid(model_description: bytes, sources: Mapping[str, bytes], flags: tuple[str, ...]) -> str:
-    """Return a GUID made from a hash of the content."""
+    """Return a GUID derived from a hash of the content."""
     digest = hashlib.sha256()
     parts = [model_description, *(flag.encode() for flag in flags)]
     for name in sorted(sources):

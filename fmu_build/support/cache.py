@@ -1,4 +1,4 @@
-"""What builds keep for later ones, in the cache folder that the C compiler has for this user."""
+"""Files that builds keep for later builds, in zig's cache folder for this user."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import os
 from dataclasses import dataclass
 from pathlib import Path
 
-# Where zig looks for its cache folder, in this order: an environment variable, and a folder below its value.
+# Where zig looks for its cache folder, in this order: an environment variable and a subfolder of its value.
 PLACES = {
     "ZIG_GLOBAL_CACHE_DIR": "",
     "XDG_CACHE_HOME": "zig",
@@ -29,11 +29,11 @@ def cache_folder() -> Path | None:
 
 @dataclass(frozen=True, slots=True)
 class Store:
-    """Files in a folder of the cache, each under a key that says what it was made from.
+    """Files in a folder of the cache, each under a key that identifies its inputs.
 
     Attributes:
-        name: of the folder
-        most: number of files to keep; those that have not been used for longest are deleted
+        name: name of the folder
+        most: number of files to keep; the least recently used are deleted
     """
 
     name: str
@@ -45,7 +45,7 @@ class Store:
         return None if folder is None else folder / "fmu_build" / self.name
 
     def read(self, key: str) -> bytes | None:
-        """Return what was written under the key, and note its use; None if it is missing or damaged."""
+        """Return the content stored under a key and mark it as used; None if it is missing or damaged."""
         folder = self.folder()
         if folder is None:
             return None
@@ -59,9 +59,9 @@ class Store:
         return content if hashlib.sha256(content).digest() == digest else None
 
     def write(self, key: str, content: bytes) -> None:
-        """Keep the content, atomically with respect to other writers and to being killed.
+        """Store the content, atomically with respect to other writers and to being killed.
 
-        Failure to write the cache is ignored. Surplus files are deleted, also what a killed process left.
+        A failure to write is ignored. Surplus files, and remains of killed processes, are deleted.
         """
         folder = self.folder()
         if folder is None:

@@ -39,7 +39,7 @@ class Variable:
     maximum: float | None = None
     nominal: float | None = None
     derivative_of: int | None = None
-    """Value reference of the state that this variable is the time derivative of."""
+    """Value reference of the state whose time derivative this variable is."""
     reinit: bool = False
     enumeration: EnumerationType | None = None
 
@@ -82,7 +82,7 @@ class DefaultExperiment:
     tolerance: float = 1e-8
     step_size: float = 1e-3
     input_steps: tuple[InputStep, ...] = ()
-    """Inputs over time; before the first step, and without any, inputs have their start values."""
+    """Inputs over time; before the first step, or without steps, inputs have their start values."""
 
 
 @dataclass(frozen=True, slots=True)

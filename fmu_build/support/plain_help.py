@@ -1,4 +1,4 @@
-"""Help of commands in which no names of Python types stand."""
+"""Command-line help that shows no Python types."""
 
 from __future__ import annotations
 
@@ -9,23 +9,23 @@ from typer.core import TyperArgument, TyperCommand, TyperGroup
 
 
 class PlainCommand(TyperCommand):
-    """A command whose help shows no types, such as <list[Path]>, behind flags and arguments."""
+    """A command whose help omits types such as <list[Path]> after flags and arguments."""
 
     def get_params(self, ctx: Any) -> Any:
-        """The parameters, with --help."""
+        """Return the parameters, including --help."""
         return _without_types(super().get_params(ctx))
 
 
 class PlainGroup(TyperGroup):
-    """The same for a group of commands."""
+    """The same for command groups."""
 
     def get_params(self, ctx: Any) -> Any:
-        """The parameters, with --help."""
+        """Return the parameters, including --help."""
         return _without_types(super().get_params(ctx))
 
 
 def _without_types(parameters: Iterable[Any]) -> list[Any]:
-    """Take the types away where they say nothing: flags take no value, and arguments have names that tell."""
+    """Remove uninformative types: flags take no value, and the names of arguments say enough."""
     found = list(parameters)
     for one in found:
         if isinstance(one, TyperArgument) or one.is_flag or one.count:

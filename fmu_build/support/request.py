@@ -64,9 +64,9 @@ class BuildRequest:
     """Platform tuples such as ``aarch64-linux``, FMI 2's names such as ``win64``, or ``all``; empty means the
     host's."""
     options: Mapping[str, str] = field(default_factory=dict)
-    """Options specific to one compiler, by its names for them; see `Compiler.options`."""
+    """Options specific to the compiler, by name; see `Compiler.options`."""
     sensitivity: SensitivityRequest | None = None
-    """The sensitivities that the FMU computes; only some compilers can."""
+    """Sensitivities for the FMU to compute; not supported by all compilers."""
     on_stage: Callable[[str], None] = _ignore
     """Called with a short text, such as ``generating C``, when a stage of the build begins."""
     further: Sequence[Path] = field(default_factory=tuple)

@@ -11,15 +11,15 @@ from functools import cache
 from pathlib import Path
 
 _PREFIX = "fmu_build-"
-#: No build takes as long (s): an older folder belongs to a process that was killed.
+#: Longer than any build (s): an older folder belongs to a process that was killed.
 _OLD = 86400.0
 
 
 @contextmanager
 def temporary_folder() -> Iterator[Path]:
-    """Make a new folder among the temporary files, deleted on leaving.
+    """Create a temporary folder, which is deleted on exit.
 
-    The first one of a process also deletes those that killed builds left more than a day ago.
+    The first call in a process also deletes folders that killed builds left more than a day ago.
     """
     _remove_old()
     with tempfile.TemporaryDirectory(prefix=_PREFIX, ignore_cleanup_errors=True) as name:
@@ -28,7 +28,7 @@ def temporary_folder() -> Iterator[Path]:
 
 @cache
 def _remove_old() -> None:
-    """Delete old folders, once a process; those of other users stay, as they cannot be deleted."""
+    """Delete old folders, once per process; those of other users cannot be deleted and stay."""
     for folder in Path(tempfile.gettempdir()).glob(f"{_PREFIX}*"):
         with suppress(OSError):
             if not folder.is_symlink() and folder.stat().st_mtime < time.time() - _OLD:

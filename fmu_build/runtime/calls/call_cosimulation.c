@@ -24,7 +24,7 @@ Status call_get_output_derivatives(Instance *instance, const unsigned *reference
     return STATUS_OK;
 }
 
-/* Importers add up times in different ways, so rounding errors are not faults. */
+/* Importers add up times in different ways, so rounding errors are not treated as errors. */
 static double slack_of(double time, double step)
 {
     return 1e-6 * step + 16.0 * DBL_EPSILON * fabs(time);
@@ -70,7 +70,7 @@ Status call_do_step(Instance *instance, double point, double step)
     if (!step_is_possible(instance, point, step))
         return refuse_step(instance, point, step);
     const Status status = cosimulation_advance(instance, point + step);
-    if (instance->phase != PHASE_STEP_COMPLETE) /* ended by a call that the importer made in a callback */
+    if (instance->phase != PHASE_STEP_COMPLETE) /* a callback of the importer has ended the simulation */
         return STATUS_ERROR;
     instance->progress.last_step = status;
     if (status == STATUS_DISCARD)

@@ -6,8 +6,8 @@
 #include <math.h>
 #include <string.h>
 
-/* The sign of an indicator changes this far beyond the zero of its root, in both directions, so that an importer that
- * stops at the zero of the indicator finds the relation changed and the indicator clearly on one side. */
+/* An indicator changes sign this far beyond the zero of its root, in both directions: an importer that stops at the
+ * zero of the indicator then finds the relation changed and the indicator clearly on one side. */
 static const double hysteresis = 1e-12;
 
 static bool has_sized(Instance *instance, size_t n, size_t expected, const void *values)
@@ -31,7 +31,7 @@ Status call_enter_event_mode(Instance *instance)
 {
     if (instance == NULL)
         return STATUS_ERROR;
-    /* What the importer has changed beforehand causes its events at a fixed time. */
+    /* Changes made by the importer cause events at a fixed time, so they are handled first. */
     if (!instance->changed.any && !evaluation_meet_event(instance))
         return call_finish(instance, STATUS_ERROR);
     instance->phase = PHASE_EVENT;

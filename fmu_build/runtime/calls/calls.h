@@ -1,8 +1,8 @@
-/* calls.h - the calls of an importer, independent of the version of FMI.
+/* calls.h - the importer's calls, independent of the FMI version.
  *
  * The files fmi2_* and fmi3_* translate: they know the names and types of their standard and its tables of allowed
- * calls. The functions for the calls, below, take the result of call_enter; they return STATUS_ERROR if it is NULL.
- * A call is rejected with a message that explains the fault, and then changes no value of the instance. */
+ * calls. The functions for the calls, below, take the result of call_enter and return STATUS_ERROR if it is NULL. A
+ * rejected call reports why and changes no value of the instance. */
 #ifndef CALLS_H
 #define CALLS_H
 
@@ -10,7 +10,7 @@
 
 #include <stdint.h>
 
-/* One row of a standard's table of allowed calls: bit n of a mask is phase n. */
+/* One row of a standard's table of allowed calls: bit n of a mask stands for phase n. */
 typedef struct {
     const char *name;
     unsigned model_exchange, co_simulation;
@@ -19,7 +19,7 @@ typedef struct {
 /* Returns the instance if the rule allows the call in its phase; else NULL, after a message. */
 Instance *call_enter(Instance *instance, const Rule *rule);
 
-/* Logs what is wrong with the call that was entered last, and returns STATUS_ERROR. */
+/* Logs what is wrong with the current call, and returns STATUS_ERROR. */
 #if defined __GNUC__
 __attribute__((format(printf, 2, 3)))
 #endif
@@ -51,7 +51,7 @@ typedef struct {
 Status call_get_real(Instance *instance, const unsigned *references, size_t n, double *values);
 Status call_get(Instance *instance, const AccessType *type, const unsigned *references, size_t n, void *values);
 Status call_set(Instance *instance, const AccessType *type, const unsigned *references, size_t n, const void *values);
-/* Access to types of which no model has a variable. */
+/* Access to types that no model's variables have. */
 Status call_access_nothing(const Instance *instance, const char *type, size_t n);
 
 /* Partial derivatives. */
@@ -60,7 +60,7 @@ Status call_get_directional_derivative(Instance *instance, const Partials *parti
 Status call_get_adjoint_derivative(Instance *instance, const Partials *partials, const double *seed, size_t n_seed,
                                    double *sensitivity, size_t n_sensitivity);
 
-/* Saved states, which importers hold as pointers to void. */
+/* Saved states, which importers keep as void pointers. */
 Status call_get_state(const Instance *instance, void **state);
 Status call_set_state(Instance *instance, const void *state);
 Status call_free_state(const Instance *instance, void **state);

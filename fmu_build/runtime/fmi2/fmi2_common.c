@@ -29,7 +29,7 @@ static Component *create_component(fmi2String name, fmi2Type type, const fmi2Cal
     component->name = malloc(strlen(name) + 1);
     component->logger = functions->logger;
     component->environment = functions->componentEnvironment;
-    /* A message is a printf format, and in it "#r12#" would be a reference to a variable. */
+    /* A message is a printf format in which "#r12#" would refer to a variable. */
     const Log log = {component, functions->logger != NULL ? write_message : NULL,
                      debug ? LOG_EVERYTHING : LOG_PROBLEMS, "%#"};
     component->instance = instance_create(type == fmi2CoSimulation, &fmi2_face, &log);

@@ -50,7 +50,7 @@ fmi2Status fmi2CancelStep(fmi2Component c)
     return fmi2_enter(c, CALL_CancelStep) == NULL ? fmi2Error : fmi2OK;
 }
 
-/* Status information exists only if it does not concern asynchronous steps; else the standard requires fmi2Discard. */
+/* Only status information about asynchronous steps is missing, for which the standard requires fmi2Discard. */
 fmi2Status fmi2GetStatus(fmi2Component c, const fmi2StatusKind s, fmi2Status *value)
 {
     const Instance *instance = fmi2_enter(c, CALL_GetStatus);

@@ -25,7 +25,7 @@ static Component *create(bool co_simulation, fmi3InstanceEnvironment environment
         return NULL;
     component->environment = environment;
     component->log_message = logger;
-    /* In a message, "#12#" would be a reference to a variable. */
+    /* In a message, "#12#" would refer to a variable. */
     const Log log = {component, logger != NULL ? write_message : NULL, logging ? LOG_EVERYTHING : 0, "#"};
     component->instance = instance_create(co_simulation, &fmi3_face, &log);
     if (component->instance == NULL) {
@@ -144,7 +144,7 @@ fmi3Status fmi3EnterEventMode(fmi3Instance instance)
 
 fmi3Status fmi3EvaluateDiscreteStates(fmi3Instance instance)
 {
-    /* fmi3UpdateDiscreteStates does all of it. */
+    /* fmi3UpdateDiscreteStates does all the work. */
     return fmi3_leave(instance, fmi3_enter(instance, CALL_EvaluateDiscreteStates) == NULL ? STATUS_ERROR : STATUS_OK);
 }
 

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Returns false if a call of the importer in the meantime has ended the simulation. */
+/* Returns false if a call of the importer during the update has ended the simulation. */
 static bool update(Component *component, double time, bool finished, bool *early, double *early_time)
 {
     Instance *instance = component->instance;

@@ -5,7 +5,7 @@
 #include "fmi3_component.h"
 
 /* Arranges calls of component->intermediate_update, if there is one: after every integrator step, and whenever the
- * integrator needs the inputs among the variables. Returns why these variables are not possible, or NULL. */
+ * integrator needs those inputs that are among the variables. Returns why the variables are not allowed, or NULL. */
 const char *intermediate_attend(Component *component, const fmi3ValueReference variables[], size_t n);
 
 /* Returns false, after a message, if an intermediate update is in progress that does not allow this access. */

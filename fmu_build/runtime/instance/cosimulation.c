@@ -9,9 +9,9 @@
 
 enum { MAX_CROWD = 1000 };
 
-/* This many integrator steps must reach the communication point or cover a thousandth of the experiment: otherwise a
- * run would take more than a billion steps, a quarter of an hour for a small model. Runs that are long for good
- * reasons, with thousands of events or a million oscillations, stay far below that. */
+/* Each group of this many integrator steps must reach the communication point or cover a thousandth of the experiment:
+ * otherwise a run would take more than a billion steps, a quarter of an hour for a small model. Legitimately long runs,
+ * with thousands of events or a million oscillations, stay far below that. */
 #ifndef PATIENCE
 #define PATIENCE 1000000
 #endif
@@ -21,7 +21,8 @@ enum { PARTS = 1000 };
  * sizes, so that rounding moves their points away from the intended times. */
 static const double relative_instant = 1e-12;
 
-/* The width of a crowd of events in instants; each event is located to about a thousandth of an instant. */
+/* The width of a crowd of events, in multiples of relative_instant; an event is located to about a thousandth of
+ * that. */
 static const double crowd_width = 100.0;
 
 static double instant_at(double time)
@@ -95,7 +96,7 @@ static Status count_event(Instance *instance, double time)
     return fail(instance, time, why);
 }
 
-/* Sets time, states and inputs to those at a time that the last integrator step covers. */
+/* Sets time, states and inputs to those at a time within the last integrator step. */
 static void move_to(Instance *instance, double time)
 {
     integrator_interpolate(&instance->integrator, time, instance->values.y);
@@ -159,7 +160,7 @@ static Status check_asserts_here(Instance *instance)
     return fail(instance, instance->values.time, "an assertion is violated.");
 }
 
-/* The states are still those at which the derivatives or roots could not be computed. */
+/* The states are still those at which derivatives or roots could not be computed. */
 COLD static Status fail_to_compute(Instance *instance, double time)
 {
     const Values *values = &instance->values;
@@ -169,7 +170,7 @@ COLD static Status fail_to_compute(Instance *instance, double time)
     return fail(instance, time, blocks_explain(instance->failed_at, values->y, values->p, why));
 }
 
-/* The same at the end of the last integrator step, if it is ahead of the present time. */
+/* Checks the assertions at the end of the last integrator step, if that is ahead of the present time. */
 static Status check_asserts(Instance *instance)
 {
     if (!model.actions_follow_states || instance->integrator.record.time <= instance->values.time)
@@ -270,7 +271,8 @@ static double span(const Instance *instance, double target)
 }
 
 /* A root that depends on time or an input may cross zero and return while the states are constant and steps are long.
- * Such roots are checked often enough: at every communication point and in every thousandth of the experiment. */
+ * Limiting the steps ensures that such roots are checked at every communication point and in every thousandth of the
+ * experiment. */
 static double limit_steps(Instance *instance, double target, double limit)
 {
     if (!model.roots_follow_time && !model.roots_follow_inputs)
@@ -314,7 +316,7 @@ Status cosimulation_advance(Instance *instance, double target)
     inputs_begin(&instance->inputs, instance->values.time, instance->values.p);
     instance->changed.any = instance->changed.any || instance->inputs.active;
     if (instance->changed.any) {
-        /* An importer that changes something now is likely to do so again at the next point: do not step past it. */
+        /* An importer that has changed something is likely to do so at the next point too: do not step past it. */
         limit = target;
         status = absorb_changes(instance);
     }
@@ -323,7 +325,7 @@ Status cosimulation_advance(Instance *instance, double target)
     const double wanted = smaller(target - instance->values.time, span(instance, target) / PARTS);
     Pace pace = {.since = instance->values.time};
     if (attended)
-        limit = target; /* the importer gets and sets values of this communication step only */
+        limit = target; /* the importer gets and sets values within this communication step only */
     while (status == STATUS_OK && !*ended && !reaches(instance, target)) {
         if (instance->progress.event_pending)
             status = take_event(instance, target);

@@ -1,7 +1,7 @@
-/* cosimulation.h - moves an instance through time with its own integrator.
+/* cosimulation.h - advances an instance in time with its own integrator.
  *
  * A communication point is not an event of the model: the integrator steps past it and answers from its dense output.
- * It goes back to the point and restarts there only if the importer has really changed something. */
+ * It goes back to the point and restarts there only if the importer has changed a value. */
 #ifndef COSIMULATION_H
 #define COSIMULATION_H
 

@@ -11,7 +11,7 @@
 /* The present point with its algebraic variables, and the tangents at this point. */
 typedef struct {
     const Instance *instance;
-    bool initial; /* the values are results of the initialization */
+    bool initial; /* whether the values are results of the initialization */
     double *memory; /* holds the arrays below */
     double *y, *dy, *dp, *dder;
     double *moves;    /* [n_initial_unknowns] */
@@ -120,7 +120,7 @@ static bool factor_initial_equations(Tangents *tangents)
     return lu_factor(n, tangents->jacobian, tangents->pivot);
 }
 
-/* Computes the tangents of states and parameters that initialization computes from those that it is given. */
+/* Computes the tangents of states and parameters that result from initialization from those of its inputs. */
 static bool propagate_to_start(Tangents *tangents)
 {
     const Values *values = &tangents->instance->values;
@@ -163,8 +163,8 @@ static bool fail_to_solve(const Tangents *tangents)
     return fail(tangents->instance, blocks_explain(values->time, tangents->y, values->p, why));
 }
 
-/* Copies y and computes its algebraic variables: those of the instance serve as initial guesses later, and stay as they
- * would be without this call. */
+/* Copies y and computes the algebraic variables in the copy. The instance's own are left alone, because they serve as
+ * initial guesses later and must not depend on this call. */
 static bool copy_point(Tangents *tangents, Instance *instance)
 {
     if (tangents->initial && instance_initialize(instance) != STATUS_OK)

@@ -1,9 +1,9 @@
 /* derivatives.h - partial derivatives of computed variables ("unknowns") with respect to states, inputs, parameters and
  * time ("knowns").
  *
- * The derivatives are exact in the active branch: relations, and discrete variables that only events change, are
- * constant. In Initialization Mode, the derivatives are those of the initial values, through start values and initial
- * equations. The values that the importer reads do not change. */
+ * The derivatives are exact within the active branch: relations, and discrete variables that only events change, are
+ * constant. In Initialization Mode they are derivatives of the initial values, through start values and initial
+ * equations. Values that the importer reads do not change. */
 #ifndef DERIVATIVES_H
 #define DERIVATIVES_H
 
@@ -17,7 +17,7 @@ typedef struct {
     size_t n_knowns;
 } Partials;
 
-/* Both return false, after a message, if a variable cannot be an unknown or a known now, or if there is no
+/* Both return false, after a message, if a variable cannot be an unknown or a known in this phase, or if there is no
  * derivative. */
 
 /* sensitivity[n_unknowns] = J seed[n_knowns] */

@@ -71,7 +71,7 @@ bool roots_evaluate(void *context, double time, double *root)
     return known;
 }
 
-/* Computes one algebraic variable slightly later or earlier, with the states on their tangent. */
+/* Computes one algebraic variable slightly later or earlier, with the states extrapolated along their derivatives. */
 static bool algebraic_beside(const Instance *instance, double delay, size_t index, double *scratch, double *value)
 {
     const Values *values = &instance->values;

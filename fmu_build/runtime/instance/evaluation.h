@@ -10,7 +10,7 @@ bool evaluation_update_algebraics(Instance *instance);
 bool evaluation_update_derivatives(Instance *instance);
 bool evaluation_roots(Instance *instance, double *root);
 
-/* To be called where the motion has led to an event, before event_update: see sensitivity.h. */
+/* To be called when integration has reached an event, before event_update; see sensitivity.h. */
 bool evaluation_meet_event(Instance *instance);
 
 /* To be called after a change of time, states or inputs. */

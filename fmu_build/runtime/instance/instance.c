@@ -10,7 +10,7 @@ static const double part_of_one_step = 0.02, least_of_one_step = 1e-14;
 
 static const double least_tolerance = 1e-13, greatest_tolerance = 1e-2;
 
-/* Longer steps than this fraction of the experiment could miss fast changes that no event marks. */
+/* Steps longer than this fraction of the experiment could miss fast changes without events. */
 static const double largest_step_fraction = 0.02;
 
 static size_t block_count(size_t n_inputs)

@@ -1,7 +1,7 @@
 /* instance.h - one instance of the model: its numbers, its phase in the life cycle, and its settings.
  *
- * The FMI version of an importer is a face over this: it translates calls and knows which of them
- * are allowed in which phase. */
+ * On top of it is a face for the FMI version of the importer, which translates the calls and knows which of them are
+ * allowed in which phase. */
 #ifndef INSTANCE_H
 #define INSTANCE_H
 
@@ -27,7 +27,7 @@ typedef enum {
 
 #define DEFAULT_TOLERANCE 1e-8
 
-/* The differences between the versions of FMI. */
+/* The differences between FMI versions. */
 typedef struct {
     const char *const *phase_names; /* by Phase */
     unsigned told_always;           /* log categories that stay on when the importer switches logging off */
@@ -40,8 +40,9 @@ typedef struct {
 typedef struct {
     bool event_mode;   /* it carries out Event Mode itself: a step ends at an event at its communication point, ... */
     bool early_return; /* ... and, with this, at any earlier event */
-    /* Reports the end of an integrator step at a time; it may move the end of the communication step to an earlier
-     * time. Returns false if a call in between ended the simulation. NULL if the importer does not attend. */
+    /* Reports the end of an integrator step at a time, and may move the end of the communication step forward to an
+     * earlier time. Returns false if a call in between has ended the simulation. NULL if the importer does not
+     * attend. */
     bool (*step_finished)(void *context, double time, double *end);
     void *context;
 } Attendance;
@@ -111,13 +112,13 @@ void instance_free(Instance *instance);
 /* Restores the state after instance_create, except for the log's settings and the attendance. */
 void instance_reset(Instance *instance);
 
-/* Checks and sets start time, stop time and tolerance; clamps the tolerance to the range that can be kept. */
+/* Checks and sets start time, stop time and tolerance; limits the tolerance to the achievable range. */
 Status instance_set_experiment(Instance *instance, double start_time, double stop_time, double tolerance);
 
 /* Applies instance->experiment to the integrator. */
 void instance_apply_experiment(Instance *instance);
 
-/* Solves the initial equations for the start values, unless that is already done. */
+/* Solves the initial equations for the start values, unless they are already solved. */
 Status instance_initialize(Instance *instance);
 
 /* Returns a reporter that writes the model's messages to the log. */

@@ -1,4 +1,4 @@
-/* log.h - messages to the importer, in those of FMI 2's standard log categories that the runtime uses. */
+/* log.h - messages to the importer, in the FMI 2 standard log categories that the runtime uses. */
 #ifndef LOG_H
 #define LOG_H
 

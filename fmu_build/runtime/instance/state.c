@@ -118,7 +118,7 @@ void state_write(const SavedState *state, void *bytes)
     memcpy(bytes, &header, sizeof header);
 }
 
-/* Offsets of the bools, for which C leaves values other than 0 and 1 undefined. */
+/* Offsets of the bools, for which values other than 0 and 1 are undefined behavior in C. */
 static const size_t truths[] = {
     offsetof(Plain, co_simulation),       offsetof(Plain, changed.any),
     offsetof(Plain, changed.parameters),  offsetof(Plain, changed.discrete),
@@ -136,7 +136,7 @@ static bool truths_are_sound(const Plain *plain)
     return true;
 }
 
-/* Returns whether an instance like this one can be in the phase and be saved in it. */
+/* Returns whether an instance of this kind can be in this phase and be saved there. */
 static bool phase_is_sound(const Instance *instance, Phase phase)
 {
     switch (phase) {
@@ -175,7 +175,7 @@ static bool steps_are_sound(const Plain *plain)
     return step->base <= plain->time && plain->time <= step->time && step->time - step->base <= step->step + rounding;
 }
 
-/* Checks that ticks are counted from time 0, as they are before the initialization, or where the model says. */
+/* Checks that ticks are counted from time 0, as before initialization, or from where the model says. */
 static bool clocks_are_sound(const Instance *instance, const SavedState *state)
 {
     const double *tick = state->block + (instance->values.clock_tick - instance->block);

@@ -1,5 +1,5 @@
-/* state.h - saved states: a copy of everything that determines how an instance continues, that is its values, its phase
- * in the life cycle and the state of the integrator. */
+/* state.h - saved states: a copy of everything that determines how an instance continues: its values, its phase in the
+ * life cycle and the state of the integrator. */
 #ifndef STATE_H
 #define STATE_H
 
@@ -9,7 +9,7 @@ typedef struct SavedState SavedState;
 
 /* Saves to *state, which is allocated if it is NULL; returns false if memory is short. */
 bool state_save(const Instance *instance, SavedState **state);
-/* Returns false, after a message, if the state belongs to the other of Model Exchange and Co-Simulation. */
+/* Returns false, after a message, if the state was saved by the other FMI type (Model Exchange or Co-Simulation). */
 bool state_restore(Instance *instance, const SavedState *state);
 void state_free(SavedState *state);
 

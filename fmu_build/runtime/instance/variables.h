@@ -7,11 +7,12 @@
 #include <math.h>
 #include <stdint.h>
 
-/* Returns the variable of a value reference; NULL, after a message, if there is none or its type is not in the set
- * `types`, which the importer calls `wanted`. */
+/* Returns the variable with a value reference; NULL, after a message, if there is none or its type is not in the set
+ * `types`. Messages use `wanted` as the importer's name for the types. */
 const Variable *variable_find(const Instance *instance, size_t reference, unsigned types, const char *wanted);
 
-/* Computes its present value, and first the equations that it needs. Returns false, after a message, on failure. */
+/* Evaluates the equations needed and returns the variable's value in *value. Returns false, after a message, on
+ * failure. */
 bool variable_compute(Instance *instance, const Variable *variable, double *value);
 
 /* The same, with a shortcut if the value is already available. */
@@ -32,7 +33,7 @@ bool variable_fits(const Instance *instance, const Variable *variable, double va
 /* Returns the name of a state by its index in y. */
 const char *variable_name_of_state(size_t index);
 
-/* Returns whether the variable may be set now and to this value; false after a message that names the variable, the
+/* Returns whether the variable may be set in this phase and to this value; if not, a message names the variable, the
  * value and what is allowed. */
 bool variable_may_set(const Instance *instance, const Variable *variable, double value);
 

@@ -16,7 +16,7 @@ static void report(const Values *values, size_t action, const EventReporter *rep
     reporter->report(reporter->context, model.actions[action], message);
 }
 
-/* Evaluates the conditions. If one holds, sets *any and computes the algebraic variables, which messages may read. */
+/* Evaluates the conditions. If any is true, sets *any and computes the algebraic variables that messages may read. */
 static bool evaluate(Values *values, bool *active, bool *any)
 {
     if (model.actions_read_algebraic && !model_algebraics(values->time, values->y, values->p))

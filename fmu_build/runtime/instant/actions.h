@@ -4,7 +4,7 @@
 
 #include "events.h"
 
-/* Takes the actions whose condition holds, a warning only once while its condition holds. `active` is scratch space for
+/* Executes the actions whose condition is true, warnings only when it becomes true. `active` is scratch space for
  * model.n_actions values. */
 EventStatus actions_take(Values *values, bool *active, const EventReporter *reporter);
 

@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-/* A chain of when-clauses that has not ended after this many passes is endless. */
+/* A chain of when-clauses that needs more passes than this is considered endless. */
 enum { MAX_PASSES = 1000 };
 
 static EventStatus fail(const EventReporter *reporter, const char *what)
@@ -23,7 +23,7 @@ static EventStatus worse(EventStatus a, EventStatus b)
 }
 
 /* Repeats passes, each with constant pre() values, until a pass changes nothing. Clocks tick only in the first pass. A
- * root that passes through zero causes one event at zero and another one behind it. */
+ * root that passes through zero causes one event at zero and another one after it. */
 static EventStatus iterate(Iteration *iteration, Values *values, bool continuous, const EventReporter *reporter,
                            bool *states_changed)
 {

@@ -12,12 +12,12 @@ typedef struct {
     void (*report)(void *context, ActionKind kind, const char *message);
 } EventReporter;
 
-/* Solves the initial equations, settles the discrete variables at values->time and carries out the events that
- * are then due. */
+/* Solves the initial equations, settles the discrete variables at values->time and carries out the events that are then
+ * due. */
 EventStatus event_initialize(Values *values, const EventReporter *reporter);
 
-/* Carries out the event at values->time to its end: due clock ticks and time events, relations, when-clauses,
- * assertions. `continuous`: nothing has jumped since the previous event, so a root that changed sign was zero in
+/* Carries out the whole event at values->time: due clock ticks and time events, relations, when-clauses, assertions.
+ * `continuous` means that nothing has jumped since the previous event, so that a root with a changed sign was zero in
  * between. Sets *states_changed if a reinit() changed a state. */
 EventStatus event_update(Values *values, bool continuous, const EventReporter *reporter, bool *states_changed);
 

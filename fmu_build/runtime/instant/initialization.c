@@ -69,7 +69,7 @@ static bool differentiate(void *context, const double *residual, double *jacobia
     return true;
 }
 
-/* Solves the initial equations; returns NULL on success, else what went wrong. */
+/* Solves the initial equations; returns NULL on success, else a description of the failure. */
 static const char *solve(InitialSystem *initial, char text[NEWTON_TEXT_SIZE])
 {
     const NewtonSystem system = {.size = model.n_initial_unknowns,
@@ -105,8 +105,8 @@ static void set_initial_event(Values *values, double value)
         values->p[model.initial_event_slot] = value;
 }
 
-/* During initialization, a when-clause acts only through initial() (Modelica 3.4, section 8.6): if initial() makes a
- * condition true that is false without it. */
+/* During initialization, a when-clause acts only through initial() (Modelica 3.4, section 8.6): its condition must
+ * become true because of initial(). */
 static const char *settle_initially(Iteration *iteration, Values *values)
 {
     set_initial_event(values, 0.0);
@@ -152,8 +152,8 @@ static void restore(Values *values, const double *kept)
     memcpy(values->p, kept + model.n_y, model.n_p * sizeof(double));
 }
 
-/* Solves with the simplified expressions of homotopy() and deforms them into the actual ones, in steps that become
- * shorter where no solution is found. Returns whether it got there; if not, the values are undefined. */
+/* Solves with the simplified expressions of homotopy() and deforms them into the actual ones; the steps become shorter
+ * where no solution is found. Returns whether it succeeded; if not, the values are undefined. */
 static bool deform(InitialSystem *system, Iteration *iteration, double *kept)
 {
     Values *values = system->values;
@@ -172,7 +172,8 @@ static bool deform(InitialSystem *system, Iteration *iteration, double *kept)
     return *distance == 0.0;
 }
 
-/* Of several solutions, that which homotopy() leads to; where it leads to none, that near the start values. */
+/* If there are several solutions, the one reached by homotopy() is taken; if it reaches none, the one near the start
+ * values. */
 static const char *settle_from_simplified(InitialSystem *system, Iteration *iteration)
 {
     if (model.homotopy_slot == NO_SLOT)
@@ -191,7 +192,7 @@ static const char *settle_from_simplified(InitialSystem *system, Iteration *iter
     return problem;
 }
 
-/* Commits the states and conditions of the initial pass, to which pre() and edges refer in the events that follow. */
+/* Commits the states and conditions of the initial pass as reference for pre() and edges in later events. */
 static const char *conclude(Iteration *iteration, Values *values)
 {
     const char *problem = NULL;

@@ -6,9 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Equations that depend on each other may oscillate forever if they change all at once, but settle if they change in
- * turn: after ROUNDS_AT_ONCE rounds they change one at a time. What has not settled after MAX_TURNS turns for each of
- * them is searched among the combinations of at most MAX_CIRCLING relations. */
+/* Equations that depend on each other may oscillate forever if they all change at once, but settle if they change in
+ * turn: after ROUNDS_AT_ONCE rounds they change one at a time. If they have not settled after MAX_TURNS turns each, all
+ * combinations of at most MAX_CIRCLING relations are tried. */
 enum { ROUNDS_AT_ONCE = 100, MAX_TURNS = 100, MAX_CIRCLING = 10 };
 
 bool iteration_create(Iteration *iteration)
@@ -101,12 +101,12 @@ static bool update_assigned(const Iteration *iteration, Values *values)
     return changed;
 }
 
-/* The relation and the discrete equation whose turn it is to change. */
+/* The relation and the discrete equation whose turn it is. */
 typedef struct {
     size_t relation, row;
 } Turn;
 
-/* Updates one relation that is out of date, in turn, or else one discrete equation. */
+/* Updates one outdated relation, in turn, or else one discrete equation. */
 static bool update_one(const Iteration *iteration, Values *values, Turn *turn)
 {
     for (size_t k = 0; k < model.n_relations; ++k) {
@@ -134,7 +134,7 @@ static bool update_all(const Iteration *iteration, Values *values)
     return update_assigned(iteration, values) || changed;
 }
 
-/* Brings what the relations and discrete equations read up to date. */
+/* Updates everything that the relations and discrete equations read. */
 static bool refresh(Iteration *iteration, Values *values)
 {
     if ((model.discrete_reads_algebraic && !model_algebraics(values->time, values->y, values->p)) ||
@@ -144,7 +144,7 @@ static bool refresh(Iteration *iteration, Values *values)
     return true;
 }
 
-/* The states are constant, so that a root moves only with a relation or a discrete variable that is in the circle. */
+/* The states are constant, so a root moves only with a relation or discrete variable that is part of the circle. */
 static void note_circling(Iteration *iteration, const Values *values, bool is_first)
 {
     for (size_t i = 0; i < model.n_relations; ++i) {
@@ -155,7 +155,8 @@ static void note_circling(Iteration *iteration, const Values *values, bool is_fi
     memcpy(iteration->before, iteration->root, (model.n_roots + model.n_time_relations) * sizeof(double));
 }
 
-/* Changes relations and discrete equations until they settle; returns NULL on success, else what went wrong. */
+/* Changes relations and discrete equations until they settle; returns NULL on success, else a description of the
+ * failure. */
 static const char *change_in_turn(Iteration *iteration, Values *values)
 {
     memset(iteration->circling, 0, model.n_relations * sizeof(bool));
@@ -172,7 +173,7 @@ static const char *change_in_turn(Iteration *iteration, Values *values)
     return "the discrete equations do not settle: relations or discrete variables change in a circle";
 }
 
-/* Settles everything but the circling relations; returns whether these hold as assumed. */
+/* Settles everything but the circling relations; returns whether these have the assumed values. */
 static bool is_consistent(Iteration *iteration, Values *values)
 {
     bool changed = true;
@@ -205,9 +206,9 @@ static size_t circling_memories(const Iteration *iteration, size_t memory[MAX_CI
     return n;
 }
 
-/* Tries all combinations of the circling relations. Relations in an algebraic loop can deny each other in turn although
- * all agree in some combination: an amplifier with positive feedback jumps from one limit to the other, and no
- * combination on the way there is consistent. */
+/* Tries all combinations of the circling relations. Relations in an algebraic loop can contradict each other in turn
+ * although some combination is consistent: an amplifier with positive feedback jumps from one limit to the other, and
+ * no combination in between is consistent. */
 static bool find_consistent(Iteration *iteration, Values *values)
 {
     size_t memory[MAX_CIRCLING];

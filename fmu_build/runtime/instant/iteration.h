@@ -24,11 +24,11 @@ void iteration_free(Iteration *iteration);
 bool iteration_copy_pre(Values *values);
 
 /* Updates relations and discrete equations until none of them changes; pre() values, condition memories and states are
- * constant. Returns NULL on success, else what went wrong. */
+ * constant. Returns NULL on success, else a description of the failure. */
 const char *iteration_settle(Iteration *iteration, Values *values);
 
-/* From now on, no relation becomes true whose opposite is true now: in between, their root is zero and both are false.
- * iteration_leave_zero ends this, and returns whether a relation now becomes true. */
+/* From now on, a relation cannot become true if its opposite is true now: in between, their root is zero and both are
+ * false. iteration_leave_zero ends this, and returns whether a relation now becomes true. */
 void iteration_stop_at_zero(Iteration *iteration, const Values *values);
 bool iteration_leave_zero(Iteration *iteration);
 
@@ -38,8 +38,8 @@ bool iteration_commit_conditions(const Iteration *iteration, Values *values);
 /* Sets every condition memory to true, so that no when-clause sees an edge. */
 void iteration_hold_conditions(Values *values);
 
-/* Expects condition memories for a false initial(), which is now true: gives an edge only to the conditions that become
- * true by this. */
+/* Expects condition memories computed with initial() = false and compares them with initial() = true: only conditions
+ * that become true by this get an edge. */
 void iteration_arm_initial_conditions(const Iteration *iteration, Values *values);
 
 /* Carries out the reinit()s of the settled pass; returns whether a state changed. */

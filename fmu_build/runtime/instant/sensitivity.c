@@ -23,8 +23,8 @@ static const char *find_changed_root(Values *values, double *value, size_t *root
     return NULL;
 }
 
-/* The root stays zero at the event as the parameter changes: its time moves by -(root by the parameter)/(root along the
- * motion). */
+/* The root stays zero at the event as the parameter changes, so the event's time moves by -(derivative of the root by
+ * the parameter)/(derivative of the root along the motion). */
 static const char *find_moves(Values *values, size_t root, double *rates)
 {
     const Sensitivities *s = model.sensitivities;

@@ -15,7 +15,7 @@ double time_just_after(double time)
 static double tick_time(const Values *values, size_t i, double number)
 {
     const PeriodicClock *clock = &model.clocks[i];
-    /* Both parts have one denominator, so that a decimal period and phase give the nearest double. */
+    /* The sum has one common denominator, so that decimal periods and phases give the nearest double. */
     const double denominator = clock->phase_denominator * clock->period_denominator;
     return values->clock_zero[i] + (clock->phase_numerator * clock->period_denominator +
                                     number * clock->period_numerator * clock->phase_denominator) /
@@ -64,7 +64,7 @@ double event_next_time(const Values *values)
         return next;
     double *when = malloc(model.n_time_events * sizeof(double));
     if (when == NULL)
-        return values->time; /* an immediate event, which reports that memory is short */
+        return values->time; /* triggers an event at once, which reports that memory is short */
     model_time_events(values->p, when);
     for (size_t i = 0; i < model.n_time_events; ++i) {
         if (when[i] > time_just_after(values->time))

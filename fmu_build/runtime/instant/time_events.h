@@ -4,8 +4,8 @@
 
 #include "values.h"
 
-/* Returns a time just after a time event at `time`, at which "time > t" is true as well as "time >= t", even if the
- * importer's own time, a sum of step sizes, falls short of it by a rounding error. */
+/* Returns a time just after a time event at `time`, at which both "time > t" and "time >= t" are true even if the
+ * importer's own time, a sum of step sizes, is too small by a rounding error. */
 double time_just_after(double time);
 
 /* Skips the ticks of all clocks before values->time. */

@@ -1,4 +1,4 @@
-/* cold.h - marks functions that are rarely called, so that compilers place them apart from hot code. */
+/* cold.h - marks rarely called functions, so that compilers place them apart from hot code. */
 #ifndef COLD_H
 #define COLD_H
 

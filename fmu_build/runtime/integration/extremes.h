@@ -1,5 +1,5 @@
-/* extremes.h - the smaller and the larger of two numbers, neither of which is NaN: one instruction instead of the five
- * of fmin() and fmax(). */
+/* extremes.h - the smaller and the larger of two numbers that are not NaN: one instruction instead of the five of
+ * fmin() and fmax(). */
 #ifndef EXTREMES_H
 #define EXTREMES_H
 

@@ -37,13 +37,13 @@ typedef enum {
 
 size_t integrator_count(void); /* doubles in the block */
 
-/* Where in a step the derivatives are evaluated: at the start, only of a first step; at SAMPLE_FRACTION of the step,
- * with states of order 3; at the end; or elsewhere. The step may still be rejected after sample and end. */
+/* Where in a step the derivatives are evaluated: at the start (first step only); at SAMPLE_FRACTION of the step, with
+ * states of order 3; at the end; or elsewhere. The step may still be rejected after sample and end. */
 typedef enum { STEP_START, STEP_SAMPLE, STEP_END, STEP_ELSEWHERE } StepPoint;
 #define SAMPLE_FRACTION 0.8
 
-/* Supplied by the user of the integrator: computes the derivatives at integrator->argument; returns false if that
- * fails. `point` is for users who compute more than derivatives. */
+/* Supplied by the caller: computes the derivatives at integrator->argument; returns false if that fails. `point` is for
+ * callers that compute more than derivatives. */
 bool integrator_derivatives(void *context, double time, StepPoint point, double *der);
 
 void integrator_bind(Integrator *integrator, double *block);

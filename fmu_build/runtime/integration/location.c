@@ -91,7 +91,7 @@ static double since_crossing(const Sample *before, const Sample *after, size_t k
     return (after->time - before->time) * (after->root[k] / (after->root[k] - before->root[k]));
 }
 
-/* Narrows the bracket, with no change in `before` and some change in `after`, until `after` lies just after the
+/* Narrows the bracket, with no change in `before` and some change in `after`, until `after` lies just past the
  * crossing, within the spacing of doubles. `third` is another sample nearby. */
 static Crossing narrow(const RootFinder *finder, const double *p, Sample before, Sample after, Sample third,
                        Sample spare)
@@ -166,16 +166,16 @@ static RootResult search_vertex(const RootFinder *finder, const double *p, Point
     return ROOTS_NOT_CROSSED;
 }
 
-/* Cheap test on three equidistant values before any search: returns whether there is a vertex between them. */
+/* Cheap test on three equidistant values before any search: whether there is a vertex between them. */
 static bool may_touch_zero(double a, double b, double c)
 {
     const double bend = a - 2.0 * b + c;
     return bend * b > 0.0 && fabs(c - a) < 2.0 * fabs(bend);
 }
 
-/* Returns whether every root stays clear of zero: it has the same sign at the start, the sample and the end, and the
- * parabola through the three has no vertex within the step or a quarter of it on either side. Most steps are like that,
- * and the sample is available, whereas the rest of roots_search must compute more roots. */
+/* Returns whether every root stays away from zero: it has the same sign at the start, the sample and the end, and the
+ * parabola through the three has no vertex within the step or a quarter of it on either side. This settles most steps
+ * with available values, whereas the rest of roots_search must evaluate more roots. */
 static bool is_quiet(const RootFinder *finder)
 {
     const double at = SAMPLE_FRACTION, first = 1.0 / at, second = 1.0 / (1.0 - at), margin = 0.25;

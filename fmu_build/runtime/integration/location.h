@@ -24,8 +24,7 @@ typedef struct {
 size_t roots_count(void); /* doubles in the block */
 void roots_bind(RootFinder *finder, double *block);
 
-/* Supplied by the user of the search: computes root[0..model.n_roots) at a time within the step; returns false if that
- * fails. */
+/* Supplied by the caller: computes root[0..model.n_roots) at a time within the step; returns false if that fails. */
 bool roots_evaluate(void *context, double time, double *root);
 
 /* Returns the position of the first relation whose memory in p disagrees with the roots, or model.n_relations. */

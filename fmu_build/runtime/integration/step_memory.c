@@ -10,7 +10,7 @@ static uint64_t key_of(const double *p)
     return hash | 1u;
 }
 
-/* The upper bits of the hash are mixed best. */
+/* The upper bits of the hash are the best mixed. */
 static unsigned place_of(uint64_t key)
 {
     return (unsigned)(key >> 32) % STEP_MEMORY_SIZE;

@@ -1,7 +1,7 @@
 /* step_memory.h - the last step size for each combination of relations.
  *
- * After an event, the equations may be a hundred times stiffer or softer than before it. A mechanism that moves to and
- * fro meets the same few combinations again and again; the memory saves the search for a step size each time. */
+ * After an event, the equations may be a hundred times stiffer or softer than before. An oscillating mechanism passes
+ * through the same few combinations again and again; the memory saves the search for a step size each time. */
 #ifndef STEP_MEMORY_H
 #define STEP_MEMORY_H
 

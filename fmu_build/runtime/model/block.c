@@ -96,7 +96,7 @@ static NewtonResult try_tangents(const Block *block, double time, const double *
 
 const char *blocks_explain(double time, double *y, const double *p, char text[NEWTON_TEXT_SIZE])
 {
-    /* This brings the algebraic variables before the failing block up to date. */
+    /* Updates the algebraic variables before the failing block. */
     const bool solved = model_algebraics(time, y, p);
     for (size_t i = 0; i < model.n_blocks; ++i) {
         Point point = {model.blocks[i], time, y, p};

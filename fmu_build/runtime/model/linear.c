@@ -19,8 +19,8 @@ static size_t largest_in_column(size_t n, const double *matrix, size_t column)
     return row;
 }
 
-/* Returns whether the pivot in row k is the rounding error of terms that cancel. The terms follow from the factors, so
- * that neither the scale of the rows nor that of the columns matters. */
+/* Returns whether the pivot in row k is only the rounding error of cancelling terms. These are computed from the
+ * factors, so that the scaling of rows and columns does not matter. */
 static bool is_rounding(size_t n, const double *matrix, size_t k)
 {
     double terms = 0.0;

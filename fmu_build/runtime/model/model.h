@@ -47,7 +47,7 @@ typedef struct {
     double min, max; /* -INFINITY and INFINITY if the model gives none */
 } Variable;
 
-/* An algebraic loop, which Newton's method solves. */
+/* An algebraic loop, solved by Newton's method. */
 typedef struct {
     size_t index; /* in y */
     const char *name;
@@ -94,11 +94,11 @@ typedef struct {
     size_t index;
 } DiscreteTarget;
 
-/* Ticks at phase + n*period, n = 0, 1, ...; p[activation] is 1 in the first pass of the event of a tick. */
+/* Ticks at phase + n*period, n = 0, 1, ...; p[activation] is 1 in the first pass of the event at a tick. */
 typedef struct {
     size_t activation;
     double period_numerator, period_denominator, phase_numerator, phase_denominator;
-    bool counts_from_start; /* the phase is that from the start of the simulation, not from time 0 */
+    bool counts_from_start; /* the phase counts from the start of the simulation instead of time 0 */
 } PeriodicClock;
 
 /* assert(), terminate() and warnings. */
@@ -113,13 +113,13 @@ typedef struct {
 
 #define NO_SLOT ((size_t)-1)
 
-/* Sensitivities by parameters: derivatives of all values at a fixed time along the run so far. Those of the states are
- * states too: the model's own states are y[0..n_states), and their derivatives by parameter j follow in y[(1 + j) *
- * n_states..(2 + j) * n_states). During an event all of them are derivatives of the values at the event as its time
- * moves with the parameter. */
+/* Sensitivities by parameters: derivatives of all values at a fixed time along the run so far. Sensitivities of states
+ * are states too: the model's own states are y[0..n_states), and their derivatives by parameter j are y[(1 + j) *
+ * n_states..(2 + j) * n_states). During an event, all sensitivities are derivatives of the values at the event, whose
+ * time moves with the parameter. */
 typedef struct {
     size_t move;      /* p[move] is the derivative of the event's time by the parameter during an event, else 0 */
-    size_t next_move; /* p[next_move] is the same for the event that comes next */
+    size_t next_move; /* p[next_move] is the same for the next event */
 } EventMove;
 typedef struct {
     size_t n_states; /* the model's own */
@@ -203,7 +203,7 @@ void model_start_values(double time, double *y, double *p);
 void model_initial_residual(double time, const double *y, const double *p, double *residual);
 
 /* Forward-mode tangents: dy[i] of y[i] and dp[i] of p[i] with respect to states, inputs, parameters and time. Relations
- * and when-clauses count as constant. All of y and p must be up to date and is not changed. */
+ * and when-clauses count as constant. All of y and p must be up to date; neither is changed. */
 
 /* dp of parameters that are computed from other parameters. */
 void model_parameter_tangents(const double *p, double *dp);
@@ -223,7 +223,7 @@ bool model_watched_actions(double time, double *y, const double *p, bool *due);
 void model_discrete(double time, const double *y, const double *p, double *value);
 /* when[0..n_time_events) = the times of time events; past times and NaN mean none. */
 void model_time_events(const double *p, double *when);
-/* active[0..n_actions): whether each action must be taken. */
+/* active[0..n_actions): whether each action must be executed. */
 void model_actions(double time, const double *y, const double *p, bool *active);
 /* Formats the message of one action into text[0..size). */
 void model_action_message(size_t action, double time, const double *y, const double *p, char *text, size_t size);

@@ -19,8 +19,9 @@ static const double small_step = 1e-9;
 static const double absolute_step = 1e-14, least_size = 1e-3;
 /* Square of a scaled residual that is pure rounding error and cannot be reduced. */
 static const double rounding_merit = 1e-31;
-/* Along a Newton step the residual decreases unless it consists of the rounding errors of terms that cancel. Then the
- * unknowns are as accurate as possible if the full step changes none of them by more than this fraction of its size. */
+/* Along a Newton step the residual decreases unless it consists of rounding errors of cancelling terms. In that case,
+ * the unknowns are as accurate as possible if the full step changes none of them by more than this fraction of its
+ * size. */
 static const double stagnant_step = 1e-6;
 
 typedef struct {
@@ -119,8 +120,8 @@ static bool search_along_step(const Newton *newton, double before)
     return false;
 }
 
-/* A solution stays as it is when it is asked for again: relations that depend on it then have the same bits before and
- * after an event, which would otherwise be found again and again. */
+/* A solution must not change when it is solved for again: relations that depend on it then have the same bits before
+ * and after an event, which would otherwise be detected again and again. */
 static bool is_solved(const Newton *newton)
 {
     return merit(newton) <= rounding_merit * (double)newton->system->size;

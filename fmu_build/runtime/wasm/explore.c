@@ -5,7 +5,7 @@
 
 #include <stddef.h>
 
-/* What explore_inputs was given. */
+/* The arguments of explore_inputs. */
 typedef struct {
     size_t n;
     const uint32_t *references;
@@ -20,7 +20,7 @@ typedef struct {
     const char *kinds;
 } Columns;
 
-/* Where the communication points of a run are. */
+/* The communication points of a run. */
 typedef struct {
     const double *times; /* or NULL: */
     double start, step;
@@ -43,7 +43,7 @@ static int32_t finish(fmi2Status status)
     return failed_status = (int32_t)status;
 }
 
-/* A page may forget explore_begin; the functions of FMI would not say so. */
+/* A page may forget explore_begin; the FMI functions would not report it. */
 static int32_t refuse_without_begin(void)
 {
     messages_add(NULL, "", fmi2Error, "", "explore_begin must be called first.");
@@ -111,7 +111,7 @@ void explore_inputs(int32_t n, const uint32_t *references, int32_t rows, const d
     inputs = (InputTable){rows > 0 ? (size_t)n : 0, references, rows, values, slopes};
 }
 
-/* Sets the inputs of a row, and how they go on from there unless it is the last. A slope holds for one step. */
+/* Sets the inputs of a row and, unless it is the last, their slopes, which are valid for one step. */
 static fmi2Status set_inputs(int32_t row, bool is_last)
 {
     const size_t at = (size_t)(row < inputs.rows ? row : inputs.rows - 1) * inputs.n;
@@ -120,7 +120,7 @@ static fmi2Status set_inputs(int32_t row, bool is_last)
         return status;
     for (size_t i = 0; i < inputs.n && is_good(status); ++i) {
         const fmi2Integer order = 1;
-        /* Discrete inputs have no slope, not even one of zero. */
+        /* Discrete inputs have no slope, not even zero. */
         if (inputs.slopes[at + i] != 0.0)
             status = fmi2SetRealInputDerivatives(component, &inputs.references[i], 1, &order, &inputs.slopes[at + i]);
     }
@@ -150,7 +150,7 @@ static fmi2Status get(char kind, const uint32_t *references, size_t n, double *v
     return status;
 }
 
-/* Variables of one kind that stand side by side with one call. */
+/* Reads consecutive variables of one kind with one call. */
 static fmi2Status fill(const Columns *columns, double *row)
 {
     fmi2Status status = fmi2OK;

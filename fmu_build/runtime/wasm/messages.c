@@ -8,7 +8,7 @@ enum { SIZE = 4096 };
 
 static char present[SIZE], failure[SIZE];
 
-/* "##" stands for "#", which else begins a reference to a variable. */
+/* "##" stands for "#", which otherwise begins a reference to a variable. */
 static void append(const char *text)
 {
     size_t length = strlen(present);

@@ -1,4 +1,4 @@
-/* messages.h - what the instance of a WebAssembly module said in the last call that failed. */
+/* messages.h - the messages of the instance of a WebAssembly module in the last failed call. */
 #ifndef MESSAGES_H
 #define MESSAGES_H
 
@@ -6,12 +6,12 @@
 
 #include <stdbool.h>
 
-/* The logger: keeps problems of the present call; warnings are dropped. */
+/* The logger: stores problems of the current call; warnings are dropped. */
 void messages_add(fmi2ComponentEnvironment environment, fmi2String name, fmi2Status status, fmi2String category,
                   fmi2String format, ...);
-/* Ends the present call: what it said replaces what an earlier one said if it failed, and is dropped if not. */
+/* Ends the current call: if it failed, its messages replace the earlier ones, else they are dropped. */
 void messages_end_call(bool failed);
 void messages_clear(void);
-const char *messages_of_failure(void); /* one a line */
+const char *messages_of_failure(void); /* one per line */
 
 #endif
