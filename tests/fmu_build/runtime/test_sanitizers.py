@@ -1,4 +1,4 @@
-"""The tests of the runtime again, with a runtime that watches memory, undefined behaviour and threads."""
+"""The runtime's tests with sanitizers for memory, undefined behaviour and threads."""
 
 from __future__ import annotations
 
