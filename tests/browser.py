@@ -1,4 +1,4 @@
-"""A real browser for the tests of pages: Debian's Chromium, driven by Playwright."""
+"""A real browser for testing pages: Debian's Chromium, driven by Playwright."""
 
 from __future__ import annotations
 

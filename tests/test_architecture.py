@@ -1,4 +1,4 @@
-"""The import graph is what docs/architecture.md says, leads through the doors of rooms, and has no cycles."""
+"""The import graph matches docs/architecture.md, uses the doors of rooms, and has no cycles."""
 
 from __future__ import annotations
 

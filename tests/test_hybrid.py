@@ -1,4 +1,4 @@
-"""The SciPy oracles' own footing: integration with located events, against closed forms."""
+"""The SciPy oracles' integration with event location, against closed forms."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What ``make run`` installs: the part of the lock that running and building FMUs need."""
+"""The packages that ``make run`` installs: the part of the lock needed for running and building FMUs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the project says of itself is the same everywhere."""
+"""The project's metadata agree in all files."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Tests run anywhere: also where Ctrl-C is ignored, as after ``nohup`` or in the background of a script."""
+"""Tests run even if Ctrl-C is ignored, as after ``nohup`` or in the background of a script."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The wheel: one for all platforms, complete, the same bytes twice, and usable without a compiler."""
+"""The wheel: one for all platforms, complete, reproducible, and usable without a compiler."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""docs/your-joystick.md, typed as it is printed: what comes out is what was put in."""
+"""docs/your-joystick.md, executed as printed: the fit recovers the values that were put in."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The yardstick is right and as accurate as it claims; results and ratios are what they should be."""
+"""The yardstick is correct and as accurate as stated; results and ratios are computed correctly."""
 
 from __future__ import annotations
 

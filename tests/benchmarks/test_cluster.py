@@ -1,4 +1,4 @@
-"""The row of the cluster: both ways give the same results, or there are no figures."""
+"""The cluster benchmark: both methods must give the same results, or no figures are printed."""
 
 from __future__ import annotations
 

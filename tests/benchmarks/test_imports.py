@@ -1,4 +1,4 @@
-"""The benchmark of the imports reads what it is said to read."""
+"""The import benchmark measures the imports that it names."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The benchmark of waiting sees what a command imports."""
+"""The latency benchmark detects what a command imports."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The comparison with reference results, and the table: with results of our own."""
+"""The comparison with MSL reference results, and its table, tested with synthetic results."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The benchmark of FMUs that are kept apart times what it says."""
+"""The benchmark of FMUs in a separate process measures what it names."""
 
 from __future__ import annotations
 

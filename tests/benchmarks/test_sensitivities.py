@@ -1,4 +1,4 @@
-"""The benchmark of sensitivities builds and runs what it is said to time."""
+"""The sensitivity benchmark builds and runs what it times."""
 
 from __future__ import annotations
 

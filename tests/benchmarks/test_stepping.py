@@ -1,4 +1,4 @@
-"""The benchmark of single steps times what it says."""
+"""The benchmark of single steps measures what it names."""
 
 from __future__ import annotations
 

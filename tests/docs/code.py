@@ -1,4 +1,4 @@
-"""What blocks of each language are put to."""
+"""How code blocks of each language are checked."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Command lines of the pages: read as the programs themselves read them, and run."""
+"""Command lines in the pages: parsed by the programs' own parsers, and run."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the site adds to Sphinx: formulas, docstrings, the Modelica library, the drawing of the rooms."""
+"""The site's Sphinx extensions: formulas, docstrings, the Modelica library, the drawing of the rooms."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The drawings of the documentation are those of their programs, and are SVG."""
+"""The committed figures match the output of their programs and are valid SVG."""
 
 from __future__ import annotations
 

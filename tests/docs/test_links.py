@@ -1,4 +1,4 @@
-"""Links, and what the pages name in code type: files of the repository, modules and their members."""
+"""Links, and names in code type: files of the repository, modules and their members."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The live page in the pages of the site: in the place of its picture, which stays where scripts are off."""
+"""Live pages in the site: they replace their picture, which remains if scripts are disabled."""
 
 from __future__ import annotations
 

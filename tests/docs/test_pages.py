@@ -1,4 +1,4 @@
-"""Every page does what it says: its code runs, its commands are accepted."""
+"""The pages are correct: their code runs and their commands are accepted."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The documentation as a site; a warning is an error."""
+"""The documentation builds as a site; a warning is an error."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Sites of several versions side by side, and the menu that leads from one to another."""
+"""Sites of several versions side by side, and the menu that switches between them."""
 
 from __future__ import annotations
 

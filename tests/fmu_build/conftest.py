@@ -1,4 +1,4 @@
-"""How much of a build the tests of a folder need."""
+"""The part of a build that the tests of each folder need."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``python -m fmu_build``: what goes where, exit codes, and no traceback whatever happens."""
+"""``python -m fmu_build``: output streams, exit codes, and never a traceback."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The FMUs of this project against what the standards give to check with, and two independent checkers."""
+"""This project's FMUs against the standards' own checks and two independent checkers."""
 
 from __future__ import annotations
 

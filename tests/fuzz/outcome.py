@@ -1,4 +1,4 @@
-"""What came of fuzzing."""
+"""The outcome of fuzzing."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""The joystick FMUs held against the pure-Python reference and against physics."""
+"""The joystick FMUs against the pure-Python reference and physical laws."""

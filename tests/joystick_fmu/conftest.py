@@ -1,4 +1,4 @@
-"""The tests of this folder run on the FMUs of both versions of FMI."""
+"""Run the tests of this folder on the FMUs of both FMI versions."""
 
 from __future__ import annotations
 

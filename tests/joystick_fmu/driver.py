@@ -1,4 +1,4 @@
-"""Plain runs through FMPy's wrappers, for tests that need more control than the package's own runs."""
+"""Runs directly through FMPy, for tests that need more control than the package offers."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A base that accelerates: against SciPy, and against the energy balance in space."""
+"""Accelerating base: against SciPy, and against the energy balance in an inertial frame."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Directional and adjoint derivatives of the joystick's FMUs, of FMI 2 and 3, against those by hand."""
+"""Directional and adjoint derivatives of the FMI 2 and FMI 3 joysticks, against manual derivatives."""
 
 from __future__ import annotations
 

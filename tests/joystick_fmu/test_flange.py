@@ -1,4 +1,4 @@
-"""What is connected to the joystick's flange: rigid and elastic loads, a torque, a motor behind a gear."""
+"""Loads on the joystick's flange: rigid and elastic ones, a torque, a motor with a gear."""
 
 from __future__ import annotations
 

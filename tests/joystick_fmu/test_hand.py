@@ -1,4 +1,4 @@
-"""The joystick in an operator's hand: pointed at once for each picture, and let go."""
+"""The joystick in an operator's hand: pointing at each picture, and release."""
 
 from __future__ import annotations
 

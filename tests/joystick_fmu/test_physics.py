@@ -1,4 +1,4 @@
-"""What must hold in the FMUs' own results, whatever the parameters: energy, moments, the inverse."""
+"""Laws that the FMUs' results obey for all parameters: energy, moments, the inverse."""
 
 from __future__ import annotations
 

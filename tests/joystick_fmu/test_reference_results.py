@@ -1,4 +1,4 @@
-"""The reference results inside the joystick FMUs: right, in the cross-check's form, and what others get."""
+"""The reference results in the joystick FMUs: correct, in the cross-check's format, reproducible."""
 
 from __future__ import annotations
 

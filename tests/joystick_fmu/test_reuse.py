@@ -1,4 +1,4 @@
-"""One instance, used again and again."""
+"""Repeated use of one instance."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Sensitivities of the joysticks' FMUs, against variational equations that SciPy integrates."""
+"""Sensitivities of the joystick FMUs, against variational equations integrated by SciPy."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""Checks that `make lint` runs beside ruff and mypy."""
+"""Checks that `make lint` runs in addition to ruff and mypy."""

@@ -1,1 +1,1 @@
-"""Tests of the Modelica library alone: its text, its compiled models, and what rumoca simulates."""
+"""Tests of the Modelica library alone: its text, its compiled models, and their simulation."""

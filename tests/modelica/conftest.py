@@ -1,4 +1,4 @@
-"""The compilers that simulate the library's models."""
+"""The compilers with which the library's models are simulated."""
 
 from __future__ import annotations
 

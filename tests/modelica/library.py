@@ -1,4 +1,4 @@
-"""The library's text, class by class, and its models as rumoca compiles them."""
+"""The library's text, class by class, and its models as compiled by rumoca."""
 
 from __future__ import annotations
 

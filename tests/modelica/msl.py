@@ -1,4 +1,4 @@
-"""Where the Modelica Standard Library is, which neither this repository nor its tests contain."""
+"""Locate the Modelica Standard Library, which is not part of this repository."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The library's models as OpenModelica simulates them."""
+"""Simulate the library's models with OpenModelica."""
 
 from __future__ import annotations
 

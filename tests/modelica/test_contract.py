@@ -1,4 +1,4 @@
-"""The names that other tools see of the joysticks."""
+"""The joysticks' variable names that other tools rely on."""
 
 from __future__ import annotations
 

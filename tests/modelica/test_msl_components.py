@@ -1,4 +1,4 @@
-"""The springs on MSL's flanges without MSL: a stand-in has the few classes that they extend."""
+"""The springs with MSL flanges, tested without MSL: a stand-in provides the few base classes."""
 
 from __future__ import annotations
 

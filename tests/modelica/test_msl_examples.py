@@ -1,4 +1,4 @@
-"""The examples of PreloadedSpringsMSL as FMUs, where the Modelica Standard Library is: against SciPy."""
+"""The examples of PreloadedSpringsMSL as FMUs, against SciPy; needs the Modelica Standard Library."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The library as OpenModelica sees it: every model checked, every example simulated with its own settings."""
+"""The library in OpenModelica: every model is checked, every example simulated with its own settings."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Impossible parameters are refused at the start, by the parameter's name and value."""
+"""Impossible parameters are refused at initialization, with the parameter's name and value."""
 
 from __future__ import annotations
 

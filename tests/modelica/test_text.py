@@ -1,4 +1,4 @@
-"""What a reader of the library relies on: one class per file, descriptions, documentation, icons."""
+"""The library's form: one class per file, descriptions, documentation, icons."""
 
 from __future__ import annotations
 

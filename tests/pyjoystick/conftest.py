@@ -1,4 +1,4 @@
-"""FMUs that the tests of several parts run."""
+"""FMUs that tests in several folders run."""
 
 from __future__ import annotations
 

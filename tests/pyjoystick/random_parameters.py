@@ -1,4 +1,4 @@
-"""Random joysticks and release angles, the same in every run, to compare one model with another."""
+"""Random joysticks and release angles, the same in every run, for comparing models."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Peaks of releases for the tests: from closed forms and from the reference."""
+"""Peaks of releases for the tests: from closed forms and the reference."""
 
 from __future__ import annotations
 

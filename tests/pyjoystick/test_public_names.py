@@ -1,4 +1,4 @@
-"""What ``import pyjoystick`` gives, and that it gives it quickly."""
+"""The names that ``import pyjoystick`` provides, and that it is fast."""
 
 from __future__ import annotations
 

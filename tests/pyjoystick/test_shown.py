@@ -1,4 +1,4 @@
-"""What the results of each kind show in a notebook."""
+"""The notebook display of each kind of result."""
 
 from __future__ import annotations
 

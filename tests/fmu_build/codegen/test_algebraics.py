@@ -1,4 +1,4 @@
-"""Which systems of equations one step of Newton's method solves."""
+"""Systems of equations that one step of Newton's method solves."""
 
 from __future__ import annotations
 

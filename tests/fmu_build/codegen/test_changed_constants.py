@@ -1,4 +1,4 @@
-"""Packages that differ by constants from those that they extend: built where the values are right."""
+"""Packages that override constants of their base: accepted only where the values are right."""
 
 from __future__ import annotations
 

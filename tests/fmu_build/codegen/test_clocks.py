@@ -1,4 +1,4 @@
-"""Clocks as rumoca writes them."""
+"""Clocks as represented by rumoca."""
 
 from __future__ import annotations
 

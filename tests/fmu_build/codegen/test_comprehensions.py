@@ -1,4 +1,4 @@
-"""Array comprehensions: what the compiler counts right is built, what it miscounts is refused."""
+"""Array comprehensions: those that the compiler counts correctly are built, others are refused."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Sines and cosines from the tangent of half the angle: where they are taken so, and how accurate."""
+"""Sines and cosines from the tangent of half the angle: where they are used, and their accuracy."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Mappings as rumoca's template engine prints them."""
+"""Parsing of mappings printed by rumoca's template engine."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Functions and outer classes that rumoca takes for others: refused, or built where the values are right."""
+"""Functions and outer classes that rumoca may confuse: refused, or built where the values are right."""
 
 from __future__ import annotations
 

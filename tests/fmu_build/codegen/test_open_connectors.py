@@ -1,4 +1,4 @@
-"""Connectors of the exported model itself: what the FMU lists of them, and what is computed."""
+"""Connectors of the exported model itself: what the FMU lists and what it computes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Values of parameters by which other branches may be chosen."""
+"""Trial values of parameters that may select other branches."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the integrator computes: divisions by parameters in the derivatives, and only there."""
+"""Divisions by parameters are replaced in the derivatives, and only there."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Terminals from the annotations of a class and of the classes that it extends."""
+"""Terminals from annotations of a class and its base classes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Models are generated once: what later builds take from the cache, and what they do not."""
+"""The cache of generated models: what later builds reuse, and what they do not."""
 
 from __future__ import annotations
 

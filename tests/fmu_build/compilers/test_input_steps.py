@@ -1,4 +1,4 @@
-"""Tables of input steps beside Modelica sources."""
+"""Tables of input steps next to Modelica sources."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Functions of the Modelica Standard Library that are written in another way for rumoca."""
+"""Functions of the Modelica Standard Library that are rewritten for rumoca."""
 
 from __future__ import annotations
 

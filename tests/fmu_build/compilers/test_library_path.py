@@ -1,4 +1,4 @@
-"""Libraries that use others: given, beside each other, and in MODELICAPATH."""
+"""Libraries that use other libraries: given, in the same folder, and in MODELICAPATH."""
 
 from __future__ import annotations
 

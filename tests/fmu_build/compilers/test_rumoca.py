@@ -1,4 +1,4 @@
-"""The rumoca backend: loading from files and folders, and its errors with the place of the fault."""
+"""The rumoca backend: loading from files and folders, and errors with source positions."""
 
 from __future__ import annotations
 

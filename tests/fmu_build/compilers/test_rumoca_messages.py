@@ -1,4 +1,4 @@
-"""rumoca's terse messages reach the user in Modelica's terms, with the place of what they are about."""
+"""rumoca's terse messages are explained in Modelica's terms, with source positions."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Pages of the joystick and of models that are none, each made once for all tests."""
+"""Pages of the joystick and of other models, each built once for all tests."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""ES modules as one script."""
+"""Bundling of ES modules into one script."""
 
 from __future__ import annotations
 

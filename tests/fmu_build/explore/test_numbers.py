@@ -1,4 +1,4 @@
-"""What a page shows is what the FMU computes, for a joystick and for models that are none."""
+"""A page shows what the FMU computes, for a joystick and for other models."""
 
 from __future__ import annotations
 

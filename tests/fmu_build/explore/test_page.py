@@ -1,4 +1,4 @@
-"""The page in a real browser: every control, errors where they belong, links, files, nothing else."""
+"""The page in a real browser: every control, errors at the right place, links, files, no network access."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Plots and units as text: what a canvas is given to write."""
+"""Texts of plots and units, as passed to the canvas."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Curves of fewer points: none of the points left out is further from the lines than a tenth of a pixel."""
+"""Simplified curves: no omitted point is more than a tenth of a pixel from the lines."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Finding constructs in the source of those classes only that a model can be made of."""
+"""Finding constructs only in the source of classes that a model may use."""
 
 from __future__ import annotations
 

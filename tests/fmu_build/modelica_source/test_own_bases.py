@@ -1,4 +1,4 @@
-"""Models that extend an encapsulated class of their own, as the MSL's mass with stops and friction does."""
+"""Models that extend their own encapsulated class, like the MSL's mass with stops and friction."""
 
 from __future__ import annotations
 

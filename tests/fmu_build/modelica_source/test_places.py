@@ -1,4 +1,4 @@
-"""Messages that begin with a place, or with the file of the model where the place is not certain."""
+"""Messages that begin with a position, or with the model's file if the position is uncertain."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Records that are given as a whole, by each way in which Modelica can name them."""
+"""Records assigned as a whole, in every way in which Modelica can name them."""
 
 from __future__ import annotations
 

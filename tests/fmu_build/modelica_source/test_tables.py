@@ -1,4 +1,4 @@
-"""Tables of the Modelica Standard Library, by a small library of the same form, against SciPy and NumPy."""
+"""MSL tables, in a small library of the same structure, against SciPy and NumPy."""
 
 from __future__ import annotations
 

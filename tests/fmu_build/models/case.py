@@ -1,4 +1,4 @@
-"""What a test of one model is: the run, and an independent statement of what must come out."""
+"""One test case: a model, its run, and an independent statement of the expected result."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Central differences of an FMU in Model Exchange, beside the derivatives that it gives."""
+"""Central differences of an FMU in Model Exchange, to compare with its own derivatives."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A choice that the compiler makes by the value of a parameter makes that parameter a constant of the FMU."""
+"""A parameter by which the compiler selects a branch becomes a constant of the FMU."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Runs that end early: terminate(), assert(), and models that cannot go on."""
+"""Runs that end early: terminate(), assert(), and models that cannot continue."""
 
 from __future__ import annotations
 

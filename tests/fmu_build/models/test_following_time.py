@@ -1,4 +1,4 @@
-"""Events that hang on time or on an input alone are found while the states rest, whatever the steps are."""
+"""Events that depend only on time or an input are found while states rest, whatever the step sizes."""
 
 from __future__ import annotations
 

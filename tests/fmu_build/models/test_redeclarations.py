@@ -1,4 +1,4 @@
-"""What a declaration gives to its component or class, and what of it a redeclaration keeps (7.3.2)."""
+"""Modifiers of a declaration, and which of them a redeclaration keeps (section 7.3.2)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Models that cannot be carried, or are wrong: each is refused with a typed error that names the place."""
+"""Unsupported and invalid models are refused with a typed error that names the position."""
 
 from __future__ import annotations
 

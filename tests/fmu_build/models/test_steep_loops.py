@@ -1,4 +1,4 @@
-"""Relations of what algebraic loops determine, where it changes by 1e5 a second: each event is found once."""
+"""Relations on unknowns of algebraic loops that change by 1e5 per second: each event is found once."""
 
 from __future__ import annotations
 

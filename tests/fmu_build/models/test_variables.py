@@ -1,4 +1,4 @@
-"""What importers may set: parameters, inputs of every type, and what is fixed in the code."""
+"""What importers may set: parameters, inputs of every type; what is fixed in the code."""
 
 from __future__ import annotations
 

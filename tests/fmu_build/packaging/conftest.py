@@ -1,4 +1,4 @@
-"""A model written by hand, so that packaging is tested without a Modelica compiler."""
+"""A hand-written model, so that packaging tests need no Modelica compiler."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The archive's bytes, and what is on the disk after success and failure."""
+"""The archive's bytes, and the files on disk after success and failure."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The C compiler: what it is given, what it makes, and how its failures read."""
+"""The C compiler: its arguments, its output, and the messages of its failures."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The default experiment on a new library: its points, its inputs, its outputs, and why there is none."""
+"""The default experiment on a new library: points, inputs, outputs, and reasons for its absence."""
 
 from __future__ import annotations
 

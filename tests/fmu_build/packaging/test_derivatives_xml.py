@@ -1,4 +1,4 @@
-"""What modelDescription.xml says of derivatives, in both versions of FMI."""
+"""Statements about derivatives in modelDescription.xml, in both versions of FMI."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The page and the icon that come with an FMU."""
+"""The documentation page and the icon of an FMU."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""modelDescription.xml as FMPy, with the standard's schema, and as a plain XML reader see it."""
+"""modelDescription.xml as read by FMPy, with the standard's schema, and by a plain XML parser."""
 
 from __future__ import annotations
 

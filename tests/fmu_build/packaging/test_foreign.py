@@ -1,4 +1,4 @@
-"""FMUs that another tool has packaged: what is checked, and what is added to them."""
+"""FMUs packaged by other tools: what is checked, and what is added."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The licences of what an FMU consists of."""
+"""The licences of the parts of an FMU."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A whole FMU from a model written by hand, and everything that can keep it from appearing."""
+"""Packaging a complete FMU from a hand-written model, and everything that can prevent it."""
 
 from __future__ import annotations
 

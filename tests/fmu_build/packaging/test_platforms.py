@@ -1,4 +1,4 @@
-"""Which platforms a request means."""
+"""Selection of platforms by a request."""
 
 from __future__ import annotations
 

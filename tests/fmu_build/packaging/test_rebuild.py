@@ -1,4 +1,4 @@
-"""FMPy compiles an FMU's sources with the C compiler of the machine, and what comes of it runs."""
+"""FMPy compiles an FMU's sources with the local C compiler, and the result runs."""
 
 from __future__ import annotations
 

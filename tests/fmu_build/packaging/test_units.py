@@ -1,4 +1,4 @@
-"""Unit strings against exponents worked out by hand from the definitions of the SI."""
+"""Unit strings against exponents derived by hand from the SI definitions."""
 
 from __future__ import annotations
 

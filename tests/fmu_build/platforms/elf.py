@@ -1,4 +1,4 @@
-"""Shared libraries of Linux."""
+"""Reading Linux shared libraries."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Programs of other platforms on this machine: Windows through Wine, aarch64 through QEMU."""
+"""Run programs for other platforms: Windows through Wine, aarch64 through QEMU."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The shared libraries in an FMU, read by what is written here: no tool reads those of all systems."""
+"""Reading the shared libraries in an FMU; no existing tool reads those of all systems."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Shared libraries of macOS, for one processor and universal ones."""
+"""Reading macOS shared libraries, for one processor and universal."""
 
 from __future__ import annotations
 

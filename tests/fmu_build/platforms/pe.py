@@ -1,4 +1,4 @@
-"""Shared libraries of Windows."""
+"""Reading Windows shared libraries."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is to be known of a shared library before it is loaded, whatever its format."""
+"""The properties of a shared library that can be read without loading it, for any format."""
 
 from __future__ import annotations
 

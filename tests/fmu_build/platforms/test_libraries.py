@@ -1,4 +1,4 @@
-"""The binaries for all platforms: what they need, what they offer, and what they give away."""
+"""The binaries for all platforms: their dependencies, exports, and what they reveal."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The joystick FMUs on other platforms, run by a small importer in C, give what they give on this one."""
+"""The joystick FMUs on other platforms give the same results as here, run by a small importer in C."""
 
 from __future__ import annotations
 

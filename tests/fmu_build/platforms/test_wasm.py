@@ -1,4 +1,4 @@
-"""The WebAssembly modules of this project's FMUs, one more platform."""
+"""The WebAssembly modules of this project's FMUs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Hand-written models compiled together with the runtime, and a thin driver of their FMI 2.0 functions."""
+"""Hand-written models compiled with the runtime, and a thin wrapper of their FMI 2.0 functions."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A thin driver of the FMI 3.0 functions of the runtime."""
+"""A thin wrapper of the runtime's FMI 3.0 functions."""
 
 from __future__ import annotations
 

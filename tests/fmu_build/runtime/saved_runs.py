@@ -1,4 +1,4 @@
-"""Runs that are left and returned to by saved states, of either version of FMI."""
+"""Runs that are interrupted and resumed from saved states, for both FMI versions."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What Co-Simulation of FMI 3 has beyond FMI 2: Event Mode, early return, intermediate updates."""
+"""Co-Simulation features of FMI 3 beyond FMI 2: Event Mode, early return, intermediate updates."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Saved states and many instances of FMI 3, in one process and in threads of Python and of C."""
+"""FMI 3 saved states and multiple instances, in one process and in threads of Python and C."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Inputs of the co-simulation on a lag of first order, tau = 0.5: tau*der(x) = u - x."""
+"""Inputs in co-simulation, on a first-order lag, tau = 0.5: tau*der(x) = u - x."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Many runs with one instance, many instances, many threads: the same numbers and no growing memory."""
+"""Many runs of one instance, many instances, many threads: same numbers, no growing memory."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The integrator inside the co-simulation, on an oscillator whose solution is cos(t)."""
+"""The integrator in co-simulation, on an oscillator whose solution is cos(t)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The joystick, let go at -20 degrees, against SciPy's method of order 8 with its own search of events."""
+"""The joystick released at -20 degrees, against SciPy's method of order 8 with its own event location."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The C runtime's folders include each other as the table in docs/architecture.md says."""
+"""The C runtime's folders include each other as listed in docs/architecture.md."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The life cycle of an instance of FMI 2: creation, what is known of the last step, logging."""
+"""The life cycle of an FMI 2 instance: creation, status of the last step, logging."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Memory: every allocation may fail, instances leave none behind, states replace each other."""
+"""Memory: every allocation may fail, instances are freed completely, states replace each other."""
 
 from __future__ import annotations
 

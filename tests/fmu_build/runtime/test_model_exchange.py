@@ -1,4 +1,4 @@
-"""Model Exchange: an importer of a few lines runs the models through every mode."""
+"""Model Exchange: a minimal importer runs the models through every mode."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Saved states continue bit by bit as the original does, also as bytes and in another instance."""
+"""Saved states continue exactly like the original, also after serialization and in another instance."""
 
 from __future__ import annotations
 

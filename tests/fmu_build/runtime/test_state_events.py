@@ -1,4 +1,4 @@
-"""State events: found, located to rounding, carried out once, and ended where they crowd."""
+"""State events are found, located to rounding error, handled once, and stopped when they accumulate."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Single files of the runtime where an FMU would hide a fault: equations, one step, one search, actions."""
+"""Single files of the runtime, where an FMU would hide faults: equations, one step, one search, actions."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Reading and setting variables: types, ranges and what may be set when."""
+"""Reading and setting variables: types, ranges and permissions by phase."""
 
 from __future__ import annotations
 

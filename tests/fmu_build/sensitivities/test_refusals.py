@@ -1,4 +1,4 @@
-"""What has no sensitivities is refused by name, and nothing is written."""
+"""Models without sensitivities are refused with a named reason, and nothing is written."""
 
 from __future__ import annotations
 

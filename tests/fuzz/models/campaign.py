@@ -1,4 +1,4 @@
-"""Many trials of random models, shared among processes: ending its process or never ending is a fault."""
+"""Many trials of random models in parallel processes; crashes and endless runs count as faults."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What moves in random models: discrete variables and states."""
+"""The dynamics of random models: discrete variables and states."""
 
 from __future__ import annotations
 

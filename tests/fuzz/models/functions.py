@@ -1,4 +1,4 @@
-"""Random Modelica functions with loops, branches and local variables, and what they mean."""
+"""Random Modelica functions with loops, branches and local variables, and their meaning."""
 
 from __future__ import annotations
 

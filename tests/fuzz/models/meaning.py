@@ -1,4 +1,4 @@
-"""What the variables of a random model are over time, by Python and SciPy."""
+"""The expected values over time of a random model's variables, by Python and SciPy."""
 
 from __future__ import annotations
 

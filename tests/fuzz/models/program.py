@@ -1,4 +1,4 @@
-"""Random Modelica models: functions, components, classes that extend others, events, states."""
+"""Random Modelica models: functions, components, derived classes, events, states."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Random Modelica expressions, each beside a Python function of what the specification says it means."""
+"""Random Modelica expressions, each with a Python function of its meaning in the specification."""
 
 from __future__ import annotations
 

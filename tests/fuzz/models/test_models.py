@@ -1,4 +1,4 @@
-"""Some random models, and that a wrong result among them would be seen."""
+"""Some random models, and a check that wrong results would be detected."""
 
 from __future__ import annotations
 

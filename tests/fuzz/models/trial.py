@@ -1,4 +1,4 @@
-"""One trial: a random model is built and run, and its variables are compared with what they should be."""
+"""One trial: build and run a random model, and compare its variables with the expected values."""
 
 from __future__ import annotations
 

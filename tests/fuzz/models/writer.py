@@ -1,4 +1,4 @@
-"""A random model as it grows."""
+"""A random model under construction."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Many trials, shared among processes of their own: one that ends its process is a fault like any other."""
+"""Many trials in parallel processes; a crash counts as a fault like any other."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Valid files of every kind, as the synthetic laboratory and the project itself write them."""
+"""Valid files of every kind, written by the synthetic laboratory and the project itself."""
 
 from __future__ import annotations
 

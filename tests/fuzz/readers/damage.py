@@ -1,4 +1,4 @@
-"""What happens to files: cut off, mistyped, exported otherwise, broken on a disk, made up by someone else."""
+"""Damage to files: truncation, typing errors, other exports, disk errors, malice."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How long a trial may take: what hangs is ended and is a fault, a run of an FMU that goes on gets Ctrl-C."""
+"""Time limits of a trial: one that hangs is ended and is a fault; a long FMU run gets Ctrl-C."""
 
 from __future__ import annotations
 

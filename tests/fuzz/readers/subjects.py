@@ -1,4 +1,4 @@
-"""What reads files: the commands, and the readers that no command reaches."""
+"""The programs under test: the commands, and readers that no command reaches."""
 
 from __future__ import annotations
 

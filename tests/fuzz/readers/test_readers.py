@@ -1,4 +1,4 @@
-"""A fixed number of trials; ``make fuzz`` does more of them, others each time."""
+"""A fixed number of trials; ``make fuzz`` runs more, with new random numbers."""
 
 from __future__ import annotations
 

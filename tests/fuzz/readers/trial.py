@@ -1,4 +1,4 @@
-"""One trial: a file is damaged, something reads it, and what comes of it is judged."""
+"""One trial: damage a file, let a program read it, and judge the outcome."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Running the command line inside the tests."""
+"""Run the command line within the tests."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Every kind of bad record, through the commands that read one: refused or flagged, with rows and advice."""
+"""Bad records of every kind, in all commands that read records: refused or flagged, with rows and advice."""
 
 from __future__ import annotations
 

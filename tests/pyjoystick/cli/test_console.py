@@ -1,4 +1,4 @@
-"""Where the command line writes, and how wide."""
+"""The command line's output streams and line width."""
 
 from __future__ import annotations
 

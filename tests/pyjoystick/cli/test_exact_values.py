@@ -1,4 +1,4 @@
-"""Whole numbers that a float does not have, through the commands."""
+"""Integers that a float cannot represent, in the commands."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Dry friction from a record with the torque that drove the joystick: ``fit --driven --friction``."""
+"""Dry friction from a record that includes the driving torque: ``fit --driven --friction``."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A missing FMU is built where that is possible."""
+"""A missing FMU is built if possible."""
 
 from __future__ import annotations
 

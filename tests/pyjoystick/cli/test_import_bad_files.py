@@ -1,4 +1,4 @@
-"""What is wrong with a file is told in one line: the file, the column, the row, and what to do."""
+"""Faulty files are reported in one line: file, column, row, and what to do."""
 
 from __future__ import annotations
 

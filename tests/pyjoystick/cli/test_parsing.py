@@ -1,4 +1,4 @@
-"""How the text of options is understood."""
+"""Parsing of option values."""
 
 from __future__ import annotations
 

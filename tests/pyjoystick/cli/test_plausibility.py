@@ -1,4 +1,4 @@
-"""Values that no joystick has, most likely in another unit, are asked about."""
+"""Implausible values, most likely in another unit, prompt a question."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``pyjoystick --quiet``: results, errors and doubts stay; progress and notes go."""
+"""``pyjoystick --quiet``: keeps results, errors and warnings; drops progress and notes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``pyjoystick new`` and ``pyjoystick run``; tests/test_your_joystick.py has the whole way."""
+"""``pyjoystick new`` and ``pyjoystick run``; tests/test_your_joystick.py covers the whole path."""
 
 from __future__ import annotations
 

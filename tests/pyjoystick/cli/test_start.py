@@ -1,4 +1,4 @@
-"""Starting the program: quickly, and without a traceback where it is stopped at once."""
+"""Program start: fast, and without a traceback on immediate interruption."""
 
 from __future__ import annotations
 

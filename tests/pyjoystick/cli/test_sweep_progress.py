@@ -1,4 +1,4 @@
-"""The bar that a sweep shows on a terminal."""
+"""The progress bar of a sweep on a terminal."""
 
 from __future__ import annotations
 

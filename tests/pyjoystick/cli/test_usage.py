@@ -1,4 +1,4 @@
-"""What every command does with names of files, with options that lack their values, and in its help."""
+"""Behaviour common to all commands: file names, options without their values, and help."""
 
 from __future__ import annotations
 

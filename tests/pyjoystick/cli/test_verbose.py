@@ -1,4 +1,4 @@
-"""``pyjoystick --verbose``: what the package logs, and that it logs nothing unasked."""
+"""``pyjoystick --verbose``: shows the package's log, which is silent by default."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""FMUs for the tests of how FMUs are run."""
+"""FMUs for the tests of running FMUs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Copies of a sound FMU with one thing changed."""
+"""Copies of a valid FMU with one change."""
 
 from __future__ import annotations
 

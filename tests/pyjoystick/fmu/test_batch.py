@@ -1,4 +1,4 @@
-"""Batches: the same whatever the threads, failures marked, stopping in between, and memory."""
+"""Batches: independent of the number of threads; marked failures, interruption, and memory."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Runs of a loaded FMU: what comes out, that runs leave no trace, and what failures say."""
+"""Runs of a loaded FMU: results, independence of earlier runs, and messages of failures."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is read from modelDescription.xml, and what is refused."""
+"""Reading and rejecting modelDescription.xml."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Whole numbers of every type and size: as given, or refused, wherever they go in and come out."""
+"""Integers of every type and size: exact or refused, at every input and output."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How an FMU is found by name or path."""
+"""Finding an FMU by name or path."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Co-Simulation FMUs of FMI 3.0: every type of variable, failures, and what is not taken."""
+"""Co-Simulation FMUs of FMI 3.0: every type of variable, failures, and unsupported features."""
 
 from __future__ import annotations
 

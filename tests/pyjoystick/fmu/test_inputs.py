@@ -1,4 +1,4 @@
-"""Inputs of a run: straight pieces, jumps, constants, and what is refused."""
+"""Inputs of a run: linear pieces, jumps, constants, and invalid ones."""
 
 from __future__ import annotations
 

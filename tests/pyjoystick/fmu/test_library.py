@@ -1,4 +1,4 @@
-"""Opening FMUs that cannot be run, threads that share one, and putting everything away."""
+"""Opening FMUs that cannot be run, threads that share one, and cleaning up."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Archives that are too large, and the right cause of what a model identifier gets wrong."""
+"""Archives that are too large, and errors that a wrong model identifier causes."""
 
 from __future__ import annotations
 

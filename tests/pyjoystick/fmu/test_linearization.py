@@ -1,4 +1,4 @@
-"""Linearizations of the joystick against derivatives by hand and against its own motion."""
+"""Linearizations of the joystick against manual derivatives and its own motion."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Messages reach the instance they belong to, and FMPy's own users."""
+"""Messages reach their own instance, and FMPy's users theirs."""
 
 from __future__ import annotations
 

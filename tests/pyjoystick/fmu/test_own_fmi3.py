@@ -1,4 +1,4 @@
-"""The joystick's FMUs of FMI 3 give what those of FMI 2 give, through everything that runs FMUs here."""
+"""The joystick's FMI 3 FMUs give the results of the FMI 2 FMUs in every way of running them."""
 
 from __future__ import annotations
 

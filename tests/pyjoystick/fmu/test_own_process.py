@@ -1,4 +1,4 @@
-"""FMUs of other makers: a process of their own, whatever they do there, and a new instance for each run."""
+"""Foreign FMUs: a separate process that survives whatever they do, and a new instance per run."""
 
 from __future__ import annotations
 

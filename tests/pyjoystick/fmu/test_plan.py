@@ -1,4 +1,4 @@
-"""Plans: the same runs as `Fmu.run`, from both loops, and what is refused."""
+"""Plans: the same runs as `Fmu.run`, in both loops, and invalid plans."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is kept of a run is what the samples say, and peaks are those of `find_peaks`."""
+"""Reductions of a run match its samples, and peaks match `find_peaks`."""
 
 from __future__ import annotations
 

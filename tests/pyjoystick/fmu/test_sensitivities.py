@@ -1,4 +1,4 @@
-"""Sensitivities of runs by FMUs that are built for them, against variational equations by hand."""
+"""Sensitivities from FMUs built for them, against variational equations derived by hand."""
 
 from __future__ import annotations
 

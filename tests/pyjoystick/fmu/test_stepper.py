@@ -1,4 +1,4 @@
-"""An FMU stepped by its user: the numbers of a run, states to go back to, and an end that stays the end."""
+"""Stepping an FMU: same results as a run, saved states, and no steps after the end."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Outputs that are text, arrays, or have no value at all."""
+"""Outputs that are strings, arrays, or undefined."""
 
 from __future__ import annotations
 

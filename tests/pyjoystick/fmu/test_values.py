@@ -1,4 +1,4 @@
-"""Parameters and outputs that an FMU does not take."""
+"""Parameters and outputs that an FMU rejects."""
 
 from __future__ import annotations
 

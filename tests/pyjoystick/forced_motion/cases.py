@@ -1,4 +1,4 @@
-"""Motions that several tests share."""
+"""Motions shared by several tests."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The torque of a motion put back into the joystick, and what other ways of giving it come to."""
+"""The computed torque of a motion drives the joystick, in several forms of input."""
 
 from __future__ import annotations
 

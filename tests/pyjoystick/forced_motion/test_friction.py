@@ -1,4 +1,4 @@
-"""Torque and motion with dry friction, both ways."""
+"""Torque from motion and motion from torque, with dry friction."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Motions from files, and what the signal chain makes of a known one."""
+"""Motions from files, and the signal chain applied to a known motion."""
 
 from __future__ import annotations
 

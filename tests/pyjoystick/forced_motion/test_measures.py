@@ -1,4 +1,4 @@
-"""Peaks, work and shares; above all that the work of the hand is energy change and loss."""
+"""Peaks, work and shares; mainly that the work of the hand equals energy change and loss."""
 
 from __future__ import annotations
 

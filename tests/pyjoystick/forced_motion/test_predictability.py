@@ -1,4 +1,4 @@
-"""How long driven runs agree, against runs that differ in nothing but their tolerance."""
+"""How long driven runs agree, against runs that differ only in tolerance."""
 
 from __future__ import annotations
 

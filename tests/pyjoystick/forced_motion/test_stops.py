@@ -1,4 +1,4 @@
-"""Torque and motion between stops: as without them, and nothing beyond."""
+"""Torque and motion between stops are as without stops, and no motion passes them."""
 
 from __future__ import annotations
 

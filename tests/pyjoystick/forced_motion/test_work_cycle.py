@@ -1,4 +1,4 @@
-"""What the moves of a shift ask of an operator."""
+"""The operator's load over a shift."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is taken as exact, and which FMU the fits of a bench need."""
+"""Parameters treated as exact, and the FMU that the fits of a bench need."""
 
 from __future__ import annotations
 

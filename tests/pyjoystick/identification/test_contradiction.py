@@ -1,4 +1,4 @@
-"""A parameter that was measured and fitted: when the two values contradict each other."""
+"""A parameter that was both measured and fitted: contradicting values."""
 
 from __future__ import annotations
 

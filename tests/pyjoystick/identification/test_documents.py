@@ -1,4 +1,4 @@
-"""Files of fits and budgets that cannot be understood: why, and what to do."""
+"""Invalid files of fits and budgets: the reason, and what to do."""
 
 from __future__ import annotations
 

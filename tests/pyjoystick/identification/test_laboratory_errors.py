@@ -1,4 +1,4 @@
-"""What single uncertainties make of a run and of a fit."""
+"""The effect of single uncertainties on a run and on a fit."""
 
 from __future__ import annotations
 

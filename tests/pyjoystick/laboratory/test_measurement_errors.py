@@ -1,4 +1,4 @@
-"""What the measuring chain makes of motions that are known."""
+"""The measuring chain applied to known motions."""
 
 from __future__ import annotations
 

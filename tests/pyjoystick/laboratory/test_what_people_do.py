@@ -1,4 +1,4 @@
-"""Files as people really make them: refused with the file, the place and what is allowed, and at once."""
+"""Files as people really write them: refused at once, with file, position and what is allowed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The largest differences of two tables."""
+"""The largest differences between two tables."""
 
 from __future__ import annotations
 

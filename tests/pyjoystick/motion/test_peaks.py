@@ -1,4 +1,4 @@
-"""Peaks against closed forms and against the turning points that the reference locates."""
+"""Peaks against closed forms and the turning points located by the reference."""
 
 from __future__ import annotations
 

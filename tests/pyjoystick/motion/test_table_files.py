@@ -1,4 +1,4 @@
-"""Tables of columns: headings, units and cells, and how mistakes in them are named."""
+"""Tables of columns: headings, units and cells, and the messages for mistakes in them."""
 
 from __future__ import annotations
 

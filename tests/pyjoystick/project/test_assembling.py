@@ -1,4 +1,4 @@
-"""Which steps there are, from laboratory.toml and the files that are there."""
+"""The steps of a project, derived from laboratory.toml and the files present."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The fit of a project: what comes of it, and what a doubtful one keeps from being done."""
+"""The fit of a project: its results, and the steps that a doubtful fit prevents."""
 
 from __future__ import annotations
 

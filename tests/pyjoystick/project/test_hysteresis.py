@@ -1,4 +1,4 @@
-"""The hysteresis of the load-deflection curves, of the testing machine or of the joystick."""
+"""The hysteresis of load-deflection curves, caused by the testing machine or the joystick."""
 
 from __future__ import annotations
 

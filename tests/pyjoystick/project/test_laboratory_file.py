@@ -1,4 +1,4 @@
-"""laboratory.toml: what it says, and every mistake by its place."""
+"""laboratory.toml: its meaning, and mistakes reported with their position."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is done again, and what is not: by content, settings and version, whatever ends a run."""
+"""What is repeated and what is not: by content, settings and version, however a run ended."""
 
 from __future__ import annotations
 

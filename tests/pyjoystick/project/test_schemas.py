@@ -1,4 +1,4 @@
-"""The schemas of the TOML files beside their readers: what a reader takes, its schema takes."""
+"""The schemas of the TOML files accept exactly what their readers accept."""
 
 from __future__ import annotations
 

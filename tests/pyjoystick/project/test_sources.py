@@ -1,4 +1,4 @@
-"""Where numbers are from, in the tables of a parameter file."""
+"""The origin of numbers, in the tables of a parameter file."""
 
 from __future__ import annotations
 

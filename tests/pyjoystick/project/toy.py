@@ -1,4 +1,4 @@
-"""A project of three small steps: what an engine must do is seen in them as in the real ones."""
+"""A project of three small steps, in which the engine's behavior can be tested."""
 
 from __future__ import annotations
 

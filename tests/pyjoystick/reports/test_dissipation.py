@@ -1,4 +1,4 @@
-"""Plateaus of the energy, jumps of the damping function, and constants that stand for it."""
+"""Plateaus of the energy, jumps of the damping function, and equivalent constants."""
 
 from __future__ import annotations
 

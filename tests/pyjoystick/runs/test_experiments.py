@@ -1,4 +1,4 @@
-"""The free oscillation on FMU and reference."""
+"""The free oscillation with FMU and reference."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What all figures share: colors that can be told apart, legends that cover nothing."""
+"""Style common to all figures: distinguishable colors, legends that cover nothing."""
 
 from __future__ import annotations
 

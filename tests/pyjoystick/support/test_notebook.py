@@ -1,4 +1,4 @@
-"""Results show themselves in notebooks, escaped, and long work says how far it is without being asked."""
+"""Results display themselves in notebooks, escaped; long tasks show their progress."""
 
 from __future__ import annotations
 

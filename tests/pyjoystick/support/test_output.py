@@ -1,4 +1,4 @@
-"""Files appear whole or not at all; JSON has the versions."""
+"""Files appear whole or not at all; JSON contains the versions."""
 
 from __future__ import annotations
 

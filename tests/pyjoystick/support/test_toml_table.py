@@ -1,4 +1,4 @@
-"""Mistakes in TOML files are reported at their place."""
+"""Mistakes in TOML files are reported with their position."""
 
 from __future__ import annotations
 

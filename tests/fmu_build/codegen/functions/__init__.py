@@ -1,1 +1,1 @@
-"""Tests of Modelica functions as C functions."""
+"""Tests of the translation of Modelica functions to C."""

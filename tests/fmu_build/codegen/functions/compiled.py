@@ -1,4 +1,4 @@
-"""Modelica functions, compiled through the generator and called from Python."""
+"""Modelica functions compiled by the generator and called from Python."""
 
 from __future__ import annotations
 

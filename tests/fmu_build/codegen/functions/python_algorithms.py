@@ -1,4 +1,4 @@
-"""The algorithms of Algorithms.mo in plain Python, from their meaning in Modelica."""
+"""The algorithms of Algorithms.mo in plain Python, written from their meaning in Modelica."""
 
 from __future__ import annotations
 

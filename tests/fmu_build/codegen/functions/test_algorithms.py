@@ -1,4 +1,4 @@
-"""The C of functions against the same functions in Python, for many arguments."""
+"""Generated C functions against the same functions in Python, for many arguments."""
 
 from __future__ import annotations
 

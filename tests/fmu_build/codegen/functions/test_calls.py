@@ -1,4 +1,4 @@
-"""Which function each call in an equation reaches, and how arrays are passed."""
+"""The function that each call in an equation resolves to, and how arrays are passed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Positions in arrays up to loop variables."""
+"""Array positions as affine functions of loop variables."""
 
 from __future__ import annotations
 

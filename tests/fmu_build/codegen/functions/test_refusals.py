@@ -1,4 +1,4 @@
-"""What functions may have that is not carried, and parameters that the compiler builds into functions."""
+"""Unsupported constructs in functions, and parameters that the compiler bakes into functions."""
 
 from __future__ import annotations
 

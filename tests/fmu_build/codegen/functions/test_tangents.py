@@ -1,4 +1,4 @@
-"""The C of the tangents of functions, against differences of the functions."""
+"""Generated tangent functions against finite differences of the functions."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""The OpenModelica backend: what needs no omc, and in `test_real*` what does."""
+"""The OpenModelica backend; only `test_real*` needs omc."""

@@ -1,4 +1,4 @@
-"""What OpenModelica 1.14.2 really printed; only folders are renamed."""
+"""Recorded output of OpenModelica 1.14.2; only folders are renamed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The statements of a build, and what is refused before there is any."""
+"""The statements of a build, and requests refused before a build."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""omc in a Docker image: the commands, and what is told where Docker or the image is missing."""
+"""omc in a Docker image: the commands, and the errors if Docker or the image is missing."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where omc is looked for."""
+"""The search for omc."""
 
 from __future__ import annotations
 

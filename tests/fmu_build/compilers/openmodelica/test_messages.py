@@ -1,4 +1,4 @@
-"""What omc writes, and the errors that are made of it."""
+"""Parsing of omc's output, and the errors derived from it."""
 
 from __future__ import annotations
 

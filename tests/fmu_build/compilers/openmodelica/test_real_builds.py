@@ -1,4 +1,4 @@
-"""Building with a real OpenModelica: sessions that end, odd paths, libraries of one's own, and failures."""
+"""Builds with a real OpenModelica: ending sessions, odd paths, user libraries, and failures."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The joysticks as a real OpenModelica makes them: their faces, and their motion against the reference."""
+"""Joysticks built by a real OpenModelica: their interfaces, and their motion against the reference."""
 
 from __future__ import annotations
 

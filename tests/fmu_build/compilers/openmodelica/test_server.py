@@ -1,4 +1,4 @@
-"""Starting a server, and talking to one: what can go wrong before anything is compiled."""
+"""Starting and contacting a server: everything that can fail before compilation."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Oracles of Constraints.mo: harmonic oscillators with what is carried along in their inertia."""
+"""Oracles of Constraints.mo: harmonic oscillators whose inertia includes the attached parts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Oracles of Springs.mo: the equations with every kink located."""
+"""Oracles of Springs.mo: integration of the equations with every kink located."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""The runtime held against the tables and rules of the standards, which are written down here anew."""
+"""The runtime against the tables and rules of the standards, transcribed here independently."""

@@ -1,4 +1,4 @@
-"""Instances of FMI 3 in each of the standard's states, and arguments with which a call should go well."""
+"""FMI 3 instances in each of the standard's states, and arguments with which a call should succeed."""
 
 from __future__ import annotations
 

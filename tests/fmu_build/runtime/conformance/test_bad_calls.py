@@ -1,4 +1,4 @@
-"""Bad calls: the status that the standard asks for, a message that names what is wrong, and never a crash."""
+"""Bad calls give the status that the standard requires and a message that names the fault; none crashes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the variables of the hand-written models are, by value reference."""
+"""The properties of the hand-written models' variables, by value reference."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""FMUs of FMI 2.0 and 3.0 that give back what they get, compiled from the C files beside this one."""
+"""FMUs of FMI 2.0 and 3.0 that return their inputs, compiled from the C files in this folder."""
 
 from __future__ import annotations
 

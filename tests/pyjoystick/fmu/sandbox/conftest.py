@@ -1,4 +1,4 @@
-"""An FMU with a module of the compiler's, and what puts hostile modules into FMUs."""
+"""An FMU with a module built by the compiler, and a function that puts hostile modules into FMUs."""
 
 from __future__ import annotations
 

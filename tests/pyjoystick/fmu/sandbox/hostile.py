@@ -1,4 +1,4 @@
-"""Modules that have what a run needs, and do with it what they like."""
+"""Modules that export what a run needs but behave maliciously."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Modules that attack: each is an error that says what it did, never a crash or a hang."""
+"""Hostile modules: each causes an error that names the attack, never a crash or a hang."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Runs in a sandbox give what those of the FMU's binary give."""
+"""Runs in a sandbox give the same results as the FMU's binary."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Compiling happens once, is kept on disk where that is possible, and is not needed."""
+"""Compilation happens once, is cached on disk if possible, and is optional."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Stored values of every type become the numbers that they are."""
+"""Decoding of stored values of every type."""
 
 from __future__ import annotations
 

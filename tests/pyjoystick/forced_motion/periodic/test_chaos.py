@@ -1,4 +1,4 @@
-"""Exponents of maps whose exponents are known."""
+"""Lyapunov exponents of maps whose exponents are known."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What an experiment tells, against derivatives of the reference and against fits of synthetic records."""
+"""The information in an experiment, against derivatives of the reference and fits of synthetic records."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The fit as a whole: progress, Ctrl-C, several noise levels, what it counts."""
+"""The fit as a whole: progress, Ctrl-C, several noise levels, counters."""
 
 from __future__ import annotations
 

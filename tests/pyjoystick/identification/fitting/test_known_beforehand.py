@@ -1,4 +1,4 @@
-"""Parameters that were measured before: each counts as one more measurement."""
+"""Parameters measured beforehand: each counts as an additional measurement."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Fits of what the model lacks fail, and say what it is; benchmarks/fit_checks measures how often."""
+"""Fits fail if the model lacks physics, and name it; benchmarks/fit_checks measures how often."""
 
 from __future__ import annotations
 

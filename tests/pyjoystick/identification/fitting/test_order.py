@@ -1,4 +1,4 @@
-"""The same data give the same answer, in whatever order records and parameters are given."""
+"""The order of records and parameters does not change the answer."""
 
 from __future__ import annotations
 

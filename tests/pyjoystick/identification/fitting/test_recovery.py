@@ -1,4 +1,4 @@
-"""Parameters come back from exact records of the reference, to six digits where they are determined."""
+"""Parameters are recovered from exact records of the reference, to six digits if they are determined."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The choice between models."""
+"""Model selection."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Records of angle and angular velocity, whose derivative and series are one and the same output."""
+"""Records of angle and angular velocity, where derivative and sampled output coincide."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The swing test: what the amplitude and the damping do, and how sure the inertia is."""
+"""The swing test: the effects of amplitude and damping, and the uncertainty of the inertia."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Records of a swing test that give numbers, but wrong ones."""
+"""Records of a swing test that would give wrong numbers."""
 
 from __future__ import annotations
 

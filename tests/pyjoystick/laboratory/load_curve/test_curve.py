@@ -1,4 +1,4 @@
-"""Files of a testing machine, and how bad ones are named."""
+"""Files of a testing machine, and error messages for bad ones."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The fit finds Table 1 again in synthetic records, within the errors that it states."""
+"""The fit recovers Table 1 from synthetic records, within the errors that it states."""
 
 from __future__ import annotations
 

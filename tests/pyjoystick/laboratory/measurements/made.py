@@ -1,4 +1,4 @@
-"""Files and motions that several tests use."""
+"""Files and motions shared by several tests."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Text files with any characters changed are refused by a RecordError, or read: nothing else happens."""
+"""Text files with random changes are refused with a RecordError or read; nothing else happens."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Markers that were lost and stand in the file at 0, 0, 0."""
+"""Lost markers, which files report at 0, 0, 0."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The circle through points, against points whose circle is known."""
+"""The circle through points, against points on a known circle."""
 
 from __future__ import annotations
 

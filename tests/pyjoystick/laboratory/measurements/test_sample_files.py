@@ -1,4 +1,4 @@
-"""Long series of samples in pieces: times, units, rows and the borders between pieces."""
+"""Long series of samples read in pieces: times, units, rows and the borders between pieces."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Parameter files to break and to change."""
+"""Parameter files for tests to modify."""
 
 from __future__ import annotations
 

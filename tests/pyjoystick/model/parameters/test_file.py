@@ -1,4 +1,4 @@
-"""Reading parameter files, and how mistakes in them are named."""
+"""Reading parameter files, and the messages for mistakes in them."""
 
 from __future__ import annotations
 

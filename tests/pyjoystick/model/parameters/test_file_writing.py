@@ -1,4 +1,4 @@
-"""Writing parameter files: round trips, and what of an existing file stays."""
+"""Writing parameter files: round trips, and what is preserved of an existing file."""
 
 from __future__ import annotations
 

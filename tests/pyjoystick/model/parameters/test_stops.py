@@ -1,4 +1,4 @@
-"""Mechanical stops among the parameters: values, names in the FMU, files, and what they exclude."""
+"""Mechanical stops among the parameters: values, names in the FMU, files, and conflicts."""
 
 from __future__ import annotations
 

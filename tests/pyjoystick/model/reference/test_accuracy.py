@@ -1,4 +1,4 @@
-"""The reference is good to 1e-10 rad: it converges, and a second method and closed forms agree with it."""
+"""The reference is accurate to 1e-10 rad: it converges and agrees with a second method and closed forms."""
 
 from __future__ import annotations
 

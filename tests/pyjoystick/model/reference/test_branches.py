@@ -1,4 +1,4 @@
-"""The branches are the equation of motion: the same acceleration, cut at the right angles."""
+"""The branches reproduce the equation of motion and switch at the right angles."""
 
 from __future__ import annotations
 

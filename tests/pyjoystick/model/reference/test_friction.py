@@ -1,4 +1,4 @@
-"""The reference with dry friction: closed forms, balance of energy, and where it sticks and slips."""
+"""The reference with dry friction: closed forms, energy balance, and where it sticks and slips."""
 
 from __future__ import annotations
 

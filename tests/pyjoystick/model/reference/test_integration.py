@@ -1,4 +1,4 @@
-"""Events: every passage, in order, exactly on its kink, also where the motion is slow, grazes or rests."""
+"""Events: every crossing, in order, exactly at its kink, also if the motion is slow, grazes or rests."""
 
 from __future__ import annotations
 

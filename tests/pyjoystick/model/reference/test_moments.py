@@ -1,4 +1,4 @@
-"""Geometry, springs, moments and energy against what they must satisfy, whatever the parameters."""
+"""Identities of geometry, springs, moments and energy that hold for all parameters."""
 
 from __future__ import annotations
 

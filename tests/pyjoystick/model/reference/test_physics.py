@@ -1,4 +1,4 @@
-"""What the paper says of the joystick's motion, and what energy demands of any motion."""
+"""The paper's statements about the joystick's motion, and conservation of energy."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The paper's integrator: right in the smooth parts, and how far off at the kinks."""
+"""The paper's integrator: correct where the motion is smooth, and its error at the kinks."""
 
 from __future__ import annotations
 

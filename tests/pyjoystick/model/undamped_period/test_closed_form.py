@@ -1,4 +1,4 @@
-"""The closed form over straight lines against quadrature, and against what is known of such motions."""
+"""The closed form for piecewise linear moments against quadrature and known properties."""
 
 from __future__ import annotations
 

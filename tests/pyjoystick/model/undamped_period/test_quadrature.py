@@ -1,4 +1,4 @@
-"""The period by quadrature against motions that are simulated without damping."""
+"""The period by quadrature against undamped simulations."""
 
 from __future__ import annotations
 

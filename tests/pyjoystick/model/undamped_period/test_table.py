@@ -1,4 +1,4 @@
-"""Tables of periods, and what they say of the paper's main finding."""
+"""Tables of periods, and their agreement with the paper's main finding."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Logs of one motion, as the tools of laboratories write them."""
+"""Logs of one motion, in the formats of laboratory tools."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Logs in workbooks, MATLAB and Parquet files, written by the packages that write them."""
+"""Logs in workbooks, MATLAB and Parquet files, written by the standard packages for these formats."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Logs as text: each is read right, or refused with the option to add."""
+"""Text logs: each is read correctly, or refused with the option to add."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Made records, each with one fault."""
+"""Synthetic records, each with one fault."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The page of claims is what the program gives today, and its verdicts follow from the numbers."""
+"""The page of claims matches the program's current output, and its verdicts follow from the numbers."""
 
 from __future__ import annotations
 

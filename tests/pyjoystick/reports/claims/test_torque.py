@@ -1,4 +1,4 @@
-"""What section 5 says of the torque, as numbers."""
+"""The statements of section 5 on the torque, as numbers."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Exported FMUs in other tools: an importer that sets nothing but the release gets the file's joystick."""
+"""Exported FMUs in other tools: an importer that sets only the release gets the file's joystick."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A page taken apart: tags that are closed, images, links, tables."""
+"""Parse a page: closed tags, images, links, tables."""
 
 from __future__ import annotations
 

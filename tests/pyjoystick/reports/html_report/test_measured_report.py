@@ -1,4 +1,4 @@
-"""A report on a measured joystick: what was measured, to its known digits, and apart what is computed."""
+"""A report on a measured joystick separates measured values, to their known digits, from computed ones."""
 
 from __future__ import annotations
 

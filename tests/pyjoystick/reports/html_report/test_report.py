@@ -1,4 +1,4 @@
-"""The report is one file that says what the joystick does, and asks for nothing else."""
+"""The report is one self-contained file that describes the joystick."""
 
 from __future__ import annotations
 

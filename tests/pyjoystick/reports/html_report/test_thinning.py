@@ -1,4 +1,4 @@
-"""Dots that do not show are left out of a page, and nothing else is."""
+"""Invisible dots, and only these, are left out of a page."""
 
 from __future__ import annotations
 

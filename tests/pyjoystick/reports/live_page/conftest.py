@@ -1,4 +1,4 @@
-"""The pages that `pyjoystick explore` writes, in a browser."""
+"""The pages written by `pyjoystick explore`, in a browser."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The handle in the hand of an operator: drawn by pointer, finger and keys, and let go."""
+"""The handle in an operator's hand: moved by pointer, touch and keys, and released."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The page in a notebook: values and results are traits, both ways. Here a plain page is the notebook."""
+"""The page in a notebook: values and results are traits in both directions; a plain page simulates it."""
 
 from __future__ import annotations
 

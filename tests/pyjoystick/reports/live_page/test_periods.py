@@ -1,4 +1,4 @@
-"""Period over amplitude, and the other plots that are not of variables: their numbers, also as files."""
+"""Period over amplitude and other plots of derived quantities: their numbers, also as files."""
 
 from __future__ import annotations
 

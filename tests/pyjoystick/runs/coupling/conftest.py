@@ -1,4 +1,4 @@
-"""What the tests of coupled systems share."""
+"""Fixtures for the tests of coupled systems."""
 
 from __future__ import annotations
 

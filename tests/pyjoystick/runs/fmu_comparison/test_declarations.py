@@ -1,4 +1,4 @@
-"""What two FMUs declare, side by side."""
+"""The declarations of two FMUs, side by side."""
 
 from __future__ import annotations
 

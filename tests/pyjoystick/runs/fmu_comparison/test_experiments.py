@@ -1,4 +1,4 @@
-"""What two FMUs are put through where nobody says otherwise."""
+"""The default experiments for comparing two FMUs."""
 
 from __future__ import annotations
 

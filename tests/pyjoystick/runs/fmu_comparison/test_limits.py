@@ -1,4 +1,4 @@
-"""How far runs may lie apart."""
+"""The largest allowed difference between runs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The FMUs of the two compilers compared, where OpenModelica is installed."""
+"""Comparison of the two compilers' FMUs, if OpenModelica is installed."""
 
 from __future__ import annotations
 

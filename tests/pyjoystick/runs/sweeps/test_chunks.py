@@ -1,4 +1,4 @@
-"""How the runs that are left are handed out."""
+"""Distribution of the remaining runs."""
 
 from __future__ import annotations
 

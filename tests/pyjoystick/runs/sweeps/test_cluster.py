@@ -1,4 +1,4 @@
-"""Sweeps on a Dask scheduler and worker processes of this machine; everything listens on 127.0.0.1 alone."""
+"""Sweeps on a local Dask scheduler with worker processes; everything listens on 127.0.0.1 only."""
 
 from __future__ import annotations
 

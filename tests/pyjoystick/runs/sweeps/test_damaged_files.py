@@ -1,4 +1,4 @@
-"""Files of sweeps that were damaged or changed are done again or refused, and never believed."""
+"""Damaged or modified sweep files are recomputed or refused, never trusted."""
 
 from __future__ import annotations
 

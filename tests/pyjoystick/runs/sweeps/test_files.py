@@ -1,4 +1,4 @@
-"""Files of results, and what they carry."""
+"""Files of results, and their metadata."""
 
 from __future__ import annotations
 

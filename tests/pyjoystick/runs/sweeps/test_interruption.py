@@ -1,4 +1,4 @@
-"""Processes stopped in mid-sweep: by Ctrl-C, by SIGTERM, by a kill that leaves no time for anything."""
+"""Processes stopped during a sweep: by Ctrl-C, by SIGTERM, or killed without warning."""
 
 from __future__ import annotations
 

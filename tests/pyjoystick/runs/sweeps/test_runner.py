@@ -1,4 +1,4 @@
-"""Sweeps carried out, interrupted and taken up again."""
+"""Sweeps that run, are interrupted and resume."""
 
 from __future__ import annotations
 

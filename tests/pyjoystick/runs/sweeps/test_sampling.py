@@ -1,4 +1,4 @@
-"""Which runs a design has."""
+"""The runs of a design."""
 
 from __future__ import annotations
 

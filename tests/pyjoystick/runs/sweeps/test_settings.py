@@ -1,4 +1,4 @@
-"""The settings file: what it gives, and how mistakes in it are named."""
+"""The settings file: its contents, and the messages for mistakes in it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Checks of the residuals, on known ones; benchmarks/fit_checks measures their power on fits."""
+"""Checks of residuals with known properties; benchmarks/fit_checks measures their power on fits."""
 
 from __future__ import annotations
 

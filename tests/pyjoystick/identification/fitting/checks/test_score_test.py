@@ -1,4 +1,4 @@
-"""The score test on linear problems: fitting the suspect beside the variables gives the same numbers."""
+"""The score test on linear problems gives the same numbers as fitting the suspect as a variable."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Each suspect is found, by name and size, where it is the only thing that the model lacks."""
+"""Each suspect is found, by name and size, if it is the only thing that the model lacks."""
 
 from __future__ import annotations
 

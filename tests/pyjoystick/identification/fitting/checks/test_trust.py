@@ -1,4 +1,4 @@
-"""Fits that are not to be trusted say so, and why."""
+"""Untrustworthy fits say so, and why."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a passed test may hide, on linear problems with formulas."""
+"""Effects that a passed test may miss, on linear problems with formulas."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Derivatives of a fit's predictions by the FMU's sensitivities, against equations by hand."""
+"""Derivatives of a fit's predictions from the FMU's sensitivities, against equations derived by hand."""
 
 from __future__ import annotations
 

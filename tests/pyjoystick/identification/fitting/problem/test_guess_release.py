@@ -1,4 +1,4 @@
-"""The guess of the release from the record alone."""
+"""Guessing the release from the record alone."""
 
 from __future__ import annotations
 

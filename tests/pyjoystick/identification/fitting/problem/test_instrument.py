@@ -1,4 +1,4 @@
-"""What belongs to a record: its zero, scale, clock and delay."""
+"""Instrument parameters of a record: zero, scale, clock and delay."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Weights, and what the noise is estimated to be."""
+"""Weights, and the estimated noise."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Releases that come to rest: a minimum for each number of swings, of which the deepest is wanted."""
+"""Releases that come to rest: one minimum per number of swings; the deepest must be found."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The point where the gradient vanishes, beside a minimum that is known to fewer digits."""
+"""The exact zero of the gradient near a minimum that is known to fewer digits."""
 
 from __future__ import annotations
 
