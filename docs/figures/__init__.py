@@ -17,6 +17,7 @@ from figures import (
     response,
     restrained_spring,
     secants,
+    swing,
     vibration,
 )
 
@@ -31,6 +32,7 @@ DRAWINGS = MappingProxyType(
         "actuator": actuator.draw,
         "load_deflection": load_deflection.draw,
         "secants": secants.draw,
+        "swing": swing.draw,
         "decay": decay.draw,
         "live_page": live_page.draw,
         "excitation": excitation.draw,

@@ -19,7 +19,7 @@ from tests.docs import commands
 from tests.docs.pages import ROOT, Block
 
 #: Languages of tools that are not here; their blocks have to be marked as not run.
-FOREIGN = frozenset({"dockerfile", "julia", "matlab", "shell"})
+FOREIGN = frozenset({"dockerfile", "julia", "matlab", "powershell", "shell"})
 
 
 class PageRun:
