@@ -1,1 +1,1 @@
-"""The speed of the joystick's free oscillation: the FMU against a program written by hand, and other ways."""
+"""Speed of the joystick's free oscillation: the FMU against a hand-written program and other methods."""

@@ -37,7 +37,7 @@ def main(
     rounds: Annotated[int, typer.Option(min=2, help="How often every run is timed.")] = 15,
     json: Annotated[bool, typer.Option("--json", help="Print JSON in place of tables.")] = False,
 ) -> None:
-    """Time the joystick's free oscillation on the FMU against a C program written by hand, and other ways.
+    """Time the joystick's free oscillation in the FMU, a hand-written C program and other methods.
 
     Both damping laws; 1.5 s from -20 degrees with 901 samples. Then batches of such runs on one and two
     threads, and on a Dask cluster. The tables are printed on standard output.
@@ -90,7 +90,7 @@ def _found_or_built(fmus: Path, model: str) -> Path:
 
 @contextmanager
 def _rounds(what: str, rounds: int) -> Iterator[Callable[[], None]]:
-    """Shows how far the timing is; what is yielded is to be called after every round."""
+    """Show the progress of the timing; yields a function to call after every round."""
     with _messages.status(f"{what}: timing") as status:
         done = itertools.count(1)
         yield lambda: status.update(f"{what}: round {next(done)} of {rounds}")
@@ -99,9 +99,9 @@ def _rounds(what: str, rounds: int) -> Iterator[Callable[[], None]]:
 def _contenders(
     law: Law, unpacked: UnpackedFmu, fmu: Fmu, programs: dict[str, Path], folder: Path
 ) -> list[Contender]:
-    """The yardstick, the FMU in C, the same in the compiled loop from Python, then the others.
+    """Return the yardstick, the FMU in C, the FMU in the compiled loop from Python, then the others.
 
-    The yardstick, CVode and SciPy get the tolerance at which they are as accurate as the FMU.
+    The tolerances of the yardstick, CVode and SciPy are chosen to make them as accurate as the FMU.
     """
     loop = fmu_loop(programs["fmu_loop"], unpacked, law, TOLERANCE, folder)
     target = loop.error()

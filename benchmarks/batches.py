@@ -1,4 +1,4 @@
-"""Batches: what a second core brings, and ten thousand runs with the memory that they take."""
+"""Batches: the gain from a second core, and the memory for ten thousand runs."""
 
 from __future__ import annotations
 
@@ -22,26 +22,25 @@ from pyjoystick.fmu import Extremes, Fmu, Peaks, Plan, Reduction
 from pyjoystick.support import FloatArray
 
 THREADS: Final = 2
-#: Runs of each batch of a round: enough that starting the threads and their last runs weigh little.
+#: Runs per batch in a round: enough to make the start and end of the threads negligible.
 RUNS: Final = 5_000
 #: Runs of the batches whose memory is compared.
 FEW_RUNS, MANY_RUNS = 1_000, 10_000
-#: What is kept of each run.
+#: The results kept of each run.
 REDUCTIONS: Final[tuple[Reduction, ...]] = (Peaks("theta", 8, "omega"), Extremes("alpha"))
 
 
 @dataclass(frozen=True, slots=True)
 class BatchRow:
-    """A measured batch of free oscillations, reduced to peaks and extremes.
+    """Measurements of a batch of free oscillations, reduced to peaks and extremes.
 
     Attributes:
         runs: number of runs
         threads: number of threads
-        rate: runs a second, median over the rounds
-        speedup: over the batch on one thread of the same round, median over the rounds; None where not taken
+        rate: runs per second, median over the rounds
+        speedup: relative to one thread in the same round, median over the rounds; None if not measured
         speedup_spread: its first and third quartile
-        memory: what the process had at most during the batch beyond what it had before (MiB); None where that
-            is not known
+        memory: peak memory of the process during the batch minus that before (MiB); None if unknown
     """
 
     runs: int
@@ -53,7 +52,7 @@ class BatchRow:
 
 
 def prepared(fmu: Fmu) -> Plan:
-    """The run of the other benchmarks, from any release and with any damping."""
+    """The run of the other benchmarks, with variable release and damping."""
     return fmu.plan(
         sample_times(INTERVALS),
         varied=("theta_start", "damping.C"),
@@ -69,7 +68,7 @@ def random_joysticks(runs: int) -> FloatArray:
 
 
 def measure_batches(path: Path, rounds: int, on_round: Callable[[], None]) -> list[BatchRow]:
-    """A batch on one and on two threads in turns, and the large one in a process of its own.
+    """Time a batch on one and two threads alternately, and the large one in a separate process.
 
     Args:
         path: the FMU with constant damping
@@ -122,7 +121,7 @@ def _in_its_own_process(path: Path, runs: int) -> BatchRow:
 
 
 def _main(path: str, runs: str) -> None:
-    """One batch, after a small one that makes the instances; the time (s) and the memory (MiB) as JSON."""
+    """Run one batch after a small one that creates the instances; print time (s) and memory (MiB) as JSON."""
     with Fmu(path) as fmu:
         plan, table = prepared(fmu), random_joysticks(int(runs))
         _timed(plan, table[:10], THREADS)

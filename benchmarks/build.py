@@ -1,4 +1,4 @@
-"""The programs of the benchmark, compiled as the FMU is, and the FMUs, unpacked."""
+"""Build the programs of the benchmark with the FMU's compiler settings, and unpack the FMUs."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from fmu_build.packaging.platforms import Platform, host_platform
 from fmu_build.packaging.sources import MODEL_FILE
 
 SOURCES: Final = Path(__file__).parent
-#: Each program and the C files that it is made of.
+#: The C files of each program.
 PROGRAMS: Final = {"joystick": ("joystick.c", "measure.c"), "fmu_loop": ("fmu_loop.c", "measure.c")}
 
 _COUNTER: Final = """\
@@ -43,7 +43,7 @@ class UnpackedFmu:
         folder: where it was unpacked
         description: FMPy's model description
         library: its binary for this machine
-        counting_library: the same sources, with a counter around the derivatives
+        counting_library: built from the same sources, with a counter of derivative evaluations
     """
 
     folder: Path
@@ -52,7 +52,7 @@ class UnpackedFmu:
     counting_library: Path
 
     def reference(self, name: str) -> int:
-        """Value reference of a variable; raises BenchmarkError where there is none of that name."""
+        """Return a variable's value reference; raises BenchmarkError if there is no such variable."""
         for variable in self.description.modelVariables:
             if variable.name == name:
                 return int(variable.valueReference)
@@ -60,7 +60,7 @@ class UnpackedFmu:
 
 
 def compile_programs(folder: Path) -> dict[str, Path]:
-    """The executables by name; raises BenchmarkError with what the compiler printed."""
+    """Return the executables by name; raises BenchmarkError with the compiler's output."""
     platform = _platform()
     headers = Path(fmpy.__file__).parent / "c-code"
     compiler = [sys.executable, "-m", "ziglang", "cc", "-target", platform.target, "-mcpu=baseline"]
@@ -78,7 +78,7 @@ def compile_programs(folder: Path) -> dict[str, Path]:
 
 
 def unpack(fmu: Path, folder: Path) -> UnpackedFmu:
-    """Unpacks an FMU into a new folder; raises BenchmarkError where the file is missing or no FMU."""
+    """Unpack an FMU into a new folder; raises BenchmarkError if the file is missing or not an FMU."""
     if not fmu.is_file():
         raise BenchmarkError(f"{fmu} is missing; `make fmu` builds it")
     target = folder / fmu.stem

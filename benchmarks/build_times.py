@@ -1,6 +1,6 @@
-"""How long the joystick's FMU takes to build, and how large it is: ``python -m benchmarks.build_times``.
+"""Build time and size of the joystick's FMU: ``python -m benchmarks.build_times``.
 
-With a warm cache of the C compiler: each build is done once before it is timed.
+The compiler's cache is warm: each build runs once before it is timed.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ _CASES: dict[str, Sequence[str]] = {"this machine's": (), "all": ("--platform", 
 
 
 class _Build(NamedTuple):
-    """Seconds that passed, seconds of all processors, and the size in kB."""
+    """Elapsed seconds, processor seconds, and size in kB."""
 
     seconds: float
     processor_seconds: float
@@ -56,7 +56,7 @@ def _build(version: str, platforms: Sequence[str], folder: Path) -> _Build:
 
 
 def _processor_seconds() -> float:
-    """Of the processes that this one has started and that have ended."""
+    """Return the processor time of all finished child processes."""
     usage = resource.getrusage(resource.RUSAGE_CHILDREN)
     return usage.ru_utime + usage.ru_stime
 

@@ -1,4 +1,4 @@
-"""The contenders that are C programs: written by hand, and the bare loop around the FMU."""
+"""The contenders in C: the hand-written program, and the bare loop around the FMU."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from benchmarks.errors import BenchmarkError
 from benchmarks.task import INTERVALS, RELEASE, Law
 from pyjoystick.support import FloatArray
 
-#: Batches of one run each: interruptions by other programs of the machine hit few of them.
+#: Number of batches, of one run each, so that interruptions by other programs affect few of them.
 _BATCHES: Final = 100
 
 
 @dataclass(frozen=True, slots=True)
 class _Program:
-    """A program's command line, cut where the release, and where batches, runs and the rest come."""
+    """A program's command line, split where release, batches, runs and the rest are inserted."""
 
     before_release: Sequence[str]
     after_release: Sequence[str]
@@ -31,7 +31,7 @@ class _Program:
     samples_file: Path
 
     def run(self, release: float, batches: int) -> tuple[dict[str, float], FloatArray]:
-        """Its line of results, and theta (rad) at the samples."""
+        """Return its line of results, and theta (rad) at the samples."""
         counts = (str(batches), "1")
         command = [*self.before_release, f"{release:.17g}", *self.after_release, *counts, *self.after_runs]
         done = subprocess.run([*command, str(self.samples_file)], capture_output=True, text=True, check=False)

@@ -1,4 +1,4 @@
-"""Runs a second on a Dask cluster of two worker processes, against two threads of one process.
+"""Runs per second on a Dask cluster of two worker processes, against two threads of one process.
 
 ``python -m benchmarks.cluster`` prints the figures as Markdown.
 """
@@ -24,8 +24,8 @@ from pyjoystick.runs import ClusterError, Sweep, read_settings
 from pyjoystick.runs.sweeps.cluster import run_on_cluster
 
 _WORKERS: Final = 2
-_PATIENCE: Final = 60.0  # s, until the workers are there
-#: Free oscillations as those of the other rows, 1.5 s and 901 samples, of which peaks are kept.
+_PATIENCE: Final = 60.0  # s, to wait for the workers
+#: The free oscillations of the other rows: 1.5 s with 901 samples, reduced to peaks.
 _SETTINGS: Final = """
 [fmu]
 path = "{fmu}"
@@ -60,9 +60,9 @@ def main(
     runs: Annotated[int, typer.Option(min=100, help="Runs of a sweep.")] = 20_000,
     rounds: Annotated[int, typer.Option(min=1, help="How often each way is timed.")] = 5,
 ) -> None:
-    """Time the same runs as a batch on two threads and on a cluster of two worker processes, in turns.
+    """Time the same runs in a batch on two threads and on a cluster of two worker processes, alternately.
 
-    The time of the cluster is that of the whole sweep: connecting, sending the FMU, opening it, the runs, and
+    The time of the cluster includes the whole sweep: connecting, sending and opening the FMU, the runs, and
     collecting the results.
     """
     typer.echo(f"{machine()}\n\n{as_markdown(fmus, runs, rounds)}", nl=False)
@@ -90,7 +90,7 @@ def as_markdown(fmus: Path, runs: int = 20_000, rounds: int = 5) -> str:
 
 
 def _measure(fmu: Path, runs: int, rounds: int, folder: Path) -> tuple[list[float], list[float]]:
-    """Times (s) of both ways in each round; raises BenchmarkError where their results differ in a bit."""
+    """Return the times (s) of both methods per round; raises BenchmarkError if their results differ."""
     settings = folder / "sweep.toml"
     settings.write_text(_SETTINGS.format(fmu=fmu.resolve(), runs=runs), encoding="utf-8")
     sweep = Sweep(read_settings(settings))
@@ -101,7 +101,7 @@ def _measure(fmu: Path, runs: int, rounds: int, folder: Path) -> tuple[list[floa
             plan = sweep.task.plan(opened)
             _wait_for_workers(sweep, dask)
             times: list[tuple[float, float]] = []
-            # The first round compiles the loops, here and on the workers.
+            # The first round compiles the loops, in this process and on the workers.
             for _ in range(rounds + 1):
                 local, expected = _timed(lambda: _batch(sweep, plan))
                 remote, found = _timed(lambda: _cluster(sweep, dask.address))

@@ -1,4 +1,4 @@
-"""One way to compute the free oscillation, and the tolerance at which it is as accurate as another."""
+"""One method of computing the free oscillation, and the tolerance at which it is as accurate as another."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ class Contender:
     """A row of the table.
 
     Attributes:
-        name: what it is
+        name: its name in the table
         law: damping law
-        tolerance: what its integrator is asked to keep
-        theta: from the release (rad) to the angle (rad) at equal intervals over the run, shape (n + 1,)
-        seconds: time of one run from `RELEASE` (s), the median of a small batch; raises BenchmarkError where
-            the result is not that of `theta`
-        evaluations: number of evaluations of the equation of motion in that run, None where not known
+        tolerance: tolerance of its integrator
+        theta: maps the release (rad) to angles (rad) at equal intervals over the run, shape (n + 1,)
+        seconds: time of one run from `RELEASE` (s), the median of a small batch; raises BenchmarkError if the
+            result differs from `theta`
+        evaluations: evaluations of the equation of motion in that run; None if unknown
     """
 
     name: str
@@ -38,14 +38,14 @@ class Contender:
 def as_accurate(
     contender: Callable[[float], Contender], target: float, start: float, ratio: float
 ) -> Contender:
-    """The contender at the loosest of the tolerances start, start/ratio, ... that meets the error `target`.
+    """Return the contender with the loosest tolerance start, start/ratio, ... that meets `target`.
 
-    Below 1e-13 the tolerance is at the rounding of the numbers; the last one is then taken, and its error,
-    which is printed, shows that it falls short.
+    Below 1e-13 tolerances are at rounding level; the last one is then used, and the printed error shows that
+    it misses the target.
 
     Args:
-        contender: from a tolerance to the contender
-        target: error of theta (rad) that it may have
+        contender: maps a tolerance to the contender
+        target: allowed error of theta (rad)
         start: first tolerance to try
         ratio: above 1
     """

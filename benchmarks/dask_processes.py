@@ -1,4 +1,4 @@
-"""A Dask scheduler and workers as processes of this machine, which listen on 127.0.0.1 alone."""
+"""A Dask scheduler and workers as local processes that listen on 127.0.0.1 only."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ from typing import Final
 from benchmarks.errors import BenchmarkError
 
 _LOOPBACK: Final = ("--host", "127.0.0.1", "--dashboard-address", "127.0.0.1:0")
-_PATIENCE: Final = 120.0  # s, for a machine with much else to do
+_PATIENCE: Final = 120.0  # s, enough for a busy machine
 
 
 @dataclass
 class DaskProcesses:
-    """One scheduler and its workers, of one thread each.
+    """One scheduler and its workers, with one thread each.
 
     Attributes:
-        folder: where they keep their files and logs
-        address: of the scheduler, once it is started
+        folder: for their files and logs
+        address: of the scheduler, once it has started
         scheduler: its process
-        workers: theirs
+        workers: their processes
     """
 
     folder: Path
@@ -33,7 +33,7 @@ class DaskProcesses:
     workers: list[subprocess.Popen[bytes]] = field(default_factory=list)
 
     def start(self, workers: int) -> None:
-        """Start all; the workers may need a moment more to report to the scheduler.
+        """Start all; it may take a moment until the workers have registered with the scheduler.
 
         Raises:
             BenchmarkError: the scheduler does not start
@@ -57,7 +57,7 @@ class DaskProcesses:
             self.workers.append(self._run("dask_worker", self.address, *options))
 
     def stop(self) -> None:
-        """Kill what is still there; asked politely, a worker waits for its scheduler."""
+        """Kill all remaining processes; on a polite request, a worker would wait for its scheduler."""
         for process in (*self.workers, *([self.scheduler] if self.scheduler else [])):
             kill(process)
 
@@ -68,6 +68,6 @@ class DaskProcesses:
 
 
 def kill(process: subprocess.Popen[bytes]) -> None:
-    """End a process at once (SIGKILL)."""
+    """Kill a process at once (SIGKILL)."""
     process.kill()
     process.wait()

@@ -1,8 +1,8 @@
-"""The joystick with what its model may lack: dry friction and stops.
+"""The joystick with effects that its model may lack: dry friction and stops.
 
-Independent of the package's integrators: fixed steps of the classical Runge-Kutta method, short enough that
-kinks do no harm. A change of sign of the velocity is located within its step; there the joystick sticks or
-starts with the friction turned around.
+Independent of the package's integrators: fixed steps of the classical Runge-Kutta method, short enough for
+kinks to be harmless. A change of sign of the velocity is located within its step; there the joystick sticks,
+or continues with reversed friction.
 """
 
 from __future__ import annotations
@@ -23,13 +23,13 @@ _STEP: Final = 4e-5
 
 @dataclass(frozen=True, slots=True)
 class Disturbance:
-    """What acts on the joystick beside eq. (1).
+    """Effects in addition to eq. (1).
 
     Attributes:
         T_c: dry friction at the pivot (N m)
         F_c: dry friction along the plunger in contact (N); its lever is dx/dtheta
         stop: angle (rad) of an elastic stop on either side
-        stop_stiffness: of it (N m/rad)
+        stop_stiffness: its stiffness (N m/rad)
     """
 
     T_c: float = 0.0
@@ -47,15 +47,15 @@ def disturbed_motion(
     omega_start: float = 0.0,
     torque: FloatArray | None = None,
 ) -> FloatArray:
-    """The angle (rad) at increasing instants, shape (n,), which begin at the release.
+    """Return the angle (rad) at increasing times that begin at the release, shape (n,).
 
     Args:
         joystick: with constant or power-law damping
-        disturbance: what acts beside
-        time: instants (s), shape (n,)
-        theta_start: angle at the first of them (rad)
-        omega_start: velocity there (rad/s)
-        torque: driving torque (N m) at the instants, straight between them, shape (n,)
+        disturbance: the additional effects
+        time: times (s), shape (n,)
+        theta_start: initial angle (rad)
+        omega_start: initial velocity (rad/s)
+        torque: driving torque (N m) at these times, linear in between, shape (n,)
     """
     law = joystick.damping
     damping = (
@@ -103,7 +103,7 @@ def _moments(
     damping: FloatArray,
     extra: FloatArray,
 ) -> tuple[float, float]:
-    """The moment without friction (N m), and the largest moment of friction (N m)."""
+    """Return the moment without friction (N m), and the largest moment of friction (N m)."""
     contact, lever = _contact(theta, body, curves)
     coefficient = damping[0]
     if coefficient == 0.0:
@@ -159,7 +159,7 @@ def _integrated(
             change = h * (k_omega[0] + 2.0 * k_omega[1] + 2.0 * k_omega[2] + k_omega[3]) / 6.0
             moved = h * (k_theta[0] + 2.0 * k_theta[1] + 2.0 * k_theta[2] + k_theta[3]) / 6.0
             if (omega + change) * sign < 0.0 and omega != 0.0:
-                # Within 40 us the acceleration is all but constant.
+                # Within 40 us the acceleration is practically constant.
                 part = -omega / change
                 theta += 0.5 * part * h * omega
                 omega = 0.0

@@ -1,4 +1,4 @@
-"""Sets of records of a known joystick, with one thing in them that a fit of C knows nothing of."""
+"""Sets of records of a known joystick, with one effect that a fit of C does not model."""
 
 from __future__ import annotations
 
@@ -23,17 +23,17 @@ _DURATION: Final = 1.6
 
 @dataclass(slots=True)
 class Making:
-    """How a record is made; a case changes something of it.
+    """How a record is generated; a case changes part of it.
 
     Attributes:
         joystick: the joystick
-        disturbance: what acts beside its equation
-        speed: at the release (rad/s)
-        play: of a loose sensor (rad)
-        scale, time_base, offset: of the instrument: what it shows is too large by `scale`, its clock too slow
-            by `time_base`, its zero off by `offset` (rad)
-        noise: from a generator and a number of samples
-        seen: from samples with noise to those of the record
+        disturbance: effects in addition to its equation
+        speed: velocity at the release (rad/s)
+        play: play of a loose sensor (rad)
+        scale, time_base, offset: instrument errors: it reads too much by `scale`, its clock is slow by
+            `time_base`, its zero is off by `offset` (rad)
+        noise: maps a generator and a number of samples to noise
+        seen: maps samples with noise to those of the record
     """
 
     joystick: JoystickParameters = NOMINAL
@@ -51,12 +51,12 @@ class Making:
 
 @dataclass(frozen=True, slots=True)
 class Case:
-    """Something wrong, at several sizes.
+    """A fault, in several sizes.
 
     Attributes:
         sizes: in `unit`
         unit: of the sizes
-        change: from a size to how records are made, with a generator for what differs between them
+        change: maps a size to the generation of records, with a generator for what varies between them
         suspects: what a fit should name
     """
 
@@ -69,7 +69,7 @@ class Case:
 def disturbed_records(
     case: Case, size: float, random: np.random.Generator, angle: float = math.radians(-20.0)
 ) -> list[Record]:
-    """Four releases from about the same angle (rad)."""
+    """Return four releases from about the same angle (rad)."""
     found = []
     for number in range(1, RECORDS + 1):
         making = Making()
@@ -97,7 +97,7 @@ def _record(making: Making, name: str, angle: float, random: np.random.Generator
 
 
 def _dragged(making: Making, instants: FloatArray, angle: float) -> FloatArray:
-    """What a sensor shows that moves on only when the handle has crossed its play."""
+    """Return the reading of a sensor that moves only after the handle has crossed the sensor's play."""
     fine = np.linspace(0.0, instants[-1], 20 * len(instants))
     motion = disturbed_motion(
         making.joystick, making.disturbance, time=fine, theta_start=angle, omega_start=making.speed
@@ -131,7 +131,7 @@ def _preload(making: Making, size: float, random: np.random.Generator) -> None:
 
 
 def _law(making: Making, size: float, random: np.random.Generator) -> None:
-    """Eq. (11) in part: its coefficients between a constant C and their own values."""
+    """Eq. (11) in part: coefficients between a constant C and their true values."""
     values = {"damping.alpha": 1.0}
     for coefficient, exponent in (("A_pos", "n_pos"), ("A_neg", "n_neg")):
         own = NOMINAL_POWER_LAW.to_names()[f"damping.{exponent}"] * size
@@ -165,7 +165,7 @@ def _clipping(making: Making, size: float, random: np.random.Generator) -> None:
 
 
 def _saturation(making: Making, size: float, random: np.random.Generator) -> None:
-    """The angle itself is limited, and the noise comes after it."""
+    """The angle itself is limited; noise is added afterwards."""
     limit = math.radians(size)
     noise = making.noise
     making.noise = lambda generator, n: np.zeros(n)

@@ -46,7 +46,7 @@ _TIME: Final = np.arange(int(DURATION * RATE) + 1) / RATE
 
 
 def strokes(period: float, size: float, random: np.random.Generator, rise: float = 0.08) -> FloatArray:
-    """Pushes to and fro by turns of about `size` (N m), each for half of `period` (s), within `rise` (s)."""
+    """Pushes in alternating directions of about `size` (N m), each for `period`/2 (s), within `rise` (s)."""
     torque = np.full(len(_TIME), HOLD)
     level, at, sign = HOLD, 0.25, -1.0
     while at < DURATION:
@@ -64,7 +64,7 @@ def record(
     name: str = "hand",
     disturbance: Disturbance | None = None,
 ) -> Measurement:
-    """What the instruments show of a motion that a torque drives (N m), shape (4001,)."""
+    """Return the instruments' record of a motion driven by a torque (N m), shape (4001,)."""
     motion = disturbed_motion(
         NOMINAL, disturbance or Disturbance(), time=_TIME, theta_start=START, torque=torque
     )
@@ -83,7 +83,7 @@ _WIDER: Final = ("forward.returnSpring.F_0", "backward.returnSpring.F_0", "forwa
 
 
 def main() -> None:
-    """Print the table that is asked for."""
+    """Print the requested table."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--sets", type=int, default=30)
     parser.add_argument("--seed", type=int, default=1)
@@ -95,7 +95,7 @@ def main() -> None:
 
 
 def coverage_table(sets: int, seed: int) -> str:
-    """How often each interval holds the truth."""
+    """Return how often each interval contains the truth."""
     known = {"damping.C": NOMINAL.to_names()["damping.C"], "J": NOMINAL.J, "delay": DELAY}
     z: dict[str, list[float]] = defaultdict(list)
     holds: dict[str, list[bool]] = defaultdict(list)
@@ -123,7 +123,7 @@ def excitation_errors(seed: int = 1) -> dict[str, dict[str, float]]:
     free = (*_SETTINGS.free, *(Free(name) for name in _WIDER))
     settings: FitSettings = dataclasses.replace(
         _SETTINGS,
-        # The errors at the truth: from elsewhere, so many parameters are hard to find by weak excitation.
+        # The errors are evaluated at the truth: weak excitation makes so many parameters hard to find.
         free=tuple(dataclasses.replace(one, start=truth.get(one.name, one.start)) for one in free),
         search=Search(stages=()),
     )

@@ -1,4 +1,4 @@
-"""The joystick's equation of motion as one writes it down for SciPy: scalars and `math`."""
+"""The joystick's equation of motion as usually written for SciPy: scalars and `math`."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def right_hand_side(parameters: JoystickParameters) -> RightHandSide:
     coefficient = damping_coefficient(parameters)
 
     def derivatives(_: float, state: FloatArray) -> tuple[float, float]:
-        theta, omega = state.tolist()  # Python computes faster with its own numbers than with NumPy's
+        theta, omega = state.tolist()  # Python is faster with its own numbers than with NumPy's
         tangent, sign = math.tan(theta), math.copysign(1.0, theta)
         x = a * abs(tangent) + b * (1.0 - 1.0 / math.cos(theta))
         table = forward if theta >= 0.0 else backward

@@ -1,7 +1,7 @@
-"""What stops the benchmark."""
+"""The error of the benchmarks."""
 
 from __future__ import annotations
 
 
 class BenchmarkError(Exception):
-    """A program cannot be built or run, or gives other results than those that were checked."""
+    """A program cannot be built or run, or its results differ from those checked before."""

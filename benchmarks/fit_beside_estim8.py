@@ -36,16 +36,16 @@ from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW
 from pyjoystick.support import TextTable
 
 RECORDS: Final = 4
-#: Fits of pyjoystick whose median time counts; estim8 fits once.
+#: Number of fits by pyjoystick of which the median time is taken; estim8 fits once.
 REPEATS: Final = 5
 CASES: Final = {"constant": (CONSTANT_DAMPING, NOMINAL), "power-law": (POWER_LAW_DAMPING, NOMINAL_POWER_LAW)}
-#: estim8 hands these to SciPy; the tolerance is that of the sum of squares.
+#: Options that estim8 passes to SciPy; the tolerance is for the sum of squares.
 LOCAL: Final = {"method": "L-BFGS-B", "options": {"ftol": 1e-12, "gtol": 1e-9, "eps": 1e-6, "maxfun": 20000}}
 CHILD: Final = Path(__file__).with_name("estim8_fit.py")
 
 
 def main() -> int:
-    """Run both on the case that is asked for; 1 where the minima differ."""
+    """Run both on the requested case; return 1 if the minima differ."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--python", required=True, help="interpreter of an environment with estim8")
     parser.add_argument("--law", choices=tuple(CASES), default="constant")
@@ -92,7 +92,7 @@ def _case(law: str) -> tuple[FitSettings, list[Measurement]]:
 
 
 def _ours(settings: FitSettings, records: list[Measurement]) -> dict[str, Any]:
-    """The answer of pyjoystick with the median time of some fits; the first one loads the compiler."""
+    """Return pyjoystick's answer and the median time of several fits; the first one loads the compiler."""
     with Fmu(settings.fmu) as fmu:
         fits = [_our_fit(settings, records, fmu) for _ in range(REPEATS + 1)][1:]
     return {**fits[0], "seconds": statistics.median(one["seconds"] for one in fits)}

@@ -37,7 +37,7 @@ _HEADER: Final = (
 
 
 def main() -> None:
-    """Run the cases that are asked for and print their tables."""
+    """Run the requested cases and print their tables."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--sets", type=int, default=20, help="data sets of each case")
     parser.add_argument("--clean", type=int, default=200, help="data sets without anything wrong")
@@ -92,7 +92,7 @@ def row(fmu: Fmu, name: str, case: Case, size: float, sets: int, seed: int) -> S
 
 
 def _names(found: Fit, suspects: Sequence[str]) -> bool:
-    """Whether the fit says that one of the suspects would explain the residuals best."""
+    """Return whether the fit names one of the suspects as the best explanation of the residuals."""
     messages = [
         check.message for check in found.checks if check.name == "missing physics" and not check.passed
     ]

@@ -38,7 +38,7 @@ from pyjoystick.support import TextTable
 
 RECORDS: Final = 4
 NOISE: Final = math.radians(0.1)
-#: Data sets between two lines of progress.
+#: Number of data sets between two lines of progress.
 _NEWS: Final = 10
 _PRELOADS: Final = ("forward.returnSpring.F_0", "backward.returnSpring.F_0")
 _SPRINGS: Final = dataclasses.replace(
@@ -49,7 +49,7 @@ CASES: Final[dict[str, tuple[FitSettings, JoystickParameters, tuple[str, ...]]]]
     "constant": (CONSTANT_DAMPING, NOMINAL, ("damping.C",)),
     "friction": (with_friction(CONSTANT_DAMPING), NOMINAL.replace({"friction.T_c": 0.0072}), ()),
     "springs": (_SPRINGS, NOMINAL, _PRELOADS),
-    # The profile of one parameter, the most curved: four would take most of the time.
+    # The profile of the most curved parameter only; all four would take most of the time.
     "displacement": (
         DISPLACEMENT_DAMPING,
         NOMINAL_POWER_LAW.replace({"damping.alpha": 1.0}),
@@ -59,7 +59,7 @@ CASES: Final[dict[str, tuple[FitSettings, JoystickParameters, tuple[str, ...]]]]
 
 
 def main() -> None:
-    """Run the cases that are asked for and print their tables."""
+    """Run the requested cases and print their tables."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--sets", type=int, default=200, help="data sets of each case")
     parser.add_argument("--case", choices=(*CASES, "all"), default="all", help="what is fitted")
@@ -70,7 +70,7 @@ def main() -> None:
 
 
 def coverage_table(case: str, sets: int, seed: int) -> str:
-    """The table of one case: how often each interval holds the truth, and whether the fits are biased."""
+    """Return the table of one case: how often each interval contains the truth, and the bias of the fits."""
     settings, truth, profiles = CASES[case]
     settings = dataclasses.replace(settings, uncertainty=Uncertainty(profiles=profiles))
     hits: dict[str, list[bool]] = defaultdict(list)
@@ -111,7 +111,7 @@ def coverage_table(case: str, sets: int, seed: int) -> str:
 def _data_set(
     truth: JoystickParameters, random: np.random.Generator
 ) -> tuple[list[Record], dict[str, float]]:
-    """Four records, and the true values by label."""
+    """Return four records, and the true values by label."""
     known = truth.to_names()
     records = []
     for number in range(1, RECORDS + 1):

@@ -1,10 +1,10 @@
-"""What exact derivatives are to a fit: its time, its runs and how far its answer depends on the search.
+"""The benefit of exact derivatives for a fit: time, number of runs, and reproducibility of the answer.
 
     python -m benchmarks.fit_derivatives
 
-The synthetic records of the scenarios, fitted by the defaults with the FMUs that have sensitivities and with
-differences alone, in turns. Searches that begin with other parts of the records lead to the same minimum, and
-the difference of their answers is what a search leaves open.
+Fits the synthetic records of the scenarios with default settings, alternately with sensitivities from the
+FMUs and with finite differences. Searches that begin with different parts of the records reach the same
+minimum; the difference of their answers is the uncertainty left by the search.
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ def main() -> None:
 
 
 def _cells(settings: FitSettings, kind: str, *, is_exact: bool) -> list[str]:
-    """Mean runs and seconds over the searches, and the largest difference of their answers."""
+    """Return mean runs and seconds over the searches, and the largest difference of their answers."""
     records = [read_record(_DATA / f"synthetic_{kind}_{number}.csv") for number in range(1, 5)]
     found: list[Fit] = []
     seconds = []

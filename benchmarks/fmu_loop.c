@@ -1,5 +1,5 @@
-/* fmu_loop.c - the least that an importer of a Co-Simulation FMU (FMI 2.0) can do: load the library once, then
- * reset, set the release angle, step and read theta, omega and alpha, again and again. */
+/* fmu_loop.c - the minimal importer of a Co-Simulation FMU (FMI 2.0): load the library once, then repeatedly reset, set
+ * the release angle, step, and read theta, omega and alpha. */
 #define _POSIX_C_SOURCE 200809L
 #include "measure.h"
 
@@ -21,7 +21,7 @@ typedef struct {
     fmi2GetRealTYPE *get_real;
     fmi2DoStepTYPE *do_step;
     fmi2ResetTYPE *reset;
-    /* Only in a library that was built to count: its right-hand side evaluations so far. */
+    /* Only in a library built for counting: its number of right-hand side evaluations so far. */
     unsigned long *evaluations;
 } Functions;
 
@@ -42,7 +42,7 @@ static void log_message(fmi2ComponentEnvironment environment, fmi2String instanc
     fprintf(stderr, "%s: %s, status %d: %s\n", instance, category, (int)status, message);
 }
 
-/* ISO C has no conversion from void * to a pointer to a function; this is the one that POSIX names. */
+/* ISO C cannot convert void * to a pointer to a function; this is the way that POSIX specifies. */
 static void find(void *library, const char *name, void *function)
 {
     *(void **)function = dlsym(library, name);

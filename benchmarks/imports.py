@@ -1,11 +1,11 @@
-"""How fast a laboratory's files are read: markers beside other readers, and a long accelerometer record.
+"""Speed of reading laboratory files: markers, compared with other readers, and a long accelerometer record.
 
     python -m benchmarks.imports
 
-Markers: 60 s of 20 markers at 240 Hz, read, the angle found and filtered as `pyjoystick import markers` does;
-and the reading alone beside that of the libraries ezc3d, c3d and pandas, in turns. Accelerometer: ten million
-samples at 1800 Hz in one file, of which 4 s are kept; each way has a process of its own, whose largest memory
-less that before the reading counts.
+Markers: 60 s of 20 markers at 240 Hz are read, and the angle is computed and filtered as in `pyjoystick
+import markers`; reading alone is compared with ezc3d, c3d and pandas, alternately. Accelerometer: ten million
+samples at 1800 Hz in one file, of which 4 s are kept; each method runs in a separate process, and its memory
+is the peak minus that before reading.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ RATE: Final = 240.0
 DURATION: Final = 60.0
 MARKERS: Final = 20
 SAMPLING: Final = 1800.0
-#: What of the accelerometer's record is kept (s).
+#: The part of the accelerometer's record that is kept (s).
 WINDOW: Final = (10.0, 14.0)
 
 
@@ -88,7 +88,7 @@ def markers_table(folder: Path, rounds: int) -> str:
 
 
 def accelerometer_table(folder: Path, samples: int) -> str:
-    """A long record as .npy and as CSV, in pieces and by libraries at one go."""
+    """A long record as .npy and CSV, read in pieces and by libraries in one go."""
     npy, text = folder / "long.npy", folder / "long.csv"
     values = np.sin(np.arange(samples) / 50.0).astype(np.float32)
     np.save(npy, values)
@@ -119,7 +119,7 @@ def accelerometer_table(folder: Path, samples: int) -> str:
 
 
 def _markers() -> tuple[list[str], FloatArray, FloatArray]:
-    """Names, time (s) and positions (m): a release every 4 s, and markers beside the joystick."""
+    """Return names, time (s) and positions (m): a release every 4 s, and additional markers."""
     time_ = np.arange(round(DURATION * RATE)) / RATE
     within = time_ % 4.0
     theta = -0.3 * np.exp(-2.2 * within) * np.cos(4.0 * np.pi * within)
@@ -176,7 +176,7 @@ def _by_pandas(path: Path, skip: int = 0) -> object:
 
 
 def _in_turns(ways: Mapping[str, Callable[[], object]], rounds: int) -> dict[str, list[float]]:
-    """Seconds of each way by round, one after the other in every round, after one that does not count."""
+    """Return the seconds of each method per round; all run in every round, after a warm-up round."""
     times: dict[str, list[float]] = {name: [] for name in ways}
     for count in range(rounds + 1):
         for name, way in ways.items():
@@ -188,12 +188,12 @@ def _in_turns(ways: Mapping[str, Callable[[], object]], rounds: int) -> dict[str
 
 
 def _ratio(times: list[float], others: list[float]) -> float:
-    """The median of the ratios of each round."""
+    """Return the median over the rounds of the ratio of times."""
     return statistics.median(a / b for a, b in zip(times, others, strict=True))
 
 
 def _alone(way: Callable[[], object]) -> tuple[float, float]:
-    """Seconds and further memory (MiB) of a call in a process of its own."""
+    """Return seconds and additional memory (MiB) of a call in a separate process."""
     context = multiprocessing.get_context("spawn")
     receiver, sender = context.Pipe(duplex=False)
     process = context.Process(target=_measured, args=(way, sender))

@@ -1,9 +1,9 @@
-/* joystick.c - the free oscillation of the joystick, programmed by hand: the yardstick for the speed of the FMU.
+/* joystick.c - the joystick's free oscillation, programmed by hand: the yardstick for the speed of the FMU.
  *
  * The Runge-Kutta method of order 5(4) of Dormand and Prince (J. Comp. Appl. Math. 6, 1980) with the dense output of
- * order 4 of Hairer, Norsett and Wanner (Solving Ordinary Differential Equations I, section II.6). A step keeps to
- * the branch that it starts in; where its dense output reaches the end of the branch, it is cut and the next step
- * starts from there in the next branch. Written for this one equation: two states, no torque. */
+ * order 4 of Hairer, Norsett and Wanner (Solving Ordinary Differential Equations I, section II.6). A step uses the
+ * branch in which it starts; if its dense output reaches the end of the branch, it is truncated there and the next step
+ * continues in the next branch. Written for this equation only: two states, no torque. */
 #include "joystick_equation.h"
 #include "measure.h"
 
@@ -19,7 +19,7 @@ static const double first_step = 1e-4, smallest_step = 1e-14;
 /* An error of 20 rad/s in omega weighs as much as one of 1 rad in theta: their ratio in a swing. */
 static const double omega_weight = 1.0 / 20.0;
 
-/* As theta' = omega, the stages of omega are the slopes of theta. */
+/* Since theta' = omega, the stages of omega are the slopes of theta. */
 typedef struct {
     double omega[7], alpha[7];
     double theta_end, omega_end;
@@ -86,7 +86,8 @@ static double dense_slope_at(const double c[5], double s)
     return outer + s * (r * (inner - s * c[4]) - middle);
 }
 
-/* Where between low and high the dense output, monotone there, is at `target`: Newton's method, kept inside. */
+/* Finds where between low and high the dense output, monotone there, equals `target`, by safeguarded Newton's
+ * method. */
 static double dense_reaches(const double c[5], double target, double low, double high)
 {
     const double before = dense_at(c, low) - target, after = dense_at(c, high) - target;
@@ -106,9 +107,9 @@ static double dense_reaches(const double c[5], double target, double low, double
     return s;
 }
 
-/* The fraction of the step at which the motion reaches an end of its branch (*boundary), or 2 where it does not.
- * The error control keeps a step far shorter than half an oscillation, so omega changes its sign once at most and
- * theta is monotone before and after. */
+/* Returns the fraction of the step at which the motion reaches an end of its branch (*boundary), or 2 if it does not.
+ * The error control keeps a step far shorter than half an oscillation, so omega changes sign at most once, and theta is
+ * monotone before and after. */
 static double find_exit(const Branch *branch, const Step *step, double *boundary)
 {
     const double *theta = step->theta_dense;
@@ -126,7 +127,7 @@ static double find_exit(const Branch *branch, const Step *step, double *boundary
     return passed ? dense_reaches(theta, *boundary, turn, 1.0) : 2.0;
 }
 
-/* Samples of the step that starts at `time` and has the size h, up to `end`; returns the next one's number. */
+/* Takes the samples up to `end` in the step of size h from `time`; returns the number of the next sample. */
 static int take_samples(Equation *equation, const Branch *branch, const Step *step, double time, double h, double end,
                         int next, Sample *samples)
 {
@@ -156,7 +157,7 @@ static double inverse_fifth_root(double x)
     return power * (0.9955 - 0.245 * (mantissa - 1.0) * (2.0 - mantissa));
 }
 
-/* From rest at theta. False where the steps become too short. */
+/* Starts at rest at theta. Returns false if the steps become too small. */
 static bool simulate(Equation *equation, double theta, double tolerance, Sample *samples)
 {
     Branch *branch = equation->branch;

@@ -48,13 +48,13 @@ static const Joystick paper_joystick = {
     .eps_omega = 1e-3,
 };
 
-/* The equation of motion between two kinks; it is smooth beyond them as well. */
+/* The equation of motion between two kinks; it is smooth beyond them too. */
 typedef struct {
     double lower, upper;          /* its ends (rad) */
     double signed_a;              /* a*sign(theta) */
     double offset, stiffness;     /* f_x = offset + stiffness*x */
     double A_weighted, half_n;    /* alpha*A and n/2 of eq. (11) on this side */
-    double step;                  /* the step size that suited it last (s), 0 before the first visit */
+    double step;                  /* the last suitable step size (s), 0 before the first visit */
 } Branch;
 
 typedef struct {

@@ -1,10 +1,10 @@
-"""What a person waits for: processor time of whole commands, what they import, and the compiled loop.
+"""Response times: processor time of whole commands, what they import, and the compiled loop.
 
     python -m benchmarks.latency
 
-Each command is a process of its own, in turns with one that only imports pandas and Matplotlib, as programs
-with tables and figures must. The imports are those of ``python -X importtime``, each module without what it
-imports itself.
+Each command runs in a separate process, alternating with one that only imports pandas and Matplotlib, which
+programs with tables and figures need anyway. Imports are measured by ``python -X importtime``, each module
+without its own imports.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ COMMANDS: Final = {
 _IMPORTS: Final = "import pandas, matplotlib.figure"
 _PACKAGES_SHOWN: Final = 4
 _LINE: Final = re.compile(r"import time:\s+(?P<own>\d+) \|\s+\d+ \| +(?P<module>\S+)")
-#: Prints the CPU seconds of a batch, with those of loading or compiling the loop.
+#: Prints the CPU seconds of a batch, including those of loading or compiling the loop.
 _LOOP: Final = """
 import time
 from benchmarks.batches import REDUCTIONS, prepared, random_joysticks
@@ -83,7 +83,7 @@ def loop_table(folder: Path) -> str:
 
 
 def imported(program: Sequence[str], folder: Path) -> Counter[str]:
-    """Microseconds that the modules of each package take to load, without those that they import."""
+    """Return the load time (microseconds) of each package's modules, excluding what they import."""
     done = subprocess.run(
         [sys.executable, "-X", "importtime", *program],
         cwd=folder,
@@ -103,7 +103,7 @@ def _program(words: Sequence[str]) -> list[str]:
 
 
 def _in_turns(ways: Mapping[str, Sequence[str]], folder: Path, rounds: int) -> dict[str, list[float]]:
-    """CPU seconds of each program by round, after a round that does not count."""
+    """Return the CPU seconds of each program per round, after a warm-up round."""
     times: dict[str, list[float]] = {name: [] for name in ways}
     for count in range(rounds + 1):
         for name, program in ways.items():
@@ -124,7 +124,7 @@ def _output(program: Sequence[str], variables: Mapping[str, str]) -> str:
 
 
 def _environment() -> dict[str, str]:
-    """This one, with bytecode, which a program that is used has."""
+    """Return the environment, but with bytecode, which installed programs have."""
     return {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
 
 

@@ -30,7 +30,7 @@ from pyjoystick.reports import held_fmu, joystick_page
 from pyjoystick.support import TextTable
 
 _MOVES: Final = 100
-#: Moves of the slider of damping.C; [result, waiting, picture] of each, in milliseconds.
+#: Moves the slider of damping.C; returns [result, waiting, picture] of each move in milliseconds.
 _MOVE_ALL: Final = """async moves => {
   const slider = document.querySelector('[data-name="damping.C"] input[type=range]');
   const runs = () => Number(document.body.dataset.runs);
@@ -108,7 +108,7 @@ def _row(what: str, milliseconds: NDArray[np.float64]) -> list[str]:
 
 
 def _run_in_page(page: Page) -> float:
-    """Least of twenty runs (ms), as the page says it: values in, run, and table out."""
+    """Return the least time of twenty runs (ms), as reported by the page: values in, run, and table out."""
     times = []
     for _ in range(20):
         page.evaluate(_MOVE_ALL, 1)
@@ -117,7 +117,7 @@ def _run_in_page(page: Page) -> float:
 
 
 def _native(fmu: Fmu) -> float:
-    """Least of a hundred runs (ms) of the page's motion, with as many variables as it has in its table."""
+    """Return the least time of a hundred runs (ms) of the page's motion, with as many output variables."""
     moving = [one.name for one in fmu.description.variables.values() if one.causality in ("output", "input")]
     springs = [
         f"{side}.{kind}Spring.{end}"
@@ -125,7 +125,7 @@ def _native(fmu: Fmu) -> float:
         for kind in ("return", "balance")
         for end in ("delta", "isEngaged", "isReleased")
     ]
-    start = {"theta_start": -STOP_ANGLE}  # else it would stay at rest
+    start = {"theta_start": -STOP_ANGLE}  # otherwise it would stay at rest
     plan = fmu.plan(np.arange(1501) * 1e-3, parameters=start, outputs=[*moving, *springs])
     times = []
     for _ in range(100):

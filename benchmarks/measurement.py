@@ -1,4 +1,4 @@
-"""All contenders side by side: A B C A B C ..., so that a busy machine slows all of them alike."""
+"""Time all contenders in turns, A B C A B C ..., so that a busy machine slows all of them equally."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ class Row:
     """A measured contender.
 
     Attributes:
-        name: what it is
-        tolerance: what its integrator was asked to keep
+        name: its name in the table
+        tolerance: tolerance of its integrator
         milliseconds: time of a run (ms), median over the rounds
-        ratio: that time over the yardstick's of the same round, median over the rounds
+        ratio: that time divided by the yardstick's in the same round, median over the rounds
         ratio_spread: first and third quartile of that ratio
-        ratio_to_second: likewise over the time of the second contender
-        ratio_to_third: likewise over the time of the third contender
+        ratio_to_second: the same relative to the second contender
+        ratio_to_third: the same relative to the third contender
         error: largest error of theta (rad)
-        evaluations: of the equation of motion, None where not known
+        evaluations: of the equation of motion; None if unknown
     """
 
     name: str
@@ -37,11 +37,11 @@ class Row:
 
 
 def measure(contenders: Sequence[Contender], rounds: int, on_round: Callable[[], None]) -> list[Row]:
-    """The rows in the order of `contenders`, of which the first is the yardstick.
+    """Return the rows in the order of `contenders`, of which the first is the yardstick.
 
     Args:
         contenders: three or more
-        rounds: 2 or more; each contender is timed once a round
+        rounds: 2 or more; each contender is timed once per round
         on_round: called after every round
     """
     times: list[list[float]] = []

@@ -6,7 +6,7 @@ from pathlib import Path
 
 
 def memory_of_process(what: str) -> float | None:
-    """Present (VmRSS) or greatest (VmHWM) memory of this process (MiB); None where there is no /proc."""
+    """Return current (VmRSS) or peak (VmHWM) memory of this process (MiB); None if there is no /proc."""
     status = Path("/proc/self/status")
     if not status.is_file():
         return None
@@ -15,7 +15,7 @@ def memory_of_process(what: str) -> float | None:
 
 
 def reset_peak() -> None:
-    """Has VmHWM begin anew at the present memory, where there is a /proc."""
+    """Reset VmHWM to the current memory, if there is a /proc."""
     clear = Path("/proc/self/clear_refs")
     if clear.is_file():
         clear.write_text("5")

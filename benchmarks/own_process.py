@@ -1,10 +1,10 @@
-"""What it costs to keep an FMU apart: the same one here, in a process of its own, and in a sandbox.
+"""The cost of isolating an FMU: the same FMU in this process, in a separate one, and in a sandbox.
 
     python -m benchmarks.own_process
 
 The runs are those of `python -m benchmarks`: the joystick's release with constant damping, 901 samples. The
-FMU of another maker is a copy that says that another tool made it, and has a new instance for each run. That
-for the sandbox is a copy with the WebAssembly module of the same sources.
+foreign FMU is a copy that names another generation tool and gets a new instance for each run. The one for the
+sandbox is a copy with the WebAssembly module built from the same sources.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ def main(
 
 
 def table(folder: Path, rounds: int, runs: int, *, least: bool = False) -> str:
-    """Medians, or least times, over rounds in which the ways take turns."""
+    """Return medians, or least times, over rounds in which all methods take turns."""
     typical = min if least else statistics.median
     own = find_fmu("Joystick")
     ways: dict[str, Callable[[], Fmu]] = {
@@ -59,7 +59,7 @@ def table(folder: Path, rounds: int, runs: int, *, least: bool = False) -> str:
         plans = {}
         for name, way in ways.items():
             plans[name] = _plan(stack.enter_context(way()))
-            for threads in (1, 2):  # start what is to be started, and load the compiler
+            for threads in (1, 2):  # start the processes and load the compiler
                 _batch(plans[name], 50 * threads, threads)
         for _ in range(rounds):
             for name, way in ways.items():

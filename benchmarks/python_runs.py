@@ -20,7 +20,7 @@ from pyjoystick.fmu import Fmu
 from pyjoystick.model import DEFAULT_TOLERANCE, simulate
 from pyjoystick.support import FloatArray
 
-#: Runs of which a short one is timed: interruptions by other programs of the machine hit few of them.
+#: Number of timed runs, each short, so that interruptions by other programs affect few of them.
 _RUNS: Final = 100
 _NAMES: Final = {
     "CoSimulation": "FMU (CS), FMPy simulate_fmu",
@@ -49,11 +49,11 @@ def compiled_run(fmu: Fmu, law: Law, tolerance: float) -> Contender:
 
 
 def scipy_run(law: Law, tolerance: float) -> Contender:
-    """SciPy's LSODA over the kinks as they come.
+    """SciPy's LSODA, integrating across the kinks.
 
-    To stop at every kink by events and go on from there takes several times as long at the same accuracy,
-    with LSODA, RK45 and DOP853 alike, because SciPy calls each event function in each step; without events
-    RK45 and DOP853 take 2 to 9 times as long as LSODA, and Radau far longer.
+    Stopping at every kink with events takes several times as long at the same accuracy, for LSODA, RK45 and
+    DOP853 alike, because SciPy evaluates each event function in each step. Without events, RK45 and DOP853
+    take 2 to 9 times as long as LSODA, and Radau far longer.
     """
     equation, times = right_hand_side(PARAMETERS[law]), sample_times(INTERVALS)
 
@@ -78,7 +78,7 @@ def scipy_run(law: Law, tolerance: float) -> Contender:
 def fmpy_run(
     fmu: UnpackedFmu, law: Law, kind: Literal["CoSimulation", "ModelExchange"], tolerance: float
 ) -> Contender:
-    """FMPy's simulate_fmu on the unpacked FMU, its description read before."""
+    """FMPy's simulate_fmu on the unpacked FMU, with its description already read."""
 
     def theta(release: float, on_call: Callable[[str], None] | None = None) -> FloatArray:
         result = simulate_fmu(
@@ -121,7 +121,7 @@ def reference_run(law: Law, tolerance: float = DEFAULT_TOLERANCE) -> Contender:
         calls += 1
         return 0.0
 
-    # The equation asks for the torque each time it is evaluated, and once a sample for the table.
+    # The equation evaluates the torque once per evaluation, and once per sample for the table.
     simulate(PARAMETERS[law], time=times, theta_start=RELEASE, tolerance=tolerance, torque=no_torque)
     name = "pure-Python reference"
     return Contender(name, law, tolerance, theta, _timed(name, theta), calls - times.size)

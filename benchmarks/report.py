@@ -44,7 +44,7 @@ def as_markdown(results: Mapping[Law, Sequence[Row]], batches: Sequence[BatchRow
 
 
 def as_json(results: Mapping[Law, Sequence[Row]], batches: Sequence[BatchRow]) -> str:
-    """Everything that is in the tables, with the task and the machine."""
+    """All data of the tables, with the task and the machine."""
     document = {
         "machine": machine(),
         "duration_s": DURATION,

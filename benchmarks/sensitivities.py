@@ -1,9 +1,9 @@
-"""What sensitivities cost: runs of the joysticks' FMUs with them, in times of the same run without.
+"""The cost of sensitivities: run time of the joysticks' FMUs with them, relative to the same run without.
 
     python -m benchmarks.sensitivities
 
-Free oscillation from -20 degrees, 1.5 s, 901 samples of the angle, at a tolerance of 1e-8, on one thread, in
-turns. Steps are those that keep the errors of the sensitivities too, so that a run takes more of them.
+Free oscillation from -20 degrees, 1.5 s, 901 samples of the angle, tolerance 1e-8, one thread, alternating.
+Steps also control the errors of the sensitivities, so a run takes more of them.
 """
 
 from __future__ import annotations
@@ -23,13 +23,13 @@ from fmu_build import build_fmu
 from pyjoystick.fmu import Fmu, Plan
 from pyjoystick.support import TextTable
 
-#: By number, the parameters of each law: the first ones of these.
+#: The parameters of each law; a case with n parameters uses the first n.
 PARAMETERS: Final[dict[Law, tuple[str, ...]]] = {
     "constant": ("damping.C", "J", "theta_start", "omega_start", "m", "forward.returnSpring.k_s"),
     "power-law": ("damping.B", "damping.A_neg", "damping.n_neg", "theta_start", "J", "damping.m"),
 }
 NUMBERS: Final = (1, 3, 6)
-#: Runs of a batch that is timed.
+#: Runs in a timed batch.
 RUNS: Final = 100
 
 
@@ -40,7 +40,7 @@ def main(rounds: Annotated[int, typer.Option(min=2, help="How often each batch i
 
 
 def table(folder: Path, rounds: int) -> str:
-    """One row a law and number of parameters: the ratio with its quartiles, and by each parameter."""
+    """One row per law and number of parameters: the ratio with its quartiles, and the ratio per parameter."""
     rows = []
     for law in LAWS:
         for number in NUMBERS:
@@ -52,7 +52,7 @@ def table(folder: Path, rounds: int) -> str:
 
 
 def _ratios(folder: Path, law: Law, number: int, rounds: int) -> tuple[float, float, float]:
-    """The first quartile, median and third quartile of the ratio, each round by itself."""
+    """Return first quartile, median and third quartile of the ratios in each round."""
     model = f"PreloadedSprings.Joystick.{MODELS[law]}"
     request = f"theta:{','.join(PARAMETERS[law][:number])}"
     without = build_fmu(model, folder / "without").path
@@ -72,7 +72,7 @@ def _plan(fmu: Fmu) -> Plan:
 
 
 def _seconds(plan: Plan) -> float:
-    """Processor seconds of a batch: other programs disturb these less than the clock's."""
+    """Return the processor seconds of a batch, which other programs disturb less than elapsed time."""
     begun = time.process_time()
     plan.run_batch(np.full((RUNS, 1), RELEASE), threads=1)
     return time.process_time() - begun

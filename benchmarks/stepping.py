@@ -1,8 +1,8 @@
-"""What a step of 1 ms from Python costs, and how well a loop of such steps keeps pace with the clock.
+"""The cost of a 1 ms step from Python, and how well a loop of such steps keeps up with real time.
 
     python -m benchmarks.stepping
 
-The joystick is released and pushed with a torque that changes at every step. The share of the FMU is the time
+The joystick is released and driven by a torque that changes at every step. The share of the FMU is the time
 of such a step in the compiled loop, which does nothing else.
 """
 
@@ -39,7 +39,7 @@ def main(
 
 
 def table(fmus: Path, steps: int, seconds: float) -> str:
-    """Steps and lateness, one row a way."""
+    """Return steps and lateness, one row per method."""
     ways = {
         "FMI 2, in this process": ("fmi2", False),
         "FMI 3, in this process": ("fmi3", False),
@@ -59,12 +59,12 @@ def table(fmus: Path, steps: int, seconds: float) -> str:
 
 
 def torques(count: int) -> FloatArray:
-    """A torque for each step (N m), no two alike that follow each other."""
+    """Return a torque for each step (N m), no two consecutive ones equal."""
     return np.random.default_rng(1).uniform(-1.0, 1.0, count)
 
 
 def step_times(fmu: Fmu, count: int) -> FloatArray:
-    """Time of every step (s), shape (count,), without collections of garbage in between."""
+    """Return the time of every step (s), shape (count,), without garbage collection in between."""
     taken = np.empty(count)
     values = torques(count).tolist()
     with fmu.start(parameters=START) as stepper:
@@ -81,7 +81,7 @@ def step_times(fmu: Fmu, count: int) -> FloatArray:
 
 
 def lateness(fmu: Fmu, seconds: float) -> FloatArray:
-    """How late the steps of a loop in real time begin (s)."""
+    """Return how late the steps of a real-time loop begin (s)."""
     values = torques(1000).tolist()
     with fmu.start(parameters=START) as stepper:
         late = []
@@ -92,7 +92,7 @@ def lateness(fmu: Fmu, seconds: float) -> FloatArray:
 
 
 def compiled_step(fmu: Fmu, count: int) -> float:
-    """Time of such a step in the compiled loop (s)."""
+    """Return the time of such a step in the compiled loop (s)."""
     points = STEP * np.arange(count + 1)
     jumps = pd.DataFrame({"T": np.repeat(torques(count), 2)}, index=np.repeat(points, 2)[1:-1])
     plan = fmu.plan(points, parameters=START, inputs=jumps)

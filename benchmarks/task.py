@@ -1,4 +1,4 @@
-"""What every contender computes: release from rest, 1.5 s, 901 samples; and how wrong a result is."""
+"""The task of every contender: release from rest, 1.5 s, 901 samples; and the error of a result."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ DURATION: Final = 1.5
 INTERVALS: Final = 900
 #: The release (rad) whose run is timed.
 RELEASE: Final = math.radians(-20.0)
-#: The releases (rad) over which the error is taken: that of a single run depends on luck.
+#: The releases (rad) over which the error is taken: the error of a single run depends on chance.
 RELEASES: Final = tuple(math.radians(angle) for angle in (-20.0, -15.0, -8.0, 11.0, 17.0))
-#: Tolerance that the FMU's integrator is asked to keep.
+#: Tolerance of the FMU's integrator.
 TOLERANCE: Final = 1e-8
-#: Tolerance of the reference that errors are taken against; see `reference_theta`.
+#: Tolerance of the reference for errors; see `reference_theta`.
 _TRUE_TOLERANCE: Final = 1e-15
 
 

@@ -1,9 +1,9 @@
-"""A person drives the joystick in real time by the arrow keys or a game controller; or a script does.
+"""Drive the joystick in real time by the arrow keys, a game controller or a script.
 
-With pygame (pip install 'pyjoystick[game]') a window shows the handle and the torque. The left and right
-arrow keys push with 1.5 N m, a controller's first axis with up to 2.5; S saves the state, R goes back to it,
-Esc ends. --headless needs neither pygame nor a screen: a scripted hand pushes for two seconds. The motion,
-and how late the frames began, are then in results/drive_joystick/.
+With pygame (pip install 'pyjoystick[game]'), a window shows the handle and the torque. The left and right
+arrow keys push with 1.5 N m, a controller's first axis with up to 2.5; S saves the state, R restores it, Esc
+ends. --headless needs neither pygame nor a screen: a scripted hand pushes for two seconds. The motion and the
+lateness of the frames are written to results/drive_joystick/.
 """
 
 import argparse
@@ -20,7 +20,7 @@ from pyjoystick.fmu import SavedState, Stepper, paced
 from pyjoystick.motion import Quantity, make_table
 
 STEP = 1e-3  # s
-FRAME = 1.0 / 60.0  # s, between two looks at the hand
+FRAME = 1.0 / 60.0  # s, between two readings of the hand
 PUSH, FULL_AXIS = 1.5, 2.5  # N m
 STOP = math.radians(20.0)
 RESULTS = Path(__file__).parents[1] / "results" / "drive_joystick"
@@ -30,14 +30,14 @@ class Hand(Protocol):
     """What pushes the joystick."""
 
     def look(self, joystick: Stepper) -> float | None:
-        """The torque of the next frame (N m); None ends the drive. A window shows the joystick."""
+        """Return the torque of the next frame (N m); None ends the drive. A window shows the joystick."""
 
 
 class Script:
     """Pushes forward, lets go, pushes backward, lets go."""
 
     def look(self, joystick: Stepper) -> float | None:
-        """As of `Hand`."""
+        """See `Hand`."""
         if joystick.time >= 2.0 - FRAME / 2.0:
             return None
         return {0: PUSH, 2: -PUSH}.get(int(2.0 * joystick.time), 0.0)
@@ -51,7 +51,7 @@ class Player:
         import pygame
 
         self.pygame: Any = pygame
-        pygame.display.init()  # and no sound
+        pygame.display.init()  # without sound
         pygame.joystick.init()
         self.screen = pygame.display.set_mode((480, 360))
         pygame.display.set_caption("Joystick: arrow keys or controller, S save, R restore, Esc end")
@@ -61,7 +61,7 @@ class Player:
         self.side = 0
 
     def look(self, joystick: Stepper) -> float | None:
-        """As of `Hand`."""
+        """See `Hand`."""
         for event in self.pygame.event.get():
             is_key = event.type == self.pygame.KEYDOWN
             if event.type == self.pygame.QUIT or (is_key and event.key == self.pygame.K_ESCAPE):
@@ -97,11 +97,10 @@ class Player:
 
 
 def drive(hand: Hand) -> tuple[list[list[float]], list[float]]:
-    """Step the joystick at the pace of the clock until the hand lets it be.
+    """Step the joystick in real time until the hand ends the drive.
 
     Returns:
-        time, torque, theta, omega and alpha of every step that was not taken back; how late every frame
-        began (s)
+        time, torque, theta, omega and alpha of every step that was not reverted; lateness of every frame (s)
     """
     rows, late = [], []
     with Fmu("Joystick") as fmu, fmu.start() as joystick:
@@ -110,7 +109,7 @@ def drive(hand: Hand) -> tuple[list[list[float]], list[float]]:
             if torque is None:
                 break
             late.append(lateness)
-            while rows and rows[-1][0] > joystick.time + STEP / 2.0:  # the hand went back to a saved state
+            while rows and rows[-1][0] > joystick.time + STEP / 2.0:  # the hand restored a saved state
                 rows.pop()
             end = joystick.time + FRAME
             while joystick.time < end - STEP / 2.0:

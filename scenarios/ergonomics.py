@@ -1,6 +1,6 @@
-"""The load of 20,000 moves a shift on an operator (section 1) by preload, stiffness and speed.
+"""The load of 20,000 moves per shift on an operator (section 1) by preload, stiffness and speed.
 
-The moves are invented, drawn with a fixed seed: `MOVES` says how. Each variant is a run of the inverse FMU.
+The moves are synthetic, drawn with a fixed seed: see `MOVES`. Each variant is a run of the inverse FMU.
 Prints forces, work and impulse and saves the figure in results/ergonomics/.
 """
 
@@ -22,7 +22,7 @@ from pyjoystick.forced_motion import (
 )
 
 MOVES = MoveDistribution().draw(60, seed=1)
-JOYSTICK = NOMINAL  # read_parameters("joystick.toml") takes your own
+JOYSTICK = NOMINAL  # read_parameters("joystick.toml") loads your own
 RESULTS = Path(__file__).parents[1] / "results" / "ergonomics"
 
 

@@ -1,8 +1,8 @@
-"""Fig. 1: a mass between two opposing restrained preloaded springs, with clearance and without.
+"""Fig. 1: a mass between two opposing restrained preloaded springs, with and without clearance.
 
-Builds the FMU of PreloadedSprings.Examples.OpposingSprings, releases the mass, and compares the periods that
-it simulates without damping with the closed form over straight lines, which is exact for this system.
-Prints them and saves the figure and the FMU in results/fig01_opposing_springs/.
+Builds the FMU of PreloadedSprings.Examples.OpposingSprings, releases the mass, and compares the simulated
+undamped periods with the closed form for piecewise linear forces, which is exact for this system. Prints them
+and saves the figure and the FMU in results/fig01_opposing_springs/.
 """
 
 import sys
@@ -65,7 +65,7 @@ def oscillator(fmu: Fmu, clearance: float) -> LineOscillator:
 
 
 def cells(fmu: Fmu, oscillators: dict[str, LineOscillator], amplitude: float) -> list[str]:
-    """Period in closed form (ms), and how far the FMU's lies from it, for each clearance."""
+    """Period in closed form (ms), and the difference of the FMU's period, for each clearance."""
     texts = []
     for label, clearance in CLEARANCES.items():
         period = oscillators[label].oscillation(amplitude).period

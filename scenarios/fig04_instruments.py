@@ -1,8 +1,8 @@
-"""Fig. 4: a free oscillation as a camera and an accelerometer see it.
+"""Fig. 4: a free oscillation as recorded by a camera and an accelerometer.
 
-The camera's record is synthetic (see scenarios/data) and goes through the paper's measuring chain; the ideal
-accelerometer reads the motion that the record was made from. Prints the peaks, and gravity's part of the
-accelerometer's signal, and saves the figure in results/fig04_instruments/.
+The camera's record is synthetic (see scenarios/data) and processed by the paper's measuring chain; the ideal
+accelerometer reads the motion from which the record was made. Prints the peaks and the contribution of
+gravity to the accelerometer's signal, and saves the figure in results/fig04_instruments/.
 """
 
 import json
@@ -31,7 +31,7 @@ def main(results: Path = RESULTS) -> int:
     release = json.loads(TRUTH.read_text(encoding="utf-8"))["releases"][record.name]
     start, angle = release["release_time"], release["release_angle"]
     true = simulate(NOMINAL_POWER_LAW, time=np.linspace(0.0, DURATION, 2251), theta_start=angle)
-    # Peaks of the chain are looked for after the release, where they are larger than its noise.
+    # Peaks are searched after the release, where they are larger than the chain's noise.
     after = (motion.time > start) & (motion.time < start + DURATION)
     measured = pd.DataFrame(
         {"theta": motion.theta[after], "omega": motion.omega[after]}, index=motion.time[after] - start

@@ -1,8 +1,7 @@
-"""Fig. 7b: load-deflection curves of the actuators, steep at the preloads, beside cubic polynomials.
+"""Fig. 7b: load-deflection curves of the actuators, steep at the preloads, with cubic fits.
 
 The curves are those of Table 1; `pyjoystick import load-curve` fits your own. Prints forces and secant
-stiffnesses at the kinks and how far the cubics are off, and saves the figure in
-results/fig07_load_deflection/.
+stiffnesses at the kinks and the errors of the cubics, and saves the figure in results/fig07_load_deflection/.
 """
 
 import sys

@@ -1,7 +1,7 @@
-"""Fig. 9: the damping from the peaks of four free oscillations, and how far the method is off.
+"""Fig. 9: the damping from the peaks of four free oscillations, and the error of the method.
 
-The records are synthetic (see scenarios/data). Put in your own: one CSV file a repeat, with the columns
-time (s) and theta (deg). Prints the estimates beside their biases and saves the figures in
+The records are synthetic (see scenarios/data). To use your own, provide one CSV file per repeat with the
+columns time (s) and theta (deg). Prints the estimates and their biases and saves the figures in
 results/fig09_damping_from_peaks/.
 """
 
@@ -32,7 +32,7 @@ RECORDS = {
     "eq. (11) with alpha = 0.9": sorted(DATA.glob("synthetic_power_law_?.csv")),
     "constant C = 0.045": sorted(DATA.glob("synthetic_constant_?.csv")),
 }
-JOYSTICK = NOMINAL  # all but the damping is taken as known; read_parameters("joystick.toml") takes your own
+JOYSTICK = NOMINAL  # all but the damping is considered known; read_parameters("joystick.toml") loads your own
 TRUE_C = (0.02, 0.03, 0.045, 0.06, 0.08)  # N m s/rad
 RELEASE_ANGLES = np.radians([-20.0, -10.0])
 RESULTS = Path(__file__).parents[1] / "results" / "fig09_damping_from_peaks"

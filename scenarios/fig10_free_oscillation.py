@@ -1,8 +1,8 @@
-"""Fig. 10: a measured free oscillation beside simulations with the damping function and with a constant.
+"""Fig. 10: a measured free oscillation and simulations with the damping function and with a constant.
 
-The record is synthetic (see scenarios/data) and goes through the paper's measuring chain; put in your own: a
-CSV file with the columns time (s) and theta (deg). Prints the peaks and their errors, eqs. (12a, b), and
-saves the figure in results/fig10_free_oscillation/.
+The record is synthetic (see scenarios/data) and processed by the paper's measuring chain; to use your own,
+provide a CSV file with the columns time (s) and theta (deg). Prints the peaks and their errors, eqs. (12a,
+b), and saves the figure in results/fig10_free_oscillation/.
 """
 
 import sys

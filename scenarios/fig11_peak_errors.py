@@ -1,6 +1,6 @@
-"""Fig. 11: how well simulations with different dampings meet measured peaks, by the errors of eqs. (12a, b).
+"""Fig. 11: how well simulations with different damping match measured peaks, by the errors of eqs. (12a, b).
 
-The records are synthetic and made with the power law, eq. (11), at alpha = 0.9 (see scenarios/data). Sweeps
+The records are synthetic, made with the power law, eq. (11), at alpha = 0.9 (see scenarios/data). Sweeps
 alpha in the power law and C in the constant law, prints the errors with their minima and saves the figure in
 results/fig11_peak_errors/.
 """

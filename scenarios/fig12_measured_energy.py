@@ -1,9 +1,9 @@
-"""Fig. 12: the energy falls in steps, and why the energy from a measured motion seems to rise.
+"""Fig. 12: the energy falls in steps, and why the energy computed from a measured motion seems to rise.
 
-A free oscillation is simulated, so that everything about it is known, sampled at 60 Hz as by the paper's
-cameras, and put through the paper's chain: spline to 600 Hz, Butterworth at 13 Hz forward and reverse,
-5-point and 3-point derivatives. Prints the plateaus of the energy, how much of the peaks of the velocity is
-lost and the error budget, and saves the figures in results/fig12_measured_energy/.
+A free oscillation is simulated, so that its energy is known, sampled at 60 Hz like the paper's cameras, and
+processed by the paper's chain: spline to 600 Hz, Butterworth at 13 Hz forward and reverse, 5-point and
+3-point derivatives. Prints the plateaus of the energy, the loss at the peaks of the velocity and the error
+budget, and saves the figures in results/fig12_measured_energy/.
 """
 
 import math
@@ -69,7 +69,7 @@ def main(results: Path = RESULTS) -> int:
 
 
 def plateau_report(rests: pd.DataFrame) -> str:
-    """The plateaus in Markdown: where, how long, and how little is lost on them."""
+    """The plateaus in Markdown: position, duration, and the energy lost on them."""
     rows = [
         [
             f"{row.time:.4f}",

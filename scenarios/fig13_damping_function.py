@@ -1,7 +1,7 @@
-"""Fig. 13: the damping function of eq. (11) over time, with its jumps, and the constant that stands for it.
+"""Fig. 13: the damping function of eq. (11) over time, with its jumps, and the equivalent constant.
 
-Prints how far the function changes within 1 ms of the zeros of the angle and of the velocity, and its
-means; saves the figure in results/fig13_damping_function/.
+Prints the change of the function within 1 ms of the zeros of angle and velocity, and its means; saves the
+figure in results/fig13_damping_function/.
 """
 
 import math

@@ -1,8 +1,8 @@
-"""Fig. 14: a joystick moved forward and back, as it is and as the paper's cameras would have seen it.
+"""Fig. 14: a joystick moved forward and back, exactly and as measured by the paper's cameras.
 
-The motion of the paper is not printed as numbers. This one is in closed form, so that everything about it is
-known; the measurement is synthetic: markers with noise at 60 Hz through the chain of section 2. Prints the
-peaks of both and saves the figure in results/fig14_forced_motion/.
+The paper does not print its motion as numbers. This one is in closed form, so that it is known exactly; the
+measurement is synthetic: markers with noise at 60 Hz, processed by the chain of section 2. Prints the peaks
+of both and saves the figure in results/fig14_forced_motion/.
 """
 
 import math

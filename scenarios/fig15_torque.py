@@ -1,7 +1,7 @@
 """Fig. 15: the torque that moves the joystick forward and back, eq. (13), with both damping laws.
 
-Torque and parts come from the inverse FMUs; the difference to plain Python is printed, and how well the
-torque, put back into the joystick's FMUs, returns the motion. Then: how the statements of section 5 depend on
+The inverse FMUs compute the torque and its parts; prints the difference to plain Python, and how well the
+joystick's FMUs reproduce the motion under this torque. Then shows how the statements of section 5 depend on
 the time of a stroke, and on the sign of an exponent of eq. (11). Figures, of the motion in closed form and of
 its synthetic measurement, and the summary go to results/fig15_torque/.
 """
@@ -29,7 +29,7 @@ from pyjoystick.reports import MOTION, Section5, section_5
 
 JOYSTICKS = {"constant": NOMINAL, "power-law": NOMINAL_POWER_LAW}
 STROKES = (0.08, 0.1, 0.12, 0.15, 0.2, 0.3, 0.5)  # s
-#: Eq. (11) with the exponent that falling lines in Fig. 9(a) would have given at positive angles.
+#: Eq. (11) with the exponent that falling lines in Fig. 9(a) would give at positive angles.
 FALLING = NOMINAL_POWER_LAW.replace({"damping.n_pos": -0.084})
 SEED = 15
 RESULTS = Path(__file__).parents[1] / "results" / "fig15_torque"

@@ -71,7 +71,7 @@ def write_best(candidates: Sequence[Candidate], path: Path) -> str:
     if not trusted:
         return f"no fit can be trusted; {path.name} is not written"
     best = min(trusted, key=lambda one: one.fit.criteria.aicc)
-    # What was not fitted stays as the file has it; where there is none, as in the paper.
+    # Parameters that were not fitted keep the file's values or, without a file, the paper's.
     before = read_parameter_file(path) if path.exists() else PAPER
     law = "constant" if best.name == "constant" else "power-law"
     found = fitted_joystick(best.fit, before.with_law(law), before.uncertainties)

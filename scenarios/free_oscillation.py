@@ -22,7 +22,7 @@ from pyjoystick.motion import Case, free_oscillation_report, within_limits
 
 RELEASE_ANGLE = math.radians(-20.0)
 DURATION = 1.5  # s
-FILE = PAPER  # read_parameter_file("joystick.toml") takes your own joystick
+FILE = PAPER  # read_parameter_file("joystick.toml") loads your own joystick
 JOYSTICKS = {
     "constant damping": FILE.with_law("constant"),
     "power-law damping": FILE.with_law("power-law"),
@@ -32,7 +32,7 @@ RESULTS = Path(__file__).parents[1] / "results" / "free_oscillation"
 
 
 def main(results: Path = RESULTS) -> int:
-    """Run the scenario; returns 1 where an FMU is further from the reference than `LIMITS`."""
+    """Run the scenario; returns 1 if an FMU differs from the reference by more than `LIMITS`."""
     cases = {}
     for label, joystick in JOYSTICKS.items():
         run = free_oscillation(RELEASE_ANGLE, parameters=joystick, duration=DURATION)

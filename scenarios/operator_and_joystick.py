@@ -1,8 +1,8 @@
 """An operator's hand moves the joystick: two FMUs in one SSP archive, coupled at communication points.
 
-Writes results/operator_and_joystick/joystick.ssp, reads it back and runs it; prints how the coupling error,
-against the same system as one model, falls with the communication step, and what input derivatives and saved
-FMU states gain.
+Writes results/operator_and_joystick/joystick.ssp, reads it back and runs it; prints the coupling error,
+relative to the same system as one model, over the communication step, and the gain from input derivatives and
+saved FMU states.
 """
 
 import math

@@ -1,8 +1,8 @@
 """Why the period falls with the amplitude: the paper's main finding, from the energy and in closed form.
 
-Undamped periods by quadrature beside those that the FMU simulates without damping, those with linearized
-geometry in closed form, and those of two free oscillations that die away. Prints them and saves the figure in
-results/period/. docs/period.md explains it.
+Compares undamped periods by quadrature with those that the FMU simulates without damping, those with
+linearized geometry in closed form, and those of two decaying free oscillations. Prints them and saves the
+figure in results/period/. docs/period.md explains it.
 """
 
 import math
@@ -24,7 +24,7 @@ from pyjoystick import (
 )
 from pyjoystick.model import decaying_periods, exponent, period_table, plot_periods
 
-JOYSTICK = NOMINAL  # read_parameters("joystick.toml") takes your own
+JOYSTICK = NOMINAL  # read_parameters("joystick.toml") loads your own
 RELEASE = math.radians(-20.0)
 SHOWN = -np.radians([0.3, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0])
 DRAWN = -np.radians(np.geomspace(0.2, 20.8, 250))
@@ -74,7 +74,7 @@ def simulated_period(fmu: Fmu, release: float, expected: float) -> float:
 
 
 def report(table: pd.DataFrame) -> str:
-    """The periods in Markdown, and where the time goes."""
+    """The periods in Markdown, and the time spent in each part of the motion."""
     rows = [
         [
             f"{math.degrees(row.release):g}",

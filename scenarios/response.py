@@ -1,8 +1,8 @@
-"""What a joystick does whose handle is shaken: 0.6 N m at 4 Hz, and around that frequency.
+"""The response of a joystick to a shaken handle: 0.6 N m at 4 Hz, and around that frequency.
 
-The motions that releases lead to, with the part of the releases and until when runs can be trusted; the
-branch of the large motion with its fold. Prints both and saves the figures in results/response/.
-docs/response.md explains it.
+Shows the motions reached from different releases, with the share of the releases and the time up to which
+runs can be trusted, and the branch of the large motion with its fold. Prints both and saves the figures in
+results/response/. docs/response.md explains it.
 """
 
 import sys
@@ -23,7 +23,7 @@ from pyjoystick.forced_motion import (
     plot_response,
 )
 
-JOYSTICK = NOMINAL  # read_parameters("joystick.toml") takes your own
+JOYSTICK = NOMINAL  # read_parameters("joystick.toml") loads your own
 SHAKING = Shaking(torque=0.6, frequency=4.0)  # N m, Hz
 RANGE = (3.4, 4.4)  # Hz
 RELEASES = np.radians([-20.0, -15.0, -10.0, -5.0, -1.0, 1.0, 5.0, 10.0, 15.0, 20.0])

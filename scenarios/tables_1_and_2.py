@@ -1,4 +1,4 @@
-"""Tables 1 and 2 as the model uses them, with the springs that Table 1 amounts to and the damping laws.
+"""Tables 1 and 2 as used by the model, with the springs equivalent to Table 1, and the damping laws.
 
 Prints them and saves them in results/tables_1_and_2/.
 """

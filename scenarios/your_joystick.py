@@ -1,7 +1,7 @@
-"""From the synthetic laboratory to a fitted joystick in Python, and what each stage adds to its errors.
+"""From the synthetic laboratory to a fitted joystick in Python, with the error contribution of each stage.
 
-Follows docs/your-joystick.md. Prints what each stage contributes to the angle, its velocity and the
-period, and to the fitted moment of inertia and damping; everything is in results/your_joystick/.
+Follows docs/your-joystick.md. Prints what each stage contributes to the errors of the angle, its velocity and
+the period, and of the fitted moment of inertia and damping; all results are in results/your_joystick/.
 """
 
 import math
@@ -38,7 +38,7 @@ from pyjoystick.laboratory import (
 MAKER = Path(__file__).parent / "data" / "make_synthetic_laboratory.py"
 SIDES = ("forward", "backward")
 GEOMETRY = {"a": 0.0241, "b": 0.0051}
-U_GEOMETRY = 1e-5  # m, of a
+U_GEOMETRY = 1e-5  # m, uncertainty of a
 RADIUS, U_RADIUS = 0.266, 5e-4  # m
 FORWARD = {"trial_1.c3d": "x", "trial_2.c3d": "x", "trial_3.csv": "x", "trial_4.csv": "-x"}
 RELEASE = math.radians(-20.0)
@@ -95,7 +95,7 @@ def measure_trial(file: Path, joystick: JoystickParameters) -> AngleMeasurement:
 
 
 def measuring_stages(joystick: JoystickParameters) -> list[Contribution]:
-    """What the chain of section 2 does to a motion; the fit takes the angle before it."""
+    """What the chain of section 2 does to a motion; the fit uses the angle before it."""
     random = np.random.default_rng(1)
     budget = error_budget(joystick, Chain(), release_angle=RELEASE, random=random, radius=RADIUS)
     return [

@@ -1,1 +1,1 @@
-"""How much of the Modelica Standard Library `fmu_build` builds, and whether the results are right."""
+"""The part of the Modelica Standard Library that `fmu_build` builds, and whether the results are right."""

@@ -87,7 +87,7 @@ def _table(outcomes: dict[str, Outcome]) -> str:
 
 
 def _cell(outcome: Outcome) -> str:
-    """Return the error, or the reason without places: they are those of one machine."""
+    """Return the error, or the reason without file positions, which are specific to a machine."""
     first = outcome.detail.splitlines()[0] if outcome.detail else ""
     return _PLACE.sub("", first).replace("|", r"\|")
 

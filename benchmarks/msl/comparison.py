@@ -1,4 +1,4 @@
-"""A result against a published reference result."""
+"""Compare a result with a published reference result."""
 
 from __future__ import annotations
 
@@ -11,20 +11,21 @@ import pandas as pd
 from numpy.typing import NDArray
 
 TOLERANCE = 1e-4
-"""Of the range of a signal."""
+"""Relative to the range of a signal."""
 NEAR = 1e-3
-"""Of the range: a reference result may itself be off by this much."""
+"""Relative to the range: a reference result may itself have an error of this size."""
 TIME_TOLERANCE = 1e-6
-"""Of the length of the run: how far apart a jump may lie in the two results."""
+"""Relative to the length of the run: largest time shift of a jump between the two results."""
 _LEAST_RANGE = 1e-6
 _LEAST_SHARE = 1e-3
-"""The range of a signal counts as at least this, and as this share of its largest magnitude: what is constant
-in a reference result varies by rounding there."""
+"""Lower limit for the range of a signal, absolute and relative to its largest magnitude: signals that are
+constant in a reference result vary by rounding in others.
+"""
 
 
 @dataclass(frozen=True, slots=True)
 class Reference:
-    """A reference result: instants (n,), at an event twice; values (n, signals); the names of the signals."""
+    """A reference result: times (n,), twice at events; values (n, signals); signal names."""
 
     time: NDArray[np.float64]
     values: NDArray[np.float64]
@@ -32,14 +33,14 @@ class Reference:
 
     @property
     def instants(self) -> NDArray[np.float64]:
-        """The instants, each once."""
+        """The times without duplicates."""
         return np.unique(self.time)
 
 
 def read_reference(folder: Path) -> Reference:
-    """Read ``NAME/NAME.csv``, in the columns that ``comparisonSignals.txt`` lists.
+    """Read the columns of ``NAME/NAME.csv`` that ``comparisonSignals.txt`` lists.
 
-    Raises `OSError` or `ValueError` if the folder does not hold a reference result.
+    Raises `OSError` or `ValueError` if the folder does not contain a reference result.
     """
     names = (folder / "comparisonSignals.txt").read_text("utf-8").split()
     table = folder / f"{folder.name}.csv"
@@ -52,14 +53,14 @@ def read_reference(folder: Path) -> Reference:
 
 
 def largest_error(reference: Reference, result: pd.DataFrame) -> tuple[float, str]:
-    """Return the largest distance from the reference in ranges of the signal, and that signal.
+    """Return the largest distance from the reference, relative to the signal's range, and that signal.
 
     Args:
-        reference: what is right.
+        reference: the reference result.
         result: a column for each signal, at `Reference.instants`.
 
-    The distance is that from the band between the smallest and the largest value of the reference within
-    `TIME_TOLERANCE` of the instant, so that a jump may be on either side of it.
+    The distance is measured from the band between the smallest and the largest reference value within
+    `TIME_TOLERANCE` of each time, so that a jump may be on either side of it.
     """
     reach = TIME_TOLERANCE * (reference.time[-1] - reference.time[0])
     worst = (0.0, "")
@@ -75,7 +76,7 @@ def largest_error(reference: Reference, result: pd.DataFrame) -> tuple[float, st
 def _band(
     time: NDArray[np.float64], values: NDArray[np.float64], instants: NDArray[np.float64], reach: float
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return the least and the largest value within reach of each instant, with lines between the points."""
+    """Return the minimum and maximum near each time, with linear interpolation between the points."""
     first = np.searchsorted(time, instants - reach, side="left")
     last = np.searchsorted(time, instants + reach, side="right")
     ends = [_on_lines(time, values, instants + shift) for shift in (-reach, reach)]

@@ -1,4 +1,4 @@
-"""Build one example, run it and compare it: in a process of its own, which may take too long or crash.
+"""Build one example, run it and compare it, in a separate process, because it may hang or crash.
 
     python -m benchmarks.msl.example MODEL LIBRARY REFERENCE_FOLDER
 
@@ -26,16 +26,16 @@ Verdict = Literal["right", "near", "wrong", "refused", "fails", "crash", "too lo
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """What came of an example; `detail` is the error in ranges, or why there is none."""
+    """The outcome of an example; `detail` is the relative error, or why there is none."""
 
     verdict: Verdict
     detail: str
     seconds: float = 0.0
-    """Of the build."""
+    """Build time."""
 
 
 def try_example(model: str, library: Path, reference_folder: Path) -> Outcome:
-    """Return what comes of an example; errors of both become verdicts."""
+    """Return the outcome of an example; errors in building or running become verdicts."""
     reference = read_reference(reference_folder)
     with tempfile.TemporaryDirectory(prefix="benchmarks-") as folder:
         try:

@@ -10,6 +10,6 @@ package Constants "Mathematical constants"
       Line(points = {{-20, 40}, {-24, -10}, {-36, -50}}, color = {64, 64, 64}, thickness = 1),
       Line(points = {{22, 40}, {22, -36}, {30, -50}, {44, -44}}, color = {64, 64, 64}, thickness = 1)}),
     Documentation(info = "<html>
-<p>What the library needs of the constants, since it uses no other library.</p>
+<p>The constants that the library needs, since it uses no other library.</p>
 </html>"));
 end Constants;

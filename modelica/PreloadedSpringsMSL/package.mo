@@ -16,10 +16,10 @@ package PreloadedSpringsMSL "Preloaded springs and joysticks among components of
       Line(points = {{32, 30}, {32, -30}}, color = {64, 64, 64})}),
     Documentation(info = "<html>
 <p>
-<a href=\"modelica://PreloadedSprings\">PreloadedSprings</a> needs no other library. This one stands between it and the
+<a href=\"modelica://PreloadedSprings\">PreloadedSprings</a> needs no other library. This one connects it to the
 Modelica Standard Library: springs on the flanges of
-<a href=\"modelica://Modelica.Mechanics.Translational\">Modelica.Mechanics.Translational</a>, and joysticks that motors
-and gears of the Modelica Standard Library load and drive.
+<a href=\"modelica://Modelica.Mechanics.Translational\">Modelica.Mechanics.Translational</a>, and joysticks that
+motors and gears of the Modelica Standard Library load and drive.
 </p>
 <p>
 Signs and names are those of the Modelica Standard Library: <code>s_rel = flange_b.s - flange_a.s</code> falls where a
@@ -27,7 +27,7 @@ spring is compressed, its force <code>f</code> is then negative, <code>c</code> 
 <code>s_rel0</code> the relative distance at which the contact begins.
 </p>
 <p>
-The joysticks themselves need no version of their own: the <code>flange</code> of
+The joysticks themselves need no MSL version: the <code>flange</code> of
 <a href=\"modelica://PreloadedSprings.Joystick.Joystick\">PreloadedSprings.Joystick.Joystick</a> connects to those of
 <a href=\"modelica://Modelica.Mechanics.Rotational\">Modelica.Mechanics.Rotational</a>, and its signals to those of
 <a href=\"modelica://Modelica.Blocks\">Modelica.Blocks</a>.

@@ -1,9 +1,9 @@
-"""Makes the files of a synthetic laboratory: no joystick was measured, the reference was sampled.
+"""Write the files of a synthetic laboratory, sampled from the reference; no joystick was measured.
 
     python scenarios/data/make_synthetic_laboratory.py laboratory
 
-As `pyjoystick new laboratory --example` makes them, but for the first two releases, which are C3D files that
-ezc3d writes. What was put in is in the folder `truth`.
+The same files as from `pyjoystick new laboratory --example`, except for the first two releases, which are C3D
+files written by ezc3d. The true values are in the folder `truth`.
 """
 
 import sys
@@ -27,7 +27,7 @@ def main(folder: Path = RESULTS) -> int:
 
 
 def write_c3d(markers: Markers, path: Path) -> None:
-    """Write a C3D file in mm, of a subject that is called synthetic."""
+    """Write a C3D file in mm, with a subject named synthetic."""
     file = ezc3d.c3d()
     point = file["parameters"]["POINT"]
     point["RATE"]["value"] = [markers.rate]

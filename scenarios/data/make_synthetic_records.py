@@ -1,8 +1,8 @@
-"""Makes the synthetic records beside it: no joystick was measured, the reference was sampled.
+"""Write the synthetic records in this folder, sampled from the reference; no joystick was measured.
 
-Four repeats for each damping law, as a camera at 60 Hz would see them: held near -20 degrees, released
-between two frames, with 0.1 degree of noise. What was put in is stored beside them as synthetic_*_truth.json.
-The same seed gives the same files.
+Four repeats for each damping law, as recorded by a camera at 60 Hz: held near -20 degrees, released between
+two frames, with 0.1 degree of noise. The true values are stored with them as synthetic_*_truth.json. The same
+seed gives the same files.
 """
 
 import json
@@ -19,7 +19,7 @@ from pyjoystick.support import json_text, write_text
 JOYSTICKS = {"constant": NOMINAL, "power_law": NOMINAL_POWER_LAW}
 REPEATS = 4
 SEED = 2004
-RELEASE_SPREAD = math.radians(0.2)  # the hand does not let go at the very same angle
+RELEASE_SPREAD = math.radians(0.2)  # the release angle varies between repeats
 HOLD = 0.25  # s, and up to one frame more
 DRIVEN_RATE = 1000.0  # Hz
 DRIVEN_NOISE = math.radians(0.02)
@@ -47,9 +47,9 @@ def main(folder: Path = Path(__file__).parent) -> int:
 
 
 def _write_driven(folder: Path, random: np.random.Generator) -> None:
-    """A hand pushes to and fro; torque and angle at 1 kHz, the angle `DELAY` behind the torque."""
+    """A hand pushes in both directions; torque and angle at 1 kHz, the angle `DELAY` behind the torque."""
     time = np.arange(3001) / DRIVEN_RATE
-    # All but in balance at first, pressed against one side.
+    # Nearly in equilibrium at first, pressed against one side.
     rest = simulate(NOMINAL, time=[0.0, 1.0], theta_start=DRIVEN_START)
     hold = 1.0001 * float(rest.M_s[0] - rest.M_g[0])
     corners, levels = [0.0, 0.25, 0.35, 0.75, 0.85, 1.3, 1.4, 1.8, 1.9, 2.4, 2.5, 3.0], [hold, hold]

@@ -12,7 +12,7 @@ initial equation
     Icon(coordinateSystem(extent = {{-100, -100}, {100, 100}}), graphics = {
       Text(extent = {{10, 30}, {76, -30}}, textColor = {64, 64, 64}, textString = "C")}),
     Documentation(info = "<html>
-<p>The coefficient of eq. (1) as a number. The paper finds that 0.045 N.m.s/rad reproduces the times of
-its measured peaks best.</p>
+<p>A constant coefficient of eq. (1). The paper finds that 0.045 N.m.s/rad reproduces the times of its measured peaks
+best.</p>
 </html>"));
 end Constant;

@@ -39,9 +39,8 @@ initial equation
 <p>with <code>A</code> and <code>n</code> of the side that the joystick is on: <code>A_pos</code>, <code>n_pos</code>
 at positive angles, <code>A_neg</code>, <code>n_neg</code> at negative ones. Angles are in rad and angular
 velocities in rad/s. The preset values are the paper's; its best fit is <code>alpha = 0.9</code>.</p>
-<p>The exponents may be negative, and then the law is infinite at rest and in the middle. Therefore
-<code>|theta|</code> stands for <code>sqrt(theta^2 + eps_theta^2)</code>, and <code>|omega|</code> for
-<code>sqrt(omega^2 + eps_omega^2)</code>. The coefficient jumps where the angle changes its sign (Fig. 13),
-which is a state event.</p>
+<p>The exponents may be negative; the law would then be infinite at rest and in the middle. Therefore
+<code>|theta|</code> means <code>sqrt(theta^2 + eps_theta^2)</code>, and <code>|omega|</code> means <code>sqrt(omega^2 +
+eps_omega^2)</code>. The coefficient jumps where the angle changes its sign (Fig. 13), which is a state event.</p>
 </html>"));
 end PowerLaw;

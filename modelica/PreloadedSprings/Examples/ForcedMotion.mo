@@ -32,11 +32,11 @@ equation
     Diagram(coordinateSystem(extent = {{-160, -120}, {160, 120}})),
     experiment(StartTime = 0, StopTime = 1.5, Tolerance = 1e-8, Interval = 1e-3),
     Documentation(info = "<html>
-<p>An operator moves the joystick forward and back, here along an invented curve. Plot <code>inverse.T</code> with
+<p>An operator moves the joystick forward and back, here along an arbitrary curve. Plot <code>inverse.T</code> with
 its shares <code>inverse.T_stiffness</code>, <code>inverse.T_damping</code> and <code>inverse.T_inertia</code>, the
-four parts of Fig. 15: the inertia torque is comparable to that of springs and weight, and the damping is
-small. <code>inversePowerLaw.T_damping</code> is about one and a half times as large.</p>
-<p>The torque then drives a second joystick. Its motion returns the one prescribed: <code>deviation</code> is zero
-but for the errors of integration.</p>
+four parts of Fig. 15: the inertia torque is comparable to that of springs and weight, and the damping is small.
+<code>inversePowerLaw.T_damping</code> is about one and a half times as large.</p>
+<p>The torque then drives a second joystick, which reproduces the prescribed motion: <code>deviation</code> is zero
+except for integration errors.</p>
 </html>"));
 end ForcedMotion;

@@ -9,7 +9,7 @@ model FreeOscillationFriction "Free oscillation from 20 degrees that dry frictio
     experiment(StartTime = 0, StopTime = 1.5, Tolerance = 1e-8, Interval = 1e-3),
     Documentation(info = "<html>
 <p>As in <a href=\"modelica://PreloadedSprings.Examples.FreeOscillation\">FreeOscillation</a>, the joystick is held at
-rest and let go. The dry friction of its pivot, 0.05 N.m, takes its part of every swing, and the swings become shorter:
-the peaks fall faster than exponentially. After 1.18 s the joystick sticks where it is.</p>
+rest and released. The dry friction of its pivot, 0.05 N.m, takes energy from every swing, so the peaks fall faster
+than exponentially. After 1.18 s the joystick sticks.</p>
 </html>"));
 end FreeOscillationFriction;

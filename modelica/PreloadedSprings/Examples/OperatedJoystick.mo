@@ -20,10 +20,9 @@ equation
     experiment(StartTime = 0, StopTime = 1.2, Tolerance = 1e-8, Interval = 1e-3),
     Documentation(info = "<html>
 <p>The operator moves the joystick by 15 degrees forward, holds it, and lets it return. Plot
-<code>joystick.theta</code> with <code>operator_.theta_ref</code>: the joystick stays behind, most where the
-preload begins to act. The energy balance
-<code>operator_.W = joystick.E</code> plus the loss by damping holds.</p>
-<p>The same two models as two FMUs make a system of co-simulation that exchanges torque and motion at communication
-points only. This model has no such steps: it is what those results are compared with.</p>
+<code>joystick.theta</code> with <code>operator_.theta_ref</code>: the joystick lags, most where the preload begins to
+act. The energy balance <code>operator_.W = joystick.E</code> plus the loss by damping holds.</p>
+<p>As two FMUs, the same models form a co-simulation that exchanges torque and motion only at communication points.
+This model has no such points and serves as the reference for it.</p>
 </html>"));
 end OperatedJoystick;

@@ -36,9 +36,9 @@ equation
     Diagram(coordinateSystem(extent = {{-140, -80}, {140, 80}})),
     experiment(StartTime = 0, StopTime = 1.5, Tolerance = 1e-8, Interval = 1e-3),
     Documentation(info = "<html>
-<p>The system that the paper starts from: a mass moves through a clearance to contact with one or the other of
-two springs, each of which its central rod keeps compressed. In the middle, the force jumps almost from one
-preload to the other; far out, the springs are soft.</p>
+<p>The system that the paper starts from: a mass moves through a clearance to contact with one or the other of two
+springs, each kept compressed by its central rod. In the middle, the force jumps almost from one preload to the other;
+far out, the springs are soft.</p>
 <p>Plot <code>mass.s</code>: the period falls as the amplitude falls. Plot <code>E</code>: it never rises.
 <a href=\"modelica://PreloadedSprings.Examples.OpposingSpringsWithoutClearance\">OpposingSpringsWithoutClearance</a>
 is the same without play.</p>

@@ -30,9 +30,9 @@ equation
   annotation (
     experiment(StartTime = 0, StopTime = 5, Tolerance = 1e-8, Interval = 1e-3),
     Documentation(info = "<html>
-<p>The paper measures the moment of inertia by turning the joystick upside down, supporting it at the pivot and
-timing its swing: <code>J = m*g*h/(2*pi*f_n)^2</code>. Here the swing is computed. Compare <code>J_swing</code>
-with <code>handle.J</code>: they differ by the part <code>amplitude^2/8</code> only, since a pendulum is not
-exactly linear. The frequency <code>f_n</code> is about 1.25 Hz.</p>
+<p>The paper measures the moment of inertia by turning the joystick upside down, supporting it at the pivot and timing
+its swing: <code>J = m*g*h/(2*pi*f_n)^2</code>. Here the swing is computed. Compare <code>J_swing</code> with
+<code>handle.J</code>: their relative difference is only <code>amplitude^2/8</code>, because a pendulum is not exactly
+linear. The frequency <code>f_n</code> is about 1.25 Hz.</p>
 </html>"));
 end SwingTest;

@@ -7,6 +7,6 @@ package Examples "Models that can be simulated as they are"
       Polygon(points = {{-36, 60}, {64, 0}, {-36, -60}, {-36, 60}}, lineColor = {75, 138, 73},
         fillColor = {75, 138, 73}, fillPattern = FillPattern.Solid)}),
     Documentation(info = "<html>
-<p>Each example is complete and carries the settings of its simulation; its documentation says what to plot.</p>
+<p>Each example is complete and includes its simulation settings; its documentation says what to plot.</p>
 </html>"));
 end Examples;

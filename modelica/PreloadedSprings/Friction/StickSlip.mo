@@ -45,7 +45,7 @@ equation
       Line(points = {{20, 50}, {70, 50}}, color = {160, 60, 40}, thickness = 0.5,
         arrow = {Arrow.Filled, Arrow.Filled}, arrowSize = 8)}),
     Documentation(info = "<html>
-<p>Where the motion is computed, dry friction decides whether the shaft moves at all. Its state is
+<p>Dry friction for a shaft whose motion is computed: it decides whether the shaft moves at all. Its state is
 <code>mode</code>:</p>
 <table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">
 <tr><th>mode</th><th>the shaft</th><th>M_f</th><th>until</th></tr>
@@ -55,8 +55,8 @@ equation
 <p><code>M</code> is the moment of everything else on the shaft. Where <code>omega</code> passes zero, the shaft
 sticks if <code>M_max</code> can hold against <code>M</code>; else it turns back. Each change is a state event. The
 model around this one sets <code>omega</code> to zero there with <code>reinit</code>, and holds the acceleration at
-zero while <code>isStuck</code>, free of rounding errors: the shaft stays exactly where it is, for ever. It comes to
-rest anywhere in a band.</p>
-<p>No law is regularized: there is no velocity below which the friction is rounded off.</p>
+zero while <code>isStuck</code>, free of rounding errors: the shaft does not creep. It may come to rest anywhere
+within a band.</p>
+<p>The friction laws are not regularized at low velocity.</p>
 </html>"));
 end StickSlip;

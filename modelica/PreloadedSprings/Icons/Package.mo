@@ -5,6 +5,6 @@ partial package Package "Icon of a package"
       Rectangle(extent = {{-100, 100}, {100, -100}}, lineColor = {128, 128, 128}, fillColor = {245, 245, 240},
         fillPattern = FillPattern.Solid, radius = 20)}),
     Documentation(info = "<html>
-<p>A sheet with round corners. Packages that extend from it draw a picture of their own on it.</p>
+<p>A sheet with rounded corners, on which extending packages draw their own icon.</p>
 </html>"));
 end Package;

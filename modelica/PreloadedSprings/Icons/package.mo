@@ -9,6 +9,6 @@ package Icons "Icons that several classes share"
       Ellipse(extent = {{26, 62}, {54, 34}}, lineColor = {200, 150, 40}, fillColor = {240, 200, 90},
         fillPattern = FillPattern.Solid)}),
     Documentation(info = "<html>
-<p>Partial classes that hold a picture and nothing else.</p>
+<p>Partial classes that contain only an icon.</p>
 </html>"));
 end Icons;

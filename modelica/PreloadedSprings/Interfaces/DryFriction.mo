@@ -63,11 +63,11 @@ initial equation
     Documentation(info = "<html>
 <p>Dry friction acts against the motion with the moment</p>
 <blockquote><code>M_slide = T_c + (T_s - T_c)*exp(-(omega/omega_s)^2) + F_c*abs(dx/dtheta)</code></blockquote>
-<p>while the shaft slides: Coulomb friction <code>T_c</code> of the pivot; Stribeck friction, where the static
-moment <code>T_s</code> is larger; and Coulomb friction <code>F_c</code> along the plunger that the plate pushes.
-The plunger acts through the lever of its contact, as in <code>M_s = f_x*dx/dtheta</code>; within the clearance
-none is pushed and <code>F_c</code> has no effect. The plunger is taken to follow the plate, which asks its
-springs for more than <code>F_c</code>; so it is from the first fraction of a micrometer of contact on.</p>
+<p>while the shaft slides: Coulomb friction <code>T_c</code> of the pivot; Stribeck friction, where the static moment
+<code>T_s</code> is larger; and Coulomb friction <code>F_c</code> along the plunger that the plate pushes. The plunger
+acts through the lever of its contact, as in <code>M_s = f_x*dx/dtheta</code>; within the clearance none is pushed and
+<code>F_c</code> has no effect. The plunger is assumed to follow the plate, which requires a spring force above
+<code>F_c</code>; this is reached within the first fraction of a micrometer of contact.</p>
 <p>While the shaft sticks, the moment balances all others, up to <code>M_max</code>, which is
 <code>M_slide</code> at rest. All parameters are zero by default: there is no dry friction then.</p>
 <p>The paper has no dry friction. Coulomb's and Stribeck's laws are those of

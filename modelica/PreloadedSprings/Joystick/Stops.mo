@@ -63,7 +63,7 @@ times</p>
 <p>for <code>zeta &lt; 1</code>, where other moments are small beside that of the stop. What remains of the energy
 <code>K*delta^2/2</code> when the handle leaves is lost with the rest of the damping.</p>
 <p>The paper does not describe the stops. The preset <code>K</code> is this library's choice: a handle of 0.27 m
-yields by 1 mm to 14 N at its top; with the preset <code>D</code> and the paper's <code>J</code> an impact returns
+yields by 1 mm under 14 N at its top; with the preset <code>D</code> and the paper's <code>J</code> an impact returns
 0.74 of the speed. The preset <code>theta_stop = 0</code> means no stops.</p>
 </html>"));
 end Stops;

@@ -14,7 +14,7 @@ preloaded spring</a> is the basic component. An
 <a href=\"modelica://PreloadedSprings.Springs.ActuatorAssembly\">actuator assembly</a> is two of them; a
 <a href=\"modelica://PreloadedSprings.Springs.TableAssembly\">table assembly</a> describes the same
 load-deflection curve by its segments, as it comes out of a measurement.</p>
-<p>All of them have two flanges and resist that <code>flange_a</code> is pushed towards
-<code>flange_b</code>. They push only: where there is no contact, there is no force.</p>
+<p>All of them have two flanges and resist a motion of <code>flange_a</code> towards <code>flange_b</code>. They push
+only: where there is no contact, there is no force.</p>
 </html>"));
 end Springs;

@@ -80,9 +80,10 @@ equation
     Documentation(info = "<html>
 <p>
 A table gives the torque of a hand, which pushes the joystick forward and lets go, and the angle
-<code>course.y[2]</code> of the neutral position that it is made to feel, which jumps at 1.2 s. The motor adds the
+<code>course.y[2]</code> of the neutral position that the motor simulates, which jumps at 1.2 s. The motor adds the
 torque <code>c_feedback*(course.y[2] - theta)</code>: the wanted current follows from the angle, and a PI controller
-sets the voltage of the winding. Gear and rotor add <code>ratio^2*rotor.J</code> to the moment of inertia of the handle.
+sets the voltage of the winding. Gear and rotor add <code>ratio^2*rotor.J</code> to the moment of inertia of the
+handle.
 </p>
 <p>
 Plot <code>joystick.theta</code> with <code>joystick.T</code>, and the current <code>current.i</code> with

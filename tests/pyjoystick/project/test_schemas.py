@@ -1,4 +1,4 @@
-"""The schemas of the TOML files accept exactly what their readers accept."""
+"""The schemas of the TOML files accept what their readers accept."""
 
 from __future__ import annotations
 

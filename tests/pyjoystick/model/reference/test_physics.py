@@ -1,4 +1,4 @@
-"""The paper's statements about the joystick's motion, and conservation of energy."""
+"""The paper's statements about the joystick's motion, and the energy balance of any motion."""
 
 from __future__ import annotations
 
