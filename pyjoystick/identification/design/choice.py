@@ -166,6 +166,8 @@ def _inverse(matrix: FloatArray, values: FloatArray) -> FloatArray:
     """The inverse in the units of the values; variances are infinite where nothing is known."""
     scale = _scale(values)
     sizes, axes = np.linalg.eigh(matrix * scale * scale[:, np.newaxis])
-    with np.errstate(divide="ignore"):
-        inverse = (axes / np.maximum(sizes, np.max(sizes) * 1e-15)) @ axes.T
+    largest = float(np.max(sizes))
+    if largest <= 0.0:
+        return np.diag(np.full(len(values), np.inf))
+    inverse = (axes / np.maximum(sizes, largest * 1e-15)) @ axes.T
     return np.asarray(inverse * scale * scale[:, np.newaxis])

@@ -66,6 +66,13 @@ def test_errors_fall_with_the_root_of_the_number() -> None:
     assert design.with_counts(4 * design.counts).errors == pytest.approx(design.errors / 2.0)
 
 
+def test_experiments_that_show_nothing_are_refused() -> None:
+    """As a torque of zero throughout."""
+    nothing = _information("nothing", np.zeros((2, 2)), np.array([1.0, 2.0]))
+    with pytest.raises(FitError, match="not even the best of them determine p0, p1"):
+        best_design([nothing], 2)
+
+
 def test_what_no_experiment_shows_is_refused() -> None:
     blind = _information("blind", np.diag([1.0, 0.0]), np.array([1.0, 2.0]))
     with pytest.raises(FitError, match="not even the best of them determine p1"):
