@@ -141,7 +141,7 @@ def _moment(drawing: Animation, times: FloatArray, angles: FloatArray, peaks: Fl
     axes = Axes(drawing, Point(466.0, 300.0), 310.0, 290.0, (-21.0, 21.0), (-2.8, 2.8))
     axes.frame("θ (deg)", "moment of the springs (N·m)", ("-20", "-10", "0", "10", "20"), ("-2", "0", "2"))
     degrees = np.unique(np.concatenate([np.linspace(-21.0, 21.0, 43), np.linspace(-0.6, 0.6, 25)]))
-    axes.curve(degrees, contact_moment(NOMINAL, np.radians(degrees)), BLACK)
+    axes.curve(degrees.tolist(), contact_moment(NOMINAL, np.radians(degrees)).tolist(), BLACK)
     middle = axes.at(0.0, 0.0)
     ends = (axes.corner, axes.corner.moved(Point(axes.width, axes.height)))
     with drawing.within(*ends), drawing.group("secant"):
@@ -164,7 +164,7 @@ def _angle(drawing: Animation, angles: FloatArray) -> None:
     axes.frame("time (s)", "θ (deg), eight times slower", ticks, ("-20", "0", "20"))
     count = round(_END / _STEP) + 1
     time, degrees = np.linspace(0.0, _END, count), np.degrees(angles[1 : count + 1])
-    axes.curve(time[::3], degrees[::3], BLUE)
+    axes.curve(time[::3].tolist(), degrees[::3].tolist(), BLUE)
     low, high = axes.at(0.004, -20.0).moved(Point(0.0, 1.0)), axes.at(_END, 20.0)
     across = Point(high.x - low.x, 0.0)
     gone = DURATION - _BACK
