@@ -20,6 +20,8 @@ from pyjoystick.support import ARCHIVE_ERRORS, PyJoystickError, archive_problem
 
 #: Value references are unsigned 32-bit integers in both FMI versions.
 _LARGEST_REFERENCE: Final = 0xFFFF_FFFF
+#: Characters of an error of the archive or of its XML that a message repeats.
+_MOST_SAID: Final = 500
 
 
 def read_description(path: Path) -> FmuDescription:
@@ -46,7 +48,8 @@ def read_description(path: Path) -> FmuDescription:
     except FmuFileError:
         raise
     except Exception as error:  # FMPy passes on any error of its parser
-        reason = f"its modelDescription.xml cannot be read: {type(error).__name__}: {error}"
+        said = str(error)[:_MOST_SAID]  # of a damaged archive, an error quotes whatever follows in it
+        reason = f"its modelDescription.xml cannot be read: {type(error).__name__}: {said}"
         raise FmuFileError(path, reason) from error
 
 

@@ -81,3 +81,16 @@ def test_a_wrong_model_identifier(joystick_path: Path, tmp_path: Path) -> None:
     )
     with pytest.raises(FmuFileError, match=wanted):
         Fmu(path)
+
+
+def test_a_damaged_archive_is_not_repeated_in_the_message(tmp_path: Path) -> None:
+    """Python's error quotes the file name in the header of an entry, whose length may be damaged."""
+    path = tmp_path / "damaged.fmu"
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr("modelDescription.xml", "x" * 40_000)
+    content = bytearray(path.read_bytes())
+    content[26:28] = (30_000).to_bytes(2, "little")
+    path.write_bytes(content)
+    with pytest.raises(FmuFileError, match="cannot be read") as caught:
+        read_description(path)
+    assert len(str(caught.value)) < 1000
