@@ -144,8 +144,7 @@ def _jacobian(
     """Derivatives of the unknowns with respect to the knowns, shape (unknowns, knowns).
 
     Variables that are both, such as an output that is also a state, are not requested: their derivatives are
-        1
-    and 0 by definition, and many FMUs return only 0.
+    1 and 0 by definition, and many FMUs return only 0.
     """
     places = [_place(one) for one in unknowns]
     columns = {_place(one): j for j, one in enumerate(knowns)}

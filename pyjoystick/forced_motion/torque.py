@@ -76,8 +76,7 @@ def torque_by_fmu(
     """Compute the same table with ``JoystickInverse`` or ``JoystickInversePowerLaw`` in Co-Simulation.
 
     The FMU has no states: its outputs depend only on the current motion. Samples are fed to it at intervals
-        of
-    one second, which separates the two samples at a jump.
+    of one second, which separates the two samples at a jump.
 
     Args:
         joystick: parameters of the joystick

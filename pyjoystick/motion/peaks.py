@@ -32,7 +32,7 @@ def find_peaks(
 
     Three or more equal samples at the top (a clipped or resting signal) count as one peak in their middle.
     Nothing is smoothed: in noise, every ripple is a peak unless `minimum_prominence` is larger than its
-        swing.
+    swing.
 
     Args:
         time: times (s), shape (n,), strictly increasing

@@ -33,8 +33,7 @@ def displacement_points(
 
     Returns:
         one row per peak: ``record``, ``number`` (from 1), ``time`` (s from the release), ``peak`` (rad,
-            signed)
-        and ``C`` (N m s/rad), which is not positive if a peak is no lower than the release
+        signed) and ``C`` (N m s/rad), which is not positive if a peak is no lower than the release
 
     Raises:
         ParameterError: the inertia is not above zero

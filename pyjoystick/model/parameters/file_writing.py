@@ -46,8 +46,7 @@ def write_parameters(
     """Write a joystick to a parameter file.
 
     An existing file is updated: its comments, unchanged values and the parameters of the other damping law
-        are
-    kept. A new file starts as a copy of the paper's. If a number changes, its old uncertainty and the old
+    are kept. A new file starts as a copy of the paper's. If a number changes, its old uncertainty and the old
     source of its table are removed, unless new ones are given. If a number is implausible, ``implausible =
     true`` is added.
 

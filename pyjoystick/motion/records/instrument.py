@@ -55,8 +55,7 @@ def repeated_angles(record: Record, swings: Sequence[Swing], held: float) -> Ite
     """Note that the angle stays exactly constant in the middle of the motion, then catches up.
 
     Equal samples alone prove nothing: coarse angles repeat at every turn and at rest. There the next step is
-        a
-    few times the resolution; after a freeze, the sensor makes up for all that it missed.
+    a few times the resolution; after a freeze, the sensor makes up for all that it missed.
 
     Args:
         record: the measured record

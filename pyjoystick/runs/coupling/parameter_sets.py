@@ -54,8 +54,7 @@ def parameter_set_xml(
     """Values of a component as an SSV file.
 
     The standard has no place for uncertainties: they are written to the description of a parameter, for
-        people,
-    and to an annotation, ``<pj:Measured standardUncertainty="..." source="..."/>``.
+    people, and to an annotation, ``<pj:Measured standardUncertainty="..." source="..."/>``.
     """
     root = parameter_set(component, description, version)
     for parameter in root.iter(tag("ssv:Parameter")):

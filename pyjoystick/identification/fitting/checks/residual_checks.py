@@ -61,8 +61,7 @@ def whiteness(series: Sequence[Series]) -> Whiteness:
 
     Fitting correlates residuals; the test uses their expected correlations under white noise, not zero. The
     smallest of three probabilities is multiplied by three: Fisher's with few lags (with many, the
-        probabilities
-    of single records are too small by half), averages with few and with many.
+    probabilities of single records are too small by half), averages with few and with many.
     """
     judged = [one for one in series if len(one.values) > _SHORTEST and one.values @ one.values > 0.0]
     if not judged:
