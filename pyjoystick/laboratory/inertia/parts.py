@@ -35,7 +35,8 @@ _OFF_AXIS: Final = 0.02
 class Part:
     """A rigid part.
 
-    name: name in the budget
+    Attributes:
+        name: name in the budget
         mass: (kg), above 0
         height: height of its center above the pivot, along the axis of the joystick (m)
         inertia: about the axis through its own center, parallel to the pivot's (kg m2), 0 or more
