@@ -12,6 +12,7 @@ from pyjoystick.fmu.description import Variable
 from pyjoystick.fmu.failures import failure
 from pyjoystick.fmu.inputs import checked_inputs, input_series
 from pyjoystick.fmu.interface import RowFormat, TextGetter
+from pyjoystick.fmu.interrupts import CtrlC
 from pyjoystick.fmu.library import InstancePool
 from pyjoystick.fmu.preparation import Preparation, prepare
 from pyjoystick.fmu.stepping.calls import access2, access3, bound, change_mode, do_step2, do_step3
@@ -82,7 +83,8 @@ class LiveInstance:
         self._workspace = self._instance.workspace(0)
         is_new, self._instance.is_new = self._instance.is_new, False
         try:
-            status = start(program, self._workspace, is_new, 0)
+            with CtrlC():
+                status = start(program, self._workspace, is_new, 0)
             self._check(status, int(self._workspace.place[FUNCTION]), time)
         except BaseException:
             self.abandon()
@@ -94,7 +96,9 @@ class LiveInstance:
         self._begin()
         self._set(time, changes)
         # `end` is passed as is: `end` - `time` may differ from the requested length by rounding.
-        self._check(self._step.take(time, end - time), STEP, time)
+        with CtrlC():
+            status = self._step.take(time, end - time)
+        self._check(status, STEP, time)
         return self._get(end, names)
 
     def set(self, time: float, changes: Changes) -> None:
@@ -173,12 +177,9 @@ class LiveInstance:
         return getter.values()
 
     def _check(self, status: int, function: int, time: float) -> None:
-        """Raise the error for a bad status, or for Ctrl-C during a message of the FMU."""
-        instance = self._instance
-        if instance.log.interrupted:
-            instance.log.interrupted = False
-            raise KeyboardInterrupt
+        """Raise the error for a bad status."""
         if status not in (OK, WARNING):
+            instance = self._instance
             self._workspace.place[FUNCTION] = function
             error = failure(instance, self._workspace, self._preparation.interface, status, time)
             instance.is_broken, instance.is_lost = True, status == FATAL

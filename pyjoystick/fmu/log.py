@@ -40,12 +40,10 @@ class FmuLog:
     Attributes:
         callbacks: callbacks for creating an FMI 2 instance
         place: progress of the instance, kept up to date by the loop that drives it
-        interrupted: Ctrl-C arrived during a message, since exceptions cannot pass through the FMU
     """
 
     def __init__(self, place: NDArray[np.intp] | None = None) -> None:
         self.place: NDArray[np.intp] = np.zeros(PLACE_SIZE, np.intp) if place is None else place
-        self.interrupted = False
         self._messages: deque[tuple[int, str]] = deque(maxlen=_KEPT)
         self._environment = next(_environments)
         _logs[self._environment] = self
@@ -64,10 +62,7 @@ class FmuLog:
 
     def add(self, text: bytes) -> None:
         """Store a message of the current run."""
-        try:
-            self._messages.append((int(self.place[RUN]), text.decode("utf-8", errors="replace")))
-        except KeyboardInterrupt:
-            self.interrupted = True
+        self._messages.append((int(self.place[RUN]), text.decode("utf-8", errors="replace")))
 
     def messages(self) -> list[str]:
         """Texts of the current run, oldest first."""

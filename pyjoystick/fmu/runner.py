@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from pyjoystick.fmu.errors import FmuEndedError, FmuRunError, FmuTimeLimitError
 from pyjoystick.fmu.failures import failure
+from pyjoystick.fmu.interrupts import CtrlC
 from pyjoystick.fmu.library import InstancePool
 from pyjoystick.fmu.preparation import Preparation
 from pyjoystick.fmu.pulse import PULSE
@@ -145,13 +146,11 @@ class Runner:
         if is_watched:
             PULSE.add(place)
         try:
-            status = self._loop(self._workspace, is_new, *rows, values, job.cells, job.done, job.stop)
+            with CtrlC():
+                status = self._loop(self._workspace, is_new, *rows, values, job.cells, job.done, job.stop)
         finally:
             if is_watched:
                 PULSE.remove(place)
-        if instance.log.interrupted:
-            instance.log.interrupted = False
-            raise KeyboardInterrupt
         if instance.intermediate_update is not None and instance.intermediate_update.failure is not None:
             raise instance.intermediate_update.failure
         if job.preparation.texts is not None:

@@ -68,7 +68,6 @@ def constant_bias(
 
     Raises:
         DampingEstimateError: no C between 0.4 and 2.5 times the estimate returns it
-        DampingEstimateError: no C between 0.4 and 2.5 times the estimate returns it
     """
 
     def returned(C: float, name: str) -> float:  # noqa: N803 - the name of the quantity
