@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from fmu_build.explore import Settings
 
 _ASSETS: Final = Path(__file__).with_name("assets")
-#: Largest number of samples of a record, at 18 bytes each: a page with one record stays below 250 kB.
+#: Largest number of samples of all records together, at 18 bytes each: the page stays below 250 kB.
 _MOST_SAMPLES: Final = 800
 #: A number that no file contains.
 _MARK: Final = -12345.5
@@ -84,7 +84,7 @@ def joystick_page(
         "stop": _STOP,
         "toml": _editable_text(file, joystick, places),
         "places": places,
-        "records": [_record(record) for record in records],
+        "records": [_record(record, _MOST_SAMPLES // len(records)) for record in records],
     }
     settings = page_settings(joystick, start, title or file.title)
     return explore_page(fmu, settings, Addition(_ASSETS, "joystick", data))
@@ -184,11 +184,14 @@ def _value(content: Any, place: str) -> Any:
     return content
 
 
-def _record(record: Record) -> dict[str, Any]:
-    """Time and angle from the release, which may be late; long records are thinned."""
+def _record(record: Record, most: int) -> dict[str, Any]:
+    """Time and angle from the release, which may be late; records with more than `most` samples are thinned.
+
+    If there are so many records that `most` is 0, it counts as 1.
+    """
     release = guess_release(record.time, record.theta)
     late = record.time >= release.time
-    every = math.ceil(int(late.sum()) / _MOST_SAMPLES)
+    every = math.ceil(int(late.sum()) / max(most, 1))
     return {
         "name": record.name,
         "start": round(release.angle, 7),

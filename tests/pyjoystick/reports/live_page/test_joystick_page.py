@@ -110,15 +110,26 @@ def test_tab_goes_to_the_handle_and_on(live: Live) -> None:
     assert focused == ["Plots", "Handle", "Remove the plot of theta"]
 
 
-def test_a_record_of_many_samples_fits_the_page(live: Live, tmp_path: Path) -> None:
+@pytest.mark.parametrize("count", [1, 6])
+def test_records_of_many_samples_fit_the_page(live: Live, tmp_path: Path, count: int) -> None:
     time = np.linspace(0.0, 2.0, 20_000)
-    theta = -0.35 * np.exp(-2.0 * time) * np.cos(30.0 * time)
-    file = tmp_path / "fast.csv"
-    np.savetxt(
-        file, np.column_stack([time, theta]), delimiter=",", header="time (s),theta (rad)", comments=""
-    )
-    page = live("--record", str(file))  # which checks the size
+    arguments = []
+    for i in range(count):
+        theta = -(0.35 - 0.02 * i) * np.exp(-2.0 * time) * np.cos((30.0 + i) * time)
+        file = tmp_path / f"fast_{i}.csv"
+        np.savetxt(
+            file, np.column_stack([time, theta]), delimiter=",", header="time (s),theta (rad)", comments=""
+        )
+        arguments += ["--record", str(file)]
+    page = live(*arguments)  # which checks the size
     assert page.csv().index[-1] == pytest.approx(2.0, abs=0.01)
+    data = json.loads(re.search(r'id="data">(.*?)</script>', page.file.read_text("utf-8"), re.DOTALL)[1])  # type: ignore[index]
+    records = data["addition"]["records"]
+    assert [record["name"] for record in records] == [f"fast_{i}" for i in range(count)]
+    samples = [len(record["time"]) for record in records]
+    assert 700 <= sum(samples) <= 800
+    assert max(samples) - min(samples) <= 1
+    assert min(record["time"][-1] for record in records) > 1.9  # thinned, not cut off
 
 
 def test_play_moves_the_handle_and_stops_at_the_end(live: Live) -> None:
