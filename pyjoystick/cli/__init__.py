@@ -18,7 +18,7 @@ from typer.core import TyperCommand
 
 from fmu_build.support.plain_help import PlainCommand, PlainGroup
 from pyjoystick import support
-from pyjoystick.cli.console import print_error, print_traceback
+from pyjoystick.cli.console import compiling_told, print_error, print_traceback
 from pyjoystick.cli.invocation import invocation
 from pyjoystick.support import PyJoystickError
 
@@ -203,4 +203,6 @@ def _options(
 
         invocation.verbose = True
         context.with_resource(log_shown(everything=verbose > 1))
+    else:
+        context.with_resource(compiling_told())
     support.remove_abandoned()

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import logging
 import math
 import os
 import sys
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
@@ -23,6 +25,8 @@ if TYPE_CHECKING:
 _UNBOUNDED: Final = 10_000
 #: Fraction of the paper's stop angle ("about" 20 degrees) above which an angle is beyond the stops.
 _ABOUT: Final = 1.05
+#: The logger of the module that compiles, by name: loading the module takes long.
+_COMPILER: Final = logging.getLogger("pyjoystick.fmu.stepping.compiled")
 
 
 def output() -> Console:
@@ -82,6 +86,26 @@ def print_note(message: str) -> None:
 def print_progress(message: str) -> None:
     """Print what is being done or was written."""
     _messages(quiet=invocation.quiet).print(f"[dim]{escape(message)}[/dim]")
+
+
+class _Told(logging.Handler):
+    """Prints records as lines about what is being done."""
+
+    def emit(self, record: logging.LogRecord) -> None:
+        print_progress(record.getMessage())
+
+
+@contextmanager
+def compiling_told() -> Iterator[None]:
+    """Until the body ends, say when the loop of the runs is compiled, because that takes some seconds."""
+    handler, before = _Told(), _COMPILER.level
+    _COMPILER.addHandler(handler)
+    _COMPILER.setLevel(logging.INFO)
+    try:
+        yield
+    finally:
+        _COMPILER.removeHandler(handler)
+        _COMPILER.setLevel(before)
 
 
 def print_log(name: str, message: str) -> None:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import hashlib
 import inspect
+import logging
 import sys
 from collections.abc import Callable
 from types import FunctionType
@@ -15,10 +16,13 @@ from typing import Any, Final, cast
 
 from llvmlite import ir
 from numba import njit, typeof, types
+from numba.core import event
 from numba.extending import intrinsic, overload, register_jitable
 
 from pyjoystick.fmu.stepping import calls, decoding, kernel, program, reducing
 from pyjoystick.motion import EXTREMA_FUNCTIONS
+
+_LOG = logging.getLogger(__name__)
 
 _SOURCES: Final = (sys.modules[EXTREMA_FUNCTIONS[0].__module__], calls, decoding, kernel, program, reducing)
 _C_TYPES: Final = {"w": types.intp, "i": types.int32, "d": types.float64}
@@ -38,9 +42,27 @@ def compiled(arguments: tuple[object, ...]) -> Callable[..., int]:
         return _dispatcher(signature, cache=False)
 
 
+class _Told(event.Listener):  # type: ignore[misc]  # Numba has no annotations
+    """Logs the first compilation; those of the functions that the loop calls happen within it."""
+
+    def __init__(self) -> None:
+        self._is_told = False
+
+    def on_start(self, event: Any) -> None:
+        """Say why the program waits."""
+        if not self._is_told:
+            _LOG.info("compiling the loop of the runs; this takes some seconds the first time")
+        self._is_told = True
+
+    def on_end(self, event: Any) -> None:
+        """Say nothing."""
+
+
 def _dispatcher(signature: tuple[Any, ...], *, cache: bool) -> Callable[..., int]:
     dispatcher = njit(nogil=True, cache=cache)(_versioned(cast(FunctionType, kernel.run_many)))
-    dispatcher.compile(signature)
+    # Numba reports a compilation only if it has found nothing on disk.
+    with event.install_listener("numba:compile", _Told()):
+        dispatcher.compile(signature)
     dispatcher.disable_compile()
     return cast(Callable[..., int], dispatcher)
 

@@ -73,7 +73,7 @@ def _compiled_for(shared: tuple[object, ...]) -> Callable[..., int]:
         if _compiled is None:
             from pyjoystick.fmu.stepping.compiled import compiled
 
-            _LOG.info("loading the compiled loop, or compiling it")
+            _LOG.info("loading the compiled loop")
             octets, flags = np.zeros(8, np.uint8), np.zeros(1, np.bool_)
             workspace = Workspace(0, np.zeros(PLACE_SIZE, np.intp), octets, 0, octets, 0)
             tables = (np.zeros((1, 1, 1)), np.zeros((1, 1)), flags, flags)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import logging
 import re
 from pathlib import Path
 
@@ -53,6 +54,16 @@ def test_quiet_and_verbose_exclude_each_other(command: Command) -> None:
     outcome = command("--quiet", "--verbose", "free-oscillation")
     assert outcome.code == 2
     assert "give --quiet or --verbose" in outcome.err
+
+
+def test_compiling_is_told(command: Command, monkeypatch: pytest.MonkeyPatch) -> None:
+    def compile_loop() -> None:
+        logging.getLogger("pyjoystick.fmu.stepping.compiled").info("compiling")
+
+    monkeypatch.setattr("pyjoystick.support.remove_abandoned", compile_loop)  # called before any command
+    assert command("parameters").err == "compiling\n"
+    assert command("--quiet", "parameters").err == ""
+    assert "pyjoystick.fmu.stepping.compiled: compiling" in command("--verbose", "parameters").err
 
 
 def test_nothing_moves(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:

@@ -91,6 +91,19 @@ def test_no_room_to_keep_it(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.mark.usefixtures("small_kernel")
+def test_the_first_compilation_is_logged_and_no_later_one(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    monkeypatch.setattr("numba.core.config.CACHE_DIR", str(tmp_path))
+    told = ["compiling the loop of the runs; this takes some seconds the first time"]
+    for expected in (told, []):  # the second one is found on disk
+        with caplog.at_level("INFO", logger=compiled.__name__):
+            assert compiled.compiled((1, 2))(3, 4) == 7
+        assert [record.getMessage() for record in caplog.records] == expected
+        caplog.clear()
+
+
+@pytest.mark.usefixtures("small_kernel")
 def test_other_types_are_refused_instead_of_compiled() -> None:
     with pytest.raises(TypeError, match="No matching definition"):
         compiled.compiled((1, 2))("3", 4)
