@@ -6,7 +6,7 @@ import math
 from typing import Final
 
 from tests.fuzz.models.meaning import When
-from tests.fuzz.models.terms import Scope, Term, Terms
+from tests.fuzz.models.terms import Scope, Term, Terms, Values
 from tests.fuzz.models.writer import Writer
 
 #: When the last event may be due (s).
@@ -40,6 +40,48 @@ def discrete(w: Writer) -> None:
     w.meaning.whens.append(When(ticks, None, (("k", Term("", lambda v: new_k.value(v) % 11)),)))
     w.observed += ["d", "k"]
     w.scope = w.scope.more(reals=("d",), integers=("k",))
+
+
+def modes(w: Writer) -> None:
+    """A variable of an enumeration that goes on from its value before, at known times."""
+    random = w.random
+    literals = ("idle", "up", "down", "done")
+    w.package.append(f"  type Mode = enumeration({', '.join(literals)});")
+    start = random.choice(literals)
+    w.declarations.append(f"Mode mode(start = Mode.{start}, fixed = true);")
+    w.meaning.starts["mode"] = Term("", lambda _: literals.index(start) + 1)
+    asked, there, other = (random.choice(literals) for _ in range(3))
+    operator = random.choice(("==", "<>", "<", ">="))
+    condition = Terms(random, Scope(reals=("p1", "time"), integers=("n1",))).boolean(1)
+    begin, period = round(random.uniform(0.01, 0.5), 3), round(random.uniform(0.15, 0.6), 3)
+    w.equations.append(
+        f"when sample({begin}, {period}) then mode = "
+        f"if pre(mode) {operator} Mode.{asked} and {condition.text} "
+        f"then Mode.{there} elseif pre(mode) == Mode.{there} then Mode.{other} else pre(mode); end when;"
+    )
+
+    def following(v: Values) -> int:
+        asked_for, there_is, now = literals.index(asked) + 1, literals.index(there) + 1, v["pre(mode)"]
+        holds = {
+            "==": now == asked_for,
+            "<>": now != asked_for,
+            "<": now < asked_for,
+            ">=": now >= asked_for,
+        }
+        if holds[operator] and condition.value(v):
+            return there_is
+        return literals.index(other) + 1 if now == there_is else int(now)
+
+    ticks = tuple(begin + i * period for i in range(int((END - begin) / period) + 1))
+    w.meaning.whens.append(When(ticks, None, (("mode", Term("", following)),)))
+    w.add(
+        "of_mode",
+        Term(
+            "if mode == Mode.up then 0.5 elseif mode > Mode.up then 2*time else -1",
+            lambda v: 0.5 if v["mode"] == 2 else 2 * v["time"] if v["mode"] > 2 else -1,
+        ),
+    )
+    w.observed.append("mode")
 
 
 def states(w: Writer) -> None:

@@ -12,9 +12,11 @@ from tests.fuzz.models.terms import Function, Scope, Term, Terms
 Statement = tuple[list[str], Callable[[dict[str, Any]], None]]
 
 
-def random_function(name: str, random: Random, known: tuple[Function, ...]) -> tuple[str, Function]:
-    """A function that may call those before it: its text, and itself."""
-    kinds = tuple(random.choice(("scalar", "vector")) for _ in range(random.randint(1, 2)))
+def random_function(
+    name: str, random: Random, known: tuple[Function, ...], kinds: tuple[str, ...] = ()
+) -> tuple[str, Function]:
+    """A function that may call those before it, of any arguments or of these kinds: its text, and itself."""
+    kinds = kinds or tuple(random.choice(("scalar", "vector")) for _ in range(random.randint(1, 2)))
     names = [f"u{i}" for i in range(1, len(kinds) + 1)]
     reals = tuple(n for n, kind in zip(names, kinds, strict=True) if kind == "scalar")
     vectors = tuple(n for n, kind in zip(names, kinds, strict=True) if kind == "vector")

@@ -8,14 +8,18 @@ from random import Random
 from typing import Final
 
 from tests.fuzz.models.classes import components, derived
-from tests.fuzz.models.dynamics import discrete, states
+from tests.fuzz.models.dynamics import discrete, modes, states
 from tests.fuzz.models.functions import random_function
 from tests.fuzz.models.meaning import Meaning, Number
+from tests.fuzz.models.scopes import cells, constants, handed_on, redeclared, surrounded
 from tests.fuzz.models.terms import Scope, Term
 from tests.fuzz.models.variables import coupled, enumeration, record, vectors
 from tests.fuzz.models.writer import Writer
 
-PARTS: Final = (components, derived, states, discrete, vectors, coupled, enumeration, record)
+PARTS: Final = (
+    *(components, derived, states, discrete, modes, vectors, coupled, enumeration, record),
+    *(handed_on, constants, surrounded, cells, redeclared),
+)
 
 
 @dataclass(frozen=True)

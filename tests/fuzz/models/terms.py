@@ -65,6 +65,7 @@ class Terms:
             rules += [self._call, self._call]
         if not self.scope.is_smooth:
             rules += [self._conditional, self._conditional, self._stepwise, self._extremum]
+            rules += [self._semi_linear]
         return self.random.choice(rules)(depth - 1)
 
     def integer(self, depth: int) -> Term:
@@ -214,6 +215,11 @@ class Terms:
             below = self._literal(self.random.choice((0.75, 1.3, 2.0, -0.6)))
             return _called(name, _WHOLE[name], a, below)
         return _called(name, _STEPS[name], a)
+
+    def _semi_linear(self, depth: int) -> Term:
+        """Section 3.7.2.5: the first slope holds for positive flow, and for none it does not matter."""
+        x, a, b = self.real(depth), self._real_leaf(), self._real_leaf()
+        return _called("semiLinear", lambda x, a, b: a * x if x >= 0 else b * x, x, a, b)
 
     def _extremum(self, depth: int) -> Term:
         if self.random.random() < 0.3:

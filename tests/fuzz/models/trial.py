@@ -6,6 +6,7 @@ import math
 import tempfile
 import traceback
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
 from random import Random
 from typing import Any, Final, Literal
@@ -65,12 +66,41 @@ def _compared(program: Program, path: Path, random: Random) -> str:
             expected = program.meaning.values(parameters, times)
             table = fmu.run(times, parameters=parameters, outputs=program.observed, tolerance=_TOLERANCE)
             wrong = _differences(program, expected, table, "Co-Simulation", parameters)
+            wrong = wrong or _repeated(program, fmu, times, parameters, {} if parameters else settable, table)
             if wrong:
                 return wrong
     table = run_model_exchange(
         path, times, parameters=settable, outputs=program.observed, tolerance=_TOLERANCE
     )
     return _differences(program, expected, table, "Model Exchange", parameters)
+
+
+def _repeated(
+    program: Program, fmu: Fmu, times: list[float], parameters: Any, others: Any, table: Any
+) -> str:
+    """What is wrong with a run after a reset, or after a restored state: they must give the same bits."""
+    settings = {"parameters": parameters, "outputs": program.observed, "tolerance": _TOLERANCE}
+    # One with other parameters in between, of which nothing may stay.
+    fmu.run(times[:3], parameters=others, outputs=program.observed)
+    again = fmu.run(times, **settings)
+    if not again.equals(table):
+        return f"Co-Simulation with {parameters}: another run after a reset\n{again.compare(table)}"
+    half = len(times) // 2
+    # No time is more than twice the one before: the points of the steps are exactly those of the run.
+    with fmu.start(times[0], stop_time=times[-1], **settings) as live:
+        for before, now in pairwise(times[: half + 1]):
+            live.step(now - before)
+        saved = live.save()
+        for attempt in ("a run", "a restored state"):
+            for number in range(half, len(times) - 1):
+                live.step(times[number + 1] - times[number])
+                for name in program.observed:
+                    found, first = float(live.outputs[name]), float(table[name].iloc[number + 1])
+                    if found != first:
+                        where = f"{name} at {times[number + 1]}"
+                        return f"{attempt} by steps with {parameters}: {where} is {found!r}, not {first!r}"
+            live.restore(saved)
+    return ""
 
 
 def _differences(
