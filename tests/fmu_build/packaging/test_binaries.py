@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib.util
 import os
 import re
+import shutil
 import sys
 import tempfile
 from pathlib import Path
@@ -128,9 +129,17 @@ def test_a_cache_that_cannot_be_written_is_no_failure(stored: Path) -> None:
     assert stored.read_bytes() == b"no folder"
 
 
-@pytest.mark.usefixtures("stored")
-def test_library_is_reproducible_and_names_no_path(own_temporary_folder: Path) -> None:
+def test_library_is_reproducible_and_names_no_path(own_temporary_folder: Path, stored: Path) -> None:
     library, log = compile_library(_GOOD, "Model", _LINUX)
+    # In another folder, of a longer name, and with nothing from the cache.
+    shutil.rmtree(stored)
+    elsewhere = own_temporary_folder.with_name("elsewhere under a longer name")
+    elsewhere.mkdir()
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(tempfile, "tempdir", str(elsewhere))
+        again, log_again = compile_library(_GOOD, "Model", _LINUX)
+    assert again == library
+    assert "build-lib" in log_again
     assert library.startswith(b"\x7fELF")
     assert str(own_temporary_folder).encode() not in library
     assert str(Path.cwd()).encode() not in library
