@@ -13,10 +13,12 @@ import numpy as np
 import pandas as pd
 from scipy.io import savemat
 
+from pyjoystick import Fmu
 from pyjoystick.cli import main
 from pyjoystick.runs import Sweep, operator_and_joystick, read_settings, run_sweep, write_ssp
 from pyjoystick.runs.sweeps.parts import Parts
 from pyjoystick.runs.sweeps.runner import run_locally
+from tests.pyjoystick.fmu import awkward, echo
 
 ROOT: Final = Path(__file__).parents[3]
 _MARKERS: Final = ("--top", "TOP", "--base", "BASE1", "BASE2", "--radius", "0.266")
@@ -104,6 +106,9 @@ def _files(fmus: Path) -> None:
     Path("fit.toml").write_text(_FIT, encoding="utf-8")
     Path("sweep.toml").write_text(_SWEEP, encoding="utf-8")
     Path("inputs.csv").write_text("time (s),T (N.m)\n0,0\n0.1,0.5\n0.2,0.1\n", encoding="utf-8")
+    _driven(Path("driven.csv"), Path("push.csv"))
+    assert main(("new", "project", "--example")) == 0
+    _foreign()
     _plain_markers(Path("plain.csv"))
     _logs(Path("trial_1.csv"))
     system = operator_and_joystick(joystick={"J": 0.012})
@@ -118,6 +123,32 @@ def _thin(path: Path, every: int) -> None:
     """Leave every so many rows of a table, so that a case takes little time."""
     head, rows = (lines := path.read_text(encoding="utf-8").splitlines(keepends=True))[:2], lines[2:]
     path.write_text("".join(head + rows[::every]), encoding="utf-8")
+
+
+def _driven(record: Path, push: Path) -> None:
+    """A torque, and a short record of what it does, with the noise of a sensor."""
+    time = np.linspace(0.0, 0.6, 121)
+    torque = pd.DataFrame({"T": 2.5 * np.sin(2 * np.pi * time / 0.4)}, index=time)
+    with Fmu("Joystick.fmu") as fmu:
+        motion = fmu.run(time, parameters={"theta_start": 0.0}, inputs=torque, outputs=["theta"])
+    noise = np.random.default_rng(5).normal(0.0, 0.02, len(time))
+    table = pd.DataFrame(
+        {
+            "time (s)": time,
+            "theta (deg)": np.degrees(motion["theta"].to_numpy()) + noise,
+            "T (N.m)": torque["T"],
+        }
+    )
+    table.round(5).to_csv(record, index=False)
+    table[["time (s)", "T (N.m)"]].round(5).to_csv(push, index=False)
+
+
+def _foreign() -> None:
+    """FMUs of other makers, as far as anyone can tell: of FMI 3 with all of its types, and of FMI 2."""
+    for name in ("echo", "awkward"):
+        Path(name).mkdir()
+    shutil.move(echo.build(3, Path("echo")), "Echo.fmu")
+    awkward.build(2, Path("Awkward.fmu"), awkward.compile_library(2, Path("awkward")))
 
 
 def _plain_markers(path: Path) -> None:

@@ -10,6 +10,7 @@ from typing import Final
 
 from pyjoystick.fmu.runner import Runner
 from pyjoystick.fmu.stepping.program import POINT, RUN
+from pyjoystick.identification.fitting.problem.forward_model import ForwardModel
 
 #: So much longer may it take by the clock, on a machine with much else to do.
 _CROWD: Final = 10.0
@@ -27,7 +28,8 @@ class Patience:
     """What is done with a trial that takes long.
 
     A torque of 5e8 N.m turns the joystick hundreds of thousands of times a second: such a run takes half a
-    minute, and is right. It has to go on from sample to sample, and to end at Ctrl-C.
+    minute, and is right. It has to go on from sample to sample, and to end at Ctrl-C. So has a fit of damaged
+    records, which takes thousands of runs, from run to run.
     """
 
     def __init__(self) -> None:
@@ -40,7 +42,7 @@ class Patience:
         """Raise in what takes longer than so many seconds of the processor.
 
         Raises:
-            KeyboardInterrupt: a run of an FMU takes long, and goes on
+            KeyboardInterrupt: a run of an FMU or a fit takes long, and goes on
             HangError: anything else takes long, or does not end at Ctrl-C
         """
         limits = {
@@ -70,11 +72,13 @@ class Patience:
 
 
 def _reached(frame: FrameType | None) -> tuple[int, int] | None:
-    """Run and point of the run of an FMU that is under way."""
+    """Run and point of the run of an FMU that is under way; between two of a fit, how many it has made."""
+    fits: list[ForwardModel] = []
     while frame is not None:
         runner = frame.f_locals.get("self")
         if isinstance(runner, Runner):
             place = runner._workspace.place
             return int(place[RUN]), int(place[POINT])
+        fits += [one for one in frame.f_locals.values() if isinstance(one, ForwardModel)]
         frame = frame.f_back
-    return None
+    return (fits[0].runs, -1) if fits else None

@@ -81,6 +81,16 @@ def _commands() -> Iterator[tuple[str, str, str]]:
     for file in ("fit.toml", "trial_1.csv"):
         others = "trial_1.csv trial_2.csv joystick.toml Joystick.fmu fit.toml"
         yield file, others, "fit trial_1.csv trial_2.csv --settings fit.toml"
+    for file in ("driven.csv", "joystick.toml"):
+        yield file, "driven.csv joystick.toml", "fit driven.csv --driven -p joystick.toml"
+    for file in ("push.csv", "joystick.toml"):
+        yield (
+            file,
+            "push.csv joystick.toml",
+            "design -p joystick.toml --free J --torque push.csv --rate 100",
+        )
+    for line in ("run project --plan", "check project/laboratory.toml"):
+        yield "project/laboratory.toml", "", line
     yield "sweep.toml", "Joystick.fmu", "sweep sweep.toml -o out.csv --threads 1"
     for file in ("done.csv", "done.parquet"):
         yield file, "sweep.toml Joystick.fmu", f"sweep sweep.toml -o {file} --threads 1 --indices indices.csv"
@@ -89,7 +99,8 @@ def _commands() -> Iterator[tuple[str, str, str]]:
         "sweep.toml Joystick.fmu half.csv.parts",
         "sweep sweep.toml -o half.csv --threads 1",
     )
-    yield "Joystick.fmu", "", "info Joystick.fmu --all"
+    for name in ("Joystick", "Echo", "Awkward"):
+        yield f"{name}.fmu", "", f"info {name}.fmu --all"
     for form in ("csv", "xlsx", "ods", "mat", "parquet"):
         units = "--unit time=s --unit theta=rad" if form == "mat" else ""
         yield f"log.{form}", "", f"import record log.{form} --output out.csv {units}"
@@ -109,9 +120,19 @@ def _run_fmu() -> None:
         fmu.run(np.linspace(0.0, 0.05, 6))
 
 
+def _run_foreign(file: str) -> None:
+    """In a process of its own, as what no one has said that this project made."""
+    with Fmu(file, time_limit=5.0) as fmu:
+        fmu.run(np.linspace(0.0, 0.05, 6))
+        with fmu.start() as run:
+            run.step(0.01)
+
+
 def _readers() -> Iterator[Subject]:
     yield Subject("read_ssp", "joystick.ssp", (), _read_and_run_ssp)
     yield Subject("Fmu.run", "Joystick.fmu", (), _run_fmu)
+    for name in ("Echo.fmu", "Awkward.fmu"):
+        yield Subject(f"Fmu.run of {name}", name, (), lambda name=name: _run_foreign(name))
     yield Subject("read_record", "trial_1.csv", (), lambda: motion.read_record("trial_1.csv") and None)
     for name in ("synthetic_trial_1.c3d", "synthetic_trial_3.csv", "plain.csv"):
         yield Subject("read_markers", name, (), lambda name=name: laboratory.read_markers(name) and None)
