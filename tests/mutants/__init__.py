@@ -1,0 +1,1 @@
+"""Mutation trials: what the tests would not see if it were wrong."""
