@@ -6,12 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from fmu_build import UnsupportedModelError, build_fmu
-from fmu_build.compilers.rumoca import generate_model
-from fmu_build.support.request import BuildRequest
-from pyjoystick import Fmu
+from tests.fmu_build.package_under_test import PackageUnderTest
 
-PACKAGE = """
+PACKAGE = PackageUnderTest("""
 package R
   partial package Frame
     constant Real c;
@@ -50,13 +47,7 @@ package R
     {}
   end M;
 end R;
-"""
-
-
-def _library(folder: Path, declarations: str) -> Path:
-    file = folder / "R.mo"
-    file.write_text(PACKAGE.replace("{}", declarations), "utf-8")
-    return file
+""")
 
 
 @pytest.mark.parametrize(
@@ -71,10 +62,7 @@ def _library(folder: Path, declarations: str) -> Path:
 )
 def test_each_has_its_own_values(declarations: str, values: dict[str, float], tmp_path: Path) -> None:
     """By the specification: an heir's modifiers hold for the heir (Modelica 3.6, section 7.2)."""
-    built = build_fmu("R.M", tmp_path, library=_library(tmp_path, declarations))
-    with Fmu(built.path) as fmu:
-        table = fmu.run([0.0, 1.0], outputs=list(values))
-    assert table.iloc[-1][list(values)].to_dict() == values
+    assert PACKAGE.values(tmp_path, declarations, values) == values
 
 
 @pytest.mark.parametrize(
@@ -98,7 +86,4 @@ def test_each_has_its_own_values(declarations: str, values: dict[str, float], tm
 )
 def test_a_class_beside_an_heir_that_changes_it_is_refused(declarations: str, tmp_path: Path) -> None:
     """The compiler gives both the values of the heir."""
-    with pytest.raises(
-        UnsupportedModelError, match=r"(Plain|Part) beside a class that extends it with other"
-    ):
-        generate_model(BuildRequest("R.M", tmp_path, _library(tmp_path, declarations)))
+    PACKAGE.refusal(tmp_path, declarations, r"(Plain|Part) beside a class that extends it with other")

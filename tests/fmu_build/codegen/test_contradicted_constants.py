@@ -6,12 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from fmu_build import UnsupportedModelError, build_fmu
-from fmu_build.compilers.rumoca import generate_model
-from fmu_build.support.request import BuildRequest
-from pyjoystick import Fmu
+from tests.fmu_build.package_under_test import PackageUnderTest
 
-PACKAGE = """
+PACKAGE = PackageUnderTest("""
 package R
   partial package Frame
     constant Real c = 1;
@@ -99,13 +96,7 @@ package R
     {}
   end M;
 end R;
-"""
-
-
-def _library(folder: Path, declarations: str) -> Path:
-    file = folder / "R.mo"
-    file.write_text(PACKAGE.replace("{}", declarations), "utf-8")
-    return file
+""")
 
 
 @pytest.mark.parametrize(
@@ -122,10 +113,7 @@ def _library(folder: Path, declarations: str) -> Path:
 )
 def test_each_has_its_own_values(declarations: str, values: dict[str, float], tmp_path: Path) -> None:
     """By the specification: an heir's modifiers hold for all that it inherits (Modelica 3.6, section 7.2)."""
-    built = build_fmu("R.M", tmp_path, library=_library(tmp_path, declarations))
-    with Fmu(built.path) as fmu:
-        table = fmu.run([0.0, 1.0], outputs=list(values))
-    assert table.iloc[-1][list(values)].to_dict() == values
+    assert PACKAGE.values(tmp_path, declarations, values) == values
 
 
 @pytest.mark.parametrize(
@@ -160,5 +148,4 @@ def test_each_has_its_own_values(declarations: str, values: dict[str, float], tm
     ],
 )
 def test_what_the_compiler_would_mix_up_is_refused(declarations: str, message: str, tmp_path: Path) -> None:
-    with pytest.raises(UnsupportedModelError, match=rf"R\.mo:\d+:\d+: .*{message}"):
-        generate_model(BuildRequest("R.M", tmp_path, _library(tmp_path, declarations)))
+    PACKAGE.refusal(tmp_path, declarations, rf"R\.mo:\d+:\d+: .*{message}")

@@ -6,12 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from fmu_build import UnsupportedModelError, build_fmu
-from fmu_build.compilers.rumoca import generate_model
-from fmu_build.support.request import BuildRequest
-from pyjoystick import Fmu
+from tests.fmu_build.package_under_test import PackageUnderTest
 
-PACKAGE = """
+PACKAGE = PackageUnderTest("""
 package R
   function once
     input Real x;
@@ -104,13 +101,7 @@ package R
   end Greatest;
   {}
 end R;
-"""
-
-
-def _library(folder: Path, declarations: str) -> Path:
-    file = folder / "R.mo"
-    file.write_text(PACKAGE.replace("{}", declarations), "utf-8")
-    return file
+""")
 
 
 @pytest.mark.parametrize(
@@ -149,10 +140,7 @@ def _library(folder: Path, declarations: str) -> Path:
     ],
 )
 def test_each_call_has_its_own_function(declarations: str, values: dict[str, float], tmp_path: Path) -> None:
-    built = build_fmu("R.M", tmp_path, library=_library(tmp_path, declarations))
-    with Fmu(built.path) as fmu:
-        table = fmu.run([0.0, 1.0], outputs=list(values))
-    assert table.iloc[-1][list(values)].to_dict() == values
+    assert PACKAGE.values(tmp_path, declarations, values) == values
 
 
 @pytest.mark.parametrize(
@@ -237,6 +225,4 @@ def test_each_call_has_its_own_function(declarations: str, values: dict[str, flo
 )
 def test_what_would_be_mistaken_is_refused(declarations: str, message: str, tmp_path: Path) -> None:
     """Each gives a wrong number without a word if it is let through."""
-    with pytest.raises(UnsupportedModelError, match=message) as caught:
-        generate_model(BuildRequest("R.M", tmp_path, _library(tmp_path, declarations)))
-    assert "R.mo:" in str(caught.value)
+    assert "R.mo:" in PACKAGE.refusal(tmp_path, declarations, message)

@@ -6,12 +6,12 @@ from pathlib import Path
 
 import pytest
 
-from fmu_build import UnsupportedModelError, build_fmu
+from fmu_build import UnsupportedModelError
 from fmu_build.compilers.rumoca import generate_model
 from fmu_build.support.request import BuildRequest
-from pyjoystick import Fmu
+from tests.fmu_build.package_under_test import PackageUnderTest
 
-PACKAGE = """
+PACKAGE = PackageUnderTest("""
 package R
   model A
     parameter Real g = 1;
@@ -43,13 +43,7 @@ package R
     {}
   end M;
 end R;
-"""
-
-
-def _library(folder: Path, declarations: str) -> Path:
-    file = folder / "R.mo"
-    file.write_text(PACKAGE.replace("{}", declarations), "utf-8")
-    return file
+""")
 
 
 def test_what_is_kept_and_what_is_dropped(tmp_path: Path) -> None:
@@ -64,11 +58,9 @@ def test_what_is_kept_and_what_is_dropped(tmp_path: Path) -> None:
         "model Short extends ConstrainedClass; redeclare model Y = B; end Short; Short g;": 1.0,
         "model Again extends Component; redeclare B h(g = 7); end Again; Again i;": 7.0,
     }
-    built = build_fmu("R.M", tmp_path, library=_library(tmp_path, "\n".join(values)))
     names = ["a.h.z", "b.h.z", "c.h.z", "d.c.z", "e.h.z", "f.c.z", "g.h.z", "i.h.z"]
-    with Fmu(built.path) as fmu:
-        found = fmu.run([0.0, 1.0], outputs=names).iloc[0]
-    assert dict(found) == dict(zip(names, values.values(), strict=True))
+    found = PACKAGE.values(tmp_path, "\n".join(values), names)
+    assert found == dict(zip(names, values.values(), strict=True))
 
 
 @pytest.mark.parametrize(
@@ -93,10 +85,8 @@ def test_what_is_kept_and_what_is_dropped(tmp_path: Path) -> None:
     ],
 )
 def test_what_the_compiler_would_get_wrong_is_refused(tmp_path: Path, declaration: str, message: str) -> None:
-    file = _library(tmp_path, declaration)
-    with pytest.raises(UnsupportedModelError, match=message) as caught:
-        generate_model(BuildRequest("R.M", tmp_path, file))
-    assert str(caught.value).startswith(f"{file}:30:")
+    refusal = PACKAGE.refusal(tmp_path, declaration, message)
+    assert refusal.startswith(f"{tmp_path / 'R.mo'}:30:")
 
 
 @pytest.mark.parametrize(
