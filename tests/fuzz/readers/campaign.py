@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import math
+import shutil
 import subprocess
 import sys
 import time
@@ -38,16 +40,19 @@ def fuzz_all(folder: Path, seconds: float, count: int | None, seed: int, process
     """Try for so long or so many, on so many processes.
 
     Args:
-        folder: for the corpus, which is made anew, and the files of trials with a fault
+        folder: for the corpus, which is made if it is not there, and the files of trials with a fault
         seconds: how long, where there is no count
         count: how many cases
         seed: the number of the first case
         processes: how many at a time
     """
     files = folder / "readers"
-    if not (files / "complete").exists():
+    # What an earlier state of the project made may lack files.
+    complete = files / f"complete-{hashlib.sha256(Path(corpus.__file__).read_bytes()).hexdigest()[:16]}"
+    if not complete.exists():
+        shutil.rmtree(files, ignore_errors=True)
         corpus.make(files, FMUS)
-        (files / "complete").touch()
+        complete.touch()
     # Infinity in JSON, as Python writes and reads it.
     last = math.inf if count is None else seed + count
     end = time.time() + seconds if count is None else math.inf
