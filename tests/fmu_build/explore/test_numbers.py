@@ -12,6 +12,7 @@ import pytest
 from pyjoystick.fmu import Fmu
 from tests.browser import LivePage
 from tests.fmu_build.explore.conftest import Pages
+from tests.fmu_build.random_joysticks import random_joysticks
 
 pytestmark = pytest.mark.xdist_group("browser")
 #: The C libraries of the module and of the FMU round `pow` and the like differently.
@@ -37,6 +38,23 @@ def test_joystick_with_changed_values_and_a_table(pages: Pages, live: Live) -> N
     )
     assert len(shown) == 1501
     np.testing.assert_allclose(shown.to_numpy(), expected.to_numpy(), **_CLOSE)
+
+
+@pytest.mark.parametrize("model", ["Joystick", "JoystickPowerLaw"])
+def test_random_joysticks_have_the_bits_of_the_same_module_in_wasmtime(
+    model: str, pages: Pages, live: Live
+) -> None:
+    """So no floating-point operation of the browser's differs from those of other hosts."""
+    page = live(model, "#T:table=&:step=0.005")
+    with Fmu(pages.fmu(model), sandbox=True) as fmu:
+        for case in random_joysticks(fmu.description, 50, seed=23):
+            values = "&".join(f"{name}={float(value)!r}" for name, value in case.items())
+            with page.rerun():
+                page.page.evaluate("address => { location.hash = address; }", f"{values}&T:table=&:step=0.005")
+            shown = page.csv()
+            expected = fmu.run(0.005 * np.arange(301), parameters=case, outputs=list(shown.columns))
+            assert np.ptp(expected["theta"]) > 0.01
+            np.testing.assert_array_equal(shown.to_numpy(), expected.to_numpy())
 
 
 def test_default_experiment_with_its_inputs(pages: Pages, live: Live) -> None:

@@ -20,7 +20,8 @@ from fmu_build.packaging import binaries, wasm_module
 from fmu_build.packaging.binaries import COMPILER_FLAGS
 from fmu_build.packaging.module import module_name
 from fmu_build.packaging.sources import c_files, fmi_header, module_face
-from pyjoystick.fmu import MODELS, Fmu, FmuDescription
+from pyjoystick.fmu import MODELS, Fmu
+from tests.fmu_build.random_joysticks import random_joysticks
 from tests.pyjoystick.fmu.sandbox.hostile import with_module
 
 #: Bytes; joysticks that are held or mounted have a hand and friction too, and stops.
@@ -62,25 +63,6 @@ def module_of(joystick_fmus: Path, tmp_path_factory: pytest.TempPathFactory) -> 
         return target
 
     return made
-
-
-def _parameters(description: FmuDescription, count: int, seed: int = 17) -> list[dict[str, float]]:
-    """Random ones near the start values; releases on either side."""
-    random = np.random.default_rng(seed)
-    known = {
-        name: float(variable.start or 0)
-        for name, variable in description.variables.items()
-        if name in description.settable_names()
-        and variable.type == "Real"
-        and float(variable.start or 0) > 0.0
-    }
-    cases = []
-    for _ in range(count):
-        case = {name: start * random.uniform(0.8, 1.1) for name, start in known.items()}
-        if "theta_start" in description.variables:
-            case["theta_start"] = random.choice([-1.0, 1.0]) * random.uniform(0.05, 0.35)
-        cases.append(case)
-    return cases
 
 
 @pytest.mark.parametrize("name", MODELS)
@@ -132,7 +114,7 @@ def test_runs_agree_with_those_of_the_binary(module_of: Modules, name: str) -> N
         moving = {one: 0.1 * np.abs(np.sin(9.0 * _TIME)) for one in description.names("input") if one != "W"}
         inputs = pd.DataFrame(moving, index=_TIME)
         count = _JOYSTICKS if name in ("Joystick", "JoystickPowerLaw") else _OTHERS
-        for parameters in _parameters(description, count):
+        for parameters in random_joysticks(description, count):
             settings = {
                 "parameters": parameters,
                 "inputs": inputs,
@@ -154,7 +136,7 @@ def test_runs_are_those_of_a_program_with_the_same_c_library(
 ) -> None:
     with Fmu(module_of(name), sandbox=True) as fmu:
         variables = fmu.description.variables
-        cases = _parameters(fmu.description, _JOYSTICKS)
+        cases = random_joysticks(fmu.description, _JOYSTICKS)
         program = _musl_program(module_of(name), tmp_path_factory.mktemp(name))
         outputs = fmu.description.names("output")
         lines = [
