@@ -1,9 +1,9 @@
-"""Constants of packages to which heirs give several values, of which rumoca takes one.
+"""Constants of packages to which derived packages give several values, of which rumoca uses only one.
 
-Where a package gives a value to a constant and its heir gives another one, the heir's is lost. Where two
-heirs give different values, each has its own, but not what depends on the constant: rumoca evaluates other
-constants of the base package, and its models, records and types, for one heir only. What is used by the full
-name of a package, ``P.c`` or ``P.f(x)``, is right.
+If a package gives a value to a constant and a derived package gives it another one, the latter is lost. If
+two derived packages give different values, each has its own value, but not what depends on the constant:
+rumoca evaluates the other constants of the base package, and its models, records and types, for only one
+derived package. References by the full name of a package, ``P.c`` or ``P.f(x)``, are correct.
 """
 
 from __future__ import annotations
@@ -23,14 +23,17 @@ _DECLARED = re.compile(r"\b(?:model|block|record|type|package|class|function)\s+
 _REDECLARED = r"\bredeclare\s+(?:replaceable\s+)?(?:final\s+)?constant\b[^;]*"
 
 Given = dict[str, str]
-"""The values that modifiers give to constants, by their names."""
+"""Values that modifiers give to constants, by name."""
 
 
 def contradicted_constants(text: ModelText) -> Iterator[tuple[str, Construct]]:
-    """Yield what is wrong with values of constants that packages inherit, and the clauses that give them."""
+    """Yield errors in the values of constants that packages inherit, with the clauses that give them."""
     packages = {name.rpartition(".")[2] for name, kind, _ in text.named() if kind.endswith("package")}
     for clause in _redeclared(text):
-        yield "what a package redeclares keeps its former value; give it in the extends clause", clause
+        yield (
+            "a constant that a package redeclares keeps its former value; give it in the extends clause",
+            clause,
+        )
     clauses = [
         (found["base"], _given(clause.plain[found.end() + 1 : -1]), clause)
         for clause in text.find([rf"{EXTENSION_CLAUSE}\("])
@@ -42,7 +45,7 @@ def contradicted_constants(text: ModelText) -> Iterator[tuple[str, Construct]]:
     for base, given, clause in clauses:
         for name in _given_again(inheritance, base, given):
             yield (
-                f"{base}, or a class that it extends, gives {name} another value, which would hold; "
+                f"{base}, or a class that it extends, gives {name} another value, which would prevail; "
                 "extend the class that declares it",
                 clause,
             )
@@ -58,14 +61,14 @@ def contradicted_constants(text: ModelText) -> Iterator[tuple[str, Construct]]:
             if several and _is_mixed_up(text, base, name, of_this):
                 names = ", ".join(sorted({one.rpartition(".")[2] for one in of_this}))
                 yield (
-                    f"{names} have different values of {name}, and what depends on it in {base} would be the "
+                    f"{names} have different values of {name}, but what depends on it in {base} would be the "
                     "same for all; declare it in each of them",
                     next(clause for _, given, clause in reversed(clauses) if name in given),
                 )
 
 
 def _redeclared(text: ModelText) -> Iterator[Construct]:
-    """Yield the constants that packages redeclare as elements of their own."""
+    """Yield the clauses in which packages redeclare constants as elements of their own."""
     of_packages = {
         "".join(found.split())
         for _, kind, own in text.named()
@@ -82,13 +85,13 @@ def _given(modifiers: str) -> Given:
 
 
 def _differ(one: str | None, other: str | None) -> bool:
-    """Return whether two values, or None for that of the declaration, differ; texts are blank and do not."""
+    """Return whether two values differ; None is the declared value; blanked strings count as equal."""
     first, second = ("".join(value.split()) if value is not None else None for value in (one, other))
     return first != second and "" not in (first, second)
 
 
 def _given_again(inheritance: Inheritance, base: str, given: Given) -> Iterator[str]:
-    """Yield the names to which a base class, or one that it extends, gives another value than the heir."""
+    """Yield the names to which a base class, or one that it extends, gives another value than `given`."""
     for ancestor in sorted(inheritance.ancestry(base)):
         for _, modifiers in inheritance.bases[ancestor]:
             before = _given(modifiers)
@@ -96,9 +99,9 @@ def _given_again(inheritance: Inheritance, base: str, given: Given) -> Iterator[
 
 
 def _heirs(text: ModelText, inheritance: Inheritance) -> dict[str, dict[str, Given]]:
-    """Return what each package that the model uses gives to its base classes, by its qualified name.
+    """Return the values that each package used by the model gives to its base classes, by qualified name.
 
-    Other names for packages, ``package P = Q``, are left out.
+    Aliases of packages, ``package P = Q``, are left out.
     """
     model = next(text.named())[0]
     return {
@@ -125,7 +128,7 @@ def _given_to_bases(
 
 
 def _is_mixed_up(text: ModelText, base: str, name: str, heirs: Iterable[str]) -> bool:
-    """Return whether the model uses what the base package makes of a constant other than by full names."""
+    """Return whether the model uses what depends on a constant of the base package, except by full names."""
     dependent = _dependent(text, base, name)
     inside = [one for one in text.named() if base in one[0].split(".")[:-1]]
     functions = {scope.rpartition(".")[2]: own for scope, kind, own in inside if kind.endswith("function")}
@@ -140,7 +143,7 @@ def _is_mixed_up(text: ModelText, base: str, name: str, heirs: Iterable[str]) ->
 
 
 def _dependent(text: ModelText, base: str, name: str) -> set[str]:
-    """Return the names of the constants of a package whose values depend on one of them."""
+    """Return the names of the constants of a package whose values depend on the constant `name`."""
     clauses = [
         ({one.name for one in component_clauses(found[0])}, set(re.findall(r"\w+", found[0])))
         for own in text.of(base)
@@ -156,24 +159,24 @@ def _dependent(text: ModelText, base: str, name: str) -> set[str]:
 
 
 def _mentions(own: str, names: set[str]) -> bool:
-    """Return whether a class uses one of these names and does not declare it."""
+    """Return whether a class uses one of these names without declaring it."""
     used = names - {one.name for one in component_clauses(own)} - set(_DECLARED.findall(own))
     return any(re.search(rf"(?<![\w.]){re.escape(one)}\b(?!\s*=(?!=))", own) for one in used)
 
 
 def _inside_of(text: ModelText, packages: Iterable[str]) -> Iterator[str]:
-    """Yield the texts of these packages and of all classes in them."""
+    """Yield the texts of these packages and of all classes inside them."""
     return (own for name, _, own in text.named() if any(f"{name}.".startswith(f"{one}.") for one in packages))
 
 
 def _has_another_name(text: ModelText, package: str) -> bool:
-    """Return whether a package is declared in a model, or under another name outside of modifiers."""
+    """Return whether a package is declared in a model, or has an alias outside of modifiers."""
     scope, _, simple = package.rpartition(".")
     classes = {name: (kind, own) for name, kind, own in text.named()}
     if classes.get(scope, ("", ""))[0].endswith(("model", "block", "class")):
         return True
     alias = re.compile(rf"{_ALIAS}{simple}\b")
-    # The text of a class is without its elements that are classes; those in modifiers are left in it.
+    # The text of a class does not include its inner classes, but those in modifiers.
     return any(
         alias.match(own) and not alias.search(classes.get(name.rpartition(".")[0], ("", ""))[1])
         for name, (_, own) in classes.items()

@@ -1,4 +1,4 @@
-"""What classes declare and inherit, by their simple names: those of one name count as one class."""
+"""Declarations and inheritance of classes by simple name; classes of the same name count as one."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ _REDECLARED = r"\bredeclare\s+(?:replaceable\s+)?(?:\w+\s*\.\s*)*(?P<type>\w+)\s
 
 
 def extensions(plain: str) -> Iterator[tuple[str, str]]:
-    """Yield the simple names of the base classes in the text of a class, with the modifiers given to them."""
+    """Yield the simple name and the modifiers of each base class in the text of a class."""
     for found in re.finditer(EXTENSION_CLAUSE, plain):
         end = closing(plain, found.end()) - 1 if found["open"] is not None else found.end()
         yield found["base"], plain[found.end() + 1 : end]
 
 
 def modified_classes(text: ModelText) -> Iterator[tuple[str, str, Construct]]:
-    """Yield the simple names of classes that a clause modifies, with the modifiers and the clause."""
+    """Yield the simple name of each class that a clause modifies, with the modifiers and the clause."""
     for clause in text.find([f"{COMPONENT_CLAUSE}|{EXTENSION_CLAUSE}\\("]):
         for one in component_clauses(clause.plain):
             yield one.type, one.modifiers, clause
@@ -33,10 +33,10 @@ def modified_classes(text: ModelText) -> Iterator[tuple[str, str, Construct]]:
 
 
 class Inheritance:
-    """The components, inner classes and base classes of the classes of a model.
+    """Components, inner classes and base classes of the classes of a model.
 
     Attributes:
-        bases: the base classes of each class, with the text of the modifiers that it gives them
+        bases: base classes of each class, with the text of their modifiers
     """
 
     def __init__(self, text: ModelText) -> None:
@@ -60,11 +60,11 @@ class Inheritance:
             yield from self.own_components(one, component)
 
     def has_class(self, name: str, inner: str) -> bool:
-        """Return whether the classes of this name or their bases declare a class of the other name."""
+        """Return whether the classes of this name or their bases declare a class named `inner`."""
         return any(inner in self._classes[one] for one in self.ancestry(name))
 
     def owners(self, name: str, components: tuple[str, ...]) -> set[str]:
-        """Return the classes of a component of a component ... of the classes of this name."""
+        """Return the classes to which a path of components leads from the classes of this name."""
         found = {name}
         for component in components:
             found = {one.type for owner in found for one in self.components(owner, component)}

@@ -1,14 +1,15 @@
-"""What the FMUs in ``sensitivities/`` compute: for this package, ``make fmu``, which runs it, and the wheel.
+"""Sensitivities computed by the FMUs in ``sensitivities/``.
 
-Imports nothing of this project: a wheel is built where its dependencies are not installed.
+This package, the build of the wheel and ``make fmu``, which runs this module, use them. The module imports
+nothing from this project, because a wheel is built without the project's dependencies.
 """
 
 from __future__ import annotations
 
 from types import MappingProxyType
 
-#: Requests by the name of the FMU: by start values for periodic motions, by parameters for fits. Each
-#: parameter more makes every run of the FMU longer.
+#: Requests by the name of the FMU: with respect to start values for periodic motions, and to parameters for
+#: fits. Each additional parameter makes every run of the FMU longer.
 SENSITIVITIES = MappingProxyType(
     {
         "Joystick": "theta,omega:theta_start,omega_start,damping.C,J",

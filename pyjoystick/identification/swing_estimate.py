@@ -1,8 +1,9 @@
-"""Moment of inertia and damping from the swings of releases: rough, but from wherever a search would begin.
+"""Rough estimates of moment of inertia and damping from the swings of releases, without a start value.
 
-The springs and the weight say where the energy of the joystick is. With J alone unknown, the time from peak
-to peak says what it is: a period without damping goes with the square root of J. What the joystick has lost
-from the first peak to the last is C times the integral of omega^2, which the energy gives as well.
+Springs and weight determine the potential energy of the joystick. If only J is unknown, the time from peak to
+peak determines it: without damping, the period is proportional to the square root of J. The energy lost from
+the first peak to the last, apart from dry friction, is C times the integral of omega^2, which also follows
+from the energy.
 """
 
 from __future__ import annotations
@@ -27,22 +28,22 @@ from pyjoystick.model import (
 from pyjoystick.motion import Record, find_swings
 from pyjoystick.support import FloatArray, ParameterError
 
-#: Peaks count down to this part of the largest: those below are short beside the samples, and shifted by a
-#: zero that is off.
+#: Peaks below this part of the largest are ignored: they are short compared with the sampling interval, and
+#: shifted by an offset of the zero.
 _SMALLEST: Final = 0.2
 _MOST_PEAKS: Final = 9
-#: C is at least this part of what would explain the loss of energy without dry friction.
+#: Lower limit of C, as a part of the C that would explain the loss of energy without dry friction.
 _VISCOUS: Final = 0.05
-#: A start that is off by less than this factor leads to the same minimum, and is left alone.
+#: A start value that differs by less than this factor leads to the same minimum, and is kept.
 _NEAR: Final = 3.0
-#: Part by which the J of a joystick may differ from what swings show of it before that is worth a note.
+#: Relative difference between the J of a joystick and its estimate from which on there is a note.
 _DOUBTFUL: Final = 0.25
 _POINTS: Final = 400
 
 
 @dataclass(frozen=True, slots=True)
 class SwingEstimate:
-    """What swings show, to a tenth or so: J (kg m2) and C (N m s/rad)."""
+    """Rough estimates from the swings of releases, accurate to about 10 %: J (kg m2) and C (N m s/rad)."""
 
     J: float
     C: float
@@ -51,15 +52,15 @@ class SwingEstimate:
 def swing_estimate(
     joystick: JoystickParameters, records: Sequence[Record | Measurement], *, inertia: float | None = None
 ) -> SwingEstimate | None:
-    """J and C of releases, by the springs, the weight and the dry friction of a joystick.
+    """Estimate J and C from releases, given the springs, the weight and the dry friction of a joystick.
 
     Args:
-        joystick: its J and its damping do not count
-        records: releases; other records have no swings, and are left out
-        inertia: J (kg m2) where it is known, and C is found with it
+        joystick: the joystick; its J and its damping are not used
+        records: releases; other records have no swings and are ignored
+        inertia: J (kg m2) if it is known; only C is then estimated
 
     Returns:
-        None where no record shows two swings of this joystick after its release
+        the estimates; None if no record shows two swings of this joystick after its release
     """
     seen = [found for found in map(_peaks, records) if found is not None]
     try:
@@ -81,28 +82,29 @@ def swing_estimate(
 
 
 def inertia_doubts(joystick: JoystickParameters, records: Sequence[Record]) -> tuple[str, ...]:
-    """A note where releases do not swing with the J of a joystick; the C of peaks is in proportion to it."""
+    """Return a note if releases contradict the J of a joystick, to which the C from peaks is proportional."""
     found = swing_estimate(joystick, records)
     if found is None or abs(joystick.J / found.J - 1.0) < _DOUBTFUL:
         return ()
     return (
-        f"the swings last as long as with J = {found.J:.3g} kg m2 on these springs, and the joystick has "
-        f"{joystick.J:.3g}; the C of peaks is in proportion to J: are these the joystick's J and springs?",
+        f"with these springs, the periods of the swings require J = {found.J:.3g} kg m2, the joystick has "
+        f"{joystick.J:.3g}; the C from peaks is proportional to J: are these the joystick's J and springs?",
     )
 
 
 def with_estimated_starts(
     settings: FitSettings, joystick: JoystickParameters, records: Sequence[Record | Measurement]
 ) -> FitSettings:
-    """The settings with starts of J and C as the swings show them, where a joystick's are far from that.
+    """Replace start values of J and C that are far from the estimates of `swing_estimate` by these estimates.
 
-    A search that begins with the J or C of another joystick, of which the motion has another number of swings
-    or none, may end in a minimum where nothing fits.
+    A search that starts from the J or C of another joystick, whose motion has a different number of swings or
+    none, may end in a minimum at which nothing fits.
 
     Args:
-        settings: whose starts are those of the joystick; what they count as measured stays
-        joystick: everything that is not fitted
-        records: releases; with others, the settings stay as they are
+        settings: settings that start from the values of the joystick; start values that count as measured are
+            kept
+        joystick: joystick with the values of all parameters that are not fitted
+        records: releases; for other records, the settings are returned unchanged
     """
     names = [one.name for one in settings.free if one.uncertainty is None and not one.per_record]
     if settings.inputs or not {"J", "damping.C"} & set(names):
@@ -122,13 +124,13 @@ def with_estimated_starts(
 
 
 def _peaks(record: Record | Measurement) -> tuple[FloatArray, FloatArray] | None:
-    """Times (s) and heights (rad) of the peaks after the release; None for fewer than three."""
+    """Return times (s) and heights (rad) of the peaks after the release; None for fewer than three."""
     theta = record.theta if isinstance(record, Record) else None
     largest = 0.0 if theta is None else float(np.max(np.abs(theta)))
     if theta is None or largest == 0.0:
         return None
     swings = find_swings(theta, _SMALLEST * largest)[1 : _MOST_PEAKS + 1]
-    # The record may end, or begin to hold still, within the last of them.
+    # The record may end, or the joystick come to rest, within the last of them.
     places = [one.extreme for one in swings if one.last + 1 < len(theta)]
     if len(places) < 3:
         return None
@@ -136,15 +138,15 @@ def _peaks(record: Record | Measurement) -> tuple[FloatArray, FloatArray] | None
 
 
 def _times(joystick: JoystickParameters, heights: FloatArray) -> float:
-    """The time (s) from each peak to the one after next, without damping: the period of that between."""
+    """Sum the times (s) from each peak to the next but one, without damping: periods of the peaks between."""
     return sum(undamped_oscillation(joystick, float(height)).period for height in heights[1:-1])
 
 
 def _squares(joystick: JoystickParameters, heights: FloatArray) -> float:
-    """The integral of omega^2 (rad^2/s) from the first peak to the last."""
+    """Integrate omega^2 (rad^2/s) from the first peak to the last."""
     total = 0.0
     for start, end in pairwise(heights):
-        # The loss is spread evenly over the path; close enough for a start.
+        # The loss is distributed evenly over the path, which is accurate enough for a start value.
         theta = np.linspace(start, end, _POINTS)
         ends = energy(joystick, np.array([start, end]), 0.0)
         whole = np.linspace(ends[0], ends[1], _POINTS)
@@ -154,7 +156,7 @@ def _squares(joystick: JoystickParameters, heights: FloatArray) -> float:
 
 
 def _rubbed(joystick: JoystickParameters, heights: FloatArray) -> float:
-    """What dry friction takes (J) from the first peak to the last."""
+    """Return the energy (J) lost to dry friction from the first peak to the last."""
     friction = joystick.to_names()
     angle = float(np.sum(np.abs(np.diff(heights))))
     travel = float(np.sum([contact_travel(joystick, one) for one in heights]))

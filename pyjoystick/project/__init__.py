@@ -1,4 +1,4 @@
-"""Projects: a folder with a laboratory's files, from which one command makes the joystick."""
+"""Projects: folders with a laboratory's files, from which one command identifies the joystick."""
 
 import lazy_loader
 

@@ -15,9 +15,9 @@ from pyjoystick.project.sources import spring_names
 from pyjoystick.project.steps import Find, Missing, Step
 from pyjoystick.support import SettingsError
 
-#: What makes a name a pattern.
+#: Characters that make a file name a pattern.
 _WILD: Final = frozenset("*?[")
-#: What the numbers of the body are called, and the tables that measure them.
+#: Name of each parameter of the body, and the tables of laboratory.toml that determine it.
 _BODY: Final = {
     "m": ("mass", "[parts]"),
     "h": ("center of mass", "[parts]"),
@@ -30,9 +30,9 @@ class Assembly:
     """The steps of a project.
 
     Attributes:
-        steps: in an order in which they can be executed
-        missing: steps that are impossible because files are missing
-        notes: consequences, one sentence each
+        steps: in a possible order of execution
+        missing: steps that are impossible because files or entries of laboratory.toml are missing
+        notes: consequences of what is missing, one sentence each
     """
 
     steps: tuple[Step, ...]
@@ -44,11 +44,12 @@ def assemble(lab: Laboratory, find: Find) -> Assembly:
     """Determine the steps of a project.
 
     Args:
-        lab: contents of its file
+        lab: content of its ``laboratory.toml``
         find: function that returns the file for the name of an FMU
 
     Raises:
-        SettingsError: two motions have the same name, or an accelerometer is of a motion that is not named
+        SettingsError: two motions or two accelerometers have the same name, or an accelerometer refers to an
+            unknown motion
     """
     return _Assembler(lab, find).assembly()
 
@@ -61,7 +62,7 @@ class _Assembler:
         self.notes: list[str] = []
         #: Files by kind and name.
         self.names: dict[str, dict[str, str]] = {}
-        #: Where parameters are from, by FMU name.
+        #: Sources of parameters, by FMU name.
         self.sources: dict[str, str] = {}
 
     def assembly(self) -> Assembly:
@@ -100,7 +101,7 @@ class _Assembler:
     def _there(self, step: str, file: str) -> bool:
         if (self.lab.root / file).is_file():
             return True
-        what = "is a folder" if (self.lab.root / file).is_dir() else f"is not there, though {FILE} names it"
+        what = "is a folder" if (self.lab.root / file).is_dir() else f"does not exist, though {FILE} names it"
         self.missing.append(Missing(step, f"{file} {what}", named=True))
         return False
 
@@ -110,7 +111,7 @@ class _Assembler:
         if source is None:
             self.missing.append(Missing(name, f"{FILE} has no [load_curve.{side}]"))
         if source is None or not self._there(name, source.file):
-            self.notes.append(f"the springs of the {side} side are those of {self._base()}")
+            self.notes.append(f"the springs of the {side} side are taken from {self._base()}")
             return False
         self.steps.append(measuring.load_curve(lab, side, source))
         text = f"load-deflection curve {Path(source.file).name}"
@@ -122,7 +123,7 @@ class _Assembler:
         return True
 
     def _body(self) -> Iterator[str]:
-        """Parts and swing test; the files of their values."""
+        """Add the steps for parts and swing test; yield the files with their values."""
         lab = self.lab
         with_parts = bool(lab.parts) and self._there("parts", lab.parts)
         if with_parts:
@@ -137,7 +138,7 @@ class _Assembler:
         self._unmeasured()
 
     def _unmeasured(self) -> None:
-        """Say which numbers of the body and the geometry are those of the base."""
+        """Note which parameters of body and geometry are taken from the base joystick."""
         lab = self.lab
         known = {*self.sources, *lab.given.values}
         fitted = bool(lab.markers or lab.tables) and evaluating.frees(lab, "J")
@@ -146,22 +147,22 @@ class _Assembler:
                 continue
             if not lab.parts:
                 self.missing.append(Missing(what, f"{FILE} has neither {tables} nor {name} in [body]"))
-            self.notes.append(f"the {what} is that of {self._base()}")
+            self.notes.append(f"the {what} is taken from {self._base()}")
         lengths = [name for name in ("a", "b") if name not in known]
         if lengths:
             self.missing.append(
                 Missing("geometry", f"{FILE} has no {' and no '.join(lengths)} in [geometry]")
             )
-            self.notes.append(f"the geometry ({', '.join(lengths)}) is that of {self._base()}")
+            self.notes.append(f"the geometry ({', '.join(lengths)}) is taken from {self._base()}")
         if "pivot_to_top" not in known and lab.base.pivot_to_top is not None:
-            handle = "the length of the handle (pivot_to_top), for which the report has forces,"
-            self.notes.append(f"{handle} is that of {self._base()}")
+            handle = "the length of the handle (pivot_to_top), with which the report computes forces,"
+            self.notes.append(f"{handle} is taken from {self._base()}")
 
     def _base(self) -> str:
         return self.lab.base_file or "the paper's joystick"
 
     def _records(self, sides: tuple[model.Side, ...]) -> dict[str, str]:
-        """The records that motions become, by name."""
+        """Add the steps that convert motions to records; return the record files by name."""
         lab = self.lab
         records: dict[str, str] = {}
         sources: list[MarkerSource | TableSource] = [*lab.markers, *lab.tables]
@@ -180,7 +181,7 @@ class _Assembler:
         return records
 
     def _named(self, kind: str, file: str) -> str:
-        """The name of what is in a file; file systems may not tell capitals from small letters."""
+        """Return the name for a file's content, which must be unique even if a file system ignores case."""
         name, known = Path(file).stem, self.names.setdefault(kind, {})
         if name.casefold() in map(str.casefold, known):
             reason = f"two files have this name, {', '.join(known.values())} and {file}: rename one"
@@ -189,18 +190,18 @@ class _Assembler:
         return name
 
     def _files(self, patterns: tuple[str, ...]) -> Iterator[str]:
-        """The files of some names and patterns, each once; a pattern without a file is missing."""
+        """Return the files for names and patterns, each once; note patterns without a match as missing."""
         found: dict[str, None] = {}
         for pattern in patterns:
             if not _WILD & set(pattern):
                 found[pattern] = None
                 continue
             root = self.lab.root
-            # Not Path.glob, which takes no absolute pattern.
+            # Path.glob does not accept absolute patterns.
             names = sorted(glob(pattern, root_dir=root, recursive=True))  # noqa: PTH207
             matches = [Path(name).as_posix() for name in names if (root / name).is_file()]
             if not matches:
-                self.missing.append(Missing("records", f"no file is called {pattern}"))
+                self.missing.append(Missing("records", f"no file matches {pattern}"))
             found |= dict.fromkeys(matches)
         return iter(found)
 
@@ -217,10 +218,10 @@ class _Assembler:
             if source.record in records:
                 self.steps.append(measuring.accelerometer(lab, source, records[source.record]))
             else:
-                self.missing.append(Missing(name, f"the record {source.record} is not there", named=True))
+                self.missing.append(Missing(name, f"the record {source.record} is missing", named=True))
 
     def _evaluation(self, records: tuple[str, ...], sides: tuple[model.Side, ...]) -> None:
-        """Peaks, fit, budget, and the resulting joystick."""
+        """Add the steps for peaks, fit, error budget and the resulting joystick."""
         lab, standard = self.lab, not self.lab.fit.file
         with_fit = bool(records)
         with_budget = with_fit and standard and lab.fit.law == "constant"
@@ -231,8 +232,8 @@ class _Assembler:
         if with_fit:
             self.steps.append(evaluating.fit(lab, records, self.sources, self.find))
         else:
-            self.missing.append(Missing("fit", "there is no record"))
-            self.notes.append(f"the damping is that of {self._base()}")
+            self.missing.append(Missing("fit", "there are no records"))
+            self.notes.append(f"the damping is taken from {self._base()}")
         if with_budget:
             self.steps.append(evaluating.budget(lab, records, sides, self.find))
         self.steps.append(concluding.joystick(lab, self.sources, with_fit=with_fit, with_budget=with_budget))

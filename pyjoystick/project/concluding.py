@@ -1,4 +1,4 @@
-"""The joystick of a project: what was measured and fitted, and whether the two agree."""
+"""Final joystick of a project, from measured and fitted values, and a check whether the two agree."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ from pyjoystick.project.sources import table_of
 from pyjoystick.project.steps import RESULTS, Done, Step, Tell, with_error
 from pyjoystick.support import write_text
 
-#: The result.
+#: Parameter file of the final joystick.
 JOYSTICK: Final = f"{RESULTS}/joystick.toml"
-#: Places of what the budget is made for.
+#: Parameters of the error budget: their keys in the parameter file by FMU name.
 _BUDGETED: Final = {"J": "body.J", "damping.C": "damping.constant.C"}
 
 
 def joystick(lab: Laboratory, sources: Mapping[str, str], *, with_fit: bool, with_budget: bool) -> Step:
-    """The parameter file of the joystick, the result of the project.
+    """Return the step that writes the joystick's parameter file, the result of the project.
 
     Args:
         lab: the laboratory
-        sources: what was measured before the fit, by FMU name, and from what
+        sources: sources of the parameters that were measured before the fit, by FMU name
         with_fit: whether there is a fit
         with_budget: whether there is an error budget
     """
@@ -65,7 +65,7 @@ def joystick(lab: Laboratory, sources: Mapping[str, str], *, with_fit: bool, wit
 
 
 def _budgeted(lab: Laboratory) -> dict[str, laboratory.Measured]:
-    """J and C with all that is uncertain, to the digits that are known."""
+    """Return J and C, rounded to the significant digits, with their uncertainties from the error budget."""
     fitted = identification.read_budget(lab.root / BUDGET_JSON).fitted
     found = {}
     for name in _BUDGETED:
@@ -78,7 +78,7 @@ def _budgeted(lab: Laboratory) -> dict[str, laboratory.Measured]:
 def _contradictions(
     lab: Laboratory, sources: Mapping[str, str], budgeted: Mapping[str, laboratory.Measured]
 ) -> list[identification.Contradiction]:
-    """What was measured and comes out of the fit as another number."""
+    """Return the parameters whose measured and fitted values contradict each other."""
     fitted = identification.read_fit(lab.root / FIT_JSON).freely()
     both = {name: budgeted.get(name, one) for name, one in fitted.items() if name in sources}
     measured = {name: (one, sources[name]) for name, one in _measured(lab, both)}
@@ -88,7 +88,7 @@ def _contradictions(
 def _measured(
     lab: Laboratory, names: Mapping[str, laboratory.Measured]
 ) -> Iterator[tuple[str, laboratory.Measured]]:
-    """Some of the parameters that were measured, those of springs with the correlations of their curve."""
+    """Yield the measured values of the named parameters, of springs with the correlations of their curve."""
     file = model.read_parameter_file(lab.root / MEASURED)
     curves = {one.table for one in model.fmu_values(file) if one.name in names} & set(lab.curves)
     springs = {
@@ -103,7 +103,7 @@ def _measured(
 
 
 def _remark(found: model.JoystickParameters, uncertainties: Mapping[str, float]) -> str:
-    """J and, where it is constant, C, as far as they are known."""
+    """Return J and, for constant damping, C as text with their uncertainties."""
     values = found.to_names()
     return ", ".join(
         f"{name.removeprefix('damping.')} = {with_error(values[name], uncertainties.get(place, 0.0))} {unit}"

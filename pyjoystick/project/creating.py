@@ -1,4 +1,4 @@
-"""A new project."""
+"""Creation of projects."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from pyjoystick.project.laboratory import FILE
 from pyjoystick.support import OutputFileError, check_outputs, write_text
 
 _README: Final = "README.md"
-#: Where editors find the schemas, relative to the project.
+#: Folder in which editors find the schemas, relative to the project.
 SCHEMAS: Final = ".pyjoystick/schemas"
 _TEMPLATE: Final = Path(__file__).with_name("template")
 #: The ``laboratory.toml`` of the synthetic laboratory.
@@ -21,14 +21,14 @@ EXAMPLE: Final = _TEMPLATE / "example.toml"
 
 
 def new_project(folder: str | PathLike[str], *, example: bool = False) -> None:
-    """Write a project: ``laboratory.toml`` with comments, a README, and a place for data.
+    """Create a project: a commented ``laboratory.toml``, a README and folders for data.
 
     Args:
-        folder: of the project; made where it is missing; nothing in it is replaced
-        example: whether it gets the files of a synthetic laboratory, so that it can be run as it is
+        folder: folder of the project, created if it does not exist; its files are not overwritten
+        example: whether to add the files of a synthetic laboratory, so that the project can be run as it is
 
     Raises:
-        ProjectExistsError: a file of the project is there already
+        ProjectExistsError: the folder already has a ``laboratory.toml`` or, for an example, data or truth
         OutputFileError: a file cannot be written
     """
     root = Path(folder)
@@ -51,4 +51,4 @@ def _make_folder(path: Path) -> None:
     try:
         path.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise OutputFileError(path, f"the folder cannot be made: {error.strerror}") from error
+        raise OutputFileError(path, f"the folder cannot be created: {error.strerror}") from error

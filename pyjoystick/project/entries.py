@@ -1,4 +1,4 @@
-"""Entries of ``laboratory.toml``, each checked: files, quantities with a unit, angles, intervals, sides."""
+"""Checked reading of entries of ``laboratory.toml``: files, quantities, angles, intervals, sides."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from pyjoystick.support import ParameterError, Table, finite, not_negative
 
 
 def relative_of(table: Table, key: str) -> float | None:
-    """A relative standard uncertainty; None where the key is absent."""
+    """Read a relative standard uncertainty; None if the key is absent."""
     value = quantity_of(table, key)
     if value is None:
         return None
@@ -19,7 +19,7 @@ def relative_of(table: Table, key: str) -> float | None:
 
 
 def file_of(table: Table) -> str:
-    """The name of one file."""
+    """Read the name of one file."""
     name = table.text("file")
     if not name:
         raise table.error("file", "must name a file")
@@ -27,7 +27,7 @@ def file_of(table: Table) -> str:
 
 
 def files_of(table: Table) -> tuple[str, ...]:
-    """One name or pattern, or a list of them."""
+    """Read one name or pattern of files, or a list of them."""
     given = table.value("files")
     names = (given,) if isinstance(given, str) else tuple(table.words("files"))
     if not all(names):
@@ -36,18 +36,18 @@ def files_of(table: Table) -> tuple[str, ...]:
 
 
 def choice_of(table: Table, key: str, allowed: tuple[str, ...]) -> str | None:
-    """One of the allowed words; None where the key is absent."""
+    """Read one of the allowed words; None if the key is absent."""
     return table.choice(key, allowed) if key in table else None
 
 
 def side_of(table: Table, key: str) -> model.Side | None:
-    """Forward or backward; None where the key is absent."""
+    """Read a side, forward or backward; None if the key is absent."""
     word = choice_of(table, key, model.SIDES)
     return next((side for side in model.SIDES if side == word), None)
 
 
 def interval_of(table: Table, key: str) -> tuple[float, float] | None:
-    """Two instants (s), the first before the second; None where the key is absent."""
+    """Read two instants (s), the first before the second; None if the key is absent."""
     if key not in table:
         return None
     entries = table.entries(key)
@@ -59,7 +59,7 @@ def interval_of(table: Table, key: str) -> tuple[float, float] | None:
 
 
 def angle_of(table: Table, key: str) -> float | None:
-    """An angle (rad) between -90 and 90 degrees; None where the key is absent."""
+    """Read an angle (rad) between -90 and 90 degrees; None if the key is absent."""
     value = quantity_of(table, key, "angle")
     if value is not None and abs(value) >= math.pi / 2.0:
         hint = f'did you mean "{value:g} deg"?' if abs(value) < 90.0 else ""
@@ -68,7 +68,7 @@ def angle_of(table: Table, key: str) -> float | None:
 
 
 def quantity_of(table: Table, key: str, kind: str = "") -> float | None:
-    """A number in the SI unit, or text with a unit of the kind; None where the key is absent."""
+    """Read a number in the SI unit, or text with a unit of this kind; None if the key is absent."""
     if key not in table:
         return None
     given: Any = table.value(key)

@@ -1,4 +1,4 @@
-"""The errors of projects."""
+"""Errors of projects."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from pyjoystick.support import PyJoystickError
 
 @dataclass(eq=False)
 class ProjectFileError(PyJoystickError):
-    """A folder is no project.
+    """The folder is not a project.
 
     Attributes:
         folder: the folder
@@ -22,14 +22,14 @@ class ProjectFileError(PyJoystickError):
 
 @dataclass(eq=False)
 class ProjectExistsError(PyJoystickError):
-    """A new project would replace a file.
+    """A new project would overwrite a file.
 
     Attributes:
         path: the file
     """
 
     path: Path
-    _message = "{path} exists; a new project replaces nothing"
+    _message = "{path} exists; a new project does not overwrite files"
 
 
 @dataclass(eq=False)

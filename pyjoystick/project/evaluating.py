@@ -1,4 +1,4 @@
-"""The steps from records to the fit and the errors of its parameters."""
+"""Steps from records to the fit and the errors of its parameters."""
 
 from __future__ import annotations
 
@@ -18,15 +18,15 @@ PEAKS: Final = f"{RESULTS}/peaks"
 FIT: Final = f"{RESULTS}/fit"
 BUDGET: Final = f"{RESULTS}/budget"
 BUDGET_JSON: Final = f"{BUDGET}/budget.json"
-#: The joystick of a fit that passed its checks.
 FIT_JSON: Final = f"{FIT}/fit.json"
+#: Parameter file of the fitted joystick, written if the fit passed its checks or doubtful fits are accepted.
 FITTED: Final = f"{FIT}/joystick.toml"
 
 
 def peaks(lab: Laboratory, records: tuple[str, ...], find: Find, *, inertia_known: bool) -> Step:
-    """The damping from the peaks of the releases, with its bias.
+    """Return the step that estimates the damping from the peaks of releases, with its bias.
 
-    It is in proportion to J, which is that of the swings where it is not known.
+    The damping is proportional to J; if J is not known, its estimate from the swings is used.
     """
     report, table, figure = (f"{PEAKS}/peaks{suffix}" for suffix in (".md", ".json", ".png"))
 
@@ -54,7 +54,7 @@ def peaks(lab: Laboratory, records: tuple[str, ...], find: Find, *, inertia_know
         )
         return Done(files=(report, table, figure), remark=f"C = {constant:.4g} N m s/rad", notes=notes)
 
-    # The bias of the method is that of simulated releases with either law.
+    # The bias of the method is determined from simulated releases with both damping laws.
     contents = {name: content_of(name, find) for name in standard_fmus(lab)}
     settings = {"FMUs": contents, "inertia known": inertia_known}
     return Step(name="peaks", inputs=(*records, MEASURED), outputs=(), settings=settings, work=work)
@@ -63,16 +63,18 @@ def peaks(lab: Laboratory, records: tuple[str, ...], find: Find, *, inertia_know
 def _swinging(
     joystick: model.JoystickParameters, records: Sequence[motion.Record], *, inertia_known: bool
 ) -> tuple[model.JoystickParameters, tuple[str, ...]]:
-    """The joystick with the J of the swings, where it is not known, and a note on it."""
+    """Return the joystick, with J estimated from the swings if it is not known, and notes on J."""
     found = None if inertia_known else identification.swing_estimate(joystick, records)
     if found is None:
         return joystick, identification.inertia_doubts(joystick, records)
-    note = f"J is not measured: C is for J = {found.J:.3g} kg m2, as the swings show it; the fit finds both"
+    note = (
+        f"J is not measured: C is based on J = {found.J:.3g} kg m2, from the swings; the fit determines both"
+    )
     return joystick.replace({"J": found.J}), (note,)
 
 
 def fit(lab: Laboratory, records: tuple[str, ...], sources: Mapping[str, str], find: Find) -> Step:
-    """The fit of the joystick to the records."""
+    """Return the step that fits the joystick to the records."""
     choice = lab.fit
 
     def work(tell: Tell) -> Done:
@@ -101,21 +103,21 @@ def fit(lab: Laboratory, records: tuple[str, ...], sources: Mapping[str, str], f
 
 
 def _fmu_content(lab: Laboratory, find: Find) -> str:
-    """The content of the FMU of the fit, which another build changes."""
+    """Return the digest of the fit's FMU, which changes when the FMU is rebuilt."""
     if not lab.fit.file:
         return content_of(_standard(lab).fmu, find)
     try:
         name = str(read_toml(lab.root / lab.fit.file).table("fmu").text("path"))
-    except PyJoystickError:  # the step itself will say what is wrong
+    except PyJoystickError:  # the step itself reports the error
         return ""
     return content_of(name if name in fmu.MODELS else str((lab.root / lab.fit.file).parent / name), find)
 
 
 def standard_fmus(lab: Laboratory) -> tuple[str, str]:
-    """The FMUs that run the joystick of the laboratory with constant damping and with eq. (11)."""
+    """Return the FMUs for the laboratory's joystick, with constant damping and with eq. (11)."""
     joystick = lab.base.joystick
     if any(one.friction for one in lab.curves.values()):
-        joystick = joystick.replace({"friction.F_c": 1.0})  # any but 0: the curves are yet to say how much
+        joystick = joystick.replace({"friction.F_c": 1.0})  # any value but 0; the curves determine it later
     constant, power_law = (
         runs.fmu_with_parts(runs.FMU_OF_LAW[law], joystick) for law in ("constant", "power-law")
     )
@@ -123,7 +125,7 @@ def standard_fmus(lab: Laboratory) -> tuple[str, str]:
 
 
 def _standard(lab: Laboratory) -> identification.FitSettings:
-    """Moment of inertia and damping coefficient, which releases determine together; or eq. (11)."""
+    """Return the standard settings: a fit of J and C, which releases determine together, or of eq. (11)."""
     constant, power_law = standard_fmus(lab)
     settings = replace(identification.POWER_LAW_DAMPING, fmu=power_law)
     if lab.fit.law == "constant":
@@ -137,18 +139,18 @@ def _settings(lab: Laboratory, find: Find) -> identification.FitSettings:
         return _standard(lab)
     root = read_toml(lab.root / lab.fit.file)
     if "parameters" in root.table("fmu"):
-        allowed = "must be left out in a project: the fit takes what was measured"
+        allowed = "must be left out in a project: the fit uses the measured values"
         raise root.table("fmu").error("parameters", allowed)
     return identification.read_fit_settings(root, find)
 
 
 def frees(lab: Laboratory, name: str) -> bool:
-    """Whether the fit finds a parameter."""
+    """Return whether the fit determines a parameter."""
     if not lab.fit.file:
         return any(one.name == name for one in _standard(lab).free)
     try:
         return name in read_toml(lab.root / lab.fit.file).table("free").content
-    except PyJoystickError:  # the step itself will say what is wrong
+    except PyJoystickError:  # the step itself reports the error
         return True
 
 
@@ -158,7 +160,7 @@ def _fitted(
     opened: fmu.Fmu,
     tell: Tell,
 ) -> identification.Fit:
-    """The whole fit; one that was interrupted is Ctrl-C."""
+    """Run the fit; raise KeyboardInterrupt if it was interrupted."""
 
     def progress(stage: str, done: int, total: int) -> None:
         tell(f"{stage} {done}/{total}" if total > 1 else stage)
@@ -177,7 +179,7 @@ def _saved_fit(
     records: tuple[str, ...],
     sources: Mapping[str, str],
 ) -> Done:
-    """Write the report and, if it can be trusted, the joystick of a fit."""
+    """Write the report of a fit and, if it can be trusted or doubtful fits are accepted, its joystick."""
     names = ", ".join(Path(one).name for one in records)
     files = [path.name for path in identification.save_fit(found, lab.root / FIT, f"Fit to {names}")]
     failed = ", ".join(found.failed)
@@ -211,7 +213,7 @@ def _saved_fit(
 
 
 def budget(lab: Laboratory, records: tuple[str, ...], curves: tuple[model.Side, ...], find: Find) -> Step:
-    """What each measured quantity adds to the errors of J and C."""
+    """Return the step that computes what each measured quantity contributes to the errors of J and C."""
     report, csv, result = f"{BUDGET}/budget.md", f"{BUDGET}/budget.csv", BUDGET_JSON
     scale = lab.angle_scale()
 

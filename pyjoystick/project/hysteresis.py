@@ -1,4 +1,4 @@
-"""The dry friction along the plungers, from the hysteresis of the load-deflection curves."""
+"""Dry friction along the plungers, from the hysteresis of the load-deflection curves."""
 
 from __future__ import annotations
 
@@ -15,19 +15,19 @@ _F_C: Final = "friction.F_c"
 
 
 def put_down(fit: laboratory.LoadCurveFit, side: model.Side) -> str:
-    """A note on a hysteresis that the project does not take for friction of the joystick."""
+    """Return a note on hysteresis that the project does not attribute to friction of the joystick."""
     friction = with_error(fit.friction, fit.friction_error)
     return (
-        f"half the hysteresis, {friction} N, counts as friction of the testing machine; if it is the "
-        f"plunger's, friction = true in [load_curve.{side}] gives the joystick this dry friction"
+        f"half the hysteresis, {friction} N, is attributed to friction in the testing machine; if it is that "
+        f"of the plunger, friction = true in [load_curve.{side}] gives the joystick this dry friction"
     )
 
 
 def one_friction(found: Iterable[laboratory.MeasuredValues]) -> laboratory.MeasuredValues:
-    """F_c, which the joystick has once: the mean of the curves that have it.
+    """Return F_c, a single value for the joystick: the mean over the curves that have it.
 
-    Each is weighted by the inverse square of its standard error. If the values differ by more than their
-    errors allow, the error is what they differ by (Birge's ratio).
+    Each value is weighted by the inverse square of its standard error. If the values differ by more than
+    their errors allow, the error of the mean is enlarged accordingly, by the Birge ratio.
     """
     pairs = [(one.values[_F_C], one.uncertainties[_F_C]) for one in found if _F_C in one.values]
     if not pairs:

@@ -1,4 +1,4 @@
-"""What the file ``laboratory.toml`` of a project says."""
+"""Content of a project's ``laboratory.toml``."""
 
 from __future__ import annotations
 
@@ -10,20 +10,21 @@ from typing import Any, Final
 
 from pyjoystick import laboratory, model, motion
 
-#: The file that makes a folder a project.
+#: File that makes a folder a project.
 FILE: Final = "laboratory.toml"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CurveSource:
-    """The load-deflection curve of one side.
+    """File of the load-deflection curve of one side, and how to read it.
 
     Attributes:
         file: as written in ``laboratory.toml``, relative to the project
         columns, units: headings and their units, as for `read_load_curve`
-        layout: the form of the file, where that is to be given
-        travel_noise, force_noise: standard deviations of one sample (m, N); from their scatter if not given
-        friction: whether half the hysteresis is the dry friction along the plungers
+        layout: layout of the file, where it is not detected
+        travel_noise, force_noise: standard deviations of one sample (m, N); if None, from the scatter of the
+            samples
+        friction: whether half the hysteresis is attributed to dry friction along the plungers
     """
 
     file: str
@@ -37,14 +38,14 @@ class CurveSource:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SwingSource:
-    """A swing test: a recorded one, or readings of a stopwatch.
+    """A swing test, recorded or timed with a stopwatch.
 
     Attributes:
-        file: the recorded swing; empty where there are readings
-        times: readings (s)
-        swings: number of full swings in a reading
-        amplitude, end_amplitude: at the start and the end of a reading (rad)
-        reaction_time: standard uncertainty common to all readings (s)
+        file: record of the swing; empty for stopwatch readings
+        times: stopwatch readings (s)
+        swings: number of full swings per reading
+        amplitude, end_amplitude: amplitudes at the start and at the end of a reading (rad)
+        reaction_time: standard uncertainty common to all readings (s); if None, a default
     """
 
     file: str = ""
@@ -57,12 +58,12 @@ class SwingSource:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class MarkerSource:
-    """Files of markers that are read in the same way.
+    """Marker files that are read in the same way.
 
     Attributes:
         files: names or patterns, relative to the project
-        setup: how the angle is found
-        radius_uncertainty: standard uncertainty of its radius (m)
+        setup: how the angle is computed from the markers
+        radius_uncertainty: standard uncertainty of the radius in `setup` (m)
     """
 
     files: tuple[str, ...]
@@ -86,12 +87,12 @@ class TableSource:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AccelerometerSource:
-    """An accelerometer.
+    """An accelerometer that recorded the same motion as a record.
 
     Attributes:
-        file: its samples, relative to the project
-        record: name of the record of the same motion: that of its file without the suffix
-        setup: where it sits and how the file is read
+        file: file with its samples, relative to the project
+        record: name of the record, which is the name of the motion's file without the suffix
+        setup: where the accelerometer is mounted and how its file is read
     """
 
     file: str
@@ -101,12 +102,12 @@ class AccelerometerSource:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FitChoice:
-    """How the records are fitted.
+    """Choice of the fit to the records.
 
     Attributes:
-        law: damping law of the standard fits
-        file: settings of another fit, relative to the project; empty for the standard one
-        even_if_doubtful: whether results go on that failed a check
+        law: damping law of the standard fit
+        file: file with the settings of another fit, relative to the project; empty for the standard fit
+        even_if_doubtful: whether the results of a fit are used although it failed a check
     """
 
     law: model.LawName = "constant"
@@ -116,7 +117,7 @@ class FitChoice:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FmuChoice:
-    """What is exported; see `pyjoystick.reports.export_fmus`."""
+    """Choice of exported files; see `pyjoystick.reports.export_fmus`."""
 
     name: str | None = None
     versions: tuple[int, ...] = (2,)
@@ -128,24 +129,24 @@ class FmuChoice:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Laboratory:
-    """A laboratory's files and what they are.
+    """Files and settings of a laboratory, as stated in ``laboratory.toml``.
 
     Attributes:
-        path: ``laboratory.toml``
-        title: of the joystick
-        base: has the values that are not measured
-        base_file: its file, relative to the project; empty for the paper's joystick
-        asks: whether numbers that no joystick has are refused
-        given: values that the file itself states
-        parts: table of the parts; empty where there is none
-        swing: swing test
+        path: path of ``laboratory.toml``
+        title: title of the joystick
+        base: parameter file with the values that are not measured
+        base_file: its name, relative to the project; empty for the paper's joystick
+        asks: whether implausible values are refused
+        given: values that ``laboratory.toml`` itself states
+        parts: file with the table of parts; empty if there is none
+        swing: swing test; None if there is none
         curves: load-deflection curves by side
-        markers, tables: motions
-        accelerometers: beside motions
-        fit: how the motions are fitted
-        scale: relative standard uncertainty of the scale of the angle; that of the markers' radius where None
-        time_base: relative standard uncertainty of the clock of the records
-        release_angle: of the runs that error budget and report show (rad)
+        markers, tables: recorded motions, as markers or as tables of time and angle
+        accelerometers: accelerometers that recorded some of these motions
+        fit: how the records are fitted
+        scale: relative standard uncertainty of the angle's scale; if None, that of the markers' radius
+        time_base: relative standard uncertainty of the records' clock
+        release_angle: release angle of the runs shown by error budget and report (rad)
         fmus: what is exported
     """
 
@@ -169,11 +170,11 @@ class Laboratory:
 
     @property
     def root(self) -> Path:
-        """The folder of the project."""
+        """Folder of the project."""
         return self.path.parent
 
     def angle_scale(self) -> float:
-        """The relative standard uncertainty of the scale of the angle, the largest of all markers' radii."""
+        """Return the relative standard uncertainty of the angle's scale; the largest of all radii if None."""
         if self.scale is not None:
             return self.scale
         return max(
@@ -183,7 +184,7 @@ class Laboratory:
 
 
 def plain(value: Any) -> Any:
-    """Settings as JSON has them, to be compared with those of an earlier run."""
+    """Convert settings to JSON types, for comparison with those of an earlier run."""
     if dataclasses.is_dataclass(value) and not isinstance(value, type):
         return {one.name: plain(getattr(value, one.name)) for one in dataclasses.fields(value)}
     if isinstance(value, Mapping):

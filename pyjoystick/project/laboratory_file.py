@@ -1,4 +1,4 @@
-"""Reading ``laboratory.toml``; docs/your-joystick.md describes it."""
+"""Reading of ``laboratory.toml``, which docs/your-joystick.md describes."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ from pyjoystick.project.laboratory import (
 )
 from pyjoystick.support import Table, finite, not_negative, positive, read_toml
 
-#: Kinds of the quantities that a project may state by itself.
+#: Kinds of the quantities that ``laboratory.toml`` may state directly.
 KINDS: Final = {
     "m": "mass",
     "h": "length",
@@ -40,7 +40,7 @@ KINDS: Final = {
     "b": "length",
     "pivot_to_top": "length",
 }
-#: The tables that only a project has.
+#: Tables that only the file of a project has.
 TABLES: Final = (
     "load_curve",
     "parts",
@@ -55,20 +55,20 @@ TABLES: Final = (
 )
 _INSIST: Final = "implausible = true above the tables accepts it"
 _LAWS: Final = ("constant", "power-law")
-#: Directions in which an axis of the laboratory may point.
+#: Directions along the axes of the laboratory.
 AXES: Final = ("x", "-x", "y", "-y", "z", "-z")
 _RELEASE: Final = math.radians(-20.0)
 
 
 def read_laboratory(path: str | PathLike[str] | Table) -> Laboratory:
-    """Read the file of a project.
+    """Read the ``laboratory.toml`` of a project.
 
-    Numbers are in SI units, or text with a unit: ``0.0241`` or ``"24.1 mm"``. Files are relative to the
-    project; whether they are there is not asked.
+    Quantities are numbers in SI units or text with a unit: ``0.0241`` or ``"24.1 mm"``. File names are
+    relative to the project; whether these files exist is not checked.
 
     Raises:
         InputFileError: the file, or the parameter file that it names, cannot be read
-        SettingsError: it is no TOML, or something in it is missing, unknown or not allowed
+        SettingsError: the file is not TOML, or an entry is missing, unknown or not allowed
     """
     root = read_toml(path)
     base_file = root.text("parameters", "")
@@ -107,13 +107,13 @@ def read_laboratory(path: str | PathLike[str] | Table) -> Laboratory:
 
 
 def _each(root: Table, key: str) -> Iterator[Table]:
-    """The tables written [[key]], perhaps none."""
+    """Yield the tables [[key]], if there are any."""
     if key in root:
         yield from root.tables(key)
 
 
 def _require_one_source(root: Table, found: Laboratory) -> None:
-    """Refuse a quantity that is stated and measured too."""
+    """Refuse quantities that are both stated and measured, and a law together with settings of the fit."""
     measured = {"m": "parts", "h": "parts"} if found.parts else {}
     measured |= {"J": "swing"} if found.swing else {"J": "parts"} if found.parts else {}
     for name, table in measured.items():
@@ -124,7 +124,7 @@ def _require_one_source(root: Table, found: Laboratory) -> None:
 
 
 def _given(root: Table) -> laboratory.MeasuredValues:
-    """The values of [body], [gravity] and [geometry]."""
+    """Read the values of [body], [gravity] and [geometry]."""
     values, uncertainties, sources = {}, {}, {}
     insist = not root.flag("implausible")
     for name, keys in model.PLAIN_TABLES.items():
@@ -136,7 +136,7 @@ def _given(root: Table) -> laboratory.MeasuredValues:
                 with table.at(f"u_{key}"):
                     uncertainties[laboratory.PLACES[key]] = not_negative(f"u_{key}", error)
                 if value is None:
-                    raise table.error(f"u_{key}", f"needs {key} beside it")
+                    raise table.error(f"u_{key}", f"is given without {key}")
             if value is None:
                 continue
             values[key] = value
@@ -147,7 +147,7 @@ def _given(root: Table) -> laboratory.MeasuredValues:
         if any(key in values for key in keys):
             sources[name] = source or f"as stated in {root.path.name}"
         elif source:
-            raise table.error("source", "has no value beside it")
+            raise table.error("source", "is given without a value")
     return laboratory.MeasuredValues(values=values, uncertainties=uncertainties, sources=sources)
 
 
@@ -165,7 +165,7 @@ def _curve(table: Table) -> CurveSource:
 
 def _swing(table: Table) -> SwingSource:
     if ("file" in table) == ("times" in table):
-        raise table.error("", "needs file, a recorded swing, or times, readings of a stopwatch; one of them")
+        raise table.error("", "needs either file, a recorded swing, or times, readings of a stopwatch")
     if "file" in table:
         return SwingSource(file=file_of(table))
     error = _default(angle_of(table, "amplitude_uncertainty"), math.radians(1.0))
@@ -189,7 +189,7 @@ def _markers(table: Table, chain: laboratory.Chain) -> MarkerSource:
         raise table.error("base", "must be two names")
     radius, error = quantity_of(table, "radius", "length"), quantity_of(table, "u_radius", "length")
     if error is not None and radius is None:
-        raise table.error("u_radius", "needs radius beside it")
+        raise table.error("u_radius", "is given without radius")
     with table.at():
         setup = laboratory.MarkerSetup(
             top=table.text("top"),
@@ -210,7 +210,7 @@ def _markers(table: Table, chain: laboratory.Chain) -> MarkerSource:
 
 
 def _layout(table: Table) -> motion.Layout:
-    """The form of a table of numbers."""
+    """Read the layout of a table of numbers."""
     decimal = table.text("decimal", "")
     if decimal not in ("", ".", ","):
         raise table.error("decimal", 'must be "." or ","')
@@ -227,7 +227,7 @@ def _record(table: Table) -> TableSource:
         with inner.at(name):
             scales[name] = motion.scale_of(name, text, zeros.pop(name, 0.0))
     for name in zeros:
-        raise table.error("zeros", f"has {name}, of which there is no scale")
+        raise table.error("zeros", f"has {name}, for which there is no scale")
     return TableSource(
         files=files_of(table),
         columns=table.table("columns").texts(),

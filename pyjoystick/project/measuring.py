@@ -1,4 +1,4 @@
-"""The steps from the files of the instruments to springs, inertia and records."""
+"""Steps from the files of the instruments to springs, inertia and records."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ from pyjoystick.project.sources import table_of, table_sources
 from pyjoystick.project.steps import RESULTS, Done, Step, Tell, read_values, with_error, write_values
 from pyjoystick.support import write_text
 
-#: The joystick with everything that was measured before the fit.
+#: Parameter file of the joystick as measured before the fit.
 MEASURED = f"{RESULTS}/measured.toml"
 
 
 def fitted_curve(root: Path, source: CurveSource) -> laboratory.LoadCurveFit:
-    """The fit of a load-deflection curve."""
+    """Read a load-deflection curve and fit it."""
     curve = laboratory.read_load_curve(
         root / source.file, columns=source.columns, units=source.units, layout=source.layout
     )
@@ -36,12 +36,12 @@ def fitted_curve(root: Path, source: CurveSource) -> laboratory.LoadCurveFit:
 
 
 def curve_values(side: model.Side) -> str:
-    """Where the springs of a side are written."""
+    """Return the file for the measured springs of a side."""
     return f"{RESULTS}/load_curves/{side}.json"
 
 
 def load_curve(lab: Laboratory, side: model.Side, source: CurveSource) -> Step:
-    """The springs of one side from its load-deflection curve."""
+    """Return the step that determines the springs of one side from its load-deflection curve."""
     values = curve_values(side)
     figure, report = values.replace(".json", ".png"), values.replace(".json", ".md")
 
@@ -79,7 +79,7 @@ PARTS = f"{RESULTS}/parts.json"
 
 
 def parts(lab: Laboratory) -> Step:
-    """Mass, center of mass and a first moment of inertia from the parts."""
+    """Return the step that computes mass, center of mass and a first moment of inertia from the parts."""
     report = PARTS.replace(".json", ".md")
 
     def work(tell: Tell) -> Done:
@@ -98,7 +98,7 @@ SWING = f"{RESULTS}/swing.json"
 
 
 def swing(lab: Laboratory, source: SwingSource, *, with_parts: bool) -> Step:
-    """The moment of inertia from the swing test."""
+    """Return the step that determines the moment of inertia from the swing test."""
     report = SWING.replace(".json", ".md")
 
     def work(tell: Tell) -> Done:
@@ -129,7 +129,7 @@ def swing(lab: Laboratory, source: SwingSource, *, with_parts: bool) -> Step:
 
 
 def _known(lab: Laboratory, of_parts: laboratory.MeasuredValues | None) -> dict[str, laboratory.Measured]:
-    """m, h and g: as stated, from the parts, or of the joystick that has the rest."""
+    """Return m, h and g: as stated, else from the parts, else from the base joystick."""
     known = {}
     for name in ("m", "h", "g"):
         values, uncertainties = lab.base.joystick.to_names(), lab.base.uncertainties
@@ -154,7 +154,7 @@ def _period(root: Path, source: SwingSource) -> laboratory.SwingPeriod:
 
 
 def measured(lab: Laboratory, files: tuple[str, ...], sources: Mapping[str, str]) -> Step:
-    """The joystick with everything that was measured before the fit; the rest is that of the base."""
+    """Return the step that writes the joystick as measured before the fit, completed by the base joystick."""
 
     def work(tell: Tell) -> Done:
         found = [*(read_values(lab.root / file) for file in files), lab.given]
@@ -185,12 +185,12 @@ def measured(lab: Laboratory, files: tuple[str, ...], sources: Mapping[str, str]
 
 
 def record_file(file: str) -> str:
-    """The record that a file of a motion becomes."""
+    """Return the record that is made from the file of a motion."""
     return f"{RESULTS}/records/{Path(file).stem}.csv"
 
 
 def markers(lab: Laboratory, source: MarkerSource, file: str, *, with_curve: bool) -> Step:
-    """The record of the angle from a file of markers."""
+    """Return the step that computes the record of the angle from a file of markers."""
     record, side = record_file(file), source.setup.rests
     filtered, report = f"{RESULTS}/motions/{Path(record).name}", record.replace(".csv", ".md")
     curve = (curve_values(side),) if side is not None and with_curve else ()
@@ -222,14 +222,14 @@ def markers(lab: Laboratory, source: MarkerSource, file: str, *, with_curve: boo
 
 
 def _leaning(lab: Laboratory, curves: list[laboratory.MeasuredValues]) -> model.JoystickParameters:
-    """The joystick as far as its angle at rest depends on it: geometry and clearance."""
+    """Return the joystick with the measured geometry and clearance, which determine its angle at rest."""
     geometry = {name: lab.given.values[name] for name in ("a", "b") if name in lab.given.values}
     values = geometry | {name: value for one in curves for name, value in one.values.items()}
     return lab.base.joystick.replace(values)
 
 
 def table(lab: Laboratory, source: TableSource, file: str) -> Step:
-    """The record from a table of time and angle."""
+    """Return the step that makes a record from a table of time and angle."""
     record = record_file(file)
     figure, report = record.replace(".csv", ".png"), record.replace(".csv", ".md")
 
@@ -258,7 +258,7 @@ def table(lab: Laboratory, source: TableSource, file: str) -> Step:
 
 
 def accelerometer(lab: Laboratory, source: AccelerometerSource, record: str) -> Step:
-    """An accelerometer beside the record of the same motion."""
+    """Return the step that compares an accelerometer with the record of the same motion."""
     stem = Path(source.file).stem
     result, report = (f"{RESULTS}/accelerometers/{stem}{suffix}" for suffix in (".csv", ".md"))
 
@@ -282,7 +282,7 @@ def accelerometer(lab: Laboratory, source: AccelerometerSource, record: str) -> 
 
 
 def _stated(lab: Laboratory, names: tuple[str, ...]) -> dict[str, object]:
-    """What laboratory.toml states of some quantities."""
+    """Return the values and uncertainties that laboratory.toml states for some quantities."""
     given = lab.given
     values = {name: given.values.get(name) for name in names}
     errors = {f"u_{name}": given.uncertainties.get(laboratory.PLACES[name]) for name in names}
@@ -294,6 +294,6 @@ def _asking(lab: Laboratory) -> dict[str, object]:
 
 
 def _require_plausible(lab: Laboratory, found: laboratory.MeasuredValues) -> None:
-    """Refuse numbers that no joystick has, unless laboratory.toml says that this one has them."""
+    """Refuse implausible values unless laboratory.toml accepts them."""
     for name, value in found.values.items() if lab.asks else ():
         model.require_plausible(name, value, insist="implausible = true in laboratory.toml accepts it")

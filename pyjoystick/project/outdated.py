@@ -1,7 +1,7 @@
-"""Results that no longer hold: set aside after a run, and put back before the next, which may need them.
+"""Outdated results: set aside after a run, and put back before the next run, which may need them.
 
-A step that fails or cannot be done leaves the results of an earlier run, and so does one that the project no
-longer has. Beside those of this run they would pass for its own.
+Results of an earlier run remain if their step fails, cannot be executed or is no longer part of the project.
+Next to the results of the current run, they would be mistaken for these.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from pyjoystick.support import OutputFileError
 
 
 def put_back(root: Path, memory: Memory) -> None:
-    """Put back what is as its step left it; raises OutputFileError."""
+    """Put back the outdated results that are as their step left them; raises OutputFileError."""
     for files in memory.files().values():
         for name, content in files.items():
             found = standing(root, name)
@@ -25,18 +25,18 @@ def put_back(root: Path, memory: Memory) -> None:
 
 
 def set_aside(root: Path, memory: Memory, current: Iterable[str]) -> tuple[str, ...]:
-    """Set aside what the steps left that are not among the current ones; what someone changed stays.
+    """Set aside the results of steps that are not current; files that were edited stay.
 
     Args:
         root: the project
-        memory: what every step left
-        current: names of the tasks whose results hold
+        memory: record of the files that each step wrote
+        current: names of the tasks whose results are up to date
 
     Returns:
-        the files, relative to the project
+        the moved files, relative to the project
 
     Raises:
-        OutputFileError: one cannot be moved
+        OutputFileError: a file cannot be moved
     """
     remembered = memory.files()
     names = set(current)
@@ -53,7 +53,7 @@ def set_aside(root: Path, memory: Memory, current: Iterable[str]) -> tuple[str, 
 
 
 def remove_superseded(root: Path, before: Mapping[str, str], after: Iterable[str]) -> None:
-    """Delete what a step left the last time and does not make any more; what someone changed stays."""
+    """Delete files that a step wrote the last time but not this time; files that were edited stay."""
     for name in set(before) - set(after):
         if _is(root / name, before[name]):
             (root / name).unlink(missing_ok=True)
@@ -74,7 +74,7 @@ def _move(root: Path, source: Path, target: Path) -> None:
 
 
 def _remove_forgotten(root: Path, remembered: Iterable[Mapping[str, str]]) -> None:
-    """Delete outdated results that no step would take back."""
+    """Delete outdated results that would never be put back."""
     files = (item for one in remembered for item in one.items())
     wanted = {(aside_of(root, name), content) for name, content in files if not (root / name).is_file()}
     for path in sorted((root / OUTDATED).rglob("*"), reverse=True):
@@ -84,7 +84,7 @@ def _remove_forgotten(root: Path, remembered: Iterable[Mapping[str, str]]) -> No
 
 
 def _remove_empty(folder: Path, top: Path) -> None:
-    """Remove a folder and those above it, below `top`, that hold nothing."""
+    """Remove a folder and its parents below `top` as long as they are empty."""
     with contextlib.suppress(OSError):
         while folder != top and folder.is_relative_to(top):
             folder.rmdir()

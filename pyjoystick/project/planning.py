@@ -18,7 +18,7 @@ from pyjoystick.project.tasks import task, task_name
 
 
 def plan_project(folder: str | PathLike[str] = ".", *, find: Find = fmu.find_fmu) -> tuple[PlannedStep, ...]:
-    """What `run_project` would do, and why; nothing is written.
+    """Determine what `run_project` would do, and why, without writing anything.
 
     Raises:
         ProjectFileError, InputFileError, SettingsError: as `run_project`
@@ -28,7 +28,7 @@ def plan_project(folder: str | PathLike[str] = ".", *, find: Find = fmu.find_fmu
 
 
 def plan_assembly(root: Path, assembly: Assembly) -> tuple[PlannedStep, ...]:
-    """What would be done of the steps of a project, and why."""
+    """Determine which steps of a project a run would execute, and why."""
     memory = Memory(root)
     tasks = {step.name: task(step, root, lambda step, text: None) for step in assembly.steps}
     makers = {output: step.name for step in assembly.steps for output in step.outputs}
@@ -45,7 +45,7 @@ def plan_assembly(root: Path, assembly: Assembly) -> tuple[PlannedStep, ...]:
         elif reasons:
             planned[step.name] = PlannedStep(step.name, "do", "; ".join(reasons))
         elif uncertain:
-            why = f"if {' or '.join(uncertain)} comes out otherwise"
+            why = f"if the result of {' or '.join(uncertain)} changes"
             planned[step.name] = PlannedStep(step.name, "perhaps", why)
         else:
             planned[step.name] = PlannedStep(step.name, "nothing", "nothing has changed")
@@ -54,7 +54,7 @@ def plan_assembly(root: Path, assembly: Assembly) -> tuple[PlannedStep, ...]:
 
 
 def _is_not_made(root: Path, name: str, maker: PlannedStep) -> bool:
-    """Whether a run leaves a file missing that is made by a step: a doubtful fit makes no joystick."""
+    """Return whether a step leaves this output missing, like a doubtful fit, which writes no joystick."""
     return maker.plan == "missing" or (maker.plan == "nothing" and not standing(root, name).is_file())
 
 
@@ -66,22 +66,22 @@ def _needed(maker: PlannedStep, memory: Memory) -> str:
 def _reasons(
     step: Step, one: Task, memory: Memory, makers: Mapping[str, str], uncertain: Container[str]
 ) -> list[str]:
-    """Reasons for executing a step; empty if it is up to date, or if that is uncertain."""
+    """Return the reasons for executing a step; empty if it is up to date, or if that is still uncertain."""
     values = memory.get_values(task_name(step))
     status = memory.get_status(one, None, get_log=True)
     if status.status == "up-to-date":
         return []
     if not values:
-        return ["it was not done yet"]
+        return ["it has not been done yet"]
     found: list[str] = []
     for kind, what in status.reasons.items():
         if kind == "changed_file_dep":
             found += [f"{name} has changed" for name in sorted(what)]
         elif kind == "missing_file_dep":
             by = {name: makers.get(name, "nothing") for name in sorted(what)}
-            found += [f"{name} is to be made by {by[name]}" for name in by if by[name] not in uncertain]
+            found += [f"{name} will be written by {by[name]}" for name in by if by[name] not in uncertain]
         elif kind == "added_file_dep":
-            found += [f"it reads {name}" for name in what]
+            found += [f"it now reads {name}" for name in what]
         elif kind == "removed_file_dep":
             found += [f"it no longer reads {name}" for name in what]
         elif kind == "uptodate_false":

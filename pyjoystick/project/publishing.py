@@ -1,4 +1,4 @@
-"""The steps from the parameter file of the joystick to what others use: FMUs and a report."""
+"""Steps from the parameter file of the joystick to files for others: FMUs and a report."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _REPORT = f"{RESULTS}/report.html"
 
 
 def fmus(lab: Laboratory, *, with_fit: bool) -> Step:
-    """The joystick as FMUs of its own, and in the other forms that are wanted."""
+    """Return the step that exports the joystick as FMUs, and in the other formats that are chosen."""
     choice = lab.fmus
     fit = lab.root / FIT_JSON if with_fit else None
 
@@ -70,12 +70,12 @@ def report(
     with_fit: bool,
     with_budget: bool,
 ) -> Step:
-    """The report as one page, with what was measured.
+    """Return the step that writes the report, one page that includes the measurements.
 
     Args:
         lab: the laboratory
-        find: from the name of an FMU to its file
-        sides: whose load-deflection curves were measured
+        find: function that returns the file for the name of an FMU
+        sides: sides whose load-deflection curves were measured
         with_parts: whether there is a table of parts
         with_swing: whether there is a recorded swing
         with_fit: whether there is a fit

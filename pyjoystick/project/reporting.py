@@ -1,4 +1,4 @@
-"""Progress of a run: doit's reports on its tasks, saved at once and passed on."""
+"""Progress of a run: doit's reports on its tasks, saved immediately and passed on."""
 
 from __future__ import annotations
 
@@ -24,10 +24,10 @@ _HOLDS: Final = ("done", "unchanged")
 
 
 class Reporter(ZeroReporter):  # type: ignore[misc]  # doit is not annotated
-    """Keeps the states of all steps.
+    """Reporter for doit that tracks the states of all steps.
 
-    A step is remembered when it has ended, in the file too: a run that is killed loses the step that it was
-    at and no other. Files that this step had written already are not as the memory has them.
+    A step is recorded as soon as it is done, also in the state file: a run that is killed loses only the step
+    that it was executing. Files that this step had already written then differ from those recorded.
     """
 
     def __init__(self, root: Path, memory: Memory, assembly: Assembly, on_change: OnChange) -> None:
@@ -45,27 +45,27 @@ class Reporter(ZeroReporter):  # type: ignore[misc]  # doit is not annotated
 
     @property
     def states(self) -> tuple[StepState, ...]:
-        """The states of all steps, in their order."""
+        """States of all steps, in order."""
         return (*self._missing, *self._states.values())
 
     @property
     def current(self) -> list[str]:
-        """The names of the tasks whose results hold."""
+        """Names of the tasks whose results are up to date."""
         return [task for task, step in self._steps.items() if self._states[step.name].state in _HOLDS]
 
     def tell(self, step: Step, text: str) -> None:
-        """Say what a step is doing."""
+        """Report what a step is doing."""
         self._set(step.name, StepState(step.name, "working", text))
 
     def stop(self) -> None:
-        """Say that nothing more is done."""
+        """Report all unfinished steps as not done."""
         for name, one in self._states.items():
             if one.state in ("waiting", "working"):
                 self._states[name] = replace(one, state="not done", remark="stopped")
         self._on_change(self.states)
 
     def execute_task(self, task: Task) -> None:
-        """A step begins."""
+        """Record the content of a step's inputs, and report that it begins."""
         self._memory.checker.take(task.file_dep)
         self._before = self._memory.get_values(task.name).get("files", {})
         self._begun = time.monotonic()
@@ -73,17 +73,17 @@ class Reporter(ZeroReporter):  # type: ignore[misc]  # doit is not annotated
         self.tell(self._steps[task.name], "")
 
     def add_success(self, task: Task) -> None:
-        """A step is done."""
+        """Save that a step is done, delete the files that it no longer writes, and report it."""
         self._memory.save()
         remove_superseded(self._root, self._before, task.values["files"])
         self._finish(task, "done", task.values, time.monotonic() - self._begun)
 
     def skip_uptodate(self, task: Task) -> None:
-        """A step needs not be done."""
+        """Report that a step is unchanged."""
         self._finish(task, "unchanged", self._memory.get_values(task.name), 0.0)
 
     def add_failure(self, task: Task, fail: BaseFail) -> None:
-        """A step failed, or cannot be done."""
+        """Report that a step failed, or that it cannot be executed and why."""
         step = self._steps[task.name]
         if task.executed:
             self._set(step.name, StepState(step.name, "failed", fail.message))
@@ -104,7 +104,7 @@ class Reporter(ZeroReporter):  # type: ignore[misc]  # doit is not annotated
         self._set(step.name, StepState(step.name, "not done", reason))
 
     def runtime_error(self, msg: str) -> None:
-        """Doit itself cannot go on: the tasks contradict each other."""
+        """Raise RuntimeError: doit cannot continue, because the tasks contradict each other."""
         raise RuntimeError(msg)
 
     def _finish(self, task: Task, state: Any, values: dict[str, Any], seconds: float) -> None:

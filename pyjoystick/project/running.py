@@ -36,8 +36,8 @@ def run_project(
 
     A step is executed if the content of a file that it reads, a setting or the version of pyjoystick has
     changed since its last execution, or if a file that it wrote was modified. A failing step does not stop
-    others; earlier results of it and of later steps are moved to results/outdated. Files are written
-    atomically, and an interrupted run is continued by the next.
+    others; its earlier results and those of the steps that depend on it are moved to results/outdated. Files
+    are written atomically, and the next run continues an interrupted one.
 
     Args:
         folder: the project
@@ -48,7 +48,7 @@ def run_project(
         ProjectFileError: the folder has no laboratory.toml
         InputFileError, SettingsError: laboratory.toml cannot be used
         ProjectBusyError: another process is running the project
-        OutputFileError: the memory of the project cannot be written
+        OutputFileError: the state of the project cannot be written, or an outdated result cannot be moved
     """
     lab = laboratory_of(Path(folder))
     with _locked(lab.root):
@@ -56,7 +56,7 @@ def run_project(
 
 
 def run_assembly(root: Path, assembly: Assembly, on_change: OnChange) -> ProjectRun:
-    """Do what is to be done of the steps of a project, which no other process runs meanwhile."""
+    """Execute the steps of a project that need it; the caller must have locked the project."""
     remove_unfinished(root / RESULTS)
     memory = Memory(root)
     put_back(root, memory)
@@ -84,7 +84,7 @@ def _named(files: tuple[str, ...]) -> str:
 
 
 def laboratory_of(folder: Path) -> Laboratory:
-    """The file of a project; raises as `run_project` does."""
+    """Read the ``laboratory.toml`` of a project; raises as `run_project`."""
     path = folder / FILE
     if not path.is_file():
         raise ProjectFileError(folder)
@@ -93,7 +93,7 @@ def laboratory_of(folder: Path) -> Laboratory:
 
 @contextmanager
 def _locked(root: Path) -> Iterator[None]:
-    """No other process runs the project meanwhile."""
+    """Lock the project against runs by other processes."""
     path = root / _LOCK
     lock = FileLock(path, timeout=0)
     try:

@@ -1,4 +1,4 @@
-"""Where the numbers of a joystick are from, gathered for the tables of its parameter file."""
+"""Sources of a joystick's parameters, grouped by the tables of its parameter file."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pyjoystick import laboratory, model
 
 
 def table_of(name: str, joystick: model.JoystickParameters) -> str:
-    """The table of a parameter file that a parameter stands in, by its FMU name."""
+    """Return the table of a parameter file that contains the parameter with this FMU name."""
     first, _, rest = name.partition(".")
     if first == "damping":
         return f"damping.{model.law_name(joystick.damping)}"
@@ -16,22 +16,22 @@ def table_of(name: str, joystick: model.JoystickParameters) -> str:
 
 
 def spring_names(joystick: model.JoystickParameters, side: str) -> tuple[str, ...]:
-    """The parameters of the springs of a side."""
+    """Return the FMU names of the parameters of a side's springs."""
     return tuple(name for name in joystick.to_names() if name.startswith(f"{side}."))
 
 
 def table_sources(
     sources: Mapping[str, str], joystick: model.JoystickParameters, base: model.ParameterFile
 ) -> dict[str, str]:
-    """The sources by table: ``m, h: parts.csv; J: fit to trial.csv``.
+    """Return the sources by table, such as ``m, h: parts.csv; J: fit to trial.csv``.
 
     Args:
-        sources: by FMU name
-        joystick: with these parameters
-        base: has all others
+        sources: sources of parameters, by FMU name
+        joystick: joystick with these parameters
+        base: parameter file with the sources of all others
     """
     grouped: dict[str, dict[str, list[str]]] = {}
-    # No parameter of the motion, but it stands in the table of those that are.
+    # Not a parameter of the motion, but in the same table as some that are.
     top = ("pivot_to_top",) if base.pivot_to_top is not None else ()
     for name in dict.fromkeys((*joystick.to_names(), *top, *sources)):
         table = table_of(name, joystick)

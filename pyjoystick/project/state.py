@@ -1,4 +1,4 @@
-"""Record of what was done in a project, and from what: doit's database, by content, written atomically."""
+"""State of a project: doit's database of finished steps and contents of files, written atomically."""
 
 from __future__ import annotations
 
@@ -13,31 +13,31 @@ from doit.task import Task
 from pyjoystick.project.steps import RESULTS, digest
 from pyjoystick.support import write_text
 
-#: Relative to the project.
+#: File of the state, relative to the project.
 STATE: Final = ".pyjoystick/state.json"
-#: Where doit has the values of a task.
+#: Key under which doit stores the values of a task.
 _VALUES: Final = "_values_:"
 
 
-#: Where outdated results are, relative to the project, under their names relative to the results.
+#: Folder of outdated results, relative to the project; they keep their names relative to the results.
 OUTDATED: Final = f"{RESULTS}/outdated"
 
 
 def aside_of(root: Path, name: str) -> Path | None:
-    """Where a result is when it is outdated; None for what is no result."""
+    """Return the place for a result that is outdated; None for a file that is not a result."""
     return root / OUTDATED / name.removeprefix(f"{RESULTS}/") if name.startswith(f"{RESULTS}/") else None
 
 
 def standing(root: Path, name: str) -> Path:
-    """Where a file of the project is: in its place or, until it is put back, among outdated ones."""
+    """Return where a file of the project is: in its place or, until it is put back, among outdated files."""
     place, aside = root / name, aside_of(root, name)
     return aside if aside is not None and not place.is_file() and aside.is_file() else place
 
 
 class Contents(FileChangedChecker):  # type: ignore[misc]  # doit is not annotated
-    """Files by their content, not by their times; names are relative to the project.
+    """Detection of changed files by content, not by time; names are relative to the project.
 
-    What counts is the content when a step began: one that changes under it is done again the next time.
+    The content at the beginning of a step counts: if a file changes during a step, the next run repeats it.
     """
 
     def __init__(self, root: Path) -> None:
@@ -45,28 +45,28 @@ class Contents(FileChangedChecker):  # type: ignore[misc]  # doit is not annotat
         self._taken: dict[str, str] = {}
 
     def exists(self, file_path: str) -> bool:
-        """Whether a step has what it makes for others: `Kept` knows, and a doubtful fit makes no joystick."""
+        """Return True: `SameFiles` checks the files of a step, and a doubtful fit writes no joystick."""
         return True
 
     def info(self, file_path: str) -> object:
-        """Raises OSError where there is none."""
+        """Return the status of a file; raises OSError if it does not exist."""
         return standing(self._root, file_path).stat()
 
     def take(self, names: set[str]) -> None:
-        """Note the content of the files that a step is about to read."""
+        """Record the content of the files that a step is about to read."""
         self._taken = {name: digest(self._root / name) for name in names}
 
     def check_modified(self, file_path: str, file_stat: object, state: str) -> bool:
-        """Whether a file has changed."""
+        """Return whether a file has changed."""
         return state != digest(standing(self._root, file_path))
 
     def get_state(self, dep: str, current_state: str | None) -> str:
-        """What is remembered of a file."""
+        """Return the digest of a file, as recorded when the step began."""
         return self._taken[dep]
 
 
 class MemoryFile(JsonDB):  # type: ignore[misc]  # doit is not annotated
-    """A JSON file; what cannot be read of it counts as not done."""
+    """JSON file of the state; if it cannot be read, no step counts as done."""
 
     def _load(self) -> dict[str, dict[str, Any]]:
         try:
@@ -82,16 +82,16 @@ class MemoryFile(JsonDB):  # type: ignore[misc]  # doit is not annotated
 
 
 def _is_remembered(one: object) -> bool:
-    """Whether it can be what is remembered of a step."""
+    """Return whether an object has the form of a recorded step."""
     values = one.get(_VALUES, {}) if isinstance(one, dict) else None
     files = values.get("files", {}) if isinstance(values, dict) else None
     return isinstance(files, dict) and all(isinstance(content, str) for content in files.values())
 
 
 class Memory(Dependency):  # type: ignore[misc]  # doit is not annotated
-    """The memory of a project, which holds from when a step was last done.
+    """Memory of a project, which keeps the last successful execution of each step.
 
-    A later failure takes nothing back: what was done from the same files, with the same settings, is done as
+    A later failure does not erase it: a step that was done with the same files and settings counts as done as
     long as its results are as it left them.
     """
 
@@ -102,7 +102,7 @@ class Memory(Dependency):  # type: ignore[misc]  # doit is not annotated
     def get_status(
         self, task: Task, tasks_dict: Mapping[str, Task] | None, get_log: bool = False
     ) -> DependencyStatus:
-        """As doit has it, but a file that is missing counts also where something else has changed."""
+        """Return doit's status, but an error for a missing input even if something else has changed."""
         found = super().get_status(task, tasks_dict, get_log)
         missing = [name for name in sorted(task.file_dep) if not standing(self._root, name).is_file()]
         if missing:
@@ -110,10 +110,10 @@ class Memory(Dependency):  # type: ignore[misc]  # doit is not annotated
         return found
 
     def remove_success(self, task: Task) -> None:
-        """Remember all the same."""
+        """Keep the record of the last success."""
 
     def files(self) -> dict[str, dict[str, str]]:
-        """The digests of what every step has left, by task and name, also of steps that are no more."""
+        """Return the digests of the files that each step wrote, by task and name, including removed steps."""
         return {task: one.get(_VALUES, {}).get("files", {}) for task, one in self.backend._db.items()}
 
     def save(self) -> None:

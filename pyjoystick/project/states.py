@@ -11,16 +11,16 @@ State = Literal["missing", "waiting", "working", "done", "unchanged", "failed", 
 
 @dataclass(frozen=True, slots=True)
 class StepState:
-    """A step and how far it is.
+    """State of a step.
 
     Attributes:
-        name: of the step
-        state: ``missing`` as laboratory.toml does not ask for it; ``unchanged`` since it was done;
-            ``not done`` as a file that laboratory.toml names is not there, as a step before it failed, or as
-            the run was stopped
+        name: name of the step
+        state: ``missing`` if laboratory.toml does not ask for it; ``unchanged`` if nothing has changed since
+            it was done; ``not done`` if a file that laboratory.toml names does not exist, a step that it
+            needs failed, or the run was stopped
         remark: its result, what it is doing, or why it is not done
-        notes: what is doubtful, a sentence each
-        seconds: how long it took
+        notes: doubts about the result, one sentence each
+        seconds: how long it took (s)
     """
 
     name: str
@@ -32,11 +32,11 @@ class StepState:
 
 @dataclass(frozen=True, slots=True)
 class ProjectRun:
-    """What a run of a project did.
+    """Result of a run of a project.
 
     Attributes:
-        steps: all steps, in their order
-        notes: on the project as a whole, a sentence each
+        steps: all steps, in order
+        notes: notes on the project as a whole, one sentence each
         interrupted: whether Ctrl-C stopped it
     """
 
@@ -45,19 +45,19 @@ class ProjectRun:
     interrupted: bool = False
 
     def count(self, *states: State) -> int:
-        """How many steps are in one of some states."""
+        """Count the steps that are in one of these states."""
         return sum(one.state in states for one in self.steps)
 
 
 @dataclass(frozen=True, slots=True)
 class PlannedStep:
-    """What a run would do with a step.
+    """Plan for a step in the next run.
 
     Attributes:
-        name: of the step
-        plan: ``do``; ``perhaps``, if its inputs change; ``nothing``; ``missing`` if it lacks files, which may
-            be those of an earlier step
-        why: the reasons
+        name: name of the step
+        plan: ``do``; ``perhaps``: only if its inputs change; ``nothing``; ``missing``: it lacks files, which
+            may be outputs of an earlier step
+        why: reasons for the plan
     """
 
     name: str

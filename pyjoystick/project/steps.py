@@ -1,4 +1,4 @@
-"""Steps of a project, each from files and settings to files."""
+"""Steps of a project, each of which makes files from files and settings."""
 
 from __future__ import annotations
 
@@ -12,23 +12,23 @@ from typing import Any, Final
 from pyjoystick import laboratory, model
 from pyjoystick.support import PyJoystickError, write_text
 
-#: The folder of results, relative to the project.
+#: Folder of results, relative to the project.
 RESULTS: Final = "results"
 
-#: From the name of an FMU, or its path, to its file.
+#: Returns the file of an FMU for its name or path.
 Find = Callable[[str], Path]
-#: Called with what a step is doing.
+#: Called with a text that describes what a step is doing.
 Tell = Callable[[str], None]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Done:
-    """What a step has done.
+    """Outcome of a step.
 
     Attributes:
-        files: what it wrote, relative to the project
+        files: files that it wrote, relative to the project
         remark: its result in a few words
-        notes: what is doubtful, a sentence each
+        notes: doubts about the result, one sentence each
     """
 
     files: tuple[str, ...]
@@ -38,14 +38,14 @@ class Done:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Step:
-    """A step.
+    """A step of a project.
 
     Attributes:
         name: unique in the project
         inputs: files that it reads, relative to the project
-        outputs: files that other steps read
-        settings: what else its result depends on, as JSON has it
-        work: does it
+        outputs: files that it writes and other steps read
+        settings: everything else that its result depends on, as JSON types
+        work: function that executes it
     """
 
     name: str
@@ -57,11 +57,11 @@ class Step:
 
 @dataclass(frozen=True, slots=True)
 class Missing:
-    """A step that lacks its files.
+    """A step that cannot be executed because something is missing.
 
     Attributes:
-        name: of the step
-        reason: what is not there
+        name: name of the step
+        reason: what is missing
         named: whether laboratory.toml asks for it
     """
 
@@ -71,32 +71,32 @@ class Missing:
 
 
 def write_values(path: Path, found: laboratory.MeasuredValues) -> None:
-    """Write what a measurement says as JSON; raises OutputFileError."""
+    """Write measured values as JSON; raises OutputFileError."""
     content = {name: dict(getattr(found, name)) for name in ("values", "uncertainties", "sources")}
     write_text(path, json.dumps(content, indent=2, ensure_ascii=False) + "\n")
 
 
 def read_values(path: Path) -> laboratory.MeasuredValues:
-    """What `write_values` wrote."""
+    """Read a file written by `write_values`."""
     return laboratory.MeasuredValues(**json.loads(path.read_text(encoding="utf-8")))
 
 
 def digest(path: Path) -> str:
-    """The digest of a file's content."""
+    """Return the SHA-256 digest of a file's content."""
     with path.open("rb") as file:
         return hashlib.file_digest(file, "sha256").hexdigest()
 
 
 def content_of(name: str, find: Find) -> str:
-    """The digest of an FMU's file; empty where there is none, or none yet."""
+    """Return the digest of an FMU's file; empty if there is none, or none yet."""
     try:
         return digest(find(name))
-    except (PyJoystickError, OSError):  # the step that runs it will say what is wrong
+    except (PyJoystickError, OSError):  # the step that runs it reports the error
         return ""
 
 
 def with_error(value: float, error: float) -> str:
-    """A value with its standard uncertainty, to the digits that are known."""
+    """Format a value with its standard uncertainty, rounded to the significant digits."""
     return (
         f"{model.rounded(value, error):.9g} +- {model.rounded_error(error):g}"
         if error > 0.0

@@ -1,4 +1,4 @@
-"""Steps as tasks of doit: which to execute and why, and their execution."""
+"""Steps as doit tasks: which of them to execute and why, and their execution."""
 
 from __future__ import annotations
 
@@ -17,26 +17,26 @@ from pyjoystick.project.steps import Step, digest
 from pyjoystick.support import OutputFileError, PyJoystickError, version_of, write_text
 
 _VERSION: Final = "pyjoystick"
-#: Where tracebacks are, relative to the project.
+#: Folder of tracebacks, relative to the project.
 FAULTS: Final = ".pyjoystick/faults"
 
 
 class SameSettings:
-    """Whether settings and version are those with which a step was done before."""
+    """Check that a step's settings and the version of pyjoystick are unchanged since it was done."""
 
     def __init__(self, step: Step) -> None:
         self._now = {**_flat(step.settings), _VERSION: version_of("pyjoystick")}
 
     def configure_task(self, task: Task) -> None:
-        """Have them remembered when the step is done."""
+        """Make doit record the settings when the step is done."""
         task.value_savers.append(lambda: {"settings": self._now})
 
     def __call__(self, task: Task, values: Mapping[str, Any]) -> bool:
-        """Whether nothing is different; doit asks."""
+        """Return whether nothing has changed; called by doit."""
         return values.get("settings") == self._now
 
     def why(self, values: Mapping[str, Any]) -> list[str]:
-        """What is different, a phrase each."""
+        """Return what has changed, one phrase per setting."""
         before = values.get("settings", {})
         names = dict.fromkeys((*before, *self._now))
         return [
@@ -47,17 +47,17 @@ class SameSettings:
 
 
 class SameFiles:
-    """Whether the files that a step wrote are as it left them."""
+    """Check that the files that a step wrote are as it left them."""
 
     def __init__(self, root: Path) -> None:
         self._root = root
 
     def __call__(self, task: Task, values: Mapping[str, Any]) -> bool:
-        """Whether they are; doit asks."""
+        """Return whether all files are unchanged; called by doit."""
         return not self.why(values)
 
     def why(self, values: Mapping[str, Any]) -> list[str]:
-        """Which are not, a phrase each."""
+        """Return which files are missing or changed, one phrase per file."""
         found = []
         for name, content in values.get("files", {}).items():
             path = standing(self._root, name)
@@ -69,12 +69,12 @@ class SameFiles:
 
 
 def task_name(step: Step | str) -> str:
-    """The name of a step as doit allows it."""
+    """Return the name of a step in a form that doit allows."""
     return quote(step if isinstance(step, str) else step.name, safe=" ")
 
 
 def task(step: Step, root: Path, tell: Callable[[Step, str], None]) -> Task:
-    """A step as a task."""
+    """Convert a step to a task."""
 
     def act() -> dict[str, Any] | TaskFailed:
         try:
@@ -84,7 +84,7 @@ def task(step: Step, root: Path, tell: Callable[[Step, str], None]) -> Task:
             raise KeyboardInterrupt from None
         except PyJoystickError as error:
             return TaskFailed(str(error), report=False)
-        except Exception as error:  # one step's fault must not keep others from being done
+        except Exception as error:  # an internal error of one step must not stop the others
             return TaskFailed(_fault(step, root, error), error)
         return {"remark": done.remark, "notes": list(done.notes), "files": files}
 
@@ -99,7 +99,7 @@ def task(step: Step, root: Path, tell: Callable[[Step, str], None]) -> Task:
 
 
 def _fault(step: Step, root: Path, error: Exception) -> str:
-    """What a fault of this package is called; how it came about is written to a file for its makers."""
+    """Describe an internal error; its traceback is written to a file for the developers."""
     name = f"{FAULTS}/{quote(step.name, safe=' ').replace(' ', '_')}.txt"
     what = f"internal error: {type(error).__name__}: {error}"
     try:
@@ -110,7 +110,7 @@ def _fault(step: Step, root: Path, error: Exception) -> str:
 
 
 def _flat(settings: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
-    """Settings by dotted name."""
+    """Flatten nested settings to dotted names."""
     found: dict[str, Any] = {}
     for name, value in settings.items():
         found |= (

@@ -1,1 +1,1 @@
-"""Mutation trials: what the tests would not see if it were wrong."""
+"""Mutation trials, which show errors that the tests would not detect."""

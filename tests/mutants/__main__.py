@@ -1,7 +1,7 @@
-"""Change one operator, constant or statement at a time, at random, and see whether the tests notice.
+"""Mutation trials: change one operator, constant or statement at a time, at random, and run the tests.
 
-``python -m tests.mutants fmu_build/codegen --count 20 --seed 7`` works on a copy of the project: the checkout
-stays as it is. The exit code is 0 if no mutant survived, else 1.
+``python -m tests.mutants fmu_build/codegen --count 20 --seed 7`` works on a copy of the project; the checkout
+is not modified. The exit code is 0 if no mutant survived, 1 if one did, 2 if the tests fail without a change.
 """
 
 from __future__ import annotations
@@ -21,21 +21,23 @@ from typing import Final
 from tests.mutants.changes import Change, changes
 
 ROOT: Final = Path(__file__).parents[2]
-#: What a copy of the project does without; the environment and what was built are linked to.
+#: Files that are not copied with the project; the environment is linked, and the build copied separately.
 _LEFT: Final = (".git", ".venv", "build", "dist", "results", "__pycache__", ".*_cache", ".hypothesis")
-#: Tests of places that none of the same name mirrors.
+#: Tests of folders that have no tests folder of the same name.
 _ELSEWHERE: Final = {"fmu_build/runtime": ("tests/fmu_build/runtime", "tests/fmu_build/models")}
 
 
 def main() -> int:
-    """Return 1 where a mutant survived, else 0."""
+    """Run the trials; return 1 if a mutant survived, 2 if the tests fail without a change, else 0."""
     parser = argparse.ArgumentParser(prog="python -m tests.mutants", description=__doc__)
     parser.add_argument("place", help="file or folder with .py and .c files, such as fmu_build/codegen")
-    parser.add_argument("--count", type=int, default=10, help="mutants (default: %(default)s)")
+    parser.add_argument("--count", type=int, default=10, help="number of mutants (default: %(default)s)")
     parser.add_argument(
-        "--seed", type=int, default=random.randrange(2**31), help="default: another each time"
+        "--seed", type=int, default=random.randrange(2**31), help="default: a new one each time"
     )
-    parser.add_argument("--seconds", type=float, default=180.0, help="for the tests of one (default: 180)")
+    parser.add_argument(
+        "--seconds", type=float, default=180.0, help="time limit for one mutant (default: 180)"
+    )
     parser.add_argument("--tests", nargs="+", metavar="PATH", help="default: the tests that mirror the place")
     settings = parser.parse_args()
     place = (ROOT / settings.place).resolve()
@@ -73,7 +75,7 @@ def _copied(copy: Path) -> Path:
 
 
 def _mirror(place: Path) -> list[str]:
-    """The tests of a place: of a module its own file, else its folder; ``tests/`` has the same tree."""
+    """Return the tests of a place: a module's own file, else the folder; ``tests/`` has the same tree."""
     inside = place.relative_to(ROOT)
     for start, tests in _ELSEWHERE.items():
         if inside.is_relative_to(start):
@@ -90,7 +92,7 @@ def _mirror(place: Path) -> list[str]:
 def _tried(copy: Path, file: Path, change: Change, tests: list[str], seconds: float) -> str:
     target = copy / file
     text = target.read_text("utf-8")
-    # Another size or time, so that no bytecode of the original is taken for that of the mutant.
+    # The new size or time prevents Python from using the bytecode of the original for the mutant.
     target.write_text(text[: change.at] + change.after + text[change.at + len(change.before) :], "utf-8")
     try:
         return _outcome(copy, tests, seconds)
@@ -99,7 +101,7 @@ def _tried(copy: Path, file: Path, change: Change, tests: list[str], seconds: fl
 
 
 def _outcome(copy: Path, tests: list[str], seconds: float) -> str:
-    """``survived`` where all tests pass, ``killed`` where one fails, ``timeout`` where they take too long."""
+    """Return ``survived`` if all tests pass, ``killed`` if one fails, ``timeout`` if they take too long."""
     command = [sys.executable, "-B", "-m", "pytest", "-q", "-x", "-n", "0", "-p", "no:cacheprovider", *tests]
     environment = os.environ | {"PYTHONPATH": str(copy), "OPENBLAS_NUM_THREADS": "1"}
     with subprocess.Popen(
@@ -116,7 +118,7 @@ def _outcome(copy: Path, tests: list[str], seconds: float) -> str:
             return "timeout"
         finally:
             if process.poll() is None:
-                # With all that the tests have started, which would go on without them.
+                # Including all processes that the tests have started, which would otherwise continue.
                 os.killpg(process.pid, signal.SIGKILL)
 
 

@@ -1,4 +1,4 @@
-"""What can be changed in a Python or C file so that it is still one: an operator, a constant, a statement."""
+"""Changes of a Python or C file that keep it valid: of an operator, a constant or a statement."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
-#: What takes the place of an operator.
+#: Replacements of operators.
 _OPPOSITES: Final = (
     *(("<", "<="), (">", ">="), ("==", "!="), ("+", "-"), ("+=", "-=")),
     *(("&&", "||"), ("and", "or")),
 )
 _OTHERS: Final = {"*": "+", "/": "*", "is not": "is", "not in": "in"}
 _OPERATORS: Final = dict(_OPPOSITES) | {after: before for before, after in _OPPOSITES} | _OTHERS
-#: Texts and comments are blanks when it is looked for. Without blanks around it may be a sign or a pointer.
+#: Searched for with texts and comments blanked. Without blanks around it, it may be a sign or a pointer.
 _OPERATOR: Final = re.compile(r"(?<= )(?:[<>=!]=|[+-]=|&&|\|\||[<>+*/-]|and|or|is not|not in)(?= )")
 _NUMBER: Final = re.compile(r"(?<![\w.])\d+(?:\.\d+)?(?:[eE][-+]?\d+)?(?![\w.])")
 _TRUTH: Final = re.compile(r"\b(?:True|False|true|false)\b")
@@ -32,10 +32,10 @@ class Change:
     """One change of a text.
 
     Attributes:
-        at: where
-        line: its line, from 1
-        before: what is there
-        after: what takes its place
+        at: offset in the text
+        line: number of the line, from 1
+        before: text at this place
+        after: text that replaces it
     """
 
     at: int
@@ -45,7 +45,7 @@ class Change:
 
 
 def changes(file: Path) -> list[Change]:
-    """Every change of a file."""
+    """Return all possible changes of a file."""
     text = file.read_text("utf-8")
     is_c = file.suffix == ".c"
     code = _c_code(text) if is_c else _python_code(text)
@@ -78,12 +78,12 @@ def _c_statements(text: str, code: str) -> list[tuple[int, str, str]]:
 
 
 def _offsets(text: str) -> list[int]:
-    """Where each line begins."""
+    """Return the offset of each line."""
     return [0, *(one.end() for one in re.finditer("\n", text))]
 
 
 def _place(node: ast.AST, text: str, lines: list[int]) -> tuple[int, int]:
-    """Where a node begins and ends; ast counts bytes in a line."""
+    """Return where a node begins and ends; ast counts the bytes of a line."""
 
     def at(line: int, column: int) -> int:
         start = lines[line - 1]
@@ -96,7 +96,7 @@ def _place(node: ast.AST, text: str, lines: list[int]) -> tuple[int, int]:
 
 
 def _python_code(text: str) -> str:
-    """Without texts, comments and annotations, which the tests do not run."""
+    """Blank texts, comments and annotations, which the tests do not run."""
     lines, parts = _offsets(text), []
     for node in ast.walk(ast.parse(text)):
         is_text = isinstance(node, ast.Constant) and isinstance(node.value, str | bytes)
@@ -109,7 +109,7 @@ def _python_code(text: str) -> str:
 
 
 def _python_statements(text: str) -> list[tuple[int, str, str]]:
-    """Assignments and calls within functions, that become ``pass``."""
+    """Return assignments and calls within functions, each to be replaced by ``pass``."""
     lines, found = _offsets(text), []
     for function in ast.walk(ast.parse(text)):
         if not isinstance(function, ast.FunctionDef):

@@ -1,4 +1,4 @@
-"""Every change leaves a file that can be read, and something else than before."""
+"""Every change leaves the file valid and different from before."""
 
 from __future__ import annotations
 

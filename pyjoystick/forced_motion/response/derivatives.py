@@ -1,4 +1,4 @@
-"""Exact derivatives of a shaken joystick's map, from an FMU that computes sensitivities while it runs."""
+"""Exact derivatives of a driven joystick's stroboscopic map, from an FMU that computes sensitivities."""
 
 from __future__ import annotations
 
@@ -10,20 +10,21 @@ import numpy as np
 from pyjoystick.fmu import Fmu, sensitivity_name
 from pyjoystick.support import FloatArray
 
-#: What the map goes between, and the parameters that are the state at the start.
+#: State variables of the map, and the parameters that set the state at the start.
 MOTION: Final = ("theta", "omega")
 STARTS: Final = ("theta_start", "omega_start")
-#: By these two, derivatives by the frequency follow, see `MapSensitivities.by_frequency`.
+#: Parameters whose sensitivities give the derivatives with respect to the frequency, see
+#: `MapSensitivities.by_frequency`.
 _SCALED: Final = ("J", "damping.C")
 
 
 @dataclass(frozen=True, eq=False)
 class MapSensitivities:
-    """Which outputs of an FMU are the derivatives of its map.
+    """Maps the outputs of an FMU with sensitivities to derivatives of its stroboscopic map.
 
     Attributes:
         fmu: the FMU with sensitivities
-        by: the parameters, beside the start values, by whose sensitivities derivatives are known
+        by: parameters, besides the start values, with respect to which derivatives are known
     """
 
     fmu: Fmu
@@ -31,11 +32,14 @@ class MapSensitivities:
 
     @classmethod
     def of(cls, fmu: Fmu, by: tuple[str, ...]) -> MapSensitivities | None:
-        """Those that belong to an FMU, see `Fmu.sensitive`; None where it has none by the state at the start.
+        """Find the sensitivities that belong to an FMU, see `Fmu.sensitive`.
 
         Args:
-            fmu: of a joystick
-            by: parameters whose sensitivities would be of use, if all of them are known
+            fmu: FMU of a joystick
+            by: parameters whose sensitivities are used if the FMU computes them for all of these
+
+        Returns:
+            None if there are no sensitivities to the state at the start
         """
         sensitive = fmu.sensitive
         if sensitive is None:
@@ -47,32 +51,41 @@ class MapSensitivities:
 
     @classmethod
     def over_frequency(cls, fmu: Fmu) -> MapSensitivities | None:
-        """The same with what derivatives by the frequency take under constant damping."""
+        """As `of`, for derivatives with respect to the frequency under constant damping."""
         return cls.of(fmu, _SCALED)
 
     @property
     def outputs(self) -> tuple[str, ...]:
-        """What a run has to record: the motion, its derivatives by the start, those by the parameters."""
+        """Outputs to record: the motion, and its sensitivities to the start values and to the parameters."""
         return (*MOTION, *_names(STARTS), *_names(self.by))
 
     def monodromies(self, ends: FloatArray) -> FloatArray:
-        """The derivatives by the state before, shape (runs, 2, 2), from the `outputs` of each run."""
+        """Return the derivatives with respect to the start state, shape (runs, 2, 2).
+
+        Args:
+            ends: the `outputs` at the end of each run, shape (runs, outputs)
+        """
         return ends[:, 2:6].reshape(-1, 2, 2)
 
     def by_parameter(self, end: FloatArray) -> FloatArray:
-        """The derivatives by the first of the parameters, shape (2,), from one row of `outputs`."""
+        """Return the derivatives with respect to the first parameter, shape (2,).
+
+        Args:
+            end: one row of `outputs`
+        """
         return end[6:].reshape(2, -1)[:, 0]
 
     def by_frequency(
         self, end: FloatArray, state: FloatArray, frequency: float, inertia: float, damping: float
     ) -> FloatArray:
-        """The derivative of the map by the frequency of the torque, for constant damping, shape (2,).
+        """Return the derivative of the map with respect to the torque's frequency, shape (2,).
 
-        In the time f t and with omega/f the frequency enters through J f^2 and C f alone.
+        It holds for constant damping: with the time f t and the velocity omega/f, the frequency enters
+        only through J f^2 and C f.
 
         Args:
             end: one row of `outputs`
-            state: where the run began, shape (2,)
+            state: state at the start of the run, shape (2,)
             frequency: f (Hz)
             inertia: J (kg m2)
             damping: C (N m s/rad)

@@ -1,4 +1,4 @@
-"""The joystick of eqs. (1)-(13) in pure Python: the reference with which the FMUs are compared.
+"""Reference model in pure Python, with which the FMUs are compared: the joystick of eqs. (1)-(13).
 
 It is written from the equations alone and depends only on NumPy, SciPy and `pyjoystick.model.parameters`.
 """

@@ -1,10 +1,10 @@
-"""The equation of motion cut into smooth branches at every kink of the contact force, at theta = 0, at stops.
+"""Equation of motion, split into smooth branches at kinks of the contact force, at theta = 0 and at stops.
 
-The contact travel grows with |theta|, so each kink x = x_i on either side is one fixed angle, and the
-branches are the intervals between these angles. Inside a branch the spring segment and the sign of theta
-are frozen: its acceleration is smooth and is continued smoothly a little beyond both ends, which lets
-an integrator step over an end and then go back to it. Beyond a stop the moment is a maximum of zero and a
-line, whose kink is left to the control of the step: the moment is continuous there.
+The contact travel increases with |theta|, so each kink x = x_i of either side corresponds to one fixed angle,
+and the branches are the intervals between these angles. Within a branch, the spring segment and the sign of
+theta are frozen: the acceleration is smooth and continues smoothly a little beyond both ends, so that an
+integrator can step over an end and then return to it. Beyond a stop, the moment is the maximum of zero and a
+linear function; its kink, where the moment is continuous, is left to the step size control.
 """
 
 from __future__ import annotations
@@ -22,13 +22,13 @@ from pyjoystick.support import SimulationError, Torque
 
 #: Angular acceleration (rad/s2) from time (s), angle (rad) and angular velocity (rad/s).
 Acceleration = Callable[[float, float, float], float]
-#: What dry friction takes from it (rad/s2), from angle (rad) and angular velocity (rad/s); 0 or more.
+#: Deceleration by dry friction (rad/s2), 0 or more, from angle (rad) and angular velocity (rad/s).
 Deceleration = Callable[[float, float], float]
 
 
 @dataclass(frozen=True, slots=True)
 class Boundary:
-    """An angle (rad) where two branches meet, and what lies there, such as ``forward x_0``."""
+    """An angle (rad) at which two branches meet, and the names of its kinks, such as ``forward x_0``."""
 
     theta: float
     kinks: tuple[str, ...]
@@ -40,9 +40,9 @@ class Branch:
 
     Attributes:
         lower, upper: ends (rad), infinite for the first and the last branch
-        steep: a spring is engaged whose restraint is still in tension, or a stop is met
+        steep: whether the restraint of an engaged spring is still in tension, or a stop is met
         acceleration: (T + m*g*h*sin(theta) - M_s - C*omega - M_stop)/J, without dry friction
-        friction: magnitude of the dry friction moment while sliding, over J; at rest, the largest it can be
+        friction: magnitude of the dry friction moment while sliding, over J; at rest, its upper limit
     """
 
     lower: float
@@ -52,7 +52,7 @@ class Branch:
     friction: Deceleration
 
     def sliding(self, direction: int) -> Acceleration:
-        """The acceleration while the joystick slides in a direction, 1 or -1, with dry friction."""
+        """Return the acceleration with dry friction while the joystick slides in a direction, 1 or -1."""
         others, friction = self.acceleration, self.friction
 
         def slowed(time: float, theta: float, omega: float) -> float:
@@ -62,7 +62,7 @@ class Branch:
 
 
 class PiecewiseEquation:
-    """The branches of eq. (1) with the torque of eq. (13), ordered by theta, and the boundaries between."""
+    """The branches of eq. (1) with the torque of eq. (13), ordered by theta, and their boundaries."""
 
     def __init__(self, joystick: JoystickParameters, torque: Torque | None) -> None:
         self.torque = torque
@@ -74,12 +74,12 @@ class PiecewiseEquation:
         self.branches = [_branch(joystick, torque, lower, upper) for lower, upper in pairwise(ends)]
 
     def index(self, theta: float, heading: float) -> int:
-        """Position of the branch that holds theta; on a boundary, of the one that the motion heads into."""
+        """Return the index of the branch that contains theta; on a boundary, of the branch to be entered."""
         return (bisect_right if heading >= 0.0 else bisect_left)(self._angles, theta)
 
 
 def _boundaries(joystick: JoystickParameters) -> list[Boundary]:
-    """Kinks at the same angle share one boundary and are named there in the order of rising theta."""
+    """Return the boundaries; kinks at the same angle share one, which names them in order of rising theta."""
     kinks_at: dict[float, list[str]] = {}
     if joystick.stops:
         kinks_at[-joystick.stops.theta_stop] = ["backward stop"]
@@ -96,7 +96,7 @@ def _boundaries(joystick: JoystickParameters) -> list[Boundary]:
 def _branch(joystick: JoystickParameters, torque: Torque | None, lower: float, upper: float) -> Branch:
     assembly = joystick.backward if upper <= 0.0 else joystick.forward
     nearer, farther = sorted((abs(lower), abs(upper)))
-    # Kinks of enormous travel round to pi/2, where the travel is infinite.
+    # Kinks at enormous travels are rounded to pi/2, where the travel is infinite.
     inside = min(nearer + 0.5 * (min(farther, 0.5 * math.pi) - nearer), math.nextafter(0.5 * math.pi, 0.0))
     x = float(contact_travel(joystick, inside))
     segments = [_segment(spring, x) for spring in (assembly.return_spring, assembly.balance_spring)]
@@ -112,7 +112,7 @@ def _branch(joystick: JoystickParameters, torque: Torque | None, lower: float, u
 
 
 def _segment(spring: RestrainedSpring, x: float) -> tuple[float, float, bool]:
-    """The line offset + stiffness*x of eqs. (6)-(8) around travel x, and whether it is the steep one."""
+    """Return offset and stiffness of the line of eqs. (6)-(8) around travel x, and whether it is steep."""
     if x <= spring.x_0:
         return 0.0, 0.0, False
     if x <= spring.x_release:
@@ -124,7 +124,7 @@ def _segment(spring: RestrainedSpring, x: float) -> tuple[float, float, bool]:
 def _acceleration(
     joystick: JoystickParameters, torque: Torque | None, side: float, force: tuple[float, float]
 ) -> Acceleration:
-    """The physics of `moments` for a frozen branch and plain numbers: called some 20,000 times a run."""
+    """Return the equations of `moments` for a frozen branch and floats; called some 20,000 times a run."""
     a, b, inertia = joystick.a, joystick.b, joystick.J
     weight_moment = joystick.m * joystick.g * joystick.h
     offset, stiffness = force
@@ -152,7 +152,7 @@ def _acceleration(
 
 
 def _stopped(joystick: JoystickParameters, side: float, others: Acceleration) -> Acceleration:
-    """The acceleration beyond a stop."""
+    """Return the acceleration beyond a stop."""
     law, inertia = joystick.stops, joystick.J
 
     def stopped(time: float, theta: float, omega: float) -> float:

@@ -1,7 +1,7 @@
-"""One step of the eighth-order method of Dormand and Prince, for theta' = omega and omega' = alpha.
+"""Steps of the eighth-order method of Dormand and Prince, for theta' = omega and omega' = alpha.
 
-The coefficients are those that SciPy's DOP853 publishes on its class. The loop is written for two plain
-numbers: SciPy's own costs some ten times as much for a system this small.
+The coefficients are class attributes of SciPy's DOP853. The loop is written for two floats: SciPy's own takes
+some ten times as long for such a small system.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from scipy.integrate import DOP853
 
 from pyjoystick.model.reference.branches import Acceleration
 
-#: The error estimate is of this order in the step length.
+#: Order of the error estimate in the step length.
 ERROR_ORDER: Final = 8
 
 _STAGES = tuple(
@@ -30,13 +30,13 @@ class Step(NamedTuple):
     """A point of the motion from which steps of any length can be taken along one smooth branch.
 
     Attributes:
-        acceleration: the branch
+        acceleration: acceleration of the branch
         time: time of the point (s)
         theta: angle (rad)
         omega: angular velocity (rad/s)
         alpha: angular acceleration (rad/s2)
-        latest: the acceleration is never asked for a later time (s), so that a torque that jumps at the
-            end of a step is seen from the near side only
+        latest: latest time (s) at which the acceleration is evaluated, so that a torque that jumps at the
+            end of a step only counts with its value before the jump
         mode: with dry friction, the direction in which the joystick slides: 1 or -1
     """
 
@@ -49,19 +49,19 @@ class Step(NamedTuple):
     mode: int = 0
 
     def at(self, length: float) -> tuple[float, float]:
-        """Angle (rad) and angular velocity (rad/s) after one step of `length` (s)."""
+        """Return angle (rad) and angular velocity (rad/s) after one step of `length` (s)."""
         rates, accelerations = self._stages(length)
         return self._ends(length, rates, accelerations)
 
     def with_error(self, length: float) -> tuple[float, float, float]:
-        """Both, and the larger of their estimated errors (rad, rad/s) after a step of `length` (s)."""
+        """Return both after a step of `length` (s), and the larger of their estimated errors (rad, rad/s)."""
         rates, accelerations = self._stages(length)
         theta, omega = self._ends(length, rates, accelerations)
         error = max(_error(length, rates), _error(length, accelerations))
         return theta, omega, error
 
     def alpha_at(self, length: float, theta: float, omega: float) -> float:
-        """Angular acceleration (rad/s2) `length` (s) after the point, at the given theta and omega."""
+        """Return the angular acceleration (rad/s2) `length` (s) after the point, at these theta and omega."""
         return self.acceleration(min(self.time + length, self.latest), theta, omega)
 
     def _stages(self, length: float) -> tuple[list[float], list[float]]:
@@ -81,8 +81,8 @@ class Step(NamedTuple):
 
 
 def _error(length: float, slopes: list[float]) -> float:
-    """The estimate: one of fifth order, damped by one of third so that it behaves as one of eighth."""
+    """Estimate the error: of fifth order, damped by one of third order to behave as one of eighth order."""
     fifth = float(sum(map(mul, _ERROR_5, slopes)))
     third = float(sum(map(mul, _ERROR_3, slopes)))
-    # As a ratio, because the squares of slopes near rest can be too small for a float.
+    # Written as a ratio, because the squares of slopes near rest can be too small for a float.
     return length * abs(fifth) * (abs(fifth) / math.hypot(fifth, 0.1 * third)) if fifth != 0.0 else 0.0

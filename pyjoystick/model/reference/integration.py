@@ -1,4 +1,4 @@
-"""Integration along smooth branches; every passage from one to the next is located and restarted from."""
+"""Integration along smooth branches; each passage to the next branch is located and restarted from."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ _SHORTEST_DIP = 1e-6
 
 @dataclass(frozen=True, slots=True)
 class Event:
-    """The motion passes a kink of the contact force, the middle or a stop, or begins or ends to stick.
+    """Passage of a kink of the contact force, the middle or a stop, or the start or end of sticking.
 
     Attributes:
         time: instant (s)
-        kind: ``forward x_0`` .. ``forward x_3``, ``backward x_0`` .. ``backward x_3`` or ``theta = 0``; with
+        kind: ``forward x_0`` to ``forward x_3``, ``backward x_0`` to ``backward x_3`` or ``theta = 0``; with
             dry friction also ``sticks`` and ``slips``; with stops ``forward stop`` and ``backward stop``
-        direction: 1 where theta rises, -1 where it falls; where the joystick sticks, as it did before
-        theta: angle there (rad)
+        direction: 1 if theta rises, -1 if it falls; when the joystick sticks, its direction before
+        theta: angle (rad)
         omega: angular velocity (rad/s)
     """
 
@@ -41,34 +41,34 @@ class Event:
 
 @dataclass(frozen=True, slots=True)
 class TurningPoint:
-    """An instant (s) at which omega changes its sign, and the angle there (rad)."""
+    """An instant (s) at which omega changes sign, and the angle there (rad)."""
 
     time: float
     theta: float
 
 
 class Rest(NamedTuple):
-    """A span of a motion in which the joystick does not move, from `time` (s) on, at `theta` (rad)."""
+    """A span in which the joystick does not move, from `time` (s) on, at `theta` (rad)."""
 
     time: float
     theta: float
     mode: int = 0
 
     def at(self, length: float) -> tuple[float, float]:
-        """Angle (rad) and angular velocity (rad/s) `length` (s) after its beginning."""
+        """Return angle (rad) and angular velocity (rad/s) `length` (s) after its start."""
         return self.theta, 0.0
 
 
 class Integration:
-    """A motion that is carried forward step by step.
+    """Step-by-step integration of a motion.
 
-    A step ends early where the motion passes a boundary of its branch or turns. Between two ends theta is
-    monotone, so no boundary can be passed twice within a step.
+    A step ends early where the motion passes a boundary of its branch or reverses. Theta is therefore
+    monotonic within a step, so that no boundary can be passed twice in it.
 
     Attributes:
-        events: passages so far, in order
+        events: events so far, in order
         turning_points: sign changes of omega so far, in order
-        accepted, rejected: number of steps
+        accepted, rejected: numbers of accepted and rejected steps
         mode: with dry friction, the direction in which the joystick slides; 0 without, and while it sticks
     """
 
@@ -90,7 +90,7 @@ class Integration:
             self._index = equation.index(theta, self._branch.acceleration(time, theta, omega))
 
     def steps(self, end: float) -> Iterator[tuple[Step | Rest, float]]:
-        """Carry the motion to time `end` (s); yields each step with the time (s) it was used up to.
+        """Integrate to time `end` (s); yields each step with the time (s) up to which it was used.
 
         Raises:
             SimulationError: the angle reaches pi/2, the torque is not finite, or steps become too short
@@ -110,7 +110,7 @@ class Integration:
         return self._branch.acceleration
 
     def _advance(self, end: float, latest: float) -> tuple[Step | Rest, float] | None:
-        """One step, or none where the motion stands on a boundary and only the branch has to be changed."""
+        """Take a step; None if the motion is on a boundary and only the branch has to be changed."""
         time, acceleration = self._time, self._acceleration()
         alpha = acceleration(time, self._theta, self._omega)
         step = Step(acceleration, time, self._theta, self._omega, alpha, latest, self.mode)
@@ -120,7 +120,7 @@ class Integration:
             return None
         length, theta, omega = _without_hidden_turn(step, heading, *self._controlled(step, end))
         if step.omega == 0.0 and omega * heading <= 0.0:
-            # At rest, with an acceleration that is zero but for rounding: the step itself tells the heading.
+            # At rest, with an acceleration of zero except for rounding: the step itself shows the heading.
             heading = _sign(omega)
             if self._leaves(heading):
                 self._switch(heading, recorded=False)
@@ -129,7 +129,7 @@ class Integration:
         return step, self._time
 
     def _take(self, step: Step, heading: int, length: float, theta: float, omega: float, end: float) -> None:
-        """Go to the end of the step, or to where it turns or passes the boundary ahead."""
+        """Advance to the end of the step, or to where the motion reverses or passes the boundary ahead."""
         time = end if step.time + length >= end else step.time + length
         turns = omega * heading < 0.0
         if turns:
@@ -139,7 +139,7 @@ class Integration:
         passes = heading != 0 and (theta - boundary) * heading >= 0.0 and step.theta != boundary
         if passes:
             length = _until_angle(step, length, theta, boundary)
-            # Where the motion only touches the boundary, rounding may give omega the other sign.
+            # If the motion only touches the boundary, rounding may reverse the sign of omega.
             omega = max(0.0, step.at(length)[1] * heading) * heading
             time, theta = step.time + length, boundary
         if abs(theta) >= 0.5 * math.pi:
@@ -154,7 +154,7 @@ class Integration:
         self.turning_points.append(TurningPoint(self._time, self._theta))
 
     def _controlled(self, step: Step, end: float) -> tuple[float, float, float]:
-        """Length (s) of a step whose error is within the tolerance, with theta and omega at its end."""
+        """Return length (s), final theta and final omega of a step whose error is within the tolerance."""
         length = min(self._length, end - step.time)
         cause = None
         while True:
@@ -168,16 +168,16 @@ class Integration:
             self.rejected += 1
             length *= max(_SMALLEST_FACTOR, _factor(ratio)) if math.isfinite(ratio) else _SMALLEST_FACTOR
             if length < _SHORTEST_LENGTH:
-                reason = "the steps have become too short; does the torque jump here, where no breakpoint is?"
+                reason = "the steps have become too short; does the torque jump here without a breakpoint?"
                 raise SimulationError(step.time, reason) from cause
         self._length = length * min(_LARGEST_FACTOR, _factor(ratio))
         return length, theta, omega
 
     def _leaves(self, heading: int) -> bool:
-        """The motion stands on a boundary of its branch and heads out of it.
+        """Return whether the motion is on a boundary of its branch and heads out of the branch.
 
-        At rest on a kink rounding may send either branch's motion into the other: one change an instant is
-        enough.
+        At rest on a kink, rounding may send the motion of either branch into the other: only one change is
+        allowed per instant.
         """
         if heading == 0 or self._switched_at == self._time:
             return False
@@ -200,7 +200,7 @@ class Integration:
 def _without_hidden_turn(
     step: Step, heading: int, length: float, theta: float, omega: float
 ) -> tuple[float, float, float]:
-    """A step halved until omega can change its sign at most once in it."""
+    """Halve a step until omega can change sign at most once within it."""
     while length > _SHORTEST_DIP and _may_turn_twice(step, heading, length, theta, omega):
         length *= 0.5
         theta, omega = step.at(length)
@@ -208,7 +208,7 @@ def _without_hidden_turn(
 
 
 def _may_turn_twice(step: Step, heading: int, length: float, theta: float, omega: float) -> bool:
-    """Whether omega leaves zero and comes back beyond it, or dips so low that its cubic passes zero."""
+    """Return whether omega starts at zero and returns past it, or its cubic interpolant dips to zero."""
     start, end = step.omega * heading, omega * heading
     if end < 0.0:
         return start == 0.0
@@ -216,7 +216,7 @@ def _may_turn_twice(step: Step, heading: int, length: float, theta: float, omega
     end_slope = step.alpha_at(length, theta, omega) * heading * length
     if start_slope >= 0.0 or end_slope <= 0.0:
         return False
-    # The cubic start + start_slope*s + b*s^2 + a*s^3 through both ends is least where its slope is zero.
+    # The cubic start + start_slope*s + b*s^2 + a*s^3 through both ends has its minimum at slope zero.
     a = 2.0 * (start - end) + start_slope + end_slope
     b = 3.0 * (end - start) - 2.0 * start_slope - end_slope
     s = -start_slope / (b + math.sqrt(b * b - 3.0 * a * start_slope))
@@ -224,7 +224,7 @@ def _may_turn_twice(step: Step, heading: int, length: float, theta: float, omega
 
 
 def _until_turn(step: Step, length: float, end_omega: float) -> float:
-    """The part (s) of a step of `length` after which omega is zero."""
+    """Return the part (s) of a step of `length` after which omega is zero."""
 
     def omega_and_slope(part: float) -> tuple[float, float]:
         theta, omega = step.at(part)
@@ -234,7 +234,7 @@ def _until_turn(step: Step, length: float, end_omega: float) -> float:
 
 
 def _until_angle(step: Step, length: float, end_theta: float, boundary: float) -> float:
-    """The part (s) of a step of `length` after which theta is at `boundary`."""
+    """Return the part (s) of a step of `length` after which theta is at `boundary`."""
 
     def distance_and_slope(part: float) -> tuple[float, float]:
         theta, omega = step.at(part)
@@ -245,7 +245,7 @@ def _until_angle(step: Step, length: float, end_theta: float, boundary: float) -
 
 
 def _factor(ratio: float) -> float:
-    """By how much a step whose error is `ratio` times the tolerance is to be changed."""
+    """Return the factor for the length of a step whose error is `ratio` times the tolerance."""
     return float(_SAFETY * ratio ** (-1.0 / ERROR_ORDER)) if ratio > 0.0 else math.inf
 
 
@@ -263,7 +263,7 @@ def first_zero(
     end_value: float,
     resolution: float,
 ) -> float:
-    """Newton's method kept inside a shrinking bracket.
+    """Find a zero by Newton's method, kept inside a shrinking bracket.
 
     Every value comes from a step of the integrator that ends exactly there, not from an interpolant, so
     the zero is as accurate as the integration itself.
@@ -272,12 +272,12 @@ def first_zero(
         function: value and derivative at a point of [0, end]
         start_value: value at 0, not zero
         end: end of the bracket, above 0
-        end_value: value at `end`, zero or of the other sign than `start_value`
-        resolution: values of this magnitude are rounding
+        end_value: value at `end`, zero or of the opposite sign to `start_value`
+        resolution: values up to this magnitude are rounding errors
 
     Returns:
-        the point in [0, end] where the value is zero to within `resolution`, or where the bracket has no more
-        floating-point numbers inside
+        the point in [0, end] at which the value is zero to within `resolution`, or at which the bracket
+        contains no more floating-point numbers
     """
     lower, upper = 0.0, end
     if end_value == 0.0:

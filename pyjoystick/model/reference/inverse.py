@@ -1,4 +1,4 @@
-"""Torque that a given motion needs, eq. (13)."""
+"""Torque required for a given motion, eq. (13)."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from pyjoystick.support import FloatArray, ParameterError
 
 
 def require_within_stops(joystick: JoystickParameters, theta: ArrayLike) -> None:
-    """Raise `ParameterError` if some angle (rad) is beyond a stop: eq. (13) holds up to there."""
+    """Raise `ParameterError` if some angle (rad) is beyond a stop, where eq. (13) does not hold."""
     farthest = float(np.nanmax(np.abs(theta), initial=0.0))
     if joystick.stops and farthest > joystick.stops.theta_stop:
         allowed = f"within the stops at {joystick.stops.theta_stop:.6g} rad"
@@ -36,8 +36,7 @@ class InverseTorque:
         T_damping: C(theta, omega)*omega
         T_stiffness: M_s - m*g*h*sin(theta)
         T_friction: dry friction, sign(omega) times its magnitude; 0 at rest
-        T_band: at rest, how far the torque may lie on either side of T, because the friction balances it;
-            0 in motion
+        T_band: at rest, the largest deviation from T, to either side, that friction balances; 0 in motion
     """
 
     T: FloatArray
@@ -51,10 +50,10 @@ class InverseTorque:
 def inverse_torque(
     joystick: JoystickParameters, theta: ArrayLike, omega: ArrayLike, alpha: ArrayLike
 ) -> InverseTorque:
-    """Eq. (13), with dry friction: T = J*alpha + C*omega + M_s - m*g*h*sin(theta) + M_f.
+    """Compute eq. (13) with dry friction: T = J*alpha + C*omega + M_s - m*g*h*sin(theta) + M_f.
 
     Args:
-        joystick: its parameters
+        joystick: parameters of the joystick
         theta: angle (rad), |theta| < pi/2
         omega: angular velocity (rad/s)
         alpha: angular acceleration (rad/s2); the three may have any broadcastable shapes, NaN gives NaN

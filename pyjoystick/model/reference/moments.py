@@ -1,7 +1,7 @@
-"""Geometry, springs, moments and energy, eqs. (1), (3), (5) corrected, (6)-(8), (11), of a given motion.
+"""Geometry, springs, moments and energy of a given motion: eqs. (1), (3), (5) as corrected, (6)-(8), (11).
 
-Every function takes arrays of any broadcastable shape in SI units and returns that shape; NaN gives NaN.
-Angles with |theta| >= pi/2 raise ParameterError.
+Every function takes arrays of any broadcastable shapes in SI units and returns the common shape; NaN gives
+NaN. Angles with |theta| >= pi/2 raise ParameterError.
 """
 
 from __future__ import annotations
@@ -17,9 +17,9 @@ from pyjoystick.support import FloatArray, angle
 
 
 def contact_travel(joystick: JoystickParameters, theta: ArrayLike) -> FloatArray:
-    """Eq. (3): travel of the contact point, x = a*|tan(theta)| + b*(1 - 1/cos(theta)).
+    """Compute the travel of the contact point, eq. (3): x = a*|tan(theta)| + b*(1 - 1/cos(theta)).
 
-    With t = tan(|theta|/2) this is 2*t*(a - b*t)/(1 - t^2), which has no cancellation near theta = 0.
+    With t = tan(|theta|/2), this is 2*t*(a - b*t)/(1 - t^2), which has no cancellation near theta = 0.
 
     Args:
         joystick: the joystick
@@ -36,7 +36,7 @@ def contact_travel(joystick: JoystickParameters, theta: ArrayLike) -> FloatArray
 
 
 def contact_travel_slope(joystick: JoystickParameters, theta: ArrayLike) -> FloatArray:
-    """Derivative of eq. (3): dx/dtheta = (a*sign(theta) - b*sin(theta))/cos(theta)^2.
+    """Compute the derivative of eq. (3): dx/dtheta = (a*sign(theta) - b*sin(theta))/cos(theta)^2.
 
     Args:
         joystick: the joystick
@@ -53,10 +53,10 @@ def contact_travel_slope(joystick: JoystickParameters, theta: ArrayLike) -> Floa
 
 
 def angle_of_travel(joystick: JoystickParameters, x: float) -> float:
-    """The angle |theta| (rad) at which the contact travel is x (m): the inverse of eq. (3).
+    """Compute the angle |theta| (rad) at which the contact travel is x (m): the inverse of eq. (3).
 
-    Eq. (3) in t = tan(theta/2) is (2*b - x)*t^2 - 2*a*t + x = 0. Its root that vanishes with x is taken in
-    the form without cancellation. It is real and below pi/2 for every x >= 0 because b < a.
+    In t = tan(theta/2), eq. (3) is (2*b - x)*t^2 - 2*a*t + x = 0. The root that vanishes with x is used in
+    the form without cancellation. The angle is real and below pi/2 for every x >= 0 because b < a.
     """
     a, b = joystick.a, joystick.b
     return 2.0 * math.atan(x / (a + math.sqrt(a * a - x * (2.0 * b - x))))
@@ -70,7 +70,7 @@ def _checked(theta: ArrayLike) -> FloatArray:
 
 
 def spring_force(spring: RestrainedSpring, x: ArrayLike) -> FloatArray:
-    """Eqs. (6)-(8): force (N) of one restrained spring at contact travel x (m, any shape), same shape."""
+    """Compute the force (N) of one restrained spring at travel x (m, any shape), same shape: eqs. (6)-(8)."""
     compression = np.asarray(x, dtype=np.float64) - spring.x_0
     restrained = (spring.k_h + spring.k_s) * compression
     released = spring.F_0 + spring.k_s * compression
@@ -79,27 +79,27 @@ def spring_force(spring: RestrainedSpring, x: ArrayLike) -> FloatArray:
 
 
 def spring_energy(spring: RestrainedSpring, x: ArrayLike) -> FloatArray:
-    """Energy (J) stored in one restrained spring at travel x (m), same shape: the integral of its force."""
+    """Compute the energy (J) of one restrained spring at travel x (m), same shape: integral of its force."""
     compression = np.asarray(x, dtype=np.float64) - spring.x_0
     restrained = 0.5 * (spring.k_h + spring.k_s) * compression**2
-    # The restraint gives back F_0^2/(2*k_h) while it goes slack.
+    # The restraint releases F_0^2/(2*k_h) while it goes slack.
     released = (spring.F_0 + 0.5 * spring.k_s * compression) * compression - 0.5 * spring.F_0**2 / spring.k_h
     energy = np.where(spring.k_h * compression <= spring.F_0, restrained, released)
     return np.where(compression <= 0.0, 0.0, energy)
 
 
 def assembly_force(assembly: ActuatorAssembly, x: ArrayLike) -> FloatArray:
-    """Force (N) of return and balance spring side by side (Fig. 7) at contact travel x (m), same shape."""
+    """Compute the force (N) of return and balance spring in parallel (Fig. 7) at travel x (m), same shape."""
     return spring_force(assembly.return_spring, x) + spring_force(assembly.balance_spring, x)
 
 
 def assembly_energy(assembly: ActuatorAssembly, x: ArrayLike) -> FloatArray:
-    """Energy (J) stored in an assembly at travel x (m), same shape: the integral of its force."""
+    """Compute the energy (J) stored in an assembly at travel x (m), same shape: the integral of its force."""
     return spring_energy(assembly.return_spring, x) + spring_energy(assembly.balance_spring, x)
 
 
 def table_force(table: SegmentTable, x: ArrayLike) -> FloatArray:
-    """Force (N) of a curve of straight segments (Fig. 7c) at contact travel x (m), same shape."""
+    """Compute the force (N) of a curve of straight segments (Fig. 7c) at contact travel x (m), same shape."""
     travel = np.asarray(x, dtype=np.float64)
     starts, stiffnesses = np.asarray(table.x), np.asarray(table.k)
     at_start = np.concatenate(([0.0], np.cumsum(stiffnesses[:-1] * np.diff(starts))))
@@ -109,17 +109,21 @@ def table_force(table: SegmentTable, x: ArrayLike) -> FloatArray:
 
 
 def contact_force(joystick: JoystickParameters, theta: ArrayLike) -> FloatArray:
-    """Force f_x (N) on the actuator that resists theta (rad): forward for theta > 0, else backward."""
+    """Compute the force f_x (N) on the actuator that resists theta (rad).
+
+    This is the forward actuator for theta > 0, else the backward one.
+    """
     x = contact_travel(joystick, theta)
     forward = assembly_force(joystick.forward, x)
     return np.where(np.asarray(theta) >= 0.0, forward, assembly_force(joystick.backward, x))
 
 
 def contact_moment(joystick: JoystickParameters, theta: ArrayLike) -> FloatArray:
-    """Moment M_s (N m) of the contact force at theta (rad): (a*sign(theta) + d*tan(theta))*f_x, d = x - b.
+    """Compute the moment M_s (N m) of the contact force at theta (rad).
 
-    Eq. (5) as printed has a*d*tan(theta), a product of two lengths; the sum of moments about the pivot,
-    eq. (4), gives the form used here, which equals f_x*dx/dtheta.
+    It is (a*sign(theta) + d*tan(theta))*f_x with d = x - b. Eq. (5) as printed has a*d*tan(theta), a product
+    of two lengths; the sum of moments about the pivot, eq. (4), gives the form used here, which equals
+    f_x*dx/dtheta.
     """
     theta = np.asarray(theta, dtype=np.float64)
     arm_of_horizontal_force = contact_travel(joystick, theta) - joystick.b
@@ -128,14 +132,14 @@ def contact_moment(joystick: JoystickParameters, theta: ArrayLike) -> FloatArray
 
 
 def gravity_moment(joystick: JoystickParameters, theta: ArrayLike) -> FloatArray:
-    """Moment M_g = m*g*h*sin(theta) (N m) at theta (rad); it drives the joystick away from the middle."""
+    """Compute the gravity moment M_g = m*g*h*sin(theta) (N m) at theta (rad), away from the middle."""
     return np.asarray(joystick.m * joystick.g * joystick.h * np.sin(theta))
 
 
 def damping_coefficient(damping: Damping, theta: ArrayLike, omega: ArrayLike) -> FloatArray:
-    """Damping coefficient C (N m s/rad) at theta (rad) and omega (rad/s): constant, or eq. (11).
+    """Compute the damping coefficient C (N m s/rad) at theta (rad) and omega (rad/s): constant, or eq. (11).
 
-    The displacement term of eq. (11) takes the coefficients of positive theta for theta >= 0.
+    The displacement term of eq. (11) uses the coefficients of positive theta for theta >= 0.
     """
     position, rate = np.broadcast_arrays(np.asarray(theta, np.float64), np.asarray(omega, np.float64))
     if isinstance(damping, ConstantDamping):
@@ -150,9 +154,10 @@ def damping_coefficient(damping: Damping, theta: ArrayLike, omega: ArrayLike) ->
 
 
 def sliding_friction(joystick: JoystickParameters, theta: ArrayLike, omega: ArrayLike) -> FloatArray:
-    """Magnitude (N m) of the dry friction moment while sliding, at theta (rad) and omega (rad/s).
+    """Compute the magnitude (N m) of the dry friction moment while sliding, at theta (rad) and omega (rad/s).
 
-    T_c + (T_s - T_c)*exp(-(omega/omega_s)^2) + F_c*|dx/dtheta|: Coulomb, Stribeck, the plunger in contact.
+    It is T_c + (T_s - T_c)*exp(-(omega/omega_s)^2) + F_c*|dx/dtheta|: Coulomb friction, Stribeck effect, and
+    friction of the plunger in contact.
     """
     law = joystick.friction
     rate = np.asarray(omega, dtype=np.float64)
@@ -160,7 +165,7 @@ def sliding_friction(joystick: JoystickParameters, theta: ArrayLike, omega: Arra
 
 
 def static_friction(joystick: JoystickParameters, theta: ArrayLike) -> FloatArray:
-    """Largest dry friction moment (N m) while the joystick sticks at theta (rad), same shape."""
+    """Compute the largest dry friction moment (N m) while the joystick sticks at theta (rad), same shape."""
     return sliding_friction(joystick, theta, np.zeros_like(np.asarray(theta, dtype=np.float64)))
 
 
@@ -171,7 +176,7 @@ def _static_excess(law: Friction, omega: FloatArray) -> FloatArray:
 
 
 def _plunger_friction(joystick: JoystickParameters, theta: ArrayLike) -> FloatArray:
-    """F_c times the lever of the plunger in contact; none is within the clearance."""
+    """Compute F_c times the lever arm of the plunger in contact; zero within the clearance."""
     position = np.asarray(theta, dtype=np.float64)
     x = contact_travel(joystick, position)
     first = [side.return_spring.x_0 for side in (joystick.forward, joystick.backward)]
@@ -181,9 +186,9 @@ def _plunger_friction(joystick: JoystickParameters, theta: ArrayLike) -> FloatAr
 
 
 def stop_moment(joystick: JoystickParameters, theta: ArrayLike, omega: ArrayLike) -> FloatArray:
-    """Moment M_stop (N m) of a stop, against positive angles, at theta (rad) and omega (rad/s).
+    """Compute the moment M_stop (N m) of a stop, against positive angles, at theta (rad) and omega (rad/s).
 
-    sign(theta)*max(0, K*delta + D*sign(theta)*omega) where delta = |theta| - theta_stop is above 0; else 0.
+    sign(theta)*max(0, K*delta + D*sign(theta)*omega) if delta = |theta| - theta_stop is above 0, else 0.
     """
     law = joystick.stops
     position, rate = np.broadcast_arrays(np.asarray(theta, np.float64), np.asarray(omega, np.float64))
@@ -196,7 +201,10 @@ def stop_moment(joystick: JoystickParameters, theta: ArrayLike, omega: ArrayLike
 
 
 def energy(joystick: JoystickParameters, theta: ArrayLike, omega: ArrayLike) -> FloatArray:
-    """Energy of Fig. 12 (J): J*omega^2/2 + integral of f_x dx + m*g*h*(cos(theta) - 1), stops left out."""
+    """Compute the energy (J) of Fig. 12, without that of stops.
+
+    It is J*omega^2/2 + integral of f_x dx + m*g*h*(cos(theta) - 1).
+    """
     position, rate = np.asarray(theta, np.float64), np.asarray(omega, np.float64)
     x = contact_travel(joystick, position)
     forward = assembly_energy(joystick.forward, x)
@@ -207,5 +215,8 @@ def energy(joystick: JoystickParameters, theta: ArrayLike, omega: ArrayLike) -> 
 
 
 def swing_frequency(joystick: JoystickParameters) -> float:
-    """Section 3.2: frequency (Hz) of small swings upside down and out of contact, sqrt(m*g*h/J)/(2*pi)."""
+    """Compute the frequency (Hz) of small swings upside down, out of contact (section 3.2).
+
+    It is sqrt(m*g*h/J)/(2*pi).
+    """
     return math.sqrt(joystick.m * abs(joystick.g) * joystick.h / joystick.J) / (2.0 * math.pi)

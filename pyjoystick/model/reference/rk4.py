@@ -1,7 +1,7 @@
-"""The integrator of the paper (section 4): classical Runge-Kutta with small steps near the steep slopes.
+"""Integrator of the paper (section 4): classical Runge-Kutta with small steps near the steep slopes.
 
-It locates no events: a kink inside a step costs the method its order. It is here to reproduce the paper's
-numbers and to show what that costs, not as a reference.
+It does not locate events, so that a kink within a step reduces the order of the method. It serves to
+reproduce the paper's numbers and to show this loss of accuracy, not as a reference.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from pyjoystick.model.reference.branches import Acceleration, PiecewiseEquation
 from pyjoystick.model.reference.trajectory import Trajectory, trajectory
 from pyjoystick.support import ParameterError, SimulationError, Torque, angle, finite, positive, whole_number
 
-#: Section 4: time step (s), and what it is divided by near the steep slopes.
+#: Section 4: time step (s), and the number by which it is divided near the steep slopes.
 PAPER_STEP: Final = 1e-3
 PAPER_REFINEMENT: Final = 10
 
@@ -33,18 +33,18 @@ def simulate_rk4(
 ) -> Trajectory:
     """Integrate the equation of motion from time 0 as the paper did.
 
-    The paper does not define "near the steep slopes". Here a step is near if the angles that it would sweep,
+    The paper does not define "near the steep slopes". Here, a step is near if the angles that it would sweep,
     theta to theta + omega*step + alpha*step^2/2, touch a segment in which a restraint is still in tension
     (x_0 to x_1 or x_2 to x_3 of either side). Such a step is replaced by `refinement` steps of equal length.
 
     Args:
-        joystick: its parameters, without dry friction, which the paper does not have
+        joystick: parameters of the joystick, without dry friction, which the paper does not have
         duration: length of the run (s), rounded to a whole number of steps, at least one
         theta_start: angle at the start (rad), |theta_start| < pi/2
         omega_start: angular velocity at the start (rad/s)
-        torque: driving torque (N m) as a function of time (s); none is free oscillation
+        torque: driving torque (N m) as a function of time (s); None for free oscillation
         step: time step (s), also the spacing of the output
-        refinement: number of steps that replace one near the steep slopes
+        refinement: number of steps that replace each step near the steep slopes
 
     Returns:
         the motion at 0, step, 2*step, ...; without events and turning points
@@ -86,7 +86,7 @@ def simulate_rk4(
 def _step(
     acceleration: Acceleration, time: float, theta: float, omega: float, length: float
 ) -> tuple[float, float]:
-    """One step of the classical fourth-order method."""
+    """Take one step of the classical fourth-order method."""
     half = 0.5 * length
     alpha_1 = acceleration(time, theta, omega)
     omega_2 = omega + half * alpha_1

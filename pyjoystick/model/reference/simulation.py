@@ -1,4 +1,4 @@
-"""The motion of the joystick to 1e-10 rad: eq. (1), with the torque of eq. (13) where one is given."""
+"""Motion of the joystick to 1e-10 rad: eq. (1), with the torque of eq. (13) if one is given."""
 
 from __future__ import annotations
 
@@ -33,20 +33,21 @@ def simulate(
 ) -> Trajectory:
     """Integrate the equation of motion; every kink and the middle are located and restarted from.
 
-    So are, with dry friction, the instants at which the joystick sticks and slips.
+    With dry friction, so are the instants at which the joystick starts to stick or slip.
 
-    The method is Dormand and Prince's of eighth order. Output points are steps of the method that end
-    there, so they are as accurate as the integration, whatever their spacing.
+    The method is that of Dormand and Prince of eighth order. Each output point is the end of a step of the
+    method, and thus as accurate as the integration, whatever the spacing.
 
     Args:
-        joystick: its parameters
-        time: instants at which the motion is wanted (s), shape (n,), n >= 2, strictly increasing; the run
-            starts at the first one and ends at the last
+        joystick: parameters of the joystick
+        time: output times (s), shape (n,), n >= 2, strictly increasing; the run starts at the first and ends
+            at the last
         theta_start: angle at the start (rad), |theta_start| < pi/2
         omega_start: angular velocity at the start (rad/s)
-        torque: driving torque (N m) as a function of time (s), smooth but for jumps and kinks at
-            `torque_breakpoints`, where its value is that of the right-hand side; none is free oscillation.
-            While the joystick sticks, only changes are seen that last 50 ms, or 1e-4 of the wait if more
+        torque: driving torque (N m) as a function of time (s), smooth except for jumps and kinks at
+            `torque_breakpoints`, where its value is the limit from the right; None for free oscillation.
+            While the joystick sticks, only changes are detected that last 50 ms or, if longer, 1e-4 of the
+            time until the next breakpoint or the end
         torque_breakpoints: instants (s), in any order; those outside the run are ignored
         tolerance: largest estimated error of a step (rad and rad/s); the default gives 1e-10 rad after 1.5 s
 
@@ -90,7 +91,7 @@ def simulate(
 def _spans(
     integration: Integration, instants: FloatArray, breakpoints: Iterable[float]
 ) -> Iterator[tuple[Step | Rest, float]]:
-    """All steps of the run and the times they reach; the breakpoints of the torque are among these."""
+    """Yield all steps of the run with the times they reach, which include the breakpoints of the torque."""
     start, end = float(instants[0]), float(instants[-1])
     inner = {finite("torque_breakpoints", value, "s") for value in breakpoints}
     for _, stop in pairwise([start, *sorted(value for value in inner if start < value < end), end]):

@@ -1,4 +1,4 @@
-"""Integration with dry friction: the motion slides either way or sticks, and every change is located."""
+"""Integration with dry friction: the joystick slides either way or sticks, and each change is located."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from pyjoystick.model.reference.integration import Event, Integration, Rest, Tur
 
 
 class StickSlipIntegration(Integration):
-    """A motion that friction opposes while it slides, and ends where it can hold against everything else.
+    """Integration of a motion that friction opposes, and that ends where friction balances all else.
 
     Attributes:
         mode: 1 and -1 while the joystick slides forward and backward, 0 while it sticks
@@ -36,7 +36,7 @@ class StickSlipIntegration(Integration):
         return super()._advance(end, latest) if self.mode else self._rest(end, latest)
 
     def _mode_at_rest(self) -> int:
-        """Where all but the friction pushes the joystick that is at rest, 0 where friction holds it."""
+        """Return the direction in which all but friction pushes from rest; 0 if the joystick sticks."""
         push = self._branch.acceleration(self._time, self._theta, 0.0)
         hold = self._branch.friction(self._theta, 0.0)
         return (push > hold) - (push < -hold)
@@ -50,16 +50,16 @@ class StickSlipIntegration(Integration):
             self.events.append(Event(self._time, kind, before or self.mode, self._theta, 0.0))
 
     def _turned(self) -> None:
-        """Nothing: the next step settles whether it turns or sticks."""
+        """Do nothing: the next step decides whether the joystick reverses or sticks."""
 
     def _take(self, step: Step, heading: int, length: float, theta: float, omega: float, end: float) -> None:
         if heading == self.mode:
             super()._take(step, heading, length, theta, omega, end)
-        else:  # a push that exceeds the friction by rounding errors does not move it
+        else:  # a push that exceeds friction only by rounding does not move the joystick
             self._time = end if step.time + length >= end else step.time + length
 
     def _controlled(self, step: Step, end: float) -> tuple[float, float, float]:
-        """As without friction, with steps so short where omega falls that none leaps over Stribeck's peak."""
+        """Control a step as without friction, but keep it too short to skip the Stribeck peak."""
         speed, rate = abs(step.omega), abs(step.alpha)
         if self._stribeck > 0.0 and rate > 0.0:
             way = max(0.5 * (speed - _PEAK * self._stribeck), 0.25 * self._stribeck)
@@ -83,15 +83,16 @@ class StickSlipIntegration(Integration):
         return rest, self._time
 
 
-#: Stribeck's share of the friction is less than rounding beyond this multiple of its velocity.
+#: Beyond this multiple of omega_s, the Stribeck part of friction is smaller than rounding errors.
 _PEAK: Final = 6.0
-#: A torque is looked at in spans (s) of this length first, and at most of this one or this part of the wait.
+#: A torque is searched in spans: the first of length `_FIRST` (s), others up to the larger of `_LONGEST` (s)
+#: and `_LONGEST_PART` of the wait.
 _FIRST: Final = 1e-3
 _LONGEST: Final = 0.05
 _LONGEST_PART: Final = 1e-4
-#: Spans this short (s) are taken as they are, though the torque is not smooth in them.
+#: Spans of this length (s) or less are accepted even if the torque is not smooth in them.
 _SHORTEST: Final = 1e-6
-#: A span is resolved where the last coefficients of its Chebyshev series are this part of the largest.
+#: A span is resolved if the last coefficients of its Chebyshev series are at most this part of the largest.
 _RESOLVED: Final = 1e-9
 _DEGREE: Final = 16
 _NODES: Final = chebyshev.chebpts2(_DEGREE + 1)
@@ -101,17 +102,17 @@ _TO_COEFFICIENTS: Final = np.linalg.inv(chebyshev.chebvander(_NODES, _DEGREE))
 def first_excess(
     function: Callable[[float], float], bound: float, start: float, end: float, longest: float
 ) -> float | None:
-    """The first instant at which the magnitude of a function of time exceeds a bound.
+    """Find the first instant at which the magnitude of a function of time exceeds a bound.
 
     Args:
-        function: smooth, at most `bound` in magnitude at `start`
+        function: smooth function of time (s), at most `bound` in magnitude at `start`
         bound: 0 or more
-        start: where to begin (s)
-        end: where to end (s)
-        longest: changes within a span this long (s) are seen
+        start: start of the search (s)
+        end: end of the search (s)
+        longest: longest span (s) searched at once; changes that last this long are detected
 
     Returns:
-        the earliest floating-point number beyond the crossing; None where there is none
+        the earliest floating-point number beyond the crossing; None if there is no crossing
     """
     length = _FIRST
     while start < end:
@@ -135,7 +136,7 @@ def first_excess(
 
 
 def _extremes(coefficients: np.ndarray[tuple[int], np.dtype[np.float64]]) -> list[float]:
-    """Where the slope of a Chebyshev series is zero, within -1 and 1."""
+    """Return where the slope of a Chebyshev series is zero, between -1 and 1."""
     slope = chebyshev.chebtrim(chebyshev.chebder(coefficients), 1e-14 * float(np.max(np.abs(coefficients))))
     return [
         float(root.real) for root in chebyshev.chebroots(slope) if abs(root.imag) < 1e-3 and abs(root) < 1.0
@@ -143,7 +144,7 @@ def _extremes(coefficients: np.ndarray[tuple[int], np.dtype[np.float64]]) -> lis
 
 
 def _crossing(function: Callable[[float], float], bound: float, inside: float, outside: float) -> float:
-    """The first floating-point number whose value is beyond the bound, by bisection."""
+    """Find the first floating-point number at which the value is beyond the bound, by bisection."""
     while inside < (middle := 0.5 * (inside + outside)) < outside:
         if abs(function(middle)) > bound:
             outside = middle

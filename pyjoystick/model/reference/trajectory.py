@@ -1,4 +1,4 @@
-"""The result of a run: the motion at the requested instants and everything that follows from it."""
+"""Result of a run: the motion at the requested instants, and the quantities that follow from it."""
 
 from __future__ import annotations
 
@@ -42,9 +42,10 @@ class Trajectory:
         M_f: dry friction moment (N m)
         M_stop: moment of a stop, against positive angles (N m)
         is_stuck: True while dry friction holds the joystick
-        events: passages of kinks and of the middle, in order (none where the method does not locate them)
-        turning_points: sign changes of omega, in order (likewise)
-        accepted, rejected: number of integration steps
+        events: events, such as passages of kinks and of the middle, in order; empty if the method does not
+            locate them
+        turning_points: sign changes of omega, in order; empty if the method does not locate them
+        accepted, rejected: numbers of accepted and rejected integration steps
     """
 
     time: FloatArray
@@ -81,9 +82,9 @@ def trajectory(
     accepted: int = 0,
     rejected: int = 0,
 ) -> Trajectory:
-    """The trajectory of a computed motion: time (s), theta (rad) and omega (rad/s) of one shape (n,).
+    """Return the trajectory of a computed motion: time (s), theta (rad) and omega (rad/s), all of shape (n,).
 
-    With dry friction, `mode` is 1 or -1 where the joystick slides forward or backward, 0 where it sticks.
+    With dry friction, `mode` is 1 or -1 while the joystick slides forward or backward, 0 while it sticks.
     """
     driving = np.zeros_like(time) if torque is None else np.array([torque(float(t)) for t in time])
     coefficient = damping_coefficient(joystick.damping, theta, omega)

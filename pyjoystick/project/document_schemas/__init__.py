@@ -1,1 +1,1 @@
-"""The JSON schema of the documents that commands write."""
+"""JSON schema of the documents that commands write."""

@@ -1,4 +1,4 @@
-"""What the schemas of documents are made of: numbers with units, rows, things with a name."""
+"""Building blocks for the schemas of documents: numbers with units, rows, named parameters."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import Final
 
 from pyjoystick.project.editor_schemas.blocks import TEXT, Schema, about, array, table
 
-#: A number, or null for one that is not finite or not known.
+#: A number, or null if it is not finite or not known.
 NUMBER: Final[Schema] = {"type": ["number", "null"]}
 COUNT: Final[Schema] = {"type": "integer", "minimum": 0}
 NUMBERS: Final = array(NUMBER, 0)
@@ -15,12 +15,12 @@ INTERVAL: Final = about(array(NUMBER, 2, 2), "lower and upper end")
 
 
 def si(unit: str, text: str = "") -> Schema:
-    """A number in this unit."""
+    """Return the schema of a number in this unit."""
     return about(NUMBER, f"{text}, in {unit}" if text else unit)
 
 
 def entry(*optional: str, **keys: Schema) -> Schema:
-    """An object with these keys and no others, all of them but the optional ones.
+    """Return the schema of an object with these keys and no others; all but the optional ones are required.
 
     Args:
         optional: names of keys that may be missing
@@ -30,22 +30,22 @@ def entry(*optional: str, **keys: Schema) -> Schema:
 
 
 def rows(*optional: str, **columns: Schema) -> Schema:
-    """A table: a list of objects with these keys."""
+    """Return the schema of a table: a list of objects with these keys."""
     return array(entry(*optional, **columns), 0)
 
 
 def or_null(schema: Schema) -> Schema:
-    """The same, or null where there is none."""
+    """Extend a schema to allow null, for a value that does not exist."""
     return {"anyOf": [schema, {"type": "null"}]}
 
 
 def parameters(**columns: Schema) -> Schema:
-    """Parameters by their names in the FMU, with a value each and these columns."""
+    """Return the schema of a table of parameters: name in the FMU, value, and these columns."""
     name = about(TEXT, "as in the FMU")
     return rows(name=name, value=about(NUMBER, "in the unit of the FMU"), **columns)
 
 
-#: The joystick that was run.
+#: Parameters of the simulated joystick.
 JOYSTICK: Final = parameters(unit=TEXT)
-#: Which FMU was run.
+#: Identity of the FMU that was run.
 FMU: Final = entry(path=TEXT, model=TEXT, made_by=TEXT, made_at=TEXT, guid=TEXT)

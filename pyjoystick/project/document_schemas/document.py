@@ -1,4 +1,4 @@
-"""The schema that all documents satisfy: what they have in common, and what each command says."""
+"""Schema of all documents: their common keys, and the content specific to each command."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pyjoystick.project.document_schemas import identification, measurements, mo
 from pyjoystick.project.document_schemas.blocks import TEXTS, entry
 from pyjoystick.project.editor_schemas.blocks import TEXT, Schema, about, mapping
 
-#: What the document of each command says, with the keys that may be missing.
+#: Content of each command's document, and the names of its optional keys.
 _CONTENTS: Final[dict[str, tuple[dict[str, Schema], tuple[str, ...]]]] = {
     "info": (models.INFO, ()),
     "parameters": (models.PARAMETERS, ()),
@@ -31,7 +31,7 @@ _CONTENTS: Final[dict[str, tuple[dict[str, Schema], tuple[str, ...]]]] = {
 
 
 def document_schema() -> Schema:
-    """The schema of the documents of all commands."""
+    """Return the schema of the documents of all commands."""
     envelope: dict[str, Schema] = {
         "notes": about(TEXTS, "what the command noted on its input and result"),
         "made_with": about(mapping(TEXT), "versions by package"),
@@ -56,5 +56,5 @@ def document_schema() -> Schema:
 
 
 def _key(command: str) -> str:
-    """The name of a definition, which is part of an address."""
+    """Return the name of a command's definition, in a form that is valid in a URI reference."""
     return command.replace(" ", "-")

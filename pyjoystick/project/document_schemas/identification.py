@@ -1,4 +1,4 @@
-"""The documents on parameters that motions determine: peaks, fit, budget, design."""
+"""Documents on the identification of parameters from motions: peaks, fit, budget, design."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The documents of ``pyjoystick import``."""
+"""Documents of ``pyjoystick import``."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The documents on FMUs and parameter files."""
+"""Documents on FMUs and parameter files."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ _DIFFERENCES: Final = rows(
     judged=FLAG,
     within_limit=FLAG,
 )
-#: Of two FMUs alone.
+#: Only in a comparison of two FMUs.
 COMPARE_OPTIONAL: Final = ("declarations",)
 COMPARE: Final[dict[str, Schema]] = {
     "fmus": {"type": "array", "items": FMU, "minItems": 1, "maxItems": 2},

@@ -1,4 +1,4 @@
-"""The documents on motions that are simulated: free oscillation, torque, response, vibration."""
+"""Documents on computed motions and torques: free oscillation, torque, response, vibration."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from pyjoystick.project.document_schemas.models import LAW
 from pyjoystick.project.editor_schemas.blocks import FLAG, TEXT, Schema, about, array
 
 _TRUSTED: Final = si("s", "until then a small error stays small; null: to the end")
-#: With --trusted alone.
+#: Only with --trusted.
 FREE_OSCILLATION_OPTIONAL: Final = ("trusted_until",)
 FREE_OSCILLATION: Final[dict[str, Schema]] = {
     "fmu": FMU,
@@ -79,12 +79,12 @@ _UNSETTLED: Final = entry(
     trusted_until=_TRUSTED,
     section=about(array(array(NUMBER, 2, 2), 0), "theta and omega once a period, in rad and rad/s"),
 )
-#: Of --vary alone. The varied parameter is a further column, so rows of these tables may have others.
+#: Only with --vary. The varied parameter adds a column, so the rows of these tables allow other keys.
 RESPONSE_OPTIONAL: Final = ("free", "limits", "branches", "points", "special")
 
 
 def _varied(**columns: Schema) -> Schema:
-    """A table with the column of the varied parameter, whatever its name."""
+    """Return the schema of a table that also has the column of the varied parameter, of any name."""
     row = entry(**columns)
     return array(row | {"additionalProperties": NUMBER}, 0)
 

@@ -1,4 +1,4 @@
-"""What schemas are made of: types, tables, lists and quantities with a unit."""
+"""Building blocks for schemas: types, tables, lists and quantities with a unit."""
 
 from __future__ import annotations
 
@@ -19,28 +19,28 @@ VALUE: Final[Schema] = {"type": ["number", "string", "boolean"]}
 
 
 def table(required: tuple[str, ...] = (), /, **keys: Schema) -> Schema:
-    """A table with these keys and no others."""
+    """Return the schema of a table with these keys and no others."""
     found: Schema = {"type": "object", "properties": keys, "additionalProperties": False}
     return found | ({"required": list(required)} if required else {})
 
 
 def mapping(values: Schema) -> Schema:
-    """A table with any keys and values of one kind."""
+    """Return the schema of a table with any keys, and with values of one kind."""
     return {"type": "object", "additionalProperties": values}
 
 
 def array(of: Schema, least: int = 1, most: int | None = None) -> Schema:
-    """A list of that many entries of one kind; without `most`, of any number from `least` on."""
+    """Return the schema of a list of `least` to `most` entries of one kind; None means no upper limit."""
     return {"type": "array", "items": of, "minItems": least} | ({} if most is None else {"maxItems": most})
 
 
 def about(schema: Schema, text: str) -> Schema:
-    """The schema with a description, which editors show."""
+    """Add a description, which editors show, to a schema."""
     return schema | {"description": text}
 
 
 def quantity(kind: str, text: str = "") -> Schema:
-    """A number in the SI unit, or text with a unit of that kind."""
+    """Return the schema of a number in the SI unit, or of text with a unit of this kind."""
     si, *others = motion.UNITS[kind]
     unit = f"{si}, or text with a unit: {', '.join(others)}" if others else si
     return about(AMOUNT, f"{text} ({unit})".strip())

@@ -1,7 +1,7 @@
-"""JSON schemas of all TOML files, with which editors complete keys and mark mistakes, and of documents.
+"""JSON schemas of all TOML files, with which editors complete keys and mark errors, and of documents.
 
-A schema knows names, types and choices. Mistakes that depend on an FMU or on several values together are
-left to the reader of the file, `pyjoystick check`. No schema refuses what its reader takes.
+A schema covers names, types and choices. Errors that depend on an FMU or on several values together are left
+to the reader of the file, see `pyjoystick check`. No schema refuses a file that its reader accepts.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from pyjoystick.support import write_text
 
 
 def schemas() -> dict[str, Schema]:
-    """The schemas by file name: ``laboratory.schema.json`` and so on."""
+    """Return the schemas by file name: ``laboratory.schema.json`` and so on."""
     titled = {
         "laboratory": ("A project of pyjoystick: what a laboratory's files are", laboratory_schema()),
         "joystick": ("The parameters of a joystick, in SI units", parameter_schema()),
@@ -37,7 +37,7 @@ def schemas() -> dict[str, Schema]:
 
 
 def write_schemas(folder: str | PathLike[str]) -> list[Path]:
-    """Write all schemas into a folder; returns the files, and raises OutputFileError."""
+    """Write all schemas to a folder and return their files; raises OutputFileError."""
     paths = []
     for name, schema in schemas().items():
         paths.append(Path(folder) / name)

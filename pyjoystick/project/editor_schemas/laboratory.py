@@ -1,4 +1,4 @@
-"""The schema of ``laboratory.toml``, table by table."""
+"""Schema of ``laboratory.toml``, table by table."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _FILES: Final[Schema] = {
     "anyOf": [TEXT, array(TEXT)],
     "description": "name, pattern such as data/*.c3d, or list",
 }
-#: The form of a table of numbers.
+#: Keys for the layout of a table of numbers.
 _LAYOUT: Final[dict[str, Schema]] = {
     **dict.fromkeys(("sheet", "delimiter", "encoding"), TEXT),
     "decimal": {"enum": ["", ".", ","]},
@@ -36,7 +36,7 @@ _LAYOUT: Final[dict[str, Schema]] = {
 
 
 def laboratory_schema() -> Schema:
-    """The schema of ``laboratory.toml``."""
+    """Return the schema of ``laboratory.toml``."""
     curve = _load_curve()
     return table(
         title=TEXT,
@@ -57,7 +57,7 @@ def laboratory_schema() -> Schema:
 
 
 def _stated(keys: tuple[str, ...]) -> Schema:
-    """Quantities that are stated, each with its uncertainty."""
+    """Return the schema of stated quantities, each with its uncertainty."""
     places = {
         place: quantity(KINDS[key], text)
         for key in keys

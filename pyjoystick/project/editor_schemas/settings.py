@@ -1,4 +1,4 @@
-"""The schemas of parameter files, and of the settings of sweeps, fits and live pages."""
+"""Schemas of parameter files, and of the settings of sweeps, fits and live pages."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from pyjoystick.project.editor_schemas.blocks import (
 
 
 def parameter_schema() -> Schema:
-    """The schema of a parameter file."""
+    """Return the schema of a parameter file."""
 
     def numbers(keys: tuple[str, ...], optional: tuple[str, ...] = ()) -> Schema:
         found = {name: one for key in keys for name, one in ((key, NUMBER), (f"u_{key}", NUMBER))}
@@ -52,7 +52,7 @@ def parameter_schema() -> Schema:
 
 
 def sweep_schema() -> Schema:
-    """The schema of the settings of a sweep."""
+    """Return the schema of the settings of a sweep."""
     experiment = ("start", "duration", "output_interval", "tolerance", "time_limit")
     vary = table(
         values=array(VALUE),
@@ -93,7 +93,7 @@ def sweep_schema() -> Schema:
 
 
 def explore_schema() -> Schema:
-    """The schema of the table ``[explore]``, which `fmu_build` reads from a file that may have others."""
+    """Return the schema of the table ``[explore]`` for `fmu_build`; the file may have other tables."""
     above_zero = {"type": "number", "exclusiveMinimum": 0}
     ends = table(("min", "max"), min=NUMBER, max=NUMBER, scale={"enum": ["linear", "log"]})
     names, values = array(TEXT, 0), mapping(NUMBER)
@@ -112,7 +112,7 @@ def explore_schema() -> Schema:
 
 
 def fit_schema() -> Schema:
-    """The schema of the settings of a fit."""
+    """Return the schema of the settings of a fit."""
     free = table(**dict.fromkeys(("start", "minimum", "maximum", "uncertainty"), AMOUNT), per_record=FLAG)
     names = array(TEXT, 0)
     special = {
@@ -126,7 +126,7 @@ def fit_schema() -> Schema:
     }
 
     def of(kind: type[Any]) -> Schema:
-        """A table whose keys are the fields of a dataclass."""
+        """Return the schema of a table whose keys are the fields of a dataclass."""
         plain = {"bool": FLAG, "int": {"type": "integer"}}
         keys = {one.name: special.get(one.name) or plain[str(one.type)] for one in dataclasses.fields(kind)}
         return table(**keys)

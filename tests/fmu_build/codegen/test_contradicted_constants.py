@@ -121,7 +121,7 @@ def test_each_has_its_own_values(declarations: str, values: dict[str, float], tm
     [
         ("Real a = Lower.c*time;", r"Middle, or a class that it extends, gives c another"),
         ("Real a = Lower.f(time);", r"Middle, or a class that it extends, gives c another"),
-        ("Real a = Redeclared.c*time;", r"what a package redeclares keeps its former value"),
+        ("Real a = Redeclared.c*time;", r"a constant that a package redeclares keeps its former value"),
         (
             "UserOfTwo a; UserOfTwo b(redeclare package P = Three);",
             r"Three, Two have different values of c, .* in Frame would be the same",

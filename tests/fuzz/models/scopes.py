@@ -1,4 +1,4 @@
-"""What names mean in random models: records handed on, packages, outer components, redeclarations."""
+"""Meaning of names in random models: records passed on, packages, outer components, redeclarations."""
 
 from __future__ import annotations
 
@@ -8,15 +8,15 @@ from tests.fuzz.models.functions import random_function
 from tests.fuzz.models.terms import Scope, Term, Terms
 from tests.fuzz.models.writer import Writer
 
-#: What the values of parameters may follow from.
+#: Names on which the values of parameters may depend.
 CONSTANT: Final = Scope(reals=("p1", "p2", "q1"), integers=("n1",), booleans=("b1",))
 
 
 def handed_on(w: Writer) -> None:
-    """A record of parameters that goes through two components as a whole."""
+    """Add a record of parameters that is passed as a whole through two components."""
     first = Terms(w.random, Scope(reals=("stiffness",))).real(1)
     body = Terms(w.random, Scope(reals=("data.stiffness", "data.loss", "u", "time"))).real(2)
-    # A value that another one takes the place of is refused.
+    # A value that another one replaces is refused.
     inside = w.random.choice((*[""] * 8, "(stiffness = 7)", "(loss = 8)"))
     w.package.append(
         f"  record Law\n    Real stiffness = 1.5;\n    Real loss = {first.text};\n  end Law;\n"
@@ -43,7 +43,7 @@ def handed_on(w: Writer) -> None:
 
 
 def constants(w: Writer) -> None:
-    """A package with constants, one of which follows from the others, and a package that extends it."""
+    """Add a package with constants, one of which depends on the others."""
     a, n = round(w.random.uniform(-2, 2), 2), w.random.randint(1, 4)
     row = [round(w.random.uniform(-2, 2), 2) for _ in range(3)]
     whole = Terms(w.random, Scope(reals=("a",), integers=("n",), vectors=("row",))).real(1)
@@ -63,7 +63,7 @@ def constants(w: Writer) -> None:
 
 
 def surrounded(w: Writer) -> None:
-    """An outer component, found two components further in."""
+    """Add an inner component, to which a component two levels further down refers as outer."""
     field = Terms(w.random, Scope(reals=("g", "time"))).real(2)
     body = Terms(w.random, Scope(reals=("world.g", "world.field", "s", "time"))).real(2)
     w.package.append(
@@ -89,7 +89,7 @@ def surrounded(w: Writer) -> None:
 
 
 def cells(w: Writer) -> None:
-    """An array of components with arrays, modified by comprehensions; members with and without subscripts."""
+    """Add an array of components with arrays, modified by comprehensions, and use some of its members."""
     body = Terms(w.random, Scope(reals=("k", "u", "time"), integers=("i",))).real(2)
     w.package.append(
         "  model Cell\n    parameter Real k = 1;\n    Real u;\n    Real x[2];\n  equation\n"
@@ -109,7 +109,7 @@ def cells(w: Writer) -> None:
 
             w.meaning.steps.append((f"cells[{c}].x[{i}]", value))
     w.observed += [f"cells[{c}].x[{i}]" for c in (1, 2, 3) for i in (1, 2)]
-    # Some of these are refused: the compiler takes the subscripts for those of the array of components.
+    # Some of these are refused: the compiler applies the subscripts to the array of components.
     forms = [("cells[2].x[1] - cells[3].x[2]", lambda v: v["cells[2].x[1]"] - v["cells[3].x[2]"])] * 3
     forms += [
         ("sum(cells[2].x)", lambda v: v["cells[2].x[1]"] + v["cells[2].x[2]"]),
@@ -121,13 +121,13 @@ def cells(w: Writer) -> None:
 
 
 def redeclared(w: Writer) -> None:
-    """A component and a function that are redeclared, in a modifier or in an extends clause."""
+    """Add a component and a function, either of which may be redeclared in a modifier or extends clause."""
     functions = [random_function(f"way{i}", w.random, (), kinds=("scalar",)) for i in (1, 2)]
     bodies = [Terms(w.random, Scope(reals=("k", "time"))).real(2) for _ in range(2)]
     w.package.append(
         "  partial function way\n    input Real u1;\n    output Real y;\n  end way;\n"
         + "\n".join(
-            # They extend the interface, as what takes the place of another must be of its type.
+            # They extend the interface, because a replacement must be of the same type.
             text.replace("    input Real u1;\n    output Real y;", "    extends way;")
             for text, _ in functions
         )

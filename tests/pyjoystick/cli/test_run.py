@@ -42,7 +42,7 @@ def test_a_new_project_replaces_nothing(command: Command, tmp_path: Path) -> Non
     for arguments in (["new", "stick"], ["new", "stick", "--example"]):
         outcome = command(*arguments)
         assert outcome.code == 1
-        assert outcome.message == "stick/laboratory.toml exists; a new project replaces nothing"
+        assert outcome.message == "stick/laboratory.toml exists; a new project does not overwrite files"
 
 
 def test_a_folder_that_is_no_project(command: Command) -> None:
@@ -57,7 +57,7 @@ def test_a_file_in_the_way_of_a_folder(command: Command, tmp_path: Path) -> None
     Path("stick/data").touch()
     outcome = command("new", "stick")
     assert outcome.code == 1
-    assert "the folder cannot be made" in outcome.message
+    assert "the folder cannot be created" in outcome.message
 
 
 def test_a_named_file_that_is_not_there(command: Command, small: Path) -> None:
@@ -65,7 +65,7 @@ def test_a_named_file_that_is_not_there(command: Command, small: Path) -> None:
     (small / "parts.csv").rename(small / "other.csv")
     outcome = command("run")
     assert outcome.code == 1
-    assert "parts.csv is not there, though laboratory.toml names it" in " ".join(outcome.out.split())
+    assert "parts.csv does not exist, though laboratory.toml names it" in " ".join(outcome.out.split())
 
 
 def test_nothing_can_be_done_yet(command: Command) -> None:
@@ -78,12 +78,12 @@ def test_nothing_can_be_done_yet(command: Command) -> None:
 
 @pytest.mark.usefixtures("small")
 def test_plan_run_and_run_again(command: Command) -> None:
-    assert "parts                    do       it was not done yet" in command("run", "--plan").out
+    assert "parts                    do       it has not been done yet" in command("run", "--plan").out
     outcome = command("run")
     assert outcome.code == 0
     assert "m = 0.71 kg" in outcome.out
     assert "parts: done" in outcome.err
-    assert "note: the damping is that of the paper's joystick" in outcome.err
+    assert "note: the damping is taken from the paper's joystick" in outcome.err
     assert " nothing " in command("run", "--plan").out
     again = command("run")
     assert (again.code, again.out.count("unchanged")) == (0, 4)

@@ -35,18 +35,18 @@ def test_a_new_project_has_nothing_to_do_and_says_what_is_missing(tmp_path: Path
     new_project(tmp_path / "new")
     plan = plan_project(tmp_path / "new", find=_none)
     assert {one.plan for one in plan} == {"missing"}
-    assert "data/forward.csv is not there, though laboratory.toml names it" in {one.why for one in plan}
+    assert "data/forward.csv does not exist, though laboratory.toml names it" in {one.why for one in plan}
 
 
 def test_only_what_there_are_files_for_is_done(tmp_path: Path) -> None:
     found = _assembly(tmp_path, '[parts]\nfile = "parts.csv"\n[swing]\nfile = "no.csv"', "parts.csv")
     assert _names(found) == ["parts", "joystick before the fit", "joystick", "FMUs", "report"]
     missing = {one.name: one.reason for one in found.missing}
-    assert missing["swing"] == "no.csv is not there, though laboratory.toml names it"
+    assert missing["swing"] == "no.csv does not exist, though laboratory.toml names it"
     assert missing["load curve forward"] == "laboratory.toml has no [load_curve.forward]"
     assert missing["records"] == "laboratory.toml has neither [[markers]] nor [[record]]"
-    assert "the damping is that of the paper's joystick" in found.notes
-    assert "the springs of the forward side are those of the paper's joystick" in found.notes
+    assert "the damping is taken from the paper's joystick" in found.notes
+    assert "the springs of the forward side are taken from the paper's joystick" in found.notes
 
 
 def test_the_example_has_all_steps(tmp_path: Path) -> None:
@@ -75,7 +75,7 @@ def test_patterns_find_files_in_order_and_each_once(tmp_path: Path) -> None:
         "record b",
         "record c",
     ]
-    assert [one.reason for one in found.missing if one.name == "records"] == ["no file is called none*"]
+    assert [one.reason for one in found.missing if one.name == "records"] == ["no file matches none*"]
 
 
 def test_a_fit_of_one_s_own_has_no_budget_and_no_peaks(tmp_path: Path) -> None:
@@ -149,8 +149,8 @@ def test_every_number_of_the_paper_is_named(text: str, names: list[str], tmp_pat
     (tmp_path / "fit.toml").write_text('[free]\n"damping.C" = {}\n', encoding="utf-8")
     (tmp_path / "r.csv").touch()
     notes = _assembly(tmp_path, text).notes
-    base = "is that of the paper's joystick"
-    names = [*names, "length of the handle (pivot_to_top), for which the report has forces,"]
+    base = "is taken from the paper's joystick"
+    names = [*names, "length of the handle (pivot_to_top), with which the report computes forces,"]
     assert [note for note in notes if "springs" not in note and "damping" not in note] == [
         f"the {name} {base}" for name in names
     ]

@@ -149,7 +149,7 @@ def test_peaks_of_a_joystick_whose_inertia_was_not_measured(
     [note] = done.notes
     found = json.loads((tmp_path / "results" / "peaks" / "peaks.json").read_text(encoding="utf-8"))
     both = {one["name"]: one["corrected"] for one in found["constants"]}["both"]
-    begins = "the swings last as long" if known else "J is not measured: C is for"
+    begins = "with these springs, the periods" if known else "J is not measured: C is based on"
     assert note.startswith(begins)
     assert float(note.partition("J = ")[2].split()[0]) == pytest.approx(0.0071, rel=0.05)
     assert both == pytest.approx(0.03 * NOMINAL.J / 0.0071 if known else 0.03, rel=0.1)

@@ -48,7 +48,7 @@ def test_half_the_hysteresis_of_both_curves_is_the_friction_of_the_plungers(tmp_
 def test_without_a_word_of_it_the_hysteresis_is_noted_and_left_to_the_machine(tmp_path: Path) -> None:
     notes = _curves_alone(tmp_path, "true", "false")
     [note] = [one for one in notes if "hysteresis" in one]
-    assert "counts as friction of the testing machine" in note
+    assert "is attributed to friction in the testing machine" in note
     assert "friction = true in [load_curve.backward]" in note
 
 

@@ -46,7 +46,7 @@ def test_a_second_run_does_nothing_and_still_tells_the_results(done: Toy) -> Non
 
 
 def test_the_plan_says_what_is_new(toy: Toy) -> None:
-    assert set(_plans(toy).values()) == {("do", "it was not done yet")}
+    assert set(_plans(toy).values()) == {("do", "it has not been done yet")}
     assert not (toy.root / "results").exists()
     assert toy.done == []
 
@@ -56,7 +56,7 @@ def test_only_what_hangs_on_a_changed_file_is_done(done: Toy) -> None:
     plans = _plans(done)
     assert plans["make a.txt"] == ("do", "a.txt has changed")
     assert plans["make b.txt"][0] == "nothing"
-    assert plans["both"] == ("perhaps", "if make a.txt comes out otherwise")
+    assert plans["both"] == ("perhaps", "if the result of make a.txt changes")
     done.run()
     assert done.done == ["make a.txt", "both"]
 
