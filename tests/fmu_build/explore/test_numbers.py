@@ -48,9 +48,10 @@ def test_random_joysticks_have_the_bits_of_the_same_module_in_wasmtime(
     page = live(model, "#T:table=&:step=0.005")
     with Fmu(pages.fmu(model), sandbox=True) as fmu:
         for case in random_joysticks(fmu.description, 50, seed=23):
-            values = "&".join(f"{name}={float(value)!r}" for name, value in case.items())
+            values = [f"{name}={float(value)!r}" for name, value in case.items()]
+            address = "&".join([*values, "T:table=", ":step=0.005"])
             with page.rerun():
-                page.page.evaluate("address => { location.hash = address; }", f"{values}&T:table=&:step=0.005")
+                page.page.evaluate("address => { location.hash = address; }", address)
             shown = page.csv()
             expected = fmu.run(0.005 * np.arange(301), parameters=case, outputs=list(shown.columns))
             assert np.ptp(expected["theta"]) > 0.01
