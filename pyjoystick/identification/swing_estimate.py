@@ -60,7 +60,8 @@ def swing_estimate(
         inertia: J (kg m2) if it is known; only C is then estimated
 
     Returns:
-        the estimates; None if no record shows two swings of this joystick after its release
+        the estimates; None if no record shows two swings of this joystick after its release, if the springs
+            do not make it oscillate, or if the swings lose no energy
     """
     seen = [found for found in map(_peaks, records) if found is not None]
     try:

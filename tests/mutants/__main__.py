@@ -36,7 +36,10 @@ def main() -> int:
         "--seed", type=int, default=random.randrange(2**31), help="default: a new one each time"
     )
     parser.add_argument(
-        "--seconds", type=float, default=180.0, help="time limit for one mutant (default: 180)"
+        "--seconds",
+        type=float,
+        default=180.0,
+        help="time limit for one mutant (default: 180); the run without a change has ten times as long",
     )
     parser.add_argument("--tests", nargs="+", metavar="PATH", help="default: the tests that mirror the place")
     settings = parser.parse_args()

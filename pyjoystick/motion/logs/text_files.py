@@ -28,6 +28,7 @@ _BOMS: Final = {
 _ENCODINGS: Final = ["cp1252", "cp1250", "cp1251", "mac_roman", "cp437", "shift_jis", "gb18030", "euc_kr"]
 #: Number of bytes used to detect the encoding.
 _ENOUGH: Final = 1 << 16
+_LABVIEW_END: Final = "***End_of_Header***"
 #: A heading with its unit, if spaces separate the columns.
 _WORD: Final = re.compile(r"[^\s(\[]+(?:\s*[(\[][^)\]]*[)\]])?")
 
@@ -91,7 +92,7 @@ def find_in_text(path: Path, text: str, layout: Layout) -> tuple[Candidate | Non
     numbered = enumerate(re.split("\r\n|\r|\n", text), start=1)
     lines = [(number, line.strip(" ")) for number, line in numbered if line.strip()]
     remarks = [(number, line.lstrip("#%/ ")) for number, line in lines if _is_remark(line)]
-    lines = [(number, line) for number, line in lines if not _is_remark(line)]
+    lines = _after_labview_headers(path, [(number, line) for number, line in lines if not _is_remark(line)])
     comments = tuple(line.strip() for _, line in remarks)
     given = _DELIMITERS.get(layout.delimiter, "\t" if layout.delimiter == "\\t" else layout.delimiter)
     found: list[Candidate] = []
@@ -141,6 +142,27 @@ def delimiter_name(delimiter: str) -> str:
 def _is_remark(line: str) -> bool:
     first = line.lstrip()
     return first.startswith(_REMARKS) and not first.casefold().startswith(("#n/a", "#nv", "#div/0!", "#num!"))
+
+
+def _after_labview_headers(path: Path, lines: list[tuple[int, str]]) -> list[tuple[int, str]]:
+    """The lines after the headers of a LabVIEW measurement file (.lvm); all lines of another file.
+
+    The last heading is that of the comments, which most files do not have.
+
+    Raises:
+        RecordError: the file holds several measurements
+    """
+    ends = [i for i, (_, line) in enumerate(lines) if line.startswith(_LABVIEW_END)]
+    if not ends:
+        return lines
+    if len(ends) > 2:
+        reason = f"holds {len(ends) - 1} measurements, each with a header"
+        raise RecordError(str(path), reason, "keep one of them", rows=[lines[ends[2]][0]])
+    found = lines[ends[-1] + 1 :]
+    if len(found) > 1 and len(found[0][1].split("\t")) > len(found[1][1].split("\t")):
+        number, headings = found[0]
+        found[0] = number, headings.removesuffix("\tComment")
+    return found
 
 
 def _split(path: Path, lines: Sequence[tuple[int, str]], delimiter: str) -> list[Row]:

@@ -482,3 +482,37 @@ def test_degrees_under_the_name_of_radians_are_told_in_a_turn_too(tmp_path: Path
     radians = written(tmp_path / "radians.csv", text(("time (s)", "theta (rad)"), TIME, ANGLE))
     with pytest.raises(RecordError, match="degrees under the name of radians"):
         read_log(radians)
+
+
+LABVIEW = """LabVIEW Measurement\t
+Writer_Version\t2
+Separator\tTab
+Decimal_Separator\t.
+Multi_Headings\tNo
+Time\t14:03:11.5017
+***End_of_Header***\t
+\t
+{}"""
+CHANNELS = """Channels\t1\t\t
+Samples\t120\t\t
+Time\t14:03:11.6\t\t
+Y_Unit_Label\tdeg\t\t
+Delta_X\t0.004000\t\t
+***End_of_Header***\t\t\t
+"""
+
+
+@pytest.mark.parametrize("comment", ["", "\t", "\tpause"], ids=["no cells", "empty cells", "comments"])
+def test_a_labview_measurement(comment: str, tmp_path: Path) -> None:
+    """The headings have a column more than the data if there are no comments."""
+    rows = "".join(f"{t:.6f}\t{a:.6f}{comment}\n" for t, a in zip(TIME, ANGLE, strict=True))
+    table = f"{CHANNELS}X_Value\tAngle\tComment\n{rows}"
+    file = written(tmp_path / "log.lvm", LABVIEW.format(table), "utf-8")
+    names = {"columns": {"time": "X_Value", "theta": "Angle"}, "units": {"time": "s", "theta": "deg"}}
+    log = read_log(file, **names)
+    np.testing.assert_allclose(log.series["time"], TIME, rtol=0.0, atol=1e-9)
+    np.testing.assert_allclose(log.series["theta"], DEG * ANGLE, rtol=0.0, atol=1e-9)
+
+    file = written(tmp_path / "two.lvm", LABVIEW.format(2 * table), "utf-8")
+    with pytest.raises(RecordError, match=r"two.lvm, row 141: holds 2 measurements"):
+        read_log(file, **names)
