@@ -20,6 +20,7 @@ from fmu_build.packaging import binaries, wasm_module
 from fmu_build.packaging.binaries import COMPILER_FLAGS
 from fmu_build.packaging.module import module_name
 from fmu_build.packaging.sources import c_files, fmi_header, module_face
+from fmu_build.support.cache import Store
 from pyjoystick.fmu import MODELS, Fmu
 from tests.fmu_build.random_joysticks import random_joysticks
 from tests.pyjoystick.fmu.sandbox.hostile import with_module
@@ -95,10 +96,10 @@ def test_the_same_sources_give_the_same_bytes(
     module_of: Modules, joystick_fmus: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Compiled anew, not taken from the cache of modules."""
-    cache_of_modules = tmp_path / "modules"
-    monkeypatch.setattr(binaries, "runtime_folder", lambda: cache_of_modules)
-    assert wasm_module(joystick_fmus / "Operator.fmu") == wasm_module(module_of("Operator"))
-    assert list(cache_of_modules.glob("*.wasm")), "it was compiled"
+    expected = wasm_module(module_of("Operator"))
+    monkeypatch.setattr(Store, "folder", lambda store: tmp_path / store.name)
+    assert wasm_module(joystick_fmus / "Operator.fmu") == expected
+    assert list((tmp_path / binaries.STORE.name).glob("*.wasm")), "it was compiled"
 
 
 @pytest.mark.parametrize("name", MODELS)
