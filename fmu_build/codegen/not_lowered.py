@@ -14,6 +14,7 @@ _STAGE = re.compile(
     r"^(?:Target rendering error: |Lower Solve IR for target capability validation: )*"
     r"(?:.*unsupported checked DAE semantics: |DAE system is not computable: |invalid Solve IR contract: )?"
 )
+_RELATIONS = ("Lt", "Le", "Gt", "Ge", "Eq", "Neq")
 _ATTRIBUTES = ("start", "min", "max", "nominal")
 
 Obstacles = Iterator[tuple[str, Span | None]]
@@ -127,6 +128,21 @@ def _reinitialized_dependents(_: CompiledModel, __: re.Match[str]) -> Obstacles:
     )
 
 
+def _derivatives_at_events(model: CompiledModel, _: re.Match[str]) -> Obstacles:
+    """Find derivatives that are read at events: in when-clauses, relations and if-conditions."""
+    at_events = [model.flat["when_chains"]]
+    for equation in model.flat["equations"]:
+        at_events += [one for one in expressions(equation, "Binary") if one["op"] in _RELATIONS]
+        at_events += [branch[0] for one in expressions(equation, "If") for branch in one["branches"]]
+    for call in _calls(at_events, "Der"):
+        yield (
+            f"{model.text(call['span'])} is not supported in a when-clause or a relation; "
+            "introduce a variable that is equal to it",
+            call["span"],
+        )
+        return
+
+
 _FINDERS: tuple[tuple[str, Callable[[CompiledModel, re.Match[str]], Obstacles]], ...] = (
     ("", _strings),
     ("", _external_functions),
@@ -138,6 +154,7 @@ _FINDERS: tuple[tuple[str, Callable[[CompiledModel, re.Match[str]], Obstacles]],
     ("clock activation owners", _partly_sampled_clauses),
     ("matrix power", _matrix_powers),
     (r"index (-?\d+) is outside an axis of extent (\d+)", _absent_elements),
+    ("derivative coordinate escaped", _derivatives_at_events),
     ("missing state mapping for event reinitialization", _reinitialized_dependents),
     (r"structurally singular system: (\d+) matched out of (\d+) equations", _dependent_equations),
 )

@@ -10,6 +10,7 @@ from fmu_build.codegen.lost_modifiers import reject_lost_modifiers
 from fmu_build.codegen.lowered import LoweredModel, slot_of
 from fmu_build.codegen.member_slices import reject_member_slices
 from fmu_build.codegen.mistaken_names import reject_mistaken_names
+from fmu_build.codegen.not_discrete import reject_continuous_definitions
 
 
 def reject_unsupported(model: LoweredModel) -> None:
@@ -22,6 +23,7 @@ def reject_unsupported(model: LoweredModel) -> None:
     reject_member_slices(model)
     reject_lost_modifiers(model)
     reject_mistaken_names(model)
+    reject_continuous_definitions(model)
 
 
 def _reject_operators(model: LoweredModel) -> None:
