@@ -1,4 +1,4 @@
-"""Discrete variables and when-conditions that are given by expressions that change between events.
+"""Discrete variables that are given by expressions that change between events.
 
 Modelica forbids them (Modelica 3.6, section 3.8.4): a relation makes an event, but neither one in a function
 nor one within noEvent() does. rumoca reports them only where the model reads the variable; otherwise the
@@ -43,10 +43,6 @@ def _discrete_expressions(model: LoweredModel) -> Iterator[tuple[str, int, dict[
     for row in systems["discrete_real"]["residuals"]:
         if row["activation"]["kind"] == "always":
             yield "the value of a discrete Real", row["residual"], row["provenance"]
-    for condition in systems["conditions"]["conditions"]:
-        if condition["operation"]["kind"] == "discrete":
-            expression = condition["operation"]["expression"]
-            yield "the condition of a when-clause", expression, condition["provenance"]
 
 
 def _changing(model: LoweredModel, number: int, *, literal: bool = False) -> str | None:

@@ -1,4 +1,4 @@
-"""Discrete variables and when-conditions that would change between events are refused, others built."""
+"""Discrete variables that would change between events are refused, others built."""
 
 from __future__ import annotations
 
@@ -65,9 +65,6 @@ REST_OF_B = "y = 0; d = 0; n = 0;"
         (f"b = time > 0.5 and noEvent(x > 0.7); {REST_OF_B}", "b depends on x"),
         (f"n = if noEvent(time > 0.5) then 2 else 1; {REST_OF_N.replace('n;', '0;')}", "n depends on time"),
         ("d = time; n = 0; y = 0; b = false;", "a discrete Real depends on time"),
-        ("when large(x) then n = 1; end when; y = n; d = 0; b = false;", "when-clause depends on x"),
-        ("when noEvent(time > 0.5) then n = 1; end when; y = n; d = 0; b = false;", "depends on time"),
-        ("when {large(time), x > 2} then n = 1; end when; y = n; d = 0; b = false;", "depends on time"),
     ],
 )
 def test_what_changes_without_an_event_is_refused(tmp_path: Path, equations: str, message: str) -> None:
