@@ -20,6 +20,8 @@ from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.no_event import literal_comparisons
 from fmu_build.codegen.programs import ProgramReader
 
+_STEPS = ("Floor", "Ceil", "Trunc")
+
 
 @dataclass(frozen=True, slots=True)
 class Relation:
@@ -168,7 +170,7 @@ def read_relations(
     for number, target in enumerate(events["root_relation_memory_targets"]):
         if _is_step_crossing(rows[number]):
             continue  # see Relations.freeze_step
-        holds_at_zero = _holds_at_zero(model, rows[number], events["root_zero_domains"][number])
+        holds_at_zero = _holds_at_zero(model, rows[number], number)
         if target is None:
             unwatched.add((rows[number], holds_at_zero))
         else:
@@ -184,12 +186,26 @@ def _is_step_crossing(root: Expression) -> bool:
     return argument.operator == "Mul" and argument.arguments[0] == ex.number(math.pi)
 
 
-def _holds_at_zero(model: LoweredModel, root: Expression, domain: str) -> bool:
-    if domain == "Previous" and not ex.varies(root):
+def _holds_at_zero(model: LoweredModel, root: Expression, number: int) -> bool:
+    events = model.solve["events"]
+    domain = events["root_zero_domains"][number]
+    if domain == "Previous" and not ex.varies(_with_steps_frozen(root)):
         return False  # an equality of discrete values, written as a root of -1 or 1
     if domain not in ("NonPositive", "Positive"):
-        raise model.unsupported(f"a relation of zero domain {domain} is not supported")
+        span = events["root_conditions"]["program_spans"][number]
+        what = "an equality of values that relations decide is not supported; introduce a variable for each"
+        if model.text(span).startswith("assert"):
+            what = (
+                "an assert() in a function whose arguments change during the simulation is not supported; "
+                "put it into the model"
+            )
+        raise model.unsupported(what, span)
     return domain == "NonPositive"
+
+
+def _with_steps_frozen(root: Expression) -> Expression:
+    """Return the expression with a parameter for each floor(), ceil() and trunc(), which change at events."""
+    return ex.substitute(root, {node: ex.p(0) for node in ex.walk(root) if node.operator in _STEPS})
 
 
 def freeze_comparisons(
@@ -198,7 +214,7 @@ def freeze_comparisons(
     """Return the substitutions that make expressions read memories instead of comparing directly."""
     replacements: dict[Expression, Expression] = {}
     for node in ex.walk(*roots):
-        if node.operator in ("Floor", "Ceil", "Trunc") and ex.varies(node):
+        if node.operator in _STEPS and ex.varies(node):
             replacements[node] = relations.freeze_step(node)
         if node.operator in ("Lt", "Le", "Gt", "Ge"):
             memory = relations.freeze(node, unwatched)

@@ -13,6 +13,8 @@ _NAME = r"(?:[^`']*\.)?(?P<name>\w+)(?:\[[^`'.]*\])?"
 
 _VARIABLE = r"\s*\w+(?:\[[^\[\]]*\])?(?:\.\w+(?:\[[^\[\]]*\])?)*\s*"
 
+_UNBALANCED = r"unbalanced model: \d+ equations, \d+ unknowns"
+
 MEANINGS = (
     Meaning(
         r"`derivative expression`",
@@ -326,7 +328,15 @@ MEANINGS = (
         (r"\boperator\s+record\b",),
         only_there=True,
     ),
-    Meaning(r"(?P<all>unbalanced model: \d+ equations, \d+ unknowns)", ModelicaError, "{all}"),
+    Meaning(
+        rf"(?P<all>{_UNBALANCED})",
+        UnsupportedModelError,
+        "{all}, as the compiler counts them; it miscounts equations of slices of arrays of components, and "
+        "modifiers of the form each a(k = {{...}}): write the elements one by one",
+        (r"\w\s*\[[^\[\]]*:[^\[\]]*\]\s*\.\s*\w+", r"\beach\s+\w+\s*\([^()]*=\s*\{"),
+        only_there=True,
+    ),
+    Meaning(rf"(?P<all>{_UNBALANCED})", ModelicaError, "{all}"),
     Meaning(
         rf"(?P<all>connector '{_NAME}' is unbalanced: .*)",
         ModelicaError,
