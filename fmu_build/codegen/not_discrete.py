@@ -1,4 +1,4 @@
-"""Discrete variables that are given by expressions that change between events.
+"""Discrete variables and when-conditions that are given by expressions that change between events.
 
 Modelica forbids them (Modelica 3.6, section 3.8.4): a relation makes an event, but neither one in a function
 nor one within noEvent() does. rumoca reports them only where the model reads the variable; otherwise the
@@ -43,6 +43,29 @@ def _discrete_expressions(model: LoweredModel) -> Iterator[tuple[str, int, dict[
     for row in systems["discrete_real"]["residuals"]:
         if row["activation"]["kind"] == "always":
             yield "the value of a discrete Real", row["residual"], row["provenance"]
+    for condition in _conditions_of_clauses(systems):
+        if condition["operation"]["kind"] == "discrete":
+            expression = condition["operation"]["expression"]
+            yield "the condition of a when-clause", expression, condition["provenance"]
+
+
+def _conditions_of_clauses(systems: dict[str, Any]) -> Iterator[dict[str, Any]]:
+    """Yield the conditions of when-clauses and their parts, but not those of if-equations inside them."""
+    conditions = {entry["id"]: entry for entry in systems["conditions"]["conditions"]}
+    branches = [branch for owner in systems["discrete_values"]["owners"] for branch in owner["branches"]]
+    activations = [entry["activation"] for entry in (*branches, *systems["discrete_real"]["residuals"])]
+    pending = [activation["trigger"] for activation in activations if activation["kind"] == "when"]
+    actions = systems["events"]["actions"]
+    pending += [action["guard"] for action in actions if action["operation"]["kind"] != "assert"]
+    while pending:
+        condition = conditions.pop(pending.pop(), None)
+        if condition is None:
+            continue
+        yield condition
+        operation = condition["operation"]
+        parts = [operation[name] for name in ("condition", "lhs", "rhs") if name in operation]
+        is_inside = operation["kind"] == "and" and condition["provenance"]["origin"] != "source"
+        pending += parts[:1] if is_inside else parts
 
 
 def _changing(model: LoweredModel, number: int, *, literal: bool = False) -> str | None:

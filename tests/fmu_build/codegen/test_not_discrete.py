@@ -1,4 +1,4 @@
-"""Discrete variables that would change between events are refused, others built."""
+"""Discrete variables and when-conditions that would change between events are refused, others built."""
 
 from __future__ import annotations
 
@@ -65,6 +65,17 @@ REST_OF_B = "y = 0; d = 0; n = 0;"
         (f"b = time > 0.5 and noEvent(x > 0.7); {REST_OF_B}", "b depends on x"),
         (f"n = if noEvent(time > 0.5) then 2 else 1; {REST_OF_N.replace('n;', '0;')}", "n depends on time"),
         ("d = time; n = 0; y = 0; b = false;", "a discrete Real depends on time"),
+        ("when large(x) then n = 1; end when; y = n; d = 0; b = false;", "when-clause depends on x"),
+        ("when noEvent(time > 0.5) then n = 1; end when; y = n; d = 0; b = false;", "depends on time"),
+        (
+            "when large(x) then reinit(x, 0); end when; n = 0; y = 0; d = 0; b = false;",
+            "when-clause depends on x",
+        ),
+        (
+            'when x > 2 or large(x) then terminate(""); end when; n = 0; y = 0; d = 0; b = false;',
+            "depends on x",
+        ),
+        ("when {large(time), x > 2} then n = 1; end when; y = n; d = 0; b = false;", "depends on time"),
     ],
 )
 def test_what_changes_without_an_event_is_refused(tmp_path: Path, equations: str, message: str) -> None:
@@ -82,6 +93,18 @@ def test_what_changes_without_an_event_is_refused(tmp_path: Path, equations: str
         ("b = whole(time) > 1; n = 0; y = 0; d = 0;", {"b": 1}),
         ("y = whole(time); n = 0; b = false; d = 0;", {"y": 3}),
         ("b = abs(x - 1) < 0.2; n = if x > 0.5 then 2 else 1; y = 0; d = pre(d);", {"b": 1, "n": 2}),
+        (f'assert(noEvent(x < 5), ""); b = true; {REST_OF_B}', {"b": 1}),
+        ('when x > 0.5 then assert(large(x), ""); d = 1; end when; n = 0; y = 0; b = false;', {"d": 1}),
+        (
+            "when x > 0.6 then if large(x) then reinit(x, 0); end if; end when; "
+            "n = 0; y = 0; d = 0; b = false;",
+            {"x": 0.4},
+        ),
+        (
+            "when x > 0.6 then if large(x) then n = 1; else n = 2; end if; end when; "
+            "y = 0; d = 0; b = false;",
+            {"n": 1},
+        ),
         ("when slope > 0.5 and x > 0.9 then n = 4; end when; y = 0; d = 0; b = false;", {"n": 4}),
     ],
 )

@@ -131,15 +131,15 @@ _CASES = {
         "block U input Real u; Real y = 2*u; end U; U u[3];",
         "u[1].u = time; u[2:3].u = u[1:2].y;",
         UnsupportedModelError,
-        "M.mo: unbalanced model: 5 equations, 6 unknowns, as the compiler counts them; it miscounts equations of "
-        "slices of arrays of components",
+        "M.mo: unbalanced model: 5 equations, 6 unknowns, as the compiler counts them; it miscounts "
+        "equations of slices of arrays of components",
     ),
     "each with an array": Case(
         "block V parameter Real k = 1; Real x(start = k, fixed = true); equation der(x) = k; end V; "
         "block W V v[2]; end W; W w[2](each v(k = {7, 8}));",
         "",
         UnsupportedModelError,
-        "M.mo:2:132: unbalanced model: 8 equations, 4 unknowns, as the compiler counts them",
+        "M.mo:2:124: unbalanced model: 8 equations, 4 unknowns, as the compiler counts them",
     ),
     "type error that has brackets": Case(
         "Real a[3]; Real b[2];",
