@@ -1,8 +1,8 @@
-"""Discrete variables and when-conditions that are given by expressions that change between events.
+"""Discrete variables and conditions of when-clauses whose expressions change between events.
 
-Modelica forbids them (Modelica 3.6, section 3.8.4): a relation makes an event, but neither one in a function
-nor one within noEvent() does. rumoca reports them only where the model reads the variable; otherwise the
-variable would keep its first value.
+They are invalid (Modelica 3.6, section 3.8.4): a relation triggers an event, but not within a function or
+noEvent(). rumoca reports a variable only if the model reads it. Otherwise the variable would keep its first
+value, and the clause would never become active.
 """
 
 from __future__ import annotations
@@ -20,18 +20,18 @@ _CONTINUOUS = frozenset({"state", "derivative", "algebraic", "input"})
 
 
 def reject_continuous_definitions(model: LoweredModel) -> None:
-    """Raise `UnsupportedModelError` for the first expression that is discrete but changes between events."""
+    """Raise `UnsupportedModelError` for the first discrete expression that changes between events."""
     for what, number, provenance in _discrete_expressions(model):
         if (changing := _changing(model, number)) is not None:
             raise model.unsupported(
                 f"{what} depends on {changing} without an event; relations within functions and noEvent() "
-                "make none: compare outside of them, or compute it in a when-clause",
+                "trigger none: compare outside of them, or compute it in a when-clause",
                 provenance["span"],
             )
 
 
 def _discrete_expressions(model: LoweredModel) -> Iterator[tuple[str, int, dict[str, Any]]]:
-    """Yield what each expression defines that must not change between events, its number and its place."""
+    """Yield each expression that must not change between events: what it defines, its number, its place."""
     variables = {entry["id"]: entry["name"] for entry in model.dae["variables"]}
     systems = model.dae["systems"]
     for owner in systems["discrete_values"]["owners"]:
@@ -69,7 +69,7 @@ def _conditions_of_clauses(systems: dict[str, Any]) -> Iterator[dict[str, Any]]:
 
 
 def _changing(model: LoweredModel, number: int, *, literal: bool = False) -> str | None:
-    """Return the name of a variable whose changes change an expression between events; None without any.
+    """Return the name of a variable through which an expression changes between events, or None.
 
     Args:
         model: the model

@@ -188,7 +188,7 @@ def _is_step_crossing(root: Expression) -> bool:
 
 def _holds_at_zero(model: LoweredModel, root: Expression, number: int) -> bool:
     events = model.solve["events"]
-    domain = events["root_zero_domains"][number]
+    domain: str = events["root_zero_domains"][number]
     if domain == "Previous" and not ex.varies(_with_steps_frozen(root)):
         return False  # an equality of discrete values, written as a root of -1 or 1
     if domain not in ("NonPositive", "Positive"):

@@ -18,7 +18,7 @@ from typer.core import TyperCommand
 
 from fmu_build.support.plain_help import PlainCommand, PlainGroup
 from pyjoystick import support
-from pyjoystick.cli.console import compiling_told, print_error, print_traceback
+from pyjoystick.cli.console import compilation_announced, print_error, print_traceback
 from pyjoystick.cli.invocation import invocation
 from pyjoystick.support import PyJoystickError
 
@@ -204,5 +204,5 @@ def _options(
         invocation.verbose = True
         context.with_resource(log_shown(everything=verbose > 1))
     else:
-        context.with_resource(compiling_told())
+        context.with_resource(compilation_announced())
     support.remove_abandoned()

@@ -88,17 +88,17 @@ def print_progress(message: str) -> None:
     _messages(quiet=invocation.quiet).print(f"[dim]{escape(message)}[/dim]")
 
 
-class _Told(logging.Handler):
-    """Prints records as lines about what is being done."""
+class _ProgressHandler(logging.Handler):
+    """Prints log records as progress lines."""
 
     def emit(self, record: logging.LogRecord) -> None:
         print_progress(record.getMessage())
 
 
 @contextmanager
-def compiling_told() -> Iterator[None]:
-    """Until the body ends, say when the loop of the runs is compiled, because that takes some seconds."""
-    handler, before = _Told(), _COMPILER.level
+def compilation_announced() -> Iterator[None]:
+    """Announce, until the body ends, that the loop of the runs is being compiled: it takes some seconds."""
+    handler, before = _ProgressHandler(), _COMPILER.level
     _COMPILER.addHandler(handler)
     _COMPILER.setLevel(logging.INFO)
     try:

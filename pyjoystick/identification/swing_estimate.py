@@ -88,8 +88,8 @@ def inertia_doubts(joystick: JoystickParameters, records: Sequence[Record]) -> t
     if found is None or abs(joystick.J / found.J - 1.0) < _DOUBTFUL:
         return ()
     return (
-        f"with these springs, the periods of the swings require J = {found.J:.3g} kg m2, the joystick has "
-        f"{joystick.J:.3g}; the C from peaks is proportional to J: are these the joystick's J and springs?",
+        f"with these springs, the periods of the swings require J = {found.J:.3g} kg m2, but the joystick "
+        f"has {joystick.J:.3g}; the C from peaks is proportional to J: are these J and springs its own?",
     )
 
 

@@ -42,26 +42,26 @@ def compiled(arguments: tuple[object, ...]) -> Callable[..., int]:
         return _dispatcher(signature, cache=False)
 
 
-class _Told(event.Listener):  # type: ignore[misc]  # Numba has no annotations
-    """Logs the first compilation; those of the functions that the loop calls happen within it."""
+class _CompilationLog(event.Listener):  # type: ignore[misc]  # Numba has no annotations
+    """Logs the first compilation only: those of the functions that the loop calls are part of it."""
 
     def __init__(self) -> None:
-        self._is_told = False
+        self._is_logged = False
 
     def on_start(self, event: Any) -> None:
-        """Say why the program waits."""
-        if not self._is_told:
+        """Log why the program waits."""
+        if not self._is_logged:
             _LOG.info("compiling the loop of the runs; this takes some seconds the first time")
-        self._is_told = True
+        self._is_logged = True
 
     def on_end(self, event: Any) -> None:
-        """Say nothing."""
+        """Do nothing; the interface requires it."""
 
 
 def _dispatcher(signature: tuple[Any, ...], *, cache: bool) -> Callable[..., int]:
     dispatcher = njit(nogil=True, cache=cache)(_versioned(cast(FunctionType, kernel.run_many)))
     # Numba reports a compilation only if it has found nothing on disk.
-    with event.install_listener("numba:compile", _Told()):
+    with event.install_listener("numba:compile", _CompilationLog()):
         dispatcher.compile(signature)
     dispatcher.disable_compile()
     return cast(Callable[..., int], dispatcher)

@@ -147,7 +147,7 @@ def _is_remark(line: str) -> bool:
 def _after_labview_headers(path: Path, lines: list[tuple[int, str]]) -> list[tuple[int, str]]:
     """The lines after the headers of a LabVIEW measurement file (.lvm); all lines of another file.
 
-    The last heading is that of the comments, which most files do not have.
+    The last heading, Comment, is dropped if there are no cells below it.
 
     Raises:
         RecordError: the file holds several measurements
@@ -159,9 +159,11 @@ def _after_labview_headers(path: Path, lines: list[tuple[int, str]]) -> list[tup
         reason = f"holds {len(ends) - 1} measurements, each with a header"
         raise RecordError(str(path), reason, "keep one of them", rows=[lines[ends[2]][0]])
     found = lines[ends[-1] + 1 :]
-    if len(found) > 1 and len(found[0][1].split("\t")) > len(found[1][1].split("\t")):
+    if len(found) > 1:
         number, headings = found[0]
-        found[0] = number, headings.removesuffix("\tComment")
+        last = re.search(r"([\t,;])Comment$", headings)
+        if last is not None and headings.count(last[1]) > found[1][1].count(last[1]):
+            found[0] = number, headings[: last.start()]
     return found
 
 

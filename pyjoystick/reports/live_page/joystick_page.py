@@ -84,7 +84,7 @@ def joystick_page(
         "stop": _STOP,
         "toml": _editable_text(file, joystick, places),
         "places": places,
-        "records": [_record(record, _MOST_SAMPLES // len(records)) for record in records],
+        "records": [_record(record, max(_MOST_SAMPLES // len(records), 1)) for record in records],
     }
     settings = page_settings(joystick, start, title or file.title)
     return explore_page(fmu, settings, Addition(_ASSETS, "joystick", data))
@@ -185,13 +185,10 @@ def _value(content: Any, place: str) -> Any:
 
 
 def _record(record: Record, most: int) -> dict[str, Any]:
-    """Time and angle from the release, which may be late; records with more than `most` samples are thinned.
-
-    If there are so many records that `most` is 0, it counts as 1.
-    """
+    """Time and angle from the release, which may be late; thinned to at most `most` samples."""
     release = guess_release(record.time, record.theta)
     late = record.time >= release.time
-    every = math.ceil(int(late.sum()) / max(most, 1))
+    every = math.ceil(int(late.sum()) / most)
     return {
         "name": record.name,
         "start": round(release.angle, 7),

@@ -98,6 +98,6 @@ def test_the_j_of_another_joystick_is_doubted(command: Command) -> None:
     doubled = command("peaks", *RECORDS, "--set", "J=0.0227")
     assert doubled.code == 0
     note = " ".join(doubled.err.split())
-    assert "the joystick has 0.0227" in note
+    assert "but the joystick has 0.0227" in note
     assert float(note.partition("require J = ")[2].split()[0]) == pytest.approx(0.01135, rel=0.05)
     assert "of the swings require" not in command("peaks", *RECORDS, "--set", "J=0.0125").err

@@ -502,12 +502,13 @@ Delta_X\t0.004000\t\t
 """
 
 
+@pytest.mark.parametrize("delimiter", ["\t", ","], ids=["tab", "comma"])
 @pytest.mark.parametrize("comment", ["", "\t", "\tpause"], ids=["no cells", "empty cells", "comments"])
-def test_a_labview_measurement(comment: str, tmp_path: Path) -> None:
+def test_a_labview_measurement(comment: str, delimiter: str, tmp_path: Path) -> None:
     """The headings have a column more than the data if there are no comments."""
     rows = "".join(f"{t:.6f}\t{a:.6f}{comment}\n" for t, a in zip(TIME, ANGLE, strict=True))
     table = f"{CHANNELS}X_Value\tAngle\tComment\n{rows}"
-    file = written(tmp_path / "log.lvm", LABVIEW.format(table), "utf-8")
+    file = written(tmp_path / "log.lvm", LABVIEW.format(table).replace("\t", delimiter), "utf-8")
     names = {"columns": {"time": "X_Value", "theta": "Angle"}, "units": {"time": "s", "theta": "deg"}}
     log = read_log(file, **names)
     np.testing.assert_allclose(log.series["time"], TIME, rtol=0.0, atol=1e-9)
