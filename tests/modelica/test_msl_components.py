@@ -15,6 +15,12 @@ STAND_IN = Path(__file__).parent / "stand_in" / "Modelica.mo"
 COMPONENTS = [c for c in library_classes(MSL_ROOT) if c.name.startswith("Components.")]
 
 
+@pytest.fixture(autouse=True)
+def _no_msl(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Hide an installed library, whose classes rumoca would take for a second definition."""
+    monkeypatch.delenv("MODELICAPATH", raising=False)
+
+
 def _session() -> rumoca.Session:
     """A session with the stand-in and the components, without the examples, which need more of MSL."""
     session = rumoca.Session()
