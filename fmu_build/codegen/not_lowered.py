@@ -128,6 +128,23 @@ def _reinitialized_dependents(_: CompiledModel, __: re.Match[str]) -> Obstacles:
     )
 
 
+def _nested_arrays(_: CompiledModel, __: re.Match[str]) -> Obstacles:
+    yield (
+        "the elements of an array of components take arrays from a literal of braces only; write "
+        "(x = {{1, 2}, {3, 4}})",
+        None,
+    )
+
+
+def _loops_over_samples(model: CompiledModel, message: re.Match[str]) -> Obstacles:
+    name, read = message.groups()
+    yield (
+        f"the when-clause that sets {name} reads {read}, which depends on {name} at the same instant; this "
+        f"is not supported: where the value from before is meant, write pre({name})",
+        model.flat["variables"].get(name, {}).get("source_span"),
+    )
+
+
 def _derivatives_at_events(model: CompiledModel, _: re.Match[str]) -> Obstacles:
     """Find derivatives that are read at events: in when-clauses, relations and if-conditions."""
     at_events = [model.flat["when_chains"]]
@@ -154,6 +171,8 @@ _FINDERS: tuple[tuple[str, Callable[[CompiledModel, re.Match[str]], Obstacles]],
     ("clock activation owners", _partly_sampled_clauses),
     ("matrix power", _matrix_powers),
     (r"index (-?\d+) is outside an axis of extent (\d+)", _absent_elements),
+    ("one subscript per array dimension", _nested_arrays),
+    ("definition of `([^`]+)` reads `([^`]+)`, which is causally reachable", _loops_over_samples),
     ("derivative coordinate escaped", _derivatives_at_events),
     ("missing state mapping for event reinitialization", _reinitialized_dependents),
     (r"structurally singular system: (\d+) matched out of (\d+) equations", _dependent_equations),

@@ -15,8 +15,9 @@ class Meaning:
     """The explanation of a message.
 
     `message` is a pattern; `says` may use its named groups. `constructs` are patterns of possible causes in
-    the source, most likely first, in which NAME stands for the group ``name``. `called` is set if the
-    explanation begins with the construct itself; it replaces the construct if several different ones match.
+    the source, most likely first, in which NAME stands for the group ``name`` and RECORD for the simple name
+    of any record. `called` is set if the explanation begins with the construct itself; it replaces the
+    construct if several different ones match.
     """
 
     message: str
@@ -31,7 +32,10 @@ class Meaning:
         """Return the constructs in the source that may have caused the message."""
         match = re.search(self.message, message)
         name = re.escape(match.groupdict().get("name") or "") if match is not None else ""
-        return source.find([pattern.replace("NAME", name) for pattern in self.constructs])
+        record = f"(?:{'|'.join(map(re.escape, source.records)) or '(?!)'})"
+        return source.find(
+            [pattern.replace("NAME", name).replace("RECORD", record) for pattern in self.constructs]
+        )
 
     def text(self, message: str, found: Sequence[Construct]) -> str:
         """Return the explanation, given the constructs found."""

@@ -101,6 +101,13 @@ MEANINGS = (
         only_there=True,
     ),
     Meaning(
+        r"unresolved Flat reference `(?P<name>\w+)`",
+        UnsupportedModelError,
+        "an equation for the whole array of records {name} is not supported; write one for each element",
+        (r"(?<![\w.])NAME\s*=\s*\{", r"=\s*NAME\s*(?=;)"),
+        only_there=True,
+    ),
+    Meaning(
         r"unresolved Flat reference `(?P<whole>(?:[^`]*\.)?(?P<name>\w+)\.\w+)`",
         UnsupportedModelError,
         "{whole}: members of a record that is a constant of a package are not supported; declare it in the "
@@ -139,16 +146,16 @@ MEANINGS = (
     Meaning(
         rf"reinit\(\) can only be applied to state variables: {_NAME}",
         UnsupportedModelError,
-        "reinit() of elements in a for-loop is not supported; write reinit({name}, {{...}}) for the whole "
-        "array",
-        (r"\breinit\s*\((?=\s*NAME\s*\[\s*[A-Za-z])",),
+        "reinit() of single elements of an array is not supported; write reinit({name}, {{...}}) for the "
+        "whole array or, in a for-loop, declare an array of a model with the when-clause",
+        (r"\breinit\s*\((?=\s*(?:[\w.]+\.)?NAME\s*\[)",),
         only_there=True,
     ),
     Meaning(
         rf"reinit\(\) can only be applied to state variables: {_NAME}",
         ModelicaError,
         "reinit() can be applied to states only: {name} is not a state",
-        (r"\breinit\s*\((?=\s*(?:[\w.]+\.)?NAME\s*[,\[])",),
+        (r"\breinit\s*\((?=\s*(?:[\w.]+\.)?NAME\s*,)",),
         "reinit(...)",
     ),
     Meaning(
@@ -230,6 +237,18 @@ MEANINGS = (
         (r"\(?[\w\s,.\[\]]*\)\s*=\s*(?:\w+\.)*NAME\s*\(",),
     ),
     Meaning(
+        r"multi-output event calls",
+        UnsupportedModelError,
+        "taking several results of a function is not supported in a when-clause; write a function for each",
+        (r"\([\w\s,.\[\]]*,[\w\s,.\[\]]*\)\s*:?=(?!=)",),
+    ),
+    Meaning(
+        r"a receiving tuple slot must receive one whole function result",
+        UnsupportedModelError,
+        "elements of arrays cannot take the results of a function; give these to variables first",
+        (r"\([\w\s,.\[\]]*\[[^()]*\)\s*:?=(?!=)",),
+    ),
+    Meaning(
         r"unsupported runtime operator `(?P<name>\w+)`",
         UnsupportedModelError,
         "{name}() is not supported",
@@ -250,6 +269,21 @@ MEANINGS = (
         "an equation for a value of type {kind} is not supported here; replace an initial equation "
         "pre(v) = ... by v(start = ..., fixed = true)",
         (r"\bpre\s*\([^()]*\)\s*=(?!=)",),
+    ),
+    Meaning(
+        r"expression shape mismatch",
+        UnsupportedModelError,
+        "sign() has a Real value here, which an Integer does not take; write integer(sign(...))",
+        (r"\bInteger\s+(?=(\w+)\b[^;]*(?:;[\s\S]{0,4000}?(?<![\w.])\1\s*)?=\s*-?\s*sign\s*\()",),
+        only_there=True,
+    ),
+    Meaning(
+        r"expression shape mismatch|one subscript per array dimension",
+        UnsupportedModelError,
+        "the elements of an array of components take arrays from a literal of braces only; write "
+        "(x = {{{{1, 2}}, {{3, 4}}}})",
+        (r"\b\w+\s*\[[^\[\]]*\]\s*\((?=[^;{]*\w\s*=\s*(?:\[|\w+\s*[,)]))",),
+        only_there=True,
     ),
     Meaning(
         r"expression shape mismatch",
@@ -326,6 +360,17 @@ MEANINGS = (
         UnsupportedModelError,
         "operator records are not supported",
         (r"\boperator\s+record\b",),
+        only_there=True,
+    ),
+    Meaning(
+        rf"(?P<all>{_UNBALANCED})",
+        UnsupportedModelError,
+        "{all}, as the compiler counts them; it miscounts if-expressions and if-equations of records such as "
+        "this one: write them for each member",
+        (
+            r"(?<![\w.])(?:\w+\.)*RECORD\s+(?=(?:\w+\s*,\s*)*(\w+)\b[^;]*;[\s\S]{0,4000}?"
+            r"(?:(?<![\w.])\1\s*=\s*if\b|\b(?:then|else)\s+\1\s*=(?!=)))",
+        ),
         only_there=True,
     ),
     Meaning(

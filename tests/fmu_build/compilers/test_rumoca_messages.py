@@ -72,6 +72,68 @@ _CASES = {
         UnsupportedModelError,
         "M.mo: the index 0 is outside of 1 to 3, if only in a branch that is never taken",
     ),
+    "reinit of an element": Case(
+        "Real x[2](each start = 0, each fixed = true);",
+        "der(x[1]) = 1; der(x[2]) = 1; when time > 0.5 then reinit(x[2], 5); end when;",
+        UnsupportedModelError,
+        "M.mo:4:54: reinit() of single elements of an array is not supported; write reinit(x, {...}) for the",
+    ),
+    "an Integer that equals sign()": Case(
+        "Integer s;",
+        "s = sign(time - 0.5);",
+        UnsupportedModelError,
+        "M.mo:2:3: sign() has a Real value here, which an Integer does not take; write integer(sign(...))",
+    ),
+    "a matrix for the arrays of an array of components": Case(
+        "model A parameter Real g[2]; Real y = g[1] + g[2]; end A; A b[2](g = [1, 2; 3, 4]);",
+        "",
+        UnsupportedModelError,
+        "M.mo:2:63: the elements of an array of components take arrays from a literal of braces only",
+    ),
+    "an array parameter for the arrays of an array of components": Case(
+        "model A parameter Real g[2] = {5, 6}; Real y = g[1] + g[2]; end A; "
+        "parameter Real G[2, 2] = [1, 2; 3, 4]; A b[2](g = G);",
+        "",
+        UnsupportedModelError,
+        "M.mo: the elements of an array of components take arrays from a literal of braces only",
+    ),
+    "an array of records": Case(
+        "record R Real a; Real b; end R; R r[2];",
+        "r = {R(time, 2), R(3, 4)};",
+        UnsupportedModelError,
+        "M.mo:4:3: an equation for the whole array of records r is not supported; write one for each element",
+    ),
+    "an if-expression of records": Case(
+        "record R Real a; Real b; end R; R r;",
+        "r = if time > 0.5 then R(1, 2) else R(3, 4);",
+        UnsupportedModelError,
+        "M.mo:2:35: unbalanced model: 1 equations, 2 unknowns, as the compiler counts them; it miscounts",
+    ),
+    "an if-equation of records": Case(
+        "record R Real a; Real b; end R; R r;",
+        "if time > 0.5 then r = R(1, 2); else r = R(3, 4); end if;",
+        UnsupportedModelError,
+        "M.mo:2:35: unbalanced model: 1 equations, 2 unknowns, as the compiler counts them; it miscounts",
+    ),
+    "results for the elements of an array": Case(
+        "function f input Real x; output Real y; output Real z; algorithm y := x; z := x; end f; Real w[2];",
+        "(w[1], w[2]) = f(time);",
+        UnsupportedModelError,
+        "M.mo:4:3: elements of arrays cannot take the results of a function; give these to variables first",
+    ),
+    "results of a function in a when-clause": Case(
+        "function f input Real x; output Real y; output Real z; algorithm y := x; z := x; end f; "
+        "discrete Real v; discrete Real w;",
+        "when sample(0, 0.2) then (v, w) = f(time); end when;",
+        UnsupportedModelError,
+        "M.mo:4:28: taking several results of a function is not supported in a when-clause; write a function",
+    ),
+    "a sampled variable that depends on itself": Case(
+        "discrete Real d(start = 1, fixed = true); Real y = time + d;",
+        "when sample(0.1, 0.1) then d = 2*y; end when;",
+        UnsupportedModelError,
+        "M.mo:2:12: the when-clause that sets d reads y, which depends on d at the same instant",
+    ),
     "redeclared by a class of its own with the same members": Case(
         "model A Real z = time; end A; model B Real z = 2*time; end B; "
         "model C replaceable A a; end C; C c(redeclare B a);",
@@ -297,8 +359,7 @@ _CASES = {
         "Real x[3](each start = 1, each fixed = true);",
         "der(x) = -x; when time > 0.5 then for i in 1:3 loop reinit(x[i], i); end for; end when;",
         UnsupportedModelError,
-        "M.mo:4:55: reinit() of elements in a for-loop is not supported; write reinit(x, {...}) for the "
-        "whole array",
+        "M.mo:4:55: reinit() of single elements of an array is not supported; write reinit(x, {...}) for the",
     ),
     "discrete variable of two when-clauses": Case(
         _N,
