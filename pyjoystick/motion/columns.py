@@ -11,9 +11,6 @@ from typing import Final
 from pyjoystick.motion.records.errors import RecordError
 from pyjoystick.motion.units import UNITS, plain_unit
 
-#: Quantities that `pyjoystick import record` also finds under other headings.
-_OF_RECORDS: Final = ("time", "theta", "omega", "T", "F")
-_BY_IMPORT: Final = ", as `pyjoystick import record` does"
 _HEADING: Final = re.compile(r"(?P<name>.*?)\s*[(\[](?P<unit>[^()\[\]]*)[)\]]\s*")
 
 
@@ -138,8 +135,6 @@ class TableHead:
         texts = ", ".join(repr(heading.text) for heading in self.headings)
         reason = f"has {len(found) or 'no'} column{'s' * bool(found)} {name!r}"
         advice = f"which column holds {column.name}? There are {texts}: --column {column.name}=HEADING"
-        if column.name in _OF_RECORDS:
-            advice += f", or rename it{_BY_IMPORT}"
         if found:
             advice = f"choose one by its whole heading; there are {texts}"
         elif len(self.headings) == 1:
@@ -168,10 +163,9 @@ class TableHead:
             for one in column.units:
                 if plain_unit(unit) == plain_unit(one) or not any(column.units):
                     return one
-            imported = _BY_IMPORT if column.name in _OF_RECORDS else ""
             advice = (
                 f"known are {known}: if it is one of them under another name, --unit {column.name}=UNIT; "
-                f"else convert the column{imported}"
+                "else convert the column"
             )
             reason, value = "has an unknown unit", unit
         raise RecordError(str(self.path), reason, advice, column=heading.text, rows=self._rows, value=value)

@@ -20,9 +20,9 @@ _DEGREE: Final = math.radians(1.0)
 
 #: Factors to SI units by kind of quantity and unit, in the spelling of `plain_unit`.
 UNITS: Final[Mapping[str, Mapping[str, float]]] = {
-    "time": {"s": 1.0, "ms": 1e-3, "us": 1e-6},
-    "angle": {"rad": 1.0, "deg": _DEGREE, "mrad": 1e-3},
-    "angular velocity": {"rad/s": 1.0, "deg/s": _DEGREE},
+    "time": {"s": 1.0, "ms": 1e-3, "us": 1e-6, "min": 60.0, "h": 3600.0},
+    "angle": {"rad": 1.0, "deg": _DEGREE, "mrad": 1e-3, "mdeg": 1e-3 * _DEGREE, "gon": math.pi / 200.0},
+    "angular velocity": {"rad/s": 1.0, "deg/s": _DEGREE, "mrad/s": 1e-3, "rpm": math.pi / 30.0},
     "angular acceleration": {"rad/s2": 1.0, "deg/s2": _DEGREE},
     "length": {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6, "in": _INCH},
     "force": {

@@ -17,14 +17,22 @@ _SPELLINGS: Final[Mapping[str, Mapping[str, str]]] = {
         "secondi sekund sekunder",
         "ms": "ms msec msecs millisecond milliseconds millisekunde millisekunden milliseconde millisecondes "
         "milisegundos millisecondi",
+        "min": "min minute minutes minuten minuto minutos minuti",
+        "h": "h hour hours stunde stunden heure heures hora horas ora ore",
         "us": "us usec microsecond microseconds mikrosekunde mikrosekunden microsecondes microsegundos",
     },
     "angle": {
         "deg": "deg degs degree degrees degré degrés grados gradi graden grader º",
         "rad": "rad radian radians radiant radianten radianes radianti",
         "mrad": "mrad milliradian milliradians",
+        "mdeg": "mdeg millidegree millidegrees m°",
+        "gon": "gon gons gradian gradians",
     },
-    "angular velocity": {"deg/s": "deg/s deg/sec degrees/s degree/s", "rad/s": "rad/s rad/sec radians/s"},
+    "angular velocity": {
+        "deg/s": "deg/s deg/sec degrees/s degree/s",
+        "rad/s": "rad/s rad/sec radians/s",
+        "rpm": "rpm r/min 1/min U/min rev/min",
+    },
     "torque": {
         "N.m": "Nm N-m newtonmeter newton-meter newton.meter newtonmetre",
         "N.mm": "Nmm N-mm",
@@ -52,13 +60,14 @@ _KNOWN: Final = {
 _NAMES: Final[Mapping[str, tuple[str, str]]] = {
     "time": (
         "time",
-        "t,time,zeit,uhrzeit,zeitstempel,messzeit,temps,tempo,tiempo,tijd,tid,czas,cas,время,时间,時間,"
+        "t,time,zeit,uhrzeit,zeitstempel,messzeit,temps,tempo,tiempo,tijd,tid,czas,cas,aika,ido,время,час,时间,時間,"
         "timestamp,time stamp,elapsed time,relative time,x time",
     ),
     "theta": (
         "angle",
-        "theta,θ,phi,φ,angle,winkel,drehwinkel,angulo,angolo,hoek,vinkel,kat,угол,角度,angular position,"
-        "position angulaire,joystick angle,joystick winkel,winkel joystick,angle joystick,winkelposition",
+        "theta,θ,phi,φ,angle,winkel,drehwinkel,angulo,angolo,hoek,vinkel,kat,uhel,uhol,kulma,szog,угол,кут,角度,"
+        "angular position,position angulaire,joystick angle,joystick winkel,winkel joystick,angle joystick,"
+        "winkelposition",
     ),
     "omega": ("angular velocity", "omega,ω,angular velocity,angular rate,winkelgeschwindigkeit"),
     "alpha": ("angular acceleration", "angular acceleration,winkelbeschleunigung"),
@@ -108,7 +117,8 @@ def understood(text: str, others: Iterable[str] = ()) -> Heading:
         name, unit = match["name"], match["unit"]
     elif match := _AFTER.fullmatch(text):
         name, unit = match["name"] or match["name2"], match["unit"] or match["unit2"]
-        short = len(unit) == 1 and match["name2"] and meaning(name) != "time" and unit != "°"
+        short = (len(unit) == 1 or unit.casefold() == "min") and match["name2"]
+        short = short and meaning(name) != "time" and unit != "°"  # "angle min" is the least angle
         if not is_unit(unit) or short:
             name, unit = text, ""
     if any(word in other.casefold() for other in others for word in _GERMAN):

@@ -139,11 +139,12 @@ class LogTable:
             steps = np.diff(self.file.numbers(heading))
             step = float(np.nanmedian(steps)) if np.isfinite(steps).any() else math.nan
             shortest, longest = _USUAL
-            possible = [unit for unit, factor in column.units.items() if shortest <= step * factor <= longest]
+            usual = {unit: factor for unit, factor in column.units.items() if factor <= 1.0}
+            possible = [unit for unit, factor in usual.items() if shortest <= step * factor <= longest]
             reason = (
                 f"has no unit; its steps of {step:.6g} can be {' or '.join(possible) or 'in no known unit'}"
             )
-            example = " or ".join(f"--unit time={unit}" for unit in possible or column.units)
+            example = " or ".join(f"--unit time={unit}" for unit in possible or usual)
             advice = f"say which: {example}; known are {', '.join(column.units)}"
             raise RecordError(str(self.file.head.path), reason, advice, column=heading.text)
 
@@ -177,11 +178,12 @@ def read_log_table(
             raise RecordError(str(path), "holds no headings with two columns of numbers below", advice)
     else:
         text, encoding = decoded(path, data, layout.encoding)
+        guessed = " as it seems" * (not layout.encoding and not encoding.startswith("utf"))
         found, comments = find_in_text(path, text, layout)
         if found is None:
             return LogTable(read_table_file(path), "text")  # says what is wrong with it
         mark = "comma" if found.decimal == "," else "point"
-        words = f"text, {encoding}, separated by {delimiter_name(found.delimiter)}, decimal {mark}"
+        words = f"text, {encoding}{guessed}, separated by {delimiter_name(found.delimiter)}, decimal {mark}"
     if not found.names and not numbered:
         raise RecordError(
             str(path),

@@ -11,6 +11,7 @@ from typing import Final
 from charset_normalizer import from_bytes
 
 from pyjoystick.motion.logs.grid import Candidate, Row, find_table
+from pyjoystick.motion.logs.headings import meaning, understood
 from pyjoystick.motion.logs.layout import Layout
 from pyjoystick.motion.records.errors import RecordError
 from pyjoystick.motion.table_files import cells_of_line
@@ -28,6 +29,9 @@ _BOMS: Final = {
 _ENCODINGS: Final = ["cp1252", "cp1250", "cp1251", "mac_roman", "cp437", "shift_jis", "gb18030", "euc_kr"]
 #: Number of bytes used to detect the encoding.
 _ENOUGH: Final = 1 << 16
+#: Number of lines that may contain the headings.
+_FIRST_LINES: Final = 100
+_SEPARATOR: Final = re.compile(r"[,;\t|]")
 _LABVIEW_END: Final = "***End_of_Header***"
 #: A heading with its unit, if spaces separate the columns.
 _WORD: Final = re.compile(r"[^\s(\[]+(?:\s*[(\[][^)\]]*[)\]])?")
@@ -72,15 +76,28 @@ def _encodings(data: bytes) -> list[str]:
     try:
         data.decode("utf-8")
     except UnicodeDecodeError:
-        # A single degree sign does not identify the encoding: prefer the most usual one among those that fit.
+        # A single degree sign does not identify the encoding: prefer the most usual one among those that fit,
+        # unless another turns the headings into more words that are known.
         best = next((one for names in (_ENCODINGS[:1], _ENCODINGS) if (one := _best(data, names))), "cp1252")
-        return [best, "latin-1"]
+        return [max((best, *_ENCODINGS), key=lambda one: _known_words(data, one)), "latin-1"]
     return ["utf-8"]
 
 
 def _best(data: bytes, encodings: list[str]) -> str:
     found = from_bytes(data[:_ENOUGH], cp_isolation=encodings).best()
     return found.encoding if found else ""
+
+
+def _known_words(data: bytes, encoding: str) -> int:
+    """How many words beyond ASCII in the first lines are the name of a quantity in this encoding."""
+    try:
+        lines = data[:_ENOUGH].decode(encoding, errors="ignore").splitlines()[:_FIRST_LINES]
+    except LookupError:
+        return 0
+    cells = (cell.strip(" \"'") for line in lines for cell in _SEPARATOR.split(line) if not cell.isascii())
+    return sum(
+        meaning(understood(cell).name) is not None for cell in cells if not understood(cell).name.isascii()
+    )
 
 
 def find_in_text(path: Path, text: str, layout: Layout) -> tuple[Candidate | None, tuple[str, ...]]:

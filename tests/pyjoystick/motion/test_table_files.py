@@ -34,6 +34,11 @@ def _file(folder: Path, text: str) -> Path:
         ("force", "kgf", 9.80665),
         ("force", "lbf", 4.4482216152605),
         ("length", "in", 0.0254),
+        ("time", "min", 60.0),
+        ("time", "h", 3600.0),
+        ("angle", "mdeg", math.pi / 180.0 / 1000.0),
+        ("angle", "gon", math.pi / 200.0),
+        ("angular velocity", "rpm", 2.0 * math.pi / 60.0),
         ("torque", "lbf.in", 0.1129848290276167),
         ("torque", "lbf.ft", 1.3558179483314004),
         ("mass", "g", 1 / 1000),
@@ -183,12 +188,3 @@ def test_an_option_replaces_an_unknown_unit_and_no_known_one(tmp_path: Path) -> 
     path = _file(tmp_path, "force (mm),x\n2,1\n3,1\n")
     with pytest.raises(RecordError, match="unit mm in its heading, but N is given; correct the"):
         read_table_file(path).read([column], units={"force": "N"})
-
-
-def test_a_missing_quantity_of_a_record_leads_to_the_import(tmp_path: Path) -> None:
-    path = _file(tmp_path, "time (s),Hand (lbf.in)\n0,1\n")
-    torque = Column("T", {"N.m": 1.0})
-    with pytest.raises(RecordError, match=r"which column holds T.* `pyjoystick import record`"):
-        read_table_file(path).read([torque])
-    with pytest.raises(RecordError, match="convert the column, as `pyjoystick import record` does"):
-        read_table_file(path).read([torque], headings={"T": "Hand"})

@@ -70,6 +70,26 @@ READ: dict[str, tuple[str, str, bool]] = {
         "utf-8",
         False,
     ),
+    "minutes and gon": (
+        text(("time (min)", "angle (gon)"), TIME / 60.0, ANGLE / 0.9, digits=15),
+        "utf-8",
+        False,
+    ),
+    "hours and millidegrees": (
+        text(("Zeit/h", "Winkel/mdeg"), TIME / 3600.0, 1e3 * ANGLE, delimiter=";", digits=15),
+        "utf-8",
+        False,
+    ),
+    "the least and the greatest angle": (
+        text(("time (s)", "angle (deg)", "angle min", "angle max"), TIME, ANGLE, ANGLE - 1.0, ANGLE + 1.0),
+        "utf-8",
+        False,
+    ),
+    "czech windows": (
+        text(("Čas [s]", "Úhel [°]"), TIME, ANGLE, delimiter=";", decimal=","),
+        "cp1250",
+        False,
+    ),
     "us": (text(("time_us", "angle_deg"), 1e6 * TIME, ANGLE), "utf-8", False),
     "french": (text(("Temps (s)", "Angle (degrés)", "Couple (N·m)"), TIME, ANGLE, TORQUE), "utf-8", True),
     "spanish": (text(("tiempo [ms]", "ángulo [grados]"), 1e3 * TIME, ANGLE, delimiter="|"), "utf-8", False),

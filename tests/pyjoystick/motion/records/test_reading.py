@@ -57,7 +57,7 @@ def test_plain_names_with_units_given(tmp_path: Path) -> None:
     assert read_record(path, columns=columns, units=units).theta == pytest.approx(np.radians(theta))
     assert "row 1: has no column 'time'; which column holds time? There are 'clock'" in str(_refusal(path))
     assert _refusal(path, columns=columns).column == "clock"
-    assert "known are s, ms" in _refusal(path, columns=columns, units={"time": "h"}).advice
+    assert "known are s, ms" in _refusal(path, columns=columns, units={"time": "a"}).advice
     with pytest.raises(RecordError, match="'angle' is not a known quantity; known are time, theta, omega"):
         read_record(path, columns={"angle": "Angle X"})
 
