@@ -11,7 +11,7 @@ from typing import Annotated, Final
 import typer
 from rich.progress import BarColumn, TextColumn, TimeElapsedColumn
 
-from pyjoystick import fmu, identification, model, motion, runs
+from pyjoystick import fmu, identification, model, motion, runs, support
 from pyjoystick.cli import joystick_choice, options, parsing
 from pyjoystick.cli.console import (
     output,
@@ -25,7 +25,6 @@ from pyjoystick.cli.console import (
 from pyjoystick.cli.fmus import found_or_built
 from pyjoystick.cli.invocation import INTERRUPTED, invocation
 from pyjoystick.cli.parameter_updates import file_to_update, write_update
-from pyjoystick.support import check_outputs
 
 EXAMPLES: Final = """
 Examples:
@@ -84,8 +83,8 @@ def run(
             "--known",
             metavar="NAME",
             help="A parameter that --parameters gives with an uncertainty: fit it too, and count its value "
-            "as one more measurement; repeatable. It must have been measured without these records; "
-            "a value saved by `fit --update` is refused.",
+            "as one more measurement; repeatable. A pattern such as '*Spring.x_0' stands for several. It must "
+            "have been measured without these records; a value saved by `fit --update` is refused.",
         ),
     ] = None,
     update: Annotated[
@@ -120,7 +119,7 @@ def run(
     _check_choice(settings_file, damping, is_driven=is_driven, friction=friction)
     _check_file(parameters, known, update=update, even_if_doubtful=even_if_doubtful)
     headings = parsing.parse_headings(columns, units)
-    check_outputs(parameters if update else None, None if folder is None else folder / "fit.md", json)
+    support.check_outputs(parameters if update else None, None if folder is None else folder / "fit.md", json)
     given = file_to_update(parameters) if update else joystick_choice.parameter_file(parameters)
     settings = settings_of(settings_file, damping or given.law, is_driven=is_driven, friction=friction)
     if settings_file is None:
@@ -134,7 +133,9 @@ def run(
         if joystick is not None:
             values = joystick.to_names()
             settings = identification.with_values(settings, values, replace_starts=settings_file is None)
-            settings = identification.with_known(settings, *_known(given, joystick, known or ()))
+            settings = identification.with_known(
+                settings, *_known(given, model.law_name(joystick.damping), known or ())
+            )
         if update:
             identification.require_joystick_in(settings)
         records = identification.read_records(
@@ -174,23 +175,13 @@ def _begun(
 
 
 def _known(
-    file: model.ParameterFile, joystick: model.JoystickParameters, names: Sequence[str]
+    file: model.ParameterFile, law: model.LawName, names: Sequence[str]
 ) -> tuple[Mapping[str, float], Mapping[str, float]]:
     """Values and standard uncertainties of parameters, by name."""
-    values = joystick.to_names()
-    stated_values = model.fmu_values(file, model.law_name(joystick.damping))
-    errors = {one.name: one.uncertainty for one in stated_values}
-    tables = {one.name: one.table for one in stated_values}
-    for name in names:
-        source = file.sources.get(tables.get(name, ""), "")
-        if "fit to " in source:
-            reason = f"{file.path} has it from a {source}; records must not count twice"
-            raise typer.BadParameter(f"{name} must be measured without a fit: {reason}", param_hint="--known")
-        if name not in values or not errors.get(name):
-            stated = [one for one in values if errors.get(one)]
-            allowed = f"one that {file.path} gives with an uncertainty: {', '.join(stated) or 'none'}"
-            raise typer.BadParameter(f"{name} must be {allowed}", param_hint="--known")
-    return {name: values[name] for name in names}, {name: errors[name] or 0.0 for name in names}
+    try:
+        return identification.known_values(file, law, names)
+    except support.ParameterError as error:
+        raise typer.BadParameter(f"{error.value} must be {error.allowed}", param_hint="--known") from error
 
 
 def _check_choice(file: Path | None, law: model.LawName | None, *, is_driven: bool, friction: bool) -> None:

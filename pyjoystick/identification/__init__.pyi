@@ -86,7 +86,11 @@ from .fitting.selection import (
 )
 from .fitting.settings_file import read_fit_settings as read_fit_settings, reads_releases as reads_releases
 from .fitting.text_report import report as report, summary as summary
-from .joystick_of_fit import fitted_joystick as fitted_joystick, require_joystick_in as require_joystick_in
+from .joystick_of_fit import (
+    fitted_joystick as fitted_joystick,
+    known_values as known_values,
+    require_joystick_in as require_joystick_in,
+)
 from .laboratory_errors import (
     FITTED as FITTED,
     Contribution as Contribution,

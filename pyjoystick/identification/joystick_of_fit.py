@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from fnmatch import fnmatchcase
 from typing import Final
 
 import numpy as np
@@ -21,6 +22,9 @@ from pyjoystick.model import (
     SIDES,
     STOP_NAMES,
     JoystickParameters,
+    LawName,
+    ParameterFile,
+    fmu_values,
     law_name,
     rounded,
     rounded_error,
@@ -68,6 +72,43 @@ def require_joystick_in(settings: FitSettings) -> None:
 def _one_for_each_record(names: Iterable[str]) -> FitError:
     reason = "each record has a value of its own and the joystick has one: fit it without per_record"
     return FitError(", ".join(dict.fromkeys(names)), reason)
+
+
+def known_values(
+    file: ParameterFile, law: LawName, names: Sequence[str]
+) -> tuple[dict[str, float], dict[str, float]]:
+    """Collect the measured values that a fit counts as additional measurements, for `with_known`.
+
+    Args:
+        file: the parameter file with the values, their uncertainties and their sources
+        law: damping law of the fit
+        names: parameters by their FMU names, or patterns such as ``*Spring.x_0``, which stand for every
+            matching parameter that has an uncertainty
+
+    Returns:
+        values and standard uncertainties in SI units, by name
+
+    Raises:
+        ParameterError: a parameter has no uncertainty, or comes from a fit, whose records would count twice;
+            or a pattern matches none
+    """
+    stated = {one.name: one for one in fmu_values(file, law) if one.uncertainty}
+    measured = {name: one for name, one in stated.items() if "fit to " not in one.source}
+    found = {}
+    for name in names:
+        if name in stated and name not in measured:
+            reason = f"{file.path} has it from a {stated[name].source}; records must not count twice"
+            raise ParameterError("known", name, f"measured without a fit: {reason}")
+        matching = [one for one in measured.values() if fnmatchcase(one.name, name)]
+        if not matching:
+            raise ParameterError(
+                "known",
+                name,
+                f"one that {file.path} gives with an uncertainty: {', '.join(stated) or 'none'}",
+            )
+        found.update({one.name: one for one in matching})
+    values = {name: one.value for name, one in found.items()}
+    return values, {name: one.uncertainty or 0.0 for name, one in found.items()}
 
 
 def fitted_joystick(

@@ -224,7 +224,7 @@ class _Assembler:
         """Add the steps for peaks, fit, error budget and the resulting joystick."""
         lab, standard = self.lab, not self.lab.fit.file
         with_fit = bool(records)
-        with_budget = with_fit and standard and lab.fit.law == "constant"
+        with_budget = with_fit and standard and lab.fit.law == "constant" and not lab.fit.known
         if with_fit and standard:
             known = {*self.sources, *lab.given.values}
             inertia_known = "J" in known or bool(lab.base_file)

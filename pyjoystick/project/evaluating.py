@@ -85,6 +85,8 @@ def fit(lab: Laboratory, records: tuple[str, ...], sources: Mapping[str, str], f
             settings = identification.with_values(
                 settings, joystick.to_names(), replace_starts=not choice.file
             )
+            known = identification.known_values(given, model.law_name(joystick.damping), choice.known)
+            settings = identification.with_known(settings, *known)
             identification.require_joystick_in(settings)
             paths = [lab.root / one for one in records]
             read = identification.read_records(paths, settings, opened.description)

@@ -107,11 +107,14 @@ class FitChoice:
     Attributes:
         law: damping law of the standard fit
         file: file with the settings of another fit, relative to the project; empty for the standard fit
+        known: measured parameters that the fit may change within their uncertainties, by FMU names or
+            patterns; see `identification.known_values`
         even_if_doubtful: whether the results of a fit are used although it failed a check
     """
 
     law: model.LawName = "constant"
     file: str = ""
+    known: tuple[str, ...] = ()
     even_if_doubtful: bool = False
 
 

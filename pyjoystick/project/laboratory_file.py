@@ -91,6 +91,7 @@ def read_laboratory(path: str | PathLike[str] | Table) -> Laboratory:
         fit=FitChoice(
             law="power-law" if choice_of(fit, "law", _LAWS) == "power-law" else "constant",
             file=fit.text("settings", ""),
+            known=tuple(fit.words("known")) if "known" in fit else (),
             even_if_doubtful=fit.flag("even_if_doubtful"),
         ),
         scale=relative_of(fit, "u_scale"),

@@ -145,6 +145,7 @@ def _fit() -> Schema:
     return table(
         law={"enum": list(model.PAPER.laws)},
         settings=about(TEXT, "a file of your own"),
+        known=about(array(TEXT), "measured parameters that the fit may change within their uncertainties"),
         u_scale=about(NUMBER, "relative standard uncertainty of the angle's scale"),
         u_time_base=about(NUMBER, "relative standard uncertainty of the clock of the records"),
         even_if_doubtful=FLAG,

@@ -128,6 +128,27 @@ def test_a_fit_that_contradicts_a_measurement_is_doubted(
         assert "combined standard uncertainties off the swing test" in body
 
 
+def test_a_fit_may_change_what_was_measured_within_its_uncertainty(
+    run: Callable[[str, str], dict[str, StepState]], tmp_path: Path
+) -> None:
+    """J is measured 1 % too large: fixed, it spoils the fit; with its uncertainty, the records correct it."""
+    wrong = f'[body]\nJ = {1.01 * NOMINAL.J}\nu_J = {0.01 * NOMINAL.J}\nsource = "swing test"\n'
+    own = FIT.replace("[parameters]\nJ = 0.01135\n", "")
+    assert run(LABORATORY + wrong, own)["fit"].remark.startswith("failed ")
+    known = LABORATORY.replace("[fmus]", 'known = ["J"]\n[fmus]') + wrong
+    steps = run(known, own)
+    assert "J = " in steps["fit"].remark, steps["fit"]
+    file = read_parameter_file(tmp_path / "results" / "joystick.toml")
+    assert abs(file.joystick.J - NOMINAL.J) < 3.0 * file.uncertainties["body.J"] < 0.005 * NOMINAL.J
+    assert abs(file.joystick.to_names()["damping.C"] / NOMINAL.to_names()["damping.C"] - 1.0) < 0.01
+
+
+def test_what_was_not_measured_is_not_known(run: Callable[[str, str], dict[str, StepState]]) -> None:
+    steps = run(LABORATORY.replace("[fmus]", 'known = ["*Spring.x_0"]\n[fmus]'), FIT)
+    assert steps["fit"].state == "failed"
+    assert "known = *Spring.x_0: must be one that " in steps["fit"].remark
+
+
 @pytest.mark.parametrize("known", [False, True])
 def test_peaks_of_a_joystick_whose_inertia_was_not_measured(
     known: bool, joystick_fmus: Path, tmp_path: Path
