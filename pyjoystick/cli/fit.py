@@ -83,8 +83,8 @@ def run(
             "--known",
             metavar="NAME",
             help="A parameter that --parameters gives with an uncertainty: fit it too, and count its value "
-            "as one more measurement; repeatable. A pattern such as '*Spring.x_0' stands for several. It must "
-            "have been measured without these records; a value saved by `fit --update` is refused.",
+            "as one more measurement; repeatable. A pattern such as '*Spring.x_0' stands for several. It "
+            "must have been measured without these records; a value saved by `fit --update` is refused.",
         ),
     ] = None,
     update: Annotated[
